@@ -11,11 +11,11 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 import turgor as tg
-from turgor.calibration.job_files import free_parameters, job_trial
-from turgor.response import Column, Response
-from turgor.source import Source
-from turgor.study.job_runs import solved_job
-from turgor.study.jobs.job_file import job_file
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
+from turgor.studies.calibration.job_files import free_parameters, job_trial
+from turgor.studies.study.job_runs import solved_job
+from turgor.studies.study.jobs.job_file import job_file
 from turgor.units import deg, kPa, mm
 
 JOB = """

@@ -16,9 +16,9 @@ import numpy as np
 import turgor as tg
 from peers.problem import STEPS as PEER_STEPS
 from peers.problem import mesh_file, peak_memory, stated
-from turgor.engine.runtime import EngineOptions
-from turgor.meshing.mesh import TETRAHEDRON_EDGES
-from turgor.meshing.refining.split import split_edges
+from turgor.core.engine.runtime import EngineOptions
+from turgor.core.meshing.mesh import TETRAHEDRON_EDGES
+from turgor.core.meshing.refining.split import split_edges
 from turgor.units import MPa, kPa, mm
 
 ROOT = Path(__file__).parents[1]
@@ -59,7 +59,7 @@ def rubber(law: Any, nu: float) -> tg.Material:
 
 def sides(cells: np.ndarray) -> np.ndarray:
     """The six-node sides of all cells, normals pointing out of the cell."""
-    from turgor.meshing.cells import TETRAHEDRON
+    from turgor.core.meshing.cells import TETRAHEDRON
 
     return cells[:, np.array(TETRAHEDRON.sides)].reshape(-1, 6)
 

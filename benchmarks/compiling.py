@@ -30,7 +30,7 @@ def counted(job: str) -> None:
     from numba.core import event
 
     from turgor.cli.app import main as command
-    from turgor.loops import beside as process_beside
+    from turgor.foundation.kernel_cache import beside as process_beside
 
     class Listener(event.Listener):
         def __init__(self) -> None:

@@ -18,12 +18,12 @@ SIZE, PRESSURE = 4.0, 22.5
 RUN = """
 import json, sys, time
 import turgor as tg
-from turgor.engine.contact.terms import ContactTerms
-from turgor.engine.warmup.compiling import compile_kernels
-from turgor.engine.warmup.needs import Needs
-from turgor.engine.system import System
-from turgor.engine.algebra.tangent import Tangent
-from turgor.model.contact import Contact
+from turgor.core.engine.contact.terms import ContactTerms
+from turgor.core.engine.warmup.compiling import compile_kernels
+from turgor.core.engine.warmup.needs import Needs
+from turgor.core.engine.system import System
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.model.contact import Contact
 from turgor.units import kPa, mm
 
 touch, size, pressure, example = sys.argv[1] == "on", float(sys.argv[2]), float(sys.argv[3]), sys.argv[4]

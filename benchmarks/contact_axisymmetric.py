@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from time import process_time
 
 import turgor as tg
-from turgor.engine.warmup.compiling import compile_kernels
-from turgor.engine.warmup.needs import Needs
+from turgor.core.engine.warmup.compiling import compile_kernels
+from turgor.core.engine.warmup.needs import Needs
 from turgor.units import MPa, kPa
 
 #: Folds of the bellows, and pressure [kPa] at which its walls touch.

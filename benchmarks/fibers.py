@@ -16,12 +16,12 @@ CASES = (("right", "hexahedra", 6.0, 60.0), ("both", "hexahedra", 6.0, 60.0), ("
 RUN = """
 import json, sys, time
 import turgor as tg
-from turgor.engine.warmup.compiling import compile_kernels
-from turgor.engine.warmup.needs import Needs
-from turgor.geometry import FiberReinforcedCylinder
-from turgor.materials.laws.laws import Hooke
-from turgor.model.fibers import Fibers, Winding
-from turgor.results.measures.measures import find_measure
+from turgor.core.engine.warmup.compiling import compile_kernels
+from turgor.core.engine.warmup.needs import Needs
+from turgor.core.geometry import FiberReinforcedCylinder
+from turgor.core.materials.laws.laws import Hooke
+from turgor.core.model.fibers import Fibers, Winding
+from turgor.core.results.measures.measures import find_measure
 from turgor.units import MPa, kPa, mm
 
 form, hand, cells, size, pressure = sys.argv[1], sys.argv[2], sys.argv[3], float(sys.argv[4]), float(sys.argv[5])

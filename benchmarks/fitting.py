@@ -11,13 +11,13 @@ from time import perf_counter
 
 import numpy as np
 
-from turgor.materials.experiments.handling import crop, thin
-from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.experiments.read_tests import read_test
-from turgor.materials.fitting.fit_laws import fit
-from turgor.materials.fitting.ranking import rank
-from turgor.materials.laws.homogeneous import nominal_stress, uniaxial
-from turgor.materials.laws.laws import Ogden
+from turgor.core.materials.experiments.material_test import MaterialTest
+from turgor.core.materials.experiments.read_tests import read_test
+from turgor.core.materials.experiments.test_edits import crop, thin
+from turgor.core.materials.fitting.fit_laws import fit
+from turgor.core.materials.fitting.ranking import rank
+from turgor.core.materials.laws.homogeneous import nominal_stress, uniaxial
+from turgor.core.materials.laws.laws import Ogden
 
 DATA = Path(__file__).parents[1] / "tests" / "validation" / "data"
 LAWS = ("neo-hooke", "mooney-rivlin", "yeoh", "ogden-3", "gent")

@@ -12,7 +12,7 @@ from time import process_time
 import numpy as np
 
 import turgor as tg
-from turgor.response import Column
+from turgor.foundation.response import Column
 from turgor.units import deg, kPa, mm
 
 F = tg.formulas

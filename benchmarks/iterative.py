@@ -17,13 +17,13 @@ import numpy as np
 import turgor as tg
 from case import bender_model, growth_model
 from tables import table
-from turgor.engine.algebra.iterative.levels import levels_of
-from turgor.engine.algebra.iterative.solver import IterativeSolver
-from turgor.engine.algebra.linear import REFINED, ROUGH, linear_solver
-from turgor.engine.algebra.pattern import Pattern
-from turgor.engine.algebra.tangent import Tangent
-from turgor.engine.runtime import EngineOptions
-from turgor.engine.system import System
+from turgor.core.engine.algebra.iterative.levels import levels_of
+from turgor.core.engine.algebra.iterative.solver import IterativeSolver
+from turgor.core.engine.algebra.linear import REFINED, ROUGH, linear_solver
+from turgor.core.engine.algebra.pattern import Pattern
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.runtime import EngineOptions
+from turgor.core.engine.system import System
 
 Equations = tuple[Pattern, np.ndarray, np.ndarray]
 FINE = 1e-6

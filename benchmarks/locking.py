@@ -18,8 +18,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import turgor as tg
-from turgor.engine.faces.surfaces import vector_area
-from turgor.model.write_inp import write_inp
+from turgor.core.engine.faces.surfaces import vector_area
+from turgor.core.model.write_inp import write_inp
 from turgor.units import MPa, deg, kPa, mm
 
 FIGURE = Path(__file__).parents[1] / "docs" / "images" / "locking.svg"

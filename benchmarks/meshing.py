@@ -14,17 +14,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from turgor.cad import WithNormal
+
 import turgor as tg
 from case import ROOT
 from tables import table
-from turgor.cad import WithNormal
-from turgor.geometry.cad.read import read_here
-from turgor.geometry.cad.symmetry.wanted import WantedSymmetry
-from turgor.geometry.geometry import Geometry
+from turgor.core.geometry.cad.read import read_here
+from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.meshing.generate import mesh
+from turgor.core.meshing.quality.cell_quality import quality
+from turgor.core.meshing.tetwild.mesh_cache import FOLDER
 from turgor.job.job import ACTUATORS
-from turgor.meshing.enveloped.kept import FOLDER
-from turgor.meshing.generate import mesh
-from turgor.meshing.quality.cell_quality import quality
 from turgor.units import deg, mm
 
 sys.path.insert(0, str(ROOT / "tests"))

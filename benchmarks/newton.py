@@ -13,9 +13,9 @@ import turgor as tg
 from robustness_cases import CASES
 from robustness_cases.case import OPTIONS
 from tables import table
-from turgor.engine.runtime import MIXED, NEWTON, PLAIN
-from turgor.engine.warmup.compiling import compile_kernels
-from turgor.engine.warmup.needs import Needs
+from turgor.core.engine.runtime import MIXED, NEWTON, PLAIN
+from turgor.core.engine.warmup.compiling import compile_kernels
+from turgor.core.engine.warmup.needs import Needs
 from turgor.units import kPa, mm
 
 ROOT = Path(__file__).parents[1]

@@ -11,8 +11,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import turgor as tg
-from turgor.study.job_runs import solved_job
-from turgor.study.jobs.job_file import job_file
+from turgor.studies.study.job_runs import solved_job
+from turgor.studies.study.jobs.job_file import job_file
 from turgor.units import kPa, mm
 
 JOB = """

@@ -55,9 +55,9 @@ def one() -> NoReturn:
     settle()
     with loading():
         from turgor.cli.console import PlainDisplay  # noqa: F401  what the command loads
-        from turgor.job import ahead, meshes, prepare, read, run  # noqa: F401
+        from turgor.core.solvers import solve
+        from turgor.job import meshes, prepare, read, run
         from turgor.job.output import tables
-        from turgor.solvers import solve
 
     spent["Python and imports"] = process_time()
     clock(read, "_build", "shape")
@@ -106,9 +106,9 @@ def _of_children() -> float:
 def again() -> list[tuple[str, float, float, float]]:
     """Solve with three pressures in one process: what each costs before its path begins, read, prepared, equations."""
     import turgor as tg
-    from turgor.engine.algebra.tangent import Tangent
-    from turgor.engine.system import System
-    from turgor.job.text.changes import parse_changes
+    from turgor.core.engine.algebra.tangent import Tangent
+    from turgor.core.engine.system import System
+    from turgor.job.text.overrides import parse_changes
 
     runs = []
     for pressure in ("0.2 kPa", "0.3 kPa", "0.4 kPa"):

@@ -17,8 +17,8 @@ from machine import machine
 from robustness_cases import CASES
 from robustness_cases.case import DIAGNOSED, GAVE_UP, REACHED, UNCHECKED, UNSTABLE, WRONG, Verdict, run
 from tables import table
-from turgor.engine.warmup.compiling import compile_kernels
-from turgor.engine.warmup.needs import Needs
+from turgor.core.engine.warmup.compiling import compile_kernels
+from turgor.core.engine.warmup.needs import Needs
 
 PAGE = Path(__file__).parent / "robustness.md"
 HEAD = ("case", "what is hard", "end", "unknowns", "steps", "iterations", "CPU s", "check")

@@ -8,7 +8,6 @@ from collections.abc import Callable
 from time import process_time
 
 import numpy as np
-
 from turgor.loads import Gravity
 from turgor.obstacles import Plane
 from turgor.rods import PlateForce, Rod, RodModel, RodSection, RodSolution, dynamic, natural_frequencies, static

@@ -32,7 +32,7 @@ import two_meshes
 from machine import machine
 from peers import compare
 from tables import table
-from turgor.engine.algebra.linear import available_solvers
+from turgor.core.engine.algebra.linear import available_solvers
 
 HERE = Path(__file__).parent
 PAGE = HERE / "results.md"

@@ -14,8 +14,8 @@ from time import perf_counter, process_time
 import turgor as tg
 from case import ROOT
 from tables import table
-from turgor.solvers.checkpoints.loop import Loop
-from turgor.solvers.checkpoints.record import StageRecord
+from turgor.core.solvers.checkpoints.loop import Loop
+from turgor.core.solvers.checkpoints.record import StageRecord
 from turgor.units import kPa, mm
 
 JOB = ROOT / "examples" / "fast_pneunet.toml"

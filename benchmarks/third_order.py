@@ -184,7 +184,7 @@ def balanced(task: Problem, start: ng.GridFunction) -> ng.GridFunction:
 
 
 def measures(task: Problem, solution: ng.GridFunction) -> dict[str, float]:
-    """Measures as `turgor.results.measures.measures` defines them, of the whole actuator."""
+    """Measures as `turgor.core.results.measures.measures` defines them, of the whole actuator."""
     mesh, u = task.mesh, solution.components[0]
     normal, F = ng.specialcf.normal(3), ng.Id(3) + ng.Grad(u).Trace()
     rest, moved = ng.CF((ng.x, ng.y, ng.z)), ng.CF((ng.x, ng.y, ng.z)) + u

@@ -10,7 +10,7 @@ from typing import Any
 import ngsolve as ng
 
 import turgor as tg
-from turgor.model.supports import Radial
+from turgor.core.model.supports import Radial
 
 MPA, MM = 1e6, 1e-3
 #: Bulk modulus [MPa] of rubbers that keep their volume: the zero block of the matrix gets a small negative diagonal.

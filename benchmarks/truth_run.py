@@ -16,12 +16,12 @@ import numpy as np
 import turgor as tg
 from truth_cases import CASES
 from truth_cases.case import ESTIMATED, GRADED, NO_CONTACT, STEPS, Case
-from turgor.adaptivity.mesh_to import refine_to
-from turgor.geometry.geometry import Geometry
-from turgor.meshing.sizing.default_size import default_size
-from turgor.meshing.sizing.sizes import wall_size
-from turgor.meshing.sweeping.section import Fineness
-from turgor.meshing.sweeping.swept import swept_mesh
+from turgor.accuracy.adaptivity.mesh_to import refine_to
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.meshing.sizing.default_size import default_size
+from turgor.core.meshing.sizing.sizes import wall_size
+from turgor.core.meshing.sweeping.section import Fineness
+from turgor.core.meshing.sweeping.swept import swept_mesh
 from turgor.units import mm
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)

@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 
 import turgor as tg
-from turgor.response import Column
-from turgor.study.run_all import run_all
-from turgor.study.runs import Computed, Run
+from turgor.foundation.response import Column
+from turgor.studies.study.run_all import run_all
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import deg, kPa, mm
 from which_model_page import write_page
 

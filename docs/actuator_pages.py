@@ -11,9 +11,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from turgor.jobs import ACTUATORS, example_job, family_table
+
 from turgor import Geometry, TurgorError
 from turgor.guidelines import chosen
-from turgor.jobs import ACTUATORS, example_job, family_table
 
 DOCS = Path(__file__).parent
 PICTURES = DOCS / "images" / "actuators"
@@ -130,10 +131,10 @@ def _cut(family: Any) -> Any:
 def draw(name: str, family: Any) -> None:
     """Draw a family: cut open where it has a mirror plane, and at the end of its example job."""
     from PIL import Image
-
-    from turgor import mesh, solve
     from turgor.jobs import prepare, read_job
     from turgor.pictures import shared_view, write_mesh_picture, write_picture
+
+    from turgor import mesh, solve
 
     made = mesh(_cut(family).build())
     faces = {side.replace("symmetry_", "cut_"): triangles for side, triangles in made.faces.items()}

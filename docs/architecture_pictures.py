@@ -54,22 +54,22 @@ FOUNDATION = tuple(
 
 #: What does the work in each box of the second picture.
 PARTS = (
-    "turgor.solvers.continuation.path_follower.follow",
-    "turgor.solvers.continuation.step_control.StepControl",
-    "turgor.solvers.continuation.path_points.Strategy",
-    "turgor.solvers.continuation.predictor.predicted",
-    "turgor.solvers.newton.newton.newton",
-    "turgor.solvers.newton.contact_newton.newton_with_contact",
-    "turgor.solvers.newton.line_search.line_search",
-    "turgor.solvers.newton.border.Border",
-    "turgor.solvers.newton.inertia_correction.inertia_corrected",
-    "turgor.solvers.newton.pseudo_transient.pseudo_transient",
-    "turgor.solvers.continuation.step_acceptance.why_rejected",
-    "turgor.solvers.continuation.continuity.judged",
-    "turgor.solvers.continuation.limit_points.insert_limit_points",
-    "turgor.solvers.reasons.Reason",
-    "turgor.engine.system.System",
-    "turgor.engine.algebra.tangent.Tangent",
+    "turgor.core.solvers.continuation.path_follower.follow",
+    "turgor.core.solvers.continuation.step_control.StepControl",
+    "turgor.core.solvers.continuation.path_points.Strategy",
+    "turgor.core.solvers.continuation.predictor.predicted",
+    "turgor.core.solvers.newton.newton.newton",
+    "turgor.core.solvers.newton.contact_newton.newton_with_contact",
+    "turgor.core.solvers.newton.line_search.line_search",
+    "turgor.core.solvers.newton.border.Border",
+    "turgor.core.solvers.newton.inertia_correction.inertia_corrected",
+    "turgor.core.solvers.newton.pseudo_transient.pseudo_transient",
+    "turgor.core.solvers.continuation.step_acceptance.why_rejected",
+    "turgor.core.solvers.continuation.continuity.judged",
+    "turgor.core.solvers.continuation.limit_points.insert_limit_points",
+    "turgor.core.solvers.step_reasons.Reason",
+    "turgor.core.engine.system.System",
+    "turgor.core.engine.algebra.tangent.Tangent",
 )
 
 #: Distance between the lines of a box.

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import matplotlib
 from matplotlib.figure import Figure
+from turgor.pictures import COLORS, plot_response
 
 import turgor as tg
-from turgor.pictures import COLORS, plot_response
 from turgor.units import kPa, mm
 
 FIGURE = Path(__file__).parent / "images" / "blocked-force.svg"

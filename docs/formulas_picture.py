@@ -8,9 +8,9 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
+from turgor.pictures import COLORS
 
 import turgor as tg
-from turgor.pictures import COLORS
 from turgor.units import deg, kPa, mm
 
 FIGURE = Path(__file__).parent / "images" / "formulas.svg"

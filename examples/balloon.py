@@ -3,9 +3,10 @@
 A neo-Hookean rubber balloons; one that stiffens at large stretches, as most silicones do, may not.
 """
 
+from turgor.actuators import ExtendingCylinder
+
 import turgor as tg
 from turgor import VolumeControl
-from turgor.actuators import ExtendingCylinder
 from turgor.units import kPa, mL, mm
 
 tube = ExtendingCylinder(length=60 * mm)

@@ -4,8 +4,9 @@ Two stages: the second begins where the first one ended. A quarter is modeled; t
 one.
 """
 
-import turgor as tg
 from turgor.actuators import ExtendingCylinder
+
+import turgor as tg
 from turgor.units import N, kPa, mL, mm
 
 tube = ExtendingCylinder(length=40 * mm)

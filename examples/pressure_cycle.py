@@ -7,11 +7,11 @@ The constants in time are stated to show what they do; those of a silicone come 
 from dataclasses import replace
 
 import numpy as np
+from turgor.actuators import RectangularBender
+from turgor.laws import Mullins, Prony
 
 import turgor as tg
 from turgor import over_time
-from turgor.actuators import RectangularBender
-from turgor.laws import Mullins, Prony
 from turgor.units import deg, kPa, mm
 
 bender = RectangularBender(length=60 * mm)

@@ -1,7 +1,8 @@
 """Two cavities, one after the other: the upper one bends the actuator down, the lower one straightens it again."""
 
-import turgor as tg
 from turgor.actuators import BidirectionalBender
+
+import turgor as tg
 from turgor.units import deg, kPa, mm
 
 bender = BidirectionalBender()

@@ -2,10 +2,10 @@
 
 # %% The finger lies above the mirror plane z = 0, its image below; the bar across them is cut there and at y = 0.
 import numpy as np
-
-import turgor as tg
 from turgor.bodies import RoundBar, placed, together
 from turgor.measures import Measure
+
+import turgor as tg
 from turgor.units import N, deg, kPa, mm
 
 finger = tg.mesh(tg.FastPneuNet(chambers=2, length=25 * mm).build(), size=4 * mm, cells="hexahedra")

@@ -1,9 +1,9 @@
 """A bender is filled within 20 ms and swings about where it would rest: overshoot and frequency of the swing."""
 
 import numpy as np
+from turgor.actuators import RectangularBender
 
 import turgor as tg
-from turgor.actuators import RectangularBender
 from turgor.units import deg, kPa, mm
 
 bender = RectangularBender(length=60 * mm)

@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 
 import turgor as tg
-from turgor.errors import TurgorError
-from turgor.response import Column, Response
-from turgor.source import Source
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
 from turgor.units import kPa, mm
 
 #: Values at which experiments are made up.

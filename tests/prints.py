@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from manifold3d import CrossSection, Manifold, Mesh64
 
-from turgor.meshing.exchange.formats.stl import stl_bytes
+from turgor.core.meshing.exchange.formats.stl import stl_bytes
 
 RNG = 7
 

@@ -5,13 +5,13 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from scipy.stats import qmc
 
-from turgor.errors import TurgorError
-from turgor.response import Column, Response
-from turgor.source import Source
-from turgor.study.computation import Computation
-from turgor.study.evaluations import Evaluations
-from turgor.study.factor import Factor
-from turgor.study.study import Row, Study
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
+from turgor.studies.study.computation import Computation
+from turgor.studies.study.evaluations import Evaluations
+from turgor.studies.study.factor import Factor
+from turgor.studies.study.study import Row, Study
 from turgor.units import kPa, mm
 
 WALL = Factor(name="wall", low=1 * mm, high=2 * mm, unit="mm")

@@ -19,10 +19,10 @@ HEAD = """\
 
 What the tests in `tests/verification` compare with closed forms, converged references and other programs. V01 to {last}
 are fixed problems, numbered once and for all so that a test, a sentence and a result can name the same one. (V03,
-the stability of laws, is not here: it needs no finite elements, and `tests/unit/materials/laws/test_stability.py` has
-it.) Every file is one claim about one of them, and states its problem, where the expected values come from, and why its
-tolerance is what it is. The folders sort the files by topic; the number stands in a file's docstring. What has no
-number is at the end.
+the stability of laws, is not here: it needs no finite elements, and `tests/unit/core/materials/laws/test_stability.py`
+has it.) Every file is one claim about one of them, and states its problem, where the expected values come from, and
+why its tolerance is what it is. The folders sort the files by topic; the number stands in a file's docstring. What has
+no number is at the end.
 
 Written by `make verification`; `pytest tests/verification/beams/test_flexure.py --write-verification` renews one file
 alone. The rows of a file are renewed only when all of its tests have passed; it says on which day. Every number under

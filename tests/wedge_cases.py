@@ -1,7 +1,6 @@
 """Parts that are the same after each of n turns about x, as STEP files in millimeters."""
 
 from netgen.occ import Axis, Box, Cylinder, Pnt, X, Y
-
 from turgor.cad import WithNormal
 
 ENDS = {"fixed": WithNormal("-x"), "tip": WithNormal("+x")}

@@ -20,7 +20,7 @@ import numpy as np
 
 from peers import problem
 from tables import table
-from turgor.engine.algebra.linear import available_solvers
+from turgor.core.engine.algebra.linear import available_solvers
 
 HERE = Path(__file__).parent
 THREADS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS", "RAYON_NUM_THREADS")

@@ -6,7 +6,7 @@ from typing import Any
 import turgor as tg
 from robustness_cases import checks
 from robustness_cases.case import KPA, MM, RUBBER, Case
-from turgor.materials.laws.laws import Hooke
+from turgor.core.materials.laws.laws import Hooke
 
 SOFTEST = tg.from_library("ecoflex-00-30", record="yeoh-elsayed-2014")
 SOFT_OGDEN = tg.from_library("ecoflex-00-30", record="ogden-steck-2019")

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import turgor as tg
-from turgor.solvers.solve import solve
+from turgor.core.solvers.solve import solve
 
 #: The structured meshes and exact answers of the verification tests serve here too.
 SHARED = Path(__file__).parents[2] / "tests" / "verification"

@@ -9,9 +9,9 @@ from scipy.interpolate import CubicSpline
 
 import turgor as tg
 from robustness_cases.case import KPA, OPTIONS, Check, Found, limited
-from turgor.engine.fields import strain_energy
-from turgor.materials.laws.stability import first_instability
-from turgor.solvers.pressures import pressures_of
+from turgor.core.engine.fields import strain_energy
+from turgor.core.materials.laws.stability import first_instability
+from turgor.core.solvers.pressures import pressures_of
 
 
 def read(solution: tg.Solution, *measures: tg.measures.Measure) -> list[np.ndarray]:

@@ -10,11 +10,11 @@ from scipy.special import ellipk
 import turgor as tg
 from robustness_cases import checks
 from robustness_cases.case import MM, OPTIONS, RUBBER, Case, Check, Found, one
-from turgor.materials.laws.homogeneous import nominal_stress, uniaxial
+from turgor.core.materials.laws.homogeneous import nominal_stress, uniaxial
 
 import meshes  # isort: skip  (found where robustness_cases.case says)
 import problems  # isort: skip
-from turgor.meshing.cells import HEXAHEDRON
+from turgor.core.meshing.cells import HEXAHEDRON
 
 YOUNG = 3 * RUBBER.law.shear_modulus
 LENGTH, SIDE = 100 * MM, 1 * MM

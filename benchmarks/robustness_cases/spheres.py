@@ -12,8 +12,8 @@ from robustness_cases.case import KPA, MM, RUBBER, Case, Check, Found, one
 import exact  # isort: skip  (found where robustness_cases.case says)
 import meshes  # isort: skip
 import problems  # isort: skip
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.solvers.pressures import pressures_of
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.solvers.pressures import pressures_of
 
 INNER, OUTER = 10 * MM, 15 * MM
 NEO, OGDEN = problems.NEO_HOOKE, problems.OGDEN

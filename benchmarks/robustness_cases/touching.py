@@ -13,7 +13,7 @@ from robustness_cases.case import KPA, MM, RUBBER, Case, Found, one
 import contact_meshes  # isort: skip  (found where robustness_cases.case says)
 import meshes  # isort: skip
 import problems  # isort: skip
-from turgor.meshing.cells import HEXAHEDRON
+from turgor.core.meshing.cells import HEXAHEDRON
 
 
 def down(distance: float, across: float = 0.0) -> tuple[Any, ...]:

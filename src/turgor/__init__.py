@@ -11,83 +11,83 @@ from importlib import import_module
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
-from turgor._lazy import names_in, public
-from turgor.shown import Shown
+from turgor.foundation.display import Shown
+from turgor.foundation.lazy_names import names_in, public
 
 if TYPE_CHECKING:
-    from turgor import actuators as actuators
-    from turgor import bodies as bodies
-    from turgor import cad as cad
-    from turgor import experiments as experiments
-    from turgor import files as files
-    from turgor import formulas as formulas
     from turgor import guidelines as guidelines
-    from turgor import jobs as jobs
-    from turgor import laws as laws
-    from turgor import loads as loads
-    from turgor import measures as measures
-    from turgor import obstacles as obstacles
-    from turgor import pictures as pictures
-    from turgor import rods as rods
-    from turgor import sections as sections
-    from turgor import setups as setups
-    from turgor import solutions as solutions
     from turgor import studies as studies
-    from turgor import supports as supports
-    from turgor.adaptivity.measure import measure as measure
-    from turgor.adaptivity.mesh_to import mesh_to as mesh_to
-    from turgor.engine.runtime import EngineOptions as EngineOptions
-    from turgor.errors import TurgorError as TurgorError
-    from turgor.geometry.actuators.fast_pneunet import FastPneuNet as FastPneuNet
-    from turgor.geometry.geometry import Geometry as Geometry
-    from turgor.gradients.gradient import gradient as gradient
-    from turgor.laboratory.compare import compare as compare
-    from turgor.materials.experiments.read_tests import read_test as read_test
-    from turgor.materials.fitting.fit_laws import fit as fit
-    from turgor.materials.laws.laws import Yeoh as Yeoh
-    from turgor.materials.library.records import from_library as from_library
-    from turgor.materials.material import Material as Material
-    from turgor.meshing.generate import mesh as mesh
-    from turgor.meshing.mesh import Mesh as Mesh
-    from turgor.model.contact import Contact as Contact
-    from turgor.model.fibers import Fibers as Fibers
-    from turgor.model.fibers import Winding as Winding
-    from turgor.model.history import over_time as over_time
-    from turgor.model.loads import Gravity as Gravity
-    from turgor.model.loads import Pressure as Pressure
-    from turgor.model.loads import Traction as Traction
-    from turgor.model.model import Model as Model
-    from turgor.model.sheets import Membrane as Membrane
-    from turgor.model.sheets import Shell as Shell
-    from turgor.model.supports import Displacement as Displacement
-    from turgor.model.supports import Fixed as Fixed
-    from turgor.optimization.optimize import optimize as optimize
-    from turgor.response import Response as Response
-    from turgor.results.files.vtu import write_vtu as write_vtu
-    from turgor.results.measures.measures import bending_angle as bending_angle
-    from turgor.results.measures.measures import cavity_volume as cavity_volume
-    from turgor.results.measures.measures import tip_displacement as tip_displacement
-    from turgor.results.pictures.picture import picture as picture
-    from turgor.results.report.solution_report import report as report
-    from turgor.section.section import Section as Section
-    from turgor.solvers.dynamics.modes import natural_frequencies as natural_frequencies
-    from turgor.solvers.procedures.arc_length import ArcLength as ArcLength
-    from turgor.solvers.procedures.auto import Auto as Auto
-    from turgor.solvers.procedures.dynamic import Dynamic as Dynamic
-    from turgor.solvers.procedures.gas_mass import GasMass as GasMass
-    from turgor.solvers.procedures.sealed import Sealed as Sealed
-    from turgor.solvers.procedures.stabilized import Stabilized as Stabilized
-    from turgor.solvers.procedures.stages import Stage as Stage
-    from turgor.solvers.procedures.stages import Stages as Stages
-    from turgor.solvers.procedures.static import Static as Static
-    from turgor.solvers.procedures.volume_control import VolumeControl as VolumeControl
-    from turgor.solvers.solution import Solution as Solution
-    from turgor.solvers.solution import SolveError as SolveError
-    from turgor.solvers.solution import Status as Status
-    from turgor.solvers.solve import resume as resume
-    from turgor.solvers.solve import solve as solve
-    from turgor.solvers.stored import load as load
-    from turgor.study.sweep import sweep as sweep
+    from turgor.accuracy.adaptivity.measure import measure as measure
+    from turgor.accuracy.adaptivity.mesh_to import mesh_to as mesh_to
+    from turgor.accuracy.gradients.gradient import gradient as gradient
+    from turgor.accuracy.laboratory.compare import compare as compare
+    from turgor.core import setups as setups
+    from turgor.core.engine.runtime import EngineOptions as EngineOptions
+    from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet as FastPneuNet
+    from turgor.core.geometry.geometry import Geometry as Geometry
+    from turgor.core.materials.experiments.read_tests import read_test as read_test
+    from turgor.core.materials.fitting.fit_laws import fit as fit
+    from turgor.core.materials.laws.laws import Yeoh as Yeoh
+    from turgor.core.materials.library.records import from_library as from_library
+    from turgor.core.materials.material import Material as Material
+    from turgor.core.meshing.generate import mesh as mesh
+    from turgor.core.meshing.mesh import Mesh as Mesh
+    from turgor.core.model.contact import Contact as Contact
+    from turgor.core.model.fibers import Fibers as Fibers
+    from turgor.core.model.fibers import Winding as Winding
+    from turgor.core.model.history import over_time as over_time
+    from turgor.core.model.loads import Gravity as Gravity
+    from turgor.core.model.loads import Pressure as Pressure
+    from turgor.core.model.loads import Traction as Traction
+    from turgor.core.model.model import Model as Model
+    from turgor.core.model.sheets import Membrane as Membrane
+    from turgor.core.model.sheets import Shell as Shell
+    from turgor.core.model.supports import Displacement as Displacement
+    from turgor.core.model.supports import Fixed as Fixed
+    from turgor.core.results.files.vtu import write_vtu as write_vtu
+    from turgor.core.results.measures.measures import bending_angle as bending_angle
+    from turgor.core.results.measures.measures import cavity_volume as cavity_volume
+    from turgor.core.results.measures.measures import tip_displacement as tip_displacement
+    from turgor.core.solvers.dynamics.modes import natural_frequencies as natural_frequencies
+    from turgor.core.solvers.load import load as load
+    from turgor.core.solvers.procedures.arc_length import ArcLength as ArcLength
+    from turgor.core.solvers.procedures.auto import Auto as Auto
+    from turgor.core.solvers.procedures.dynamic import Dynamic as Dynamic
+    from turgor.core.solvers.procedures.gas_mass import GasMass as GasMass
+    from turgor.core.solvers.procedures.sealed import Sealed as Sealed
+    from turgor.core.solvers.procedures.stabilized import Stabilized as Stabilized
+    from turgor.core.solvers.procedures.stages import Stage as Stage
+    from turgor.core.solvers.procedures.stages import Stages as Stages
+    from turgor.core.solvers.procedures.static import Static as Static
+    from turgor.core.solvers.procedures.volume_control import VolumeControl as VolumeControl
+    from turgor.core.solvers.solution import Solution as Solution
+    from turgor.core.solvers.solution import SolveError as SolveError
+    from turgor.core.solvers.solution import Status as Status
+    from turgor.core.solvers.solve import resume as resume
+    from turgor.core.solvers.solve import solve as solve
+    from turgor.fast_models import formulas as formulas
+    from turgor.fast_models.section.section import Section as Section
+    from turgor.foundation.errors import TurgorError as TurgorError
+    from turgor.foundation.response import Response as Response
+    from turgor.namespaces import actuators as actuators
+    from turgor.namespaces import bodies as bodies
+    from turgor.namespaces import cad as cad
+    from turgor.namespaces import experiments as experiments
+    from turgor.namespaces import files as files
+    from turgor.namespaces import jobs as jobs
+    from turgor.namespaces import laws as laws
+    from turgor.namespaces import loads as loads
+    from turgor.namespaces import measures as measures
+    from turgor.namespaces import obstacles as obstacles
+    from turgor.namespaces import pictures as pictures
+    from turgor.namespaces import rods as rods
+    from turgor.namespaces import sections as sections
+    from turgor.namespaces import solutions as solutions
+    from turgor.namespaces import supports as supports
+    from turgor.studies.optimization.optimize import optimize as optimize
+    from turgor.studies.study.sweep import sweep as sweep
+    from turgor.views.pictures.picture import picture as picture
+    from turgor.views.report.solution_report import report as report
 
 #: Names of the release before that have another name now.
 _RENAMED = {"Step": "Edit", "TestError": "FitResidual"}
@@ -103,7 +103,7 @@ __version__ = version("turgor")
 
 def _drawing(name: str) -> Any:
     """Return a function that draws values for notebooks; the rooms of these values know nothing of it."""
-    return getattr(import_module("turgor.results.notebook.drawing"), name)
+    return getattr(import_module("turgor.views.notebook.drawing"), name)
 
 
 Shown.drawing = _drawing

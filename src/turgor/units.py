@@ -15,7 +15,7 @@ from difflib import get_close_matches
 from math import isfinite, nan, pi
 from types import MappingProxyType
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 m = 1.0
 cm = 1e-2
@@ -154,7 +154,7 @@ def length_unit(unit: str | float) -> float:
     (0.01, 0.0254, 1e-06)
     >>> length_unit("milli")
     Traceback (most recent call last):
-    turgor.errors.TurgorError: unit is 'milli'; allowed is one of m, cm, mm, um, µm, in, inch, or the meters in one \
+    turgor.TurgorError: unit is 'milli'; allowed is one of m, cm, mm, um, µm, in, inch, or the meters in one \
 unit of the file, such as 0.0254.
     """
     known = UNITS["length"]
@@ -239,7 +239,7 @@ def parse_quantity(text: object, dimension: str) -> float:
     60000.0
     >>> parse_quantity("60 kP", "pressure")
     Traceback (most recent call last):
-    turgor.errors.TurgorError: unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, ...
+    turgor.TurgorError: unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, ...
     """
     units = UNITS[dimension]
     if isinstance(text, bool) or not isinstance(text, str | int | float):

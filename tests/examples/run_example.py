@@ -2,12 +2,12 @@
 
 from pathlib import Path
 
+from turgor.core.results.measures.measures import find_measure, measure
+from turgor.core.solvers.solve import solve
+from turgor.foundation.response import Response
 from turgor.job.job import Job
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.response import Response
-from turgor.results.measures.measures import find_measure, measure
-from turgor.solvers.solve import solve
 
 JOBS = Path(__file__).parents[2] / "examples" / "actuators"
 

@@ -6,19 +6,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import turgor.geometry.actuators
-import turgor.materials.laws.energies
-import turgor.results.measures
-import turgor.solvers.procedures
+import turgor.core.geometry.actuators
+import turgor.core.materials.laws.energies
+import turgor.core.results.measures
+import turgor.core.solvers.procedures
+from turgor.core.materials.experiments.material_test import MaterialTest
+from turgor.core.materials.fitting.fit_laws import fit
+from turgor.core.materials.laws.laws import LAWS
+from turgor.core.results.measures.measures import MEASURES
 from turgor.job.job import ACTUATORS
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.tables.procedures import PROCEDURES, drives
-from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.fitting.fit_laws import fit
-from turgor.materials.laws.laws import LAWS
-from turgor.results.measures.measures import MEASURES
 
 ROOT = Path(__file__).parents[2]
 
@@ -43,7 +43,7 @@ class Demiray:
 ACTUATOR = """
 from dataclasses import dataclass
 
-from turgor.geometry.actuators.extending_cylinder import ExtendingCylinder
+from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
 
 @dataclass(frozen=True, kw_only=True)
 class Bladder:
@@ -54,7 +54,7 @@ class Bladder:
 """
 
 MEASURE = """
-from turgor.results.measures.reading import Measure
+from turgor.core.results.measures.measure import Measure
 
 rise = Measure(name="rise", unit="mm", function=lambda at: at.displacement[:, 2].max(), definition="largest rise")
 """
@@ -62,7 +62,7 @@ rise = Measure(name="rise", unit="mm", function=lambda at: at.displacement[:, 2]
 PROCEDURE = """
 from dataclasses import dataclass, field
 
-from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.procedures.volume_control import VolumeControl
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SlowFilling(VolumeControl):
@@ -101,10 +101,10 @@ def test_own_parts_need_no_change_in_the_package():
 
 def test_a_file_in_the_folder_of_its_kind_gives_a_name_in_job_files(tmp_path, monkeypatch):
     kinds = (
-        (turgor.materials.laws.energies, LAWS, "demiray", LAW),
-        (turgor.geometry.actuators, ACTUATORS, "bladder", ACTUATOR),
-        (turgor.results.measures, MEASURES, "rise", MEASURE),
-        (turgor.solvers.procedures, PROCEDURES, "slow_filling", PROCEDURE),
+        (turgor.core.materials.laws.energies, LAWS, "demiray", LAW),
+        (turgor.core.geometry.actuators, ACTUATORS, "bladder", ACTUATOR),
+        (turgor.core.results.measures, MEASURES, "rise", MEASURE),
+        (turgor.core.solvers.procedures, PROCEDURES, "slow_filling", PROCEDURE),
     )
     for package, registry, name, text in kinds:
         assert name not in registry
@@ -151,7 +151,7 @@ def test_a_wrong_procedure_drives_nothing(values):
 
 def test_two_files_of_one_name_are_refused(tmp_path, monkeypatch):
     (tmp_path / "other.py").write_text(MEASURE.replace('"rise"', '"reaction"'), encoding="utf-8")
-    package = turgor.results.measures
+    package = turgor.core.results.measures
     monkeypatch.setattr(package, "__path__", [*package.__path__, str(tmp_path)])
     with pytest.raises(ValueError, match=r"two files of turgor\.results\.measures define 'reaction'"):
         list(MEASURES)

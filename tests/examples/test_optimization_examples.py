@@ -7,12 +7,12 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from turgor.jobs import read_job
 
 from turgor.cli import main
 from turgor.cli.exits import DONE, NOT_CONVERGED
 from turgor.cli.start.commands import COMMANDS
-from turgor.jobs import read_job
-from turgor.optimization.files.study_files import read_study_file
+from turgor.studies.optimization.files.study_files import read_study_file
 
 ROOT = Path(__file__).parents[2]
 

@@ -5,11 +5,11 @@ from pathlib import Path
 
 from mutants import check_sentence
 
-from turgor.errors import TurgorError
-from turgor.geometry.cad.read import read_here
-from turgor.meshing.chosen import chosen_settings
-from turgor.meshing.settings import MeshSettings
-from turgor.meshing.sizing.sizes import check_face_sizes
+from turgor.core.geometry.cad.read import read_here
+from turgor.core.meshing.default_settings import chosen_settings
+from turgor.core.meshing.settings import MeshSettings
+from turgor.core.meshing.sizing.sizes import check_face_sizes
+from turgor.foundation.errors import TurgorError
 
 
 def read_all(files: list[Path], progress: Path) -> None:

@@ -12,7 +12,7 @@ import pytest
 import tomlkit
 from mutants import changed_table, changed_text, check_sentence, limit, seeds
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from mutants import changed_bytes, changed_lines, check_sentence, limit, seeds
 
-from turgor.errors import TurgorError
-from turgor.meshing.exchange.formats.stl import read_stl, stl_bytes
-from turgor.meshing.exchange.read import read_mesh
-from turgor.meshing.quality.cell_quality import cell_volumes
+from turgor.core.meshing.exchange.formats.stl import read_stl, stl_bytes
+from turgor.core.meshing.exchange.read import read_mesh
+from turgor.core.meshing.quality.cell_quality import cell_volumes
+from turgor.foundation.errors import TurgorError
 
 POINTS, CELLS, LOW = cases.hollow_cube()
 GROUPS = {(3, 1): "base", (3, 2): "body"}

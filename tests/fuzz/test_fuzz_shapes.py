@@ -9,9 +9,9 @@ from mutants import changed_bytes, changed_lines, seeds
 from netgen.occ import Box, Pnt
 from shape_batch import read_all
 
-from turgor.errors import TurgorError
-from turgor.geometry.cad.facets import find_facets
-from turgor.geometry.child import Work, in_child
+from turgor.core.geometry.cad.facets import find_facets
+from turgor.core.geometry.child_process import Work, in_child
+from turgor.foundation.errors import TurgorError
 
 #: One child reads many files; it is stopped if one of them takes longer than all should, as few in a hundred do.
 WORK = Work(who="the CAD kernel", doing="reading mutants", advice="Look at it.", limit=60.0)

@@ -17,12 +17,12 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from turgor.errors import TurgorError
-from turgor.materials.experiments.handling import remove_tail, thin
-from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.experiments.read_tests import read_tests
-from turgor.materials.experiments.specimen import Specimen
-from turgor.materials.fitting.fit_laws import fit
+from turgor.core.materials.experiments.material_test import MaterialTest
+from turgor.core.materials.experiments.read_tests import read_tests
+from turgor.core.materials.experiments.specimen import Specimen
+from turgor.core.materials.experiments.test_edits import remove_tail, thin
+from turgor.core.materials.fitting.fit_laws import fit
+from turgor.foundation.errors import TurgorError
 
 CASES = int(os.environ.get("TURGOR_FUZZ", "40"))
 

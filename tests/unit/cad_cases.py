@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from netgen.occ import Box, Cylinder, Glue, Pnt, X, Y, Z
 
-from turgor.geometry import FastPneuNet
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.units import mm
 
 DATA = Path(__file__).parent / "data" / "cad"

@@ -9,46 +9,14 @@ from collections.abc import Iterable, Iterator, Mapping
 
 #: Rooms in the order of import: a room may import from itself and from those before it.
 ROOMS = (
-    "foundation", "materials", "geometry", "meshing", "model", "formulas", "rod", "engine", "solvers", "setups",
-    "section", "results", "gradients", "adaptivity", "laboratory", "job", "study", "calibration", "uncertainty",
-    "sensitivity", "surrogates", "optimization", "guidelines", "cli",
+    "foundation", "core.materials", "core.geometry", "core.meshing", "core.model", "core.engine", "core.solvers",
+    "core.setups", "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views",
+    "accuracy.gradients", "accuracy.adaptivity", "accuracy.laboratory", "job", "studies.study", "studies.calibration",
+    "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization", "guidelines", "cli",
 )  # fmt: skip
 
-#: The modules that every room stands on, with a room name in common.
-FOUNDATION = (
-    "units",
-    "errors",
-    "given",
-    "source",
-    "finding",
-    "store",
-    "shown",
-    "response",
-    "registry",
-    "loops",
-    "_lazy",
-    "toml_text",
-)
-
-#: Modules that only gather names for users; no room imports from them.
-PUBLIC = (
-    "actuators",
-    "bodies",
-    "cad",
-    "experiments",
-    "files",
-    "jobs",
-    "laws",
-    "loads",
-    "measures",
-    "obstacles",
-    "pictures",
-    "rods",
-    "sections",
-    "solutions",
-    "studies",
-    "supports",
-)
+#: Wings with several rooms.
+WINGS = ("core", "fast_models", "accuracy", "studies")
 
 #: The modules of the command line, which is a client of the public names.
 COMMAND_LINE = ("cli", "__main__")
@@ -58,32 +26,32 @@ CLIENTS = ("guidelines", "cli")
 
 #: Where a heavy part, or a part with one purpose, may be imported.
 HOME = {
-    "basix": ("engine",),
-    "ctypes": ("engine", "geometry"),  # MKL; emptying the buffers of the CAD kernel and the mesh generator
-    "mkl": ("engine",),
-    "numba": ("engine",),
-    "rslab": ("engine",),
-    "threadpoolctl": ("engine", "surrogates"),
-    "netgen": ("geometry", "meshing"),
-    "netgen.occ": ("geometry",),
-    "netgen.meshing": ("meshing",),
-    "turgor.geometry.occ": ("geometry",),
-    "turgor.meshing.netgen": ("meshing",),
-    "embreex": ("results",),
-    "jinja2": ("results",),
-    "matplotlib": ("results",),
-    "distributed": ("study",),
-    "pyarrow": ("study",),
-    "SALib": ("sensitivity",),
-    "sklearn": ("surrogates",),
+    "basix": ("core.engine",),
+    "ctypes": ("core.engine", "core.geometry"),  # MKL; emptying the buffers of the CAD kernel and the mesh generator
+    "mkl": ("core.engine",),
+    "numba": ("core.engine",),
+    "rslab": ("core.engine",),
+    "threadpoolctl": ("core.engine", "studies.surrogates"),
+    "netgen": ("core.geometry", "core.meshing"),
+    "netgen.occ": ("core.geometry",),
+    "netgen.meshing": ("core.meshing",),
+    "turgor.core.geometry.occ": ("core.geometry",),
+    "turgor.core.meshing.netgen": ("core.meshing",),
+    "embreex": ("views",),
+    "jinja2": ("views",),
+    "matplotlib": ("views",),
+    "distributed": ("studies.study",),
+    "pyarrow": ("studies.study",),
+    "SALib": ("studies.sensitivity",),
+    "sklearn": ("studies.surrogates",),
     "pydantic": ("job",),
-    "pymoo": ("optimization",),
-    "rich": ("cli", "solvers"),
+    "pymoo": ("studies.optimization",),
+    "rich": ("cli", "core.solvers"),
     "typer": ("cli",),
 }
 
 #: Public functions whose keywords are names that only the user knows: the factors of a sweep are fields of a design.
-FREE_KEYWORDS = ("turgor.study.sweep.sweep",)
+FREE_KEYWORDS = ("turgor.studies.study.sweep.sweep",)
 
 LONGEST_FILE = 500
 
@@ -91,20 +59,24 @@ LONGEST_FILE = 500
 LARGEST_FOLDER = 15
 
 #: Folders that may hold more: lists of like things.
-LARGE_FOLDERS = ("turgor.geometry.actuators",)
+LARGE_FOLDERS = ("turgor.core.geometry.actuators",)
 
 
 def room_of(module: str) -> str | None:
-    """Room of a dotted module such as ``turgor.engine.system``; None for public modules and other packages.
+    """Room of a dotted module such as ``turgor.core.engine.system``; None for public modules and other packages.
 
-    The package's ``__init__`` and its namespaces give the public names, so they are no rooms to import from.
+    The ``__init__`` of the package and of a wing, and the namespaces, give public names: they are no rooms.
     """
     parts = module.split(".")
-    if parts[0] != "turgor" or len(parts) == 1 or parts[1] in PUBLIC:
+    if parts[0] != "turgor" or len(parts) == 1 or parts[1] == "namespaces":
         return None
-    if parts[1] in FOUNDATION:
+    if parts[1] == "units":
         return "foundation"
-    return "cli" if parts[1] in COMMAND_LINE else parts[1]
+    if parts[1] in COMMAND_LINE:
+        return "cli"
+    if parts[1] in WINGS:
+        return ".".join(parts[1:3]) if len(parts) > 2 else None
+    return parts[1]
 
 
 def problems(module: str, text: str) -> list[str]:

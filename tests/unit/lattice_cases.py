@@ -6,12 +6,12 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.cells.reference import reference_nodes
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType
-from turgor.meshing.mesh import Mesh
-from turgor.meshing.refining.refinement import Refinement
-from turgor.meshing.refining.split import refine_tetrahedra
-from turgor.meshing.refining.split_hexahedra import refine_hexahedra, sheets
+from turgor.core.engine.cells.reference import reference_nodes
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.refining.refinement import Refinement
+from turgor.core.meshing.refining.split import refine_tetrahedra
+from turgor.core.meshing.refining.split_hexahedra import refine_hexahedra, sheets
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

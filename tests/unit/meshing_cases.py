@@ -4,7 +4,7 @@ from typing import Any
 
 from netgen.occ import Box, Cylinder, Pnt, X, Z
 
-from turgor.geometry import Geometry
+from turgor.core.geometry.geometry import Geometry
 from turgor.units import mm
 
 

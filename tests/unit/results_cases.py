@@ -6,16 +6,16 @@ from itertools import pairwise, permutations, product
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.cells.element import element_of
-from turgor.materials.laws.laws import NeoHooke
-from turgor.materials.material import Material
-from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
-from turgor.meshing.surface import outer_triangles
-from turgor.model.loads import Pressure
-from turgor.model.model import Model
-from turgor.model.supports import Fixed
-from turgor.solvers.procedures.static import Static
-from turgor.solvers.solution import Solution, State, Status, Step
+from turgor.core.engine.cells.element import element_of
+from turgor.core.materials.laws.laws import NeoHooke
+from turgor.core.materials.material import Material
+from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, Mesh
+from turgor.core.meshing.surface import outer_triangles
+from turgor.core.model.loads import Pressure
+from turgor.core.model.model import Model
+from turgor.core.model.supports import Fixed
+from turgor.core.solvers.procedures.static import Static
+from turgor.core.solvers.solution import Solution, State, Status, Step
 
 Array = NDArray[np.float64]
 

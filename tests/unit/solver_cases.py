@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from turgor.materials.laws.laws import NeoHooke
-from turgor.materials.material import Material
-from turgor.meshing.cells import TETRAHEDRON
-from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
-from turgor.model.loads import Traction
-from turgor.model.model import Model
-from turgor.model.supports import Fixed
+from turgor.core.materials.laws.laws import NeoHooke
+from turgor.core.materials.material import Material
+from turgor.core.meshing.cells import TETRAHEDRON
+from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, Mesh
+from turgor.core.model.loads import Traction
+from turgor.core.model.model import Model
+from turgor.core.model.supports import Fixed
 
 RUBBER = Material(name="rubber", law=NeoHooke(C10=0.1e6))
 

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
-from turgor.errors import NotHere, TurgorError
-from turgor.response import Column, Response
-from turgor.source import Source
-from turgor.study.runs import Computed
+from turgor.foundation.errors import NotHere, TurgorError
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
+from turgor.studies.study.runs import Computed
 
 #: The smallest picture: one gray pixel.
 PICTURE = b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg==")

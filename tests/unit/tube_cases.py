@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 import pytest
 
-from turgor.engine.faces.surfaces import enclosed_volume
-from turgor.geometry import Geometry
-from turgor.meshing.generate import mesh
-from turgor.meshing.quality.cell_quality import cell_volumes
+from turgor.core.engine.faces.surfaces import enclosed_volume
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.meshing.generate import mesh
+from turgor.core.meshing.quality.cell_quality import cell_volumes
 
 
 def areas(geometry: Geometry) -> dict[str, float]:

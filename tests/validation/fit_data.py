@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-from turgor.materials.experiments.cycles import select_cycle
-from turgor.materials.experiments.handling import crop, remove_slack, thin
-from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.experiments.read_tests import read_test
-from turgor.materials.experiments.specimen import Specimen
+from turgor.core.materials.experiments.cycles import select_cycle
+from turgor.core.materials.experiments.material_test import MaterialTest
+from turgor.core.materials.experiments.read_tests import read_test
+from turgor.core.materials.experiments.specimen import Specimen
+from turgor.core.materials.experiments.test_edits import crop, remove_slack, thin
 from turgor.units import N, mm
 
 DATA = Path(__file__).parent / "data"

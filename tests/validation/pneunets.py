@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import turgor as tg
-from turgor.engine.faces.surfaces import vector_area
+from turgor.core.engine.faces.surfaces import vector_area
 from turgor.job.job import Actuator
 from turgor.units import deg, kPa, mm
 

@@ -10,12 +10,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from calculix import displacements, needs_calculix, run_ccx
+from turgor.loads import Force, Hanging, Moment
+from turgor.supports import Hinge, ReferencePoint, Rotation, Shift
 
 import turgor as tg
-from turgor.geometry import FastPneuNet
-from turgor.loads import Force, Hanging, Moment
-from turgor.model.write_inp import write_inp
-from turgor.supports import Hinge, ReferencePoint, Rotation, Shift
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.model.write_inp import write_inp
 from turgor.units import MPa, kPa, mm
 
 POISSON = 0.475

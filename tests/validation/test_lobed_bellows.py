@@ -11,9 +11,9 @@ unknowns for a quarter: axisymmetric meshes meet it, tetrahedra are kept within 
 from pathlib import Path
 
 import pytest
+from turgor.cad import WithNormal, read_cad
 
 import turgor as tg
-from turgor.cad import WithNormal, read_cad
 from turgor.units import MPa, kPa, mL, mm
 
 BELLOWS = Path(__file__).parents[1] / "unit" / "data" / "cad" / "bellows.step"

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.errors import TurgorError
-from turgor.geometry.cad.selectors import InBox, WithNormal
-from turgor.meshing.exchange import mesh_surfaces, read_mesh
-from turgor.results.measures.measures import find_measure
+from turgor.core.geometry.cad.selectors import InBox, WithNormal
+from turgor.core.meshing.exchange import mesh_surfaces, read_mesh
+from turgor.core.results.measures.measures import find_measure
+from turgor.foundation.errors import TurgorError
 from turgor.units import deg, kPa, mm
 
 DATA = Path(__file__).parent / "data" / "sofa-actuator-meshes"

@@ -7,10 +7,10 @@ tetrahedra of 2.5 mm. At 50 kPa, CAD gave 13.16 deg and the meshes of the STL sh
 
 import pytest
 from netgen.occ import Box, Cylinder, Pnt, X
+from turgor.cad import WithNormal, read_cad
 
 import turgor as tg
 from prints import half_round
-from turgor.cad import WithNormal, read_cad
 from turgor.units import MPa, deg, kPa, mm
 
 ENDS = {"fixed": WithNormal("-x"), "tip": WithNormal("+x")}

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from turgor.engine.runtime import use_threads
+from turgor.core.engine.runtime import use_threads
 
 
 @pytest.fixture(autouse=True)

@@ -6,10 +6,10 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.model.contact import Contact
-from turgor.model.obstacles import Obstacle, RigidSurface, Shape
-from turgor.solvers.solution import State, Touch
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.model.contact import Contact
+from turgor.core.model.obstacles import Obstacle, RigidSurface, Shape
+from turgor.core.solvers.solution import State, Touch
 
 #: Contact stiffness [Pa/m] at which 0.1 MPa of pressure penetrates by 1 µm.
 STIFF = 1e11

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 import meshes
 from meshes import Block
-from turgor.meshing.cells import HEXAHEDRON, CellType
-from turgor.meshing.mesh import Mesh
+from turgor.core.meshing.cells import HEXAHEDRON, CellType
+from turgor.core.meshing.mesh import Mesh
 
 Array = NDArray[np.float64]
 

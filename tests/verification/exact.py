@@ -4,8 +4,8 @@ import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from turgor.materials.laws.homogeneous import biaxial, equibiaxial, nominal_stress, planar
-from turgor.materials.laws.laws import Law
+from turgor.core.materials.laws.homogeneous import biaxial, equibiaxial, nominal_stress, planar
+from turgor.core.materials.laws.laws import Law
 
 
 def sphere_pressure(law: Law, stretch: float, inner: float, outer: float) -> float:

@@ -11,12 +11,12 @@ import meshes
 import problems
 import turgor as tg
 from problems import MPA
-from turgor.geometry.geometry import Geometry
-from turgor.gradients.carried import carried
-from turgor.materials.history.viscoelastic import Prony
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.model.obstacles import Plane
-from turgor.results.measures.measures import find_measure
+from turgor.accuracy.gradients.moved_mesh import carried
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.materials.history.viscoelastic import Prony
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.model.obstacles import Plane
+from turgor.core.results.measures.measures import find_measure
 from turgor.units import kPa, mm
 
 Values = Mapping[str, float]

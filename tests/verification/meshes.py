@@ -17,9 +17,9 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.cells.reference import reference_nodes
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType, cell_type
-from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
+from turgor.core.engine.cells.reference import reference_nodes
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType, cell_type
+from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 
 Array = NDArray[np.float64]
 Map = Callable[[Array], Array]

@@ -7,10 +7,10 @@ import numpy as np
 
 import meshes
 import turgor as tg
-from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
-from turgor.engine.fields import CellFields, cell_fields, strain_energy
-from turgor.materials.laws.laws import Ogden
-from turgor.meshing.cells import HEXAHEDRON
+from turgor.core.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
+from turgor.core.engine.fields import CellFields, cell_fields, strain_energy
+from turgor.core.materials.laws.laws import Ogden
+from turgor.core.meshing.cells import HEXAHEDRON
 
 MM, MPA = 1e-3, 1e6
 

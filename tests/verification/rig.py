@@ -1,14 +1,14 @@
 """A bar that is held at one end and tied to a reference point at the other, for the tests of reference points."""
 
 import numpy as np
+from turgor.supports import ReferencePoint
 
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.system import System
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.model.points import Rotation
-from turgor.supports import ReferencePoint
+from turgor.core.engine.system import System
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.model.points import Rotation
 
 #: Length and side of the bar [m].
 LENGTH, SIDE = 40e-3, 10e-3

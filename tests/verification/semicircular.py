@@ -8,8 +8,8 @@ import numpy as np
 import problems
 import slices
 import turgor as tg
-from turgor.geometry import FiberReinforcedBender
-from turgor.model.fibers import Fibers
+from turgor.core.geometry.actuators.fiber_reinforced_bender import FiberReinforcedBender
+from turgor.core.model.fibers import Fibers
 from turgor.units import mm
 
 #: Stiffness per width [N/m]: of the hoops around the contour, and of the base, in both directions.

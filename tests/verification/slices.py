@@ -14,8 +14,8 @@ import numpy as np
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.model.fibers import Fibers, Winding
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.model.fibers import Fibers, Winding
 
 #: Diameter of the threads and distance between them [m]; only stiffness per width counts where they are smeared.
 THREAD, SPACING = 0.1e-3, 1e-3

@@ -5,9 +5,9 @@ import numpy as np
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.dynamics.modes import natural_frequencies
-from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.solvers.dynamics.modes import natural_frequencies
+from turgor.core.solvers.procedures.dynamic import Dynamic
 
 LENGTH, THICKNESS = 100 * problems.MM, 10 * problems.MM
 DENSITY = 1070.0

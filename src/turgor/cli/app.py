@@ -15,13 +15,13 @@ from typing import NoReturn
 
 import typer
 
-from turgor.cli.answers.document import document
+from turgor.cli.answers.json_document import document
 from turgor.cli.exits import BAD_INPUT, DONE, ENDED
 from turgor.cli.options import JSON
 from turgor.cli.start.commands import app_of
-from turgor.cli.start.ending import leave
-from turgor.cli.start.late import load_late
-from turgor.finding import FindingWarning
+from turgor.cli.start.fast_exit import leave
+from turgor.cli.start.lazy_imports import load_late
+from turgor.foundation.finding import FindingWarning
 
 #: How many new objects start a search for garbage, and how many searches a wider one. Loading libraries, compiling and
 #: drawing make millions of objects that stay; with Python's own numbers the searches take a tenth of the time.

@@ -9,14 +9,14 @@ from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
 def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, debug: Debug = False) -> None:
     """Read, build, mesh and check a job without solving it."""
     with errors_as_sentences(debug, as_json) as answer:
-        from turgor.adaptivity.findings import ONLY_WITH_ERROR
+        from turgor.accuracy.adaptivity.findings import ONLY_WITH_ERROR
         from turgor.cli.answers.results import CheckResult
-        from turgor.finding import Severity
+        from turgor.core.solvers.procedures.stages import Stages
+        from turgor.foundation.finding import Severity
         from turgor.job.meshes import keep_mesh_of
         from turgor.job.prepare import prepare
-        from turgor.results.report.describe import contact
-        from turgor.results.report.describe_procedure import procedure
-        from turgor.solvers.procedures.stages import Stages
+        from turgor.views.report.describe import contact
+        from turgor.views.report.describe_procedure import procedure
 
         asked = asked_job(job, changes)
         model, findings = prepare(asked)

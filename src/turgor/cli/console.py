@@ -7,11 +7,11 @@ from time import perf_counter
 from typing import Protocol, Self
 
 from turgor.cli.exits import write_nowhere
-from turgor.errors import TurgorError
-from turgor.finding import Finding
-from turgor.results.measures.measures import bending_angle
-from turgor.solvers.progress.course import Course, clock, cut_back, describe, of_stage
-from turgor.solvers.solution import Iteration, State
+from turgor.core.results.measures.measures import bending_angle
+from turgor.core.solvers.progress.progress import Course, clock, cut_back, describe, of_stage
+from turgor.core.solvers.solution import Iteration, State
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.finding import Finding
 from turgor.units import deg
 
 #: Variables by which rich takes a file or a pipe for a terminal.

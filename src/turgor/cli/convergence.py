@@ -7,11 +7,11 @@ import typer
 
 from turgor.cli.exits import errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
+    from turgor.core.results.convergence.study import Convergence
     from turgor.job.job import Job
-    from turgor.results.convergence.study import Convergence
 
 #: What it writes.
 FILES = ("convergence.csv", "convergence.png", "convergence.txt")
@@ -35,8 +35,8 @@ def convergence_command(
     """Solve a job on finer and finer meshes; print values, observed order, extrapolated value and error."""
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.cli.answers.results import convergence_result
+        from turgor.core.results.measures.measures import find_measure
         from turgor.job.output.folder import claimed
-        from turgor.results.measures.measures import find_measure
 
         wanted = _sizes(sizes)
         find_measure(measure)
@@ -75,9 +75,9 @@ def _solve(job: "Job", sizes: int | list[float], measure: str) -> "Convergence":
 
 
 def _write(folder: Path, job: "Job", study: "Convergence") -> None:
+    from turgor.foundation.store.atomic_files import write_whole
     from turgor.job.output.manifest import list_files
-    from turgor.results.plots.convergence import write_convergence_plot
-    from turgor.store.whole import write_whole
+    from turgor.views.plots.convergence import write_convergence_plot
 
     list_files(folder, FILES)
     table, plot, text = (folder / name for name in FILES)

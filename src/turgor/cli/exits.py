@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from turgor.cli.answers.document import document
-from turgor.errors import CheckError, NotSolved, TurgorError
+from turgor.cli.answers.json_document import document
+from turgor.foundation.errors import CheckError, NotSolved, TurgorError
 
 if TYPE_CHECKING:
-    from turgor.finding import Finding
+    from turgor.foundation.finding import Finding
 
 DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED = 0, 1, 2, 3
 

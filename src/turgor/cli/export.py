@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.exits import errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, asked_job, command_of, output_option
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,10 +8,10 @@ import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
 from turgor.cli.options import Debug, Json
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
-    from turgor.geometry.cad.inspection import Inspection
+    from turgor.core.geometry.cad.inspection import Inspection
 
 Vector = tuple[float, float, float]
 
@@ -30,13 +30,13 @@ def inspect_command(
         if picture is not None and picture.suffix.lower() != ".png":
             raise TurgorError(f"--picture is '{picture}'; the name must end in .png.")
         from turgor.cli.answers.file_results import inspect_result
-        from turgor.geometry.cad.inspection import inspect_cad
+        from turgor.core.geometry.cad.inspection import inspect_cad
 
         found = inspect_cad(part, unit=unit)
         _show(found)
         answer.give(lambda: inspect_result(found))
         if picture is not None:
-            from turgor.results.pictures.cad_picture import write_cad_picture
+            from turgor.views.pictures.cad_picture import write_cad_picture
 
             write_cad_picture(picture, found)
             typer.echo(f"Picture in {picture}.")

@@ -5,10 +5,10 @@ from rich.text import Text
 
 from turgor.cli.console import AngleCourse
 from turgor.cli.exits import write_nowhere
-from turgor.finding import Finding
-from turgor.solvers.progress.bar import Bar
-from turgor.solvers.progress.course import cut_back, of_stage
-from turgor.solvers.solution import Iteration, State
+from turgor.core.solvers.progress.bar import Bar
+from turgor.core.solvers.progress.progress import cut_back, of_stage
+from turgor.core.solvers.solution import Iteration, State
+from turgor.foundation.finding import Finding
 
 
 class PatientConsole(Console):

@@ -29,9 +29,9 @@ def _list(as_json: Json = False, debug: Debug = False) -> None:
     """List the library materials and their records, with the codes of their warnings."""
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.cli.answers.file_results import materials_result
-        from turgor.finding import Severity
-        from turgor.materials.library.doubts import find_doubts
-        from turgor.materials.library.record_files import library, records
+        from turgor.core.materials.library.doubts import find_doubts
+        from turgor.core.materials.library.record_files import library, records
+        from turgor.foundation.finding import Severity
 
         lines = []
         for name in library():
@@ -49,7 +49,7 @@ def _show(name: Name, record: RecordName = None, as_json: Json = False, debug: D
     """Show a material: printed constants, converted constants, sources and doubts."""
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.cli.answers.file_results import materials_result
-        from turgor.materials.library.record_text import describe_material
+        from turgor.core.materials.library.record_text import describe_material
 
         typer.echo(describe_material(name, record))
         answer.give(lambda: materials_result([name], record))
@@ -78,14 +78,14 @@ def _plot(
 ) -> None:
     """Plot the stress-stretch curves of all records of a material, against a measured test if one is given."""
     with errors_as_sentences(debug):
-        from turgor.materials.library.record_files import records
-        from turgor.results.plots.materials import write_material_plot
+        from turgor.core.materials.library.record_files import records
+        from turgor.views.plots.materials import write_material_plot
 
         records(name)  # a wrong name is reported before heavy imports
         path = output if output is not None else Path(f"{Path(name).stem}.png")
         tests = []
         if against is not None:
-            from turgor.materials.experiments.read_tests import read_test
+            from turgor.core.materials.experiments.read_tests import read_test
 
             tests = [read_test(against, mode=mode, stress_measure=stress)]
         stretch = None if within is None else _range(within)
@@ -95,7 +95,7 @@ def _plot(
 
 def _range(text: str) -> tuple[float, float]:
     """Read ``"1:4"`` as the smallest and the largest stretch."""
-    from turgor.errors import TurgorError
+    from turgor.foundation.errors import TurgorError
 
     try:
         low, high = (float(part) for part in text.split(":"))

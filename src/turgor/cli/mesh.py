@@ -7,11 +7,11 @@ import typer
 
 from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
+    from turgor.core.meshing.mesh import Mesh
     from turgor.job.job import Job
-    from turgor.meshing.mesh import Mesh
 
 
 def mesh_command(
@@ -34,10 +34,10 @@ def mesh_command(
 
         _check_ending("--output", output, ".vtu")
         _check_ending("--picture", picture, ".png")
-        from turgor.finding import Severity
+        from turgor.core.meshing.quality.checks import check_mesh
+        from turgor.foundation.finding import Severity
         from turgor.job.meshes import keep_mesh_of, mesh_of
-        from turgor.meshing.quality.checks import check_mesh
-        from turgor.results.report.mesh_text import describe_mesh
+        from turgor.views.report.mesh_text import describe_mesh
 
         asked = _with_size(asked_job(job, changes), size)
         geometry = asked.geometry()
@@ -49,7 +49,7 @@ def mesh_command(
         if not any(found.code == "G01" for found in findings):
             typer.echo("  walls: two cells or more through every wall")
         if output is not None:
-            from turgor.results.files.mesh_vtu import write_mesh_vtu
+            from turgor.core.results.files.mesh_vtu import write_mesh_vtu
 
             write_mesh_vtu(output, mesh)
             typer.echo(f"Mesh in {output}.")
@@ -60,7 +60,7 @@ def mesh_command(
 
 
 def _draw(picture: Path, name: str, mesh: "Mesh") -> None:
-    from turgor.results.pictures.mesh_picture import write_mesh_picture
+    from turgor.views.pictures.mesh_picture import write_mesh_picture
 
     write_mesh_picture(picture, mesh, title=f"{name} · {mesh.unknown_count:,} unknowns")
     typer.echo(f"Picture in {picture}.")
@@ -74,7 +74,7 @@ def _check_ending(option: str, path: Path | None, ending: str) -> None:
 def _with_size(job: "Job", text: str | None) -> "Job":
     from dataclasses import replace
 
-    from turgor.meshing.exchange.mesh_file import MeshFile
+    from turgor.core.meshing.exchange.mesh_file import MeshFile
     from turgor.units import parse_quantity
 
     if text is None:

@@ -57,14 +57,14 @@ def asked_job(job: Path, changes: Sequence[str] | None) -> "Job":
     Job
     """
     from turgor.job.read import read_job
-    from turgor.job.text.changes import parse_changes
+    from turgor.job.text.overrides import parse_changes
 
     return read_job(job, parse_changes(changes or ()))
 
 
 def check_new(file: Path, force: bool, option: str) -> None:
     """Raise an error if a file exists that an option names, unless ``--force`` says that it may be replaced."""
-    from turgor.errors import TurgorError
+    from turgor.foundation.errors import TurgorError
 
     if file.exists() and not force:
         raise TurgorError(f"{option} is '{file}', which exists; name another file, or replace it with --force.")
@@ -81,7 +81,7 @@ def name_and_unit(text: str) -> tuple[str, str]:
     -------
     (str, str)
     """
-    from turgor.errors import TurgorError
+    from turgor.foundation.errors import TurgorError
 
     name, sign, unit = (part.strip() for part in text.partition("="))
     if not sign or not name or not unit:

@@ -13,12 +13,12 @@ import typer
 from turgor.cli.exits import DONE, ENDED, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of, output_option
 from turgor.cli.start.signals import RUN, ends_at_once
-from turgor.loops import begin_early
+from turgor.foundation.kernel_cache import begin_early
 
 if TYPE_CHECKING:
     from turgor.cli.console import PlainDisplay
     from turgor.cli.live import LiveDisplay
-    from turgor.finding import Finding
+    from turgor.foundation.finding import Finding
     from turgor.job.output.outcome import RunOutcome
 
 
@@ -49,7 +49,7 @@ def run(chosen: RunOptions) -> None:
     if chosen.job.exists():
         begin_early()
     with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once(RUN) as came:
-        from turgor.adaptivity.findings import matter
+        from turgor.accuracy.adaptivity.findings import matter
 
         outcome, told = _solve(chosen)
         if not chosen.quiet:
@@ -107,7 +107,7 @@ def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
 
 def _ended_early(outcome: "RunOutcome", came: list[int]) -> int:
     """Exit code of a run that was ended by a signal, or that stopped itself."""
-    from turgor.solvers.solution import Status
+    from turgor.core.solvers.solution import Status
 
     interrupted = outcome.solution.status is Status.INTERRUPTED
     return ENDED + (came or [signal.SIGINT])[0] if interrupted else NOT_CONVERGED
@@ -133,9 +133,9 @@ def _result(outcome: "RunOutcome") -> object:
 
 def _numbers(outcome: "RunOutcome") -> tuple[list[str], list[str]]:
     """Last values of what is measured, what the setup is for first, and names of what is zero throughout."""
-    from turgor.results.measures.headlines import in_regions, with_parts
-    from turgor.results.report.error_text import last_with_error
-    from turgor.results.report.response_table import is_zero
+    from turgor.core.results.error_text import last_with_error
+    from turgor.core.results.measures.headlines import in_regions, with_parts
+    from turgor.views.report.response_table import is_zero
 
     job, response = outcome.job, outcome.response
     own = [] if job.setup is None else [name for name in job.setup.measures if name in response]
@@ -156,9 +156,9 @@ def _numbers(outcome: "RunOutcome") -> tuple[list[str], list[str]]:
 
 def _tell(outcome: "RunOutcome") -> None:
     """Print the end of the solve, the last values of the response, the folder of results, and where notes are."""
-    from turgor.finding import Severity
+    from turgor.core.solvers.pressures import pressure_text
+    from turgor.foundation.finding import Severity
     from turgor.job.output.folder import LOG
-    from turgor.solvers.pressures import pressure_text
 
     solution = outcome.solution
     if solution.complete:

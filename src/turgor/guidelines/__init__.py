@@ -6,7 +6,7 @@ the numbers are judged. The studies are written as a user would write them, with
 
 from typing import TYPE_CHECKING
 
-from turgor._lazy import public
+from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
     from turgor.guidelines.catalog import chosen as chosen
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from turgor.guidelines.judge import run_guidelines as run_guidelines
     from turgor.guidelines.page import write_markdown as write_markdown
     from turgor.guidelines.page import write_page as write_page
-    from turgor.results.plots.study_figure import Line as Line
-    from turgor.results.plots.study_figure import Panel as Panel
+    from turgor.views.plots.study_figure import Line as Line
+    from turgor.views.plots.study_figure import Panel as Panel
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -5,7 +5,7 @@ import re
 from collections.abc import Sequence
 from importlib import import_module
 
-from turgor.errors import unknown
+from turgor.foundation.errors import unknown
 from turgor.guidelines.guideline import Guideline
 
 #: Folders of this package that hold a module for each guideline.

@@ -3,9 +3,9 @@
 from dataclasses import replace
 
 import turgor as tg
-from turgor.results.pictures.state_picture import bare_picture
-from turgor.results.plots.figures import PlotFigure, png_of
-from turgor.results.plots.section import plot_section
+from turgor.views.pictures.state_picture import bare_picture
+from turgor.views.plots.figures import PlotFigure, png_of
+from turgor.views.plots.section import plot_section
 
 #: Width of the pictures [pixels]: up to five stand beside each other in a figure.
 WIDTH = 480

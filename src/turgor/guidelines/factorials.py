@@ -3,17 +3,17 @@
 from collections.abc import Mapping, Sequence
 from itertools import product
 
+from turgor.foundation.source import Source
 from turgor.guidelines.guideline import Found
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.values import Value
-from turgor.results.plots.study_figure import Line
-from turgor.sensitivity.anova import Anova, anova
-from turgor.source import Source
-from turgor.study.factor import Factor
-from turgor.study.running.ended import Ended
-from turgor.study.runs import Computed, Run
-from turgor.study.study import Row, Study
+from turgor.studies.sensitivity.anova import Anova, anova
+from turgor.studies.study.factor import Factor
+from turgor.studies.study.running.run_outcome import Ended
+from turgor.studies.study.runs import Computed, Run
+from turgor.studies.study.study import Row, Study
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Line
 
 #: Factors by which each dimension is multiplied.
 LEVELS = (0.9, 1.1)

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Literal
 
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
+from turgor.views.plots.study_figure import Panel
 
 #: How much is computed: coarse meshes and few values, or the default meshes and all values.
 Setting = Literal["quick", "full"]

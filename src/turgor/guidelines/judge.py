@@ -4,11 +4,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict, overall
-from turgor.study.files.kept import kept, kept_problem
-from turgor.study.run_all import run_all
-from turgor.study.running.ended import Ended
+from turgor.studies.study.files.run_files import kept, kept_problem
+from turgor.studies.study.run_all import run_all
+from turgor.studies.study.running.run_outcome import Ended
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

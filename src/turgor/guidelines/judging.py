@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 
 from turgor.guidelines.guideline import Verdict
 from turgor.guidelines.values import Value
-from turgor.results.plots.study_figure import Line
+from turgor.views.plots.study_figure import Line
 
 
 def verdict_of(holds: Iterable[bool]) -> Verdict:

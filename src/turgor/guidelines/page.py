@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
 
+from turgor.foundation.store.atomic_files import whole
 from turgor.guidelines.guideline import Verdict
 from turgor.guidelines.judge import Judged, JudgedStudy
-from turgor.results.plots.figures import svg_of, write_figure
-from turgor.results.plots.study_figure import study_figure
-from turgor.results.report.templated import rendered
-from turgor.store.whole import whole
+from turgor.views.plots.figures import svg_of, write_figure
+from turgor.views.plots.study_figure import study_figure
+from turgor.views.report.templating import rendered
 
 #: Folder of the figures beside the page, and the name of the page.
 FIGURES, MARKDOWN, HTML = "figures", "guidelines.md", "guidelines.html"

@@ -3,10 +3,10 @@
 from collections.abc import Callable
 
 import turgor as tg
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import MESH_ERROR, Column
 from turgor.guidelines.drawn import outline_of
-from turgor.response import MESH_ERROR, Column
-from turgor.study.runs import Computed
+from turgor.studies.study.runs import Computed
 
 #: How much larger the cells of the second solve are.
 COARSER = 2.0
@@ -57,7 +57,7 @@ def compared(fine: tg.Response, coarse: tg.Response) -> tg.Response:
     Examples
     --------
     >>> import numpy as np
-    >>> from turgor.source import Source
+    >>> from turgor.foundation.source import Source
     >>> def response(*values):
     ...     return tg.Response(columns=(Column("twist", "1/m", np.array(values)),), source=Source(text="cells"))
     >>> print(compared(response(1.0, 2.0), response(1.1, 1.8)).mesh_error("twist").round(3))

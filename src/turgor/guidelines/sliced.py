@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import turgor as tg
+from turgor.foundation.response import MESH_ERROR, Column, Response
 from turgor.guidelines.sections import solved_twice
-from turgor.response import MESH_ERROR, Column, Response
-from turgor.study.runs import Computed
+from turgor.studies.study.runs import Computed
 
 Array = NDArray[np.float64]
 

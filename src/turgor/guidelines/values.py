@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.response import Column, Response
+from turgor.foundation.response import Column, Response
 
 Array = NDArray[np.float64]
 
@@ -70,7 +70,7 @@ def at(response: Response, name: str, drive: str, where: float) -> Value:
 
     Examples
     --------
-    >>> from turgor.source import Source
+    >>> from turgor.foundation.source import Source
     >>> columns = (Column("pressure", "kPa", [0, 10e3]), Column("bending_angle", "deg", [0, 0.5]))
     >>> print(at(Response(columns=columns, source=Source(text="a ruler")), "bending_angle", "pressure", 5e3))
     14.32 deg

@@ -5,18 +5,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from turgor.errors import TurgorError
+from turgor.accuracy.laboratory.compare import Comparison, compare
+from turgor.accuracy.laboratory.comparison_plot import comparison_figure
+from turgor.accuracy.laboratory.read_experiment import read_experiment
+from turgor.accuracy.laboratory.runs import SPREAD, loading
+from turgor.core.results.drive import drive_of
+from turgor.core.results.files.response_csv import read_response
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
 from turgor.job.output.folder import COMPARISONS, RESPONSE
-from turgor.laboratory.compare import Comparison, compare
-from turgor.laboratory.comparison_plot import comparison_figure
-from turgor.laboratory.read_experiment import read_experiment
-from turgor.laboratory.runs import SPREAD, loading
-from turgor.response import Column, Response
-from turgor.results.drive import drive_of
-from turgor.results.files.response_csv import read_response
-from turgor.results.plots.figures import svg_of, write_figure
-from turgor.results.viewer.curves import Measured
-from turgor.source import Source
+from turgor.views.plots.figures import svg_of, write_figure
+from turgor.views.viewer.curves import Measured
 
 #: Name of the first column of the response of a run, which no table of a laboratory has.
 OF_A_RUN = b"load_factor,"

@@ -6,18 +6,18 @@ from math import isfinite
 
 import numpy as np
 
-from turgor.engine.runtime import EngineOptions
-from turgor.errors import TurgorError
+from turgor.core.engine.runtime import EngineOptions
+from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.core.meshing.sizing.sizes import size_range, wall_size
+from turgor.core.results.convergence.study import Convergence
+from turgor.core.results.measures.measures import Measure, find_measure, measure
+from turgor.core.setups.with_setup import with_direction
+from turgor.core.solvers.solution import Solution, SolveError
+from turgor.core.solvers.solve import Progress, solve
+from turgor.foundation.errors import TurgorError
 from turgor.job.job import Job
 from turgor.job.meshes import settings_at
 from turgor.job.prepare import prepare
-from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.meshing.sizing.sizes import size_range, wall_size
-from turgor.results.convergence.study import Convergence
-from turgor.results.measures.measures import Measure, find_measure, measure
-from turgor.setups.added import with_direction
-from turgor.solvers.solution import Solution, SolveError
-from turgor.solvers.solve import Progress, solve
 from turgor.units import mm
 
 #: Factor between the sizes of a study; the number of cells grows about threefold from one mesh to the next.

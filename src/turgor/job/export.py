@@ -4,19 +4,21 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
-from turgor.errors import TurgorError, unknown
-from turgor.geometry import FastPneuNet, Geometry, SlowPneuNet
-from turgor.geometry.mold import casting_mold
-from turgor.geometry.write_step import write_step
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.mold import casting_mold
+from turgor.core.geometry.write_step import write_step
+from turgor.core.meshing.exchange.formats.write_stl import write_stl
+from turgor.core.meshing.exchange.mesh_file import MeshedShape
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.model import Model
+from turgor.core.model.write_inp import PROGRAMS, compressible, write_inp
+from turgor.core.setups.with_setup import with_setup
+from turgor.core.solvers.procedures.stages import Stages
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
-from turgor.meshing.exchange.formats.write_stl import write_stl
-from turgor.meshing.exchange.mesh_file import MeshedShape
-from turgor.meshing.mesh import Mesh
-from turgor.model.model import Model
-from turgor.model.write_inp import PROGRAMS, compressible, write_inp
-from turgor.setups.added import with_setup
-from turgor.solvers.procedures.stages import Stages
 
 #: Kinds of export.
 KINDS = ("inp", "step", "stl", "mold")

@@ -19,18 +19,18 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Protocol
 
-from turgor.errors import TurgorError
-from turgor.geometry.geometry import Geometry
-from turgor.geometry.shapes.late import LateShape
-from turgor.meshing.instead import INSTEAD
-from turgor.meshing.mesh import Mesh
-from turgor.meshing.quality.answers import answers_of
-from turgor.meshing.settings import MeshSettings
-from turgor.meshing.sizing.sizes import extent_of
-from turgor.store.archive import Content, read_archive, write_archive
-from turgor.store.caches import cache_folder
-from turgor.store.codec import Decoder, Encoder
-from turgor.store.saved import ENDING
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.lazy_shape import LateShape
+from turgor.core.meshing.generator_override import INSTEAD
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.quality.quality_cache import answers_of
+from turgor.core.meshing.settings import MeshSettings
+from turgor.core.meshing.sizing.sizes import extent_of
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.store.archive import Content, read_archive, write_archive
+from turgor.foundation.store.caches import cache_folder
+from turgor.foundation.store.codec import Decoder, Encoder
+from turgor.foundation.store.saved_objects import ENDING
 
 #: Environment variable with the most megabytes that all entries may take; 0 keeps nothing and finds nothing.
 MOST = "TURGOR_CACHE_MB"
@@ -42,8 +42,8 @@ MOST_MB = 256.0
 LARGEST_SHARE = 0.25
 
 #: Families whose sources are known; what their shapes and meshes are made by lies in these rooms.
-_FAMILIES = "turgor.geometry.actuators."
-_ROOMS = ("turgor.geometry", "turgor.meshing")
+_FAMILIES = "turgor.core.geometry.actuators."
+_ROOMS = ("turgor.core.geometry", "turgor.core.meshing")
 _MAKERS = ("turgor", "netgen-mesher", "numpy", "scipy")
 
 #: Name of the answers to questions about a mesh, which are an entry beside it.
@@ -68,7 +68,7 @@ def is_known(actuator: object) -> bool:
 
     Examples
     --------
-    >>> from turgor.geometry import FastPneuNet
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
     >>> is_known(FastPneuNet())
     True
     """

@@ -4,29 +4,29 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Protocol
 
-from turgor.errors import unknown
-from turgor.geometry import Geometry
-from turgor.geometry.cad.cad_file import CadFile
+from turgor.core.geometry.cad.cad_file import CadFile
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.materials.material import Material
+from turgor.core.meshing.default_settings import chosen_settings
+from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.core.meshing.settings import MeshSettings
+from turgor.core.model.contact import Contact
+from turgor.core.model.fibers import Fibers
+from turgor.core.model.loads import Load
+from turgor.core.model.rigid import RigidFile
+from turgor.core.model.sheets import Sheet
+from turgor.core.model.supports import Fixed, Support
+from turgor.core.setups.setup_values import Setup
+from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.procedures.static import Static
+from turgor.foundation.errors import unknown
+from turgor.foundation.registry import Registry, class_of_file, name_in
 from turgor.job.tables.loads import Driving
 from turgor.job.tables.points import Rig
 from turgor.job.tables.supports import Held
-from turgor.materials.material import Material
-from turgor.meshing.chosen import chosen_settings
-from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.meshing.settings import MeshSettings
-from turgor.model.contact import Contact
-from turgor.model.fibers import Fibers
-from turgor.model.loads import Load
-from turgor.model.rigid import RigidFile
-from turgor.model.sheets import Sheet
-from turgor.model.supports import Fixed, Support
-from turgor.registry import Registry, class_of_file, name_in
-from turgor.setups.values import Setup
-from turgor.solvers.procedures.stages import OneProcedure, Stages
-from turgor.solvers.procedures.static import Static
 
 if TYPE_CHECKING:
-    from turgor.results.measures.reading import Measure
+    from turgor.core.results.measures.measure import Measure
 
 
 class Actuator(Protocol):
@@ -38,7 +38,7 @@ class Actuator(Protocol):
 
 #: Actuator families by their name in job files: the classes in their folder; the keys of a family are its fields.
 ACTUATORS: Registry[type[Actuator]] = Registry(
-    "turgor.geometry.actuators", class_of_file(lambda kind: hasattr(kind, "build"))
+    "turgor.core.geometry.actuators", class_of_file(lambda kind: hasattr(kind, "build"))
 )
 
 
@@ -47,7 +47,7 @@ def actuator_type(actuator: Actuator) -> str:
 
     Examples
     --------
-    >>> from turgor.geometry import FastPneuNet
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
     >>> actuator_type(FastPneuNet())
     'fast_pneunet'
     """
@@ -69,7 +69,7 @@ def standard_measures(faces: Collection[str] | None = None) -> tuple[str, ...]:
     >>> standard_measures()[0], standard_measures(["fixed"])[0]
     ('bending_angle', 'principal_stretch_p99')
     """
-    from turgor.results.measures.measures import STANDARD_MEASURES, fitting_measures  # here: it loads the engine
+    from turgor.core.results.measures.measures import STANDARD_MEASURES, fitting_measures  # here: it loads the engine
 
     return tuple(measure.name for measure in (STANDARD_MEASURES if faces is None else fitting_measures(faces)))
 
@@ -104,8 +104,8 @@ class Output:
 
     def chosen(self) -> "tuple[Measure, ...]":
         """Return all that is measured: the measures, then the coordinates of the markers."""
-        from turgor.results.measures.markers import marker  # here: it loads the engine
-        from turgor.results.measures.measures import find_measure
+        from turgor.core.results.measures.markers import marker  # here: it loads the engine
+        from turgor.core.results.measures.measures import find_measure
 
         coordinates = (each for name, point in self.markers.items() for each in marker(name, point))
         return (*map(find_measure, self.measures), *coordinates)

@@ -3,12 +3,12 @@
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
-from turgor.geometry import Geometry
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.meshing.exchange.mesh_file import MeshedShape
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.settings import MeshSettings
 from turgor.job.families import is_known, keep, mesh_on_disk
 from turgor.job.job import Actuator, Job
-from turgor.meshing.exchange.mesh_file import MeshedShape
-from turgor.meshing.mesh import Mesh
-from turgor.meshing.settings import MeshSettings
 
 
 def mesh_of(job: Job, geometry: Geometry) -> Mesh:
@@ -84,7 +84,7 @@ def _mesh_of_family(asked: _Asked) -> Mesh:
 
 
 def _made(geometry: Geometry, settings: MeshSettings) -> Mesh:
-    from turgor.meshing.generate import mesh_with  # here: it loads all ways to mesh, and a mesh may be on disk
+    from turgor.core.meshing.generate import mesh_with  # here: it loads all ways to mesh, and a mesh may be on disk
 
     return mesh_with(geometry, settings)
 

@@ -3,22 +3,22 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from turgor.finding import Finding, by_weight
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.quality.checks import check_mesh
+from turgor.core.model.model import Model
+from turgor.core.results.measures.measures import check_measures, find_measure
+from turgor.core.setups.with_setup import with_setup
+from turgor.core.solvers.checks.early_findings import early_findings
+from turgor.core.solvers.checks.supports import check_supports
+from turgor.core.solvers.coarse_path import check_coarse
+from turgor.core.solvers.methods import may_be_free, method_of
+from turgor.core.solvers.procedures.stages import Stages
+from turgor.core.solvers.solution import Procedure
+from turgor.core.solvers.stage_sequence import questions
+from turgor.foundation.finding import Finding, by_weight
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of, settings_at
 from turgor.job.round_parts import meridian_would_do
-from turgor.meshing.mesh import Mesh
-from turgor.meshing.quality.checks import check_mesh
-from turgor.model.model import Model
-from turgor.results.measures.measures import check_measures, find_measure
-from turgor.setups.added import with_setup
-from turgor.solvers.checks.early import early_findings
-from turgor.solvers.checks.supports import check_supports
-from turgor.solvers.coarse_path import check_coarse
-from turgor.solvers.methods import may_be_free, method_of
-from turgor.solvers.procedures.stages import Stages
-from turgor.solvers.solution import Procedure
-from turgor.solvers.stage_sequence import questions
 
 Notify = Callable[[str], None]
 
@@ -56,7 +56,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     first = _checked(asked, job.procedure)
     check_measures(first, [find_measure(name) for name in job.output.measures])
     if job.output.markers:
-        from turgor.results.measures.markers import check_markers  # here: it loads the engine
+        from turgor.core.results.measures.markers import check_markers  # here: it loads the engine
 
         check_markers(made, job.output.markers)
     found = (*check_mesh(made), *meridian_would_do(model, geometry), *early_findings(asked, job.procedure))

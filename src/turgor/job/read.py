@@ -6,11 +6,14 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from turgor.errors import TurgorError, near_file, near_match
-from turgor.geometry import Geometry
-from turgor.job.broken_planes import with_broken_planes
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.setups.setup_values import Setup
+from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.foundation.errors import TurgorError, near_file, near_match
+from turgor.foundation.toml_text import read_text, read_toml
 from turgor.job.families import geometry_on_disk
 from turgor.job.job import Actuator, Job
+from turgor.job.symmetry_breakers import with_broken_planes
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers
 from turgor.job.tables.loads import Driving, read_loads
@@ -22,13 +25,10 @@ from turgor.job.tables.sections import check_coarse_size, read_actuator, read_en
 from turgor.job.tables.setups import SETUPS, read_setup, setup_type
 from turgor.job.tables.stages import STAGES, Around, first_duration, read_stages, with_names
 from turgor.job.tables.supports import read_supports
-from turgor.job.text.changes import changed, changed_places
 from turgor.job.text.lines import key_lines
+from turgor.job.text.overrides import changed, changed_places
 from turgor.job.text.problems import JobError, Problems
 from turgor.job.text.quantities import shown
-from turgor.setups.values import Setup
-from turgor.solvers.procedures.stages import OneProcedure, Stages
-from turgor.toml_text import read_text, read_toml
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
 SECTIONS = (

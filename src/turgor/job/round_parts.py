@@ -1,14 +1,14 @@
 """A body of revolution that is meshed in three dimensions although its meridian would do."""
 
-from turgor.errors import TurgorError
-from turgor.finding import Finding, Severity
-from turgor.geometry.geometry import Geometry
-from turgor.geometry.wedge import Wedge
-from turgor.model.checks.symmetry import same_when_turned
-from turgor.model.fibers import DISCRETE
-from turgor.model.loads import LineForce, PointForce
-from turgor.model.model import Model
-from turgor.model.supports import Displacement, Fixed
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.wedge import Wedge
+from turgor.core.model.checks.symmetry import same_when_turned
+from turgor.core.model.fibers import DISCRETE
+from turgor.core.model.loads import LineForce, PointForce
+from turgor.core.model.model import Model
+from turgor.core.model.supports import Displacement, Fixed
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.finding import Finding, Severity
 
 #: Any number of sectors serves to ask whether an obstacle stays the same when it is turned.
 _SECTORS = 6
@@ -32,7 +32,7 @@ def meridian_would_do(model: Model, geometry: Geometry) -> tuple[Finding, ...]:
     """
     if not geometry.file or model.mesh.revolved or model.mesh.wedge is not None:
         return ()
-    from turgor.meshing.revolved.meridian import meridian_of  # here: it loads much of what reads CAD files
+    from turgor.core.meshing.revolved.meridian import meridian_of  # here: it loads much of what reads CAD files
 
     try:
         meridian = meridian_of(geometry)

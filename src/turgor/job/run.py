@@ -5,31 +5,31 @@ from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
-from turgor.adaptivity.findings import matter, mesh_error_findings
-from turgor.engine.runtime import EngineOptions
-from turgor.errors import TurgorError
-from turgor.finding import Finding, by_weight, not_told, show_warning
-from turgor.job.ahead import compile_for
+from turgor.accuracy.adaptivity.findings import matter, mesh_error_findings
+from turgor.core.engine.runtime import EngineOptions
+from turgor.core.model.model import Model
+from turgor.core.results.measures.measures import find_measure
+from turgor.core.setups.with_setup import with_choices
+from turgor.core.solvers.checkpoints.record import INDEX, Question, RunRecord
+from turgor.core.solvers.listeners import Listeners
+from turgor.core.solvers.load import PATH_FOLDER
+from turgor.core.solvers.progress.watchers import Heard, Progress, watched
+from turgor.core.solvers.solution import Solution, Status
+from turgor.core.solvers.solve import follow_question
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.finding import Finding, by_weight, not_told, show_warning
+from turgor.foundation.response import Response
 from turgor.job.job import Job
 from turgor.job.meshes import keep_mesh_of
 from turgor.job.output.folder import claimed, default_folder
-from turgor.job.output.growing import GrowingFiles
+from turgor.job.output.growing_files import GrowingFiles
 from turgor.job.output.identity import check_same_job
 from turgor.job.output.manifest import bring_back, drop_previous, set_aside
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
+from turgor.job.precompile import compile_for
 from turgor.job.prepare import Notify, coarse_mesh, prepare, silent
-from turgor.model.model import Model
-from turgor.response import Response
-from turgor.results.measures.measures import find_measure
-from turgor.setups.added import with_choices
-from turgor.solvers.checkpoints.record import INDEX, Question, RunRecord
-from turgor.solvers.listeners import Listeners
-from turgor.solvers.progress.watched import Heard, Progress, watched
-from turgor.solvers.solution import Solution, Status
-from turgor.solvers.solve import follow_question
-from turgor.solvers.stored import PATH_FOLDER
 
 Found = Callable[[Finding], None]
 
@@ -183,7 +183,7 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
     """Refine the mesh to the target of a job, if it has one and the path is complete."""
     if job.mesh_target is None or not solution.complete:
         return solution, ()
-    from turgor.adaptivity.mesh_to import refine_to  # here: few jobs ask for it
+    from turgor.accuracy.adaptivity.mesh_to import refine_to  # here: few jobs ask for it
 
     wanted = find_measure(job.mesh_target_measure or job.output.measures[0])
     found = refine_to(
@@ -203,7 +203,11 @@ def _with_errors(
     """Add the mesh errors to a response if the job asks for them, and a finding where these are unknown."""
     if not job.output.mesh_error or len(solution.states) < 2:
         return response, ()
-    from turgor.adaptivity.measure import LINEAR, mesh_error_of, with_mesh_error  # here: not needed before a solve
+    from turgor.accuracy.adaptivity.measure import (  # here: not needed before a solve
+        LINEAR,
+        mesh_error_of,
+        with_mesh_error,
+    )
 
     if options.notify is not None:
         options.notify("estimating the mesh error")

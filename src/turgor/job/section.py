@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from turgor.errors import TurgorError
+from turgor.core.model.loads import Pressure
+from turgor.core.model.supports import Radial
+from turgor.fast_models.section.section import Section
+from turgor.fast_models.section.solution import SectionSolution
+from turgor.foundation.errors import TurgorError
 from turgor.job.job import Job
-from turgor.model.loads import Pressure
-from turgor.model.supports import Radial
-from turgor.section.section import Section
-from turgor.section.solution import SectionSolution
 
 #: Rows of a section that may be asked for.
 MOST_ROWS = 1000

@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 from run_example import JOBS, at_the_end, example, run_example
 
+from turgor.core.model.loads import Pressure
+from turgor.core.solvers.procedures.static import Static
 from turgor.job.read import read_job
-from turgor.model.loads import Pressure
-from turgor.solvers.procedures.static import Static
 from turgor.units import deg, kPa, mm
 
 

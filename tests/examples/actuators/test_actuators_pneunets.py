@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 from run_example import example, run_example, solve_job
 
-from turgor.geometry import FastPneuNet
-from turgor.model.loads import Pressure
-from turgor.solvers.procedures.static import Static
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.model.loads import Pressure
+from turgor.core.solvers.procedures.static import Static
 from turgor.units import deg, kPa
 
 

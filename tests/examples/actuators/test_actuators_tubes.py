@@ -14,8 +14,8 @@ import pytest
 from run_example import at_the_end, example, run_example
 from scipy.optimize import root
 
+from turgor.core.model.loads import Pressure
 from turgor.job.job import Job
-from turgor.model.loads import Pressure
 from turgor.units import deg, kPa, mL, mm
 
 SHEAR_MODULUS = 240 * kPa  # of Elastosil M4601 as Polygerinos et al. 2020 state it

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from run_example import example, run_example
 
-from turgor.model.sheets import Shell
+from turgor.core.model.sheets import Shell
 from turgor.units import deg, mm
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from run_example import JOBS, at_the_end
 
+from turgor.core.solvers.solve import solve
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.solvers.solve import solve
 
 
 def angle(name: str) -> float:

@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from run_example import solve_job
+from turgor.measures import total_mass
 
 import turgor as tg
-from turgor.measures import total_mass
 from turgor.units import mm
 
 JOB = Path(__file__).parents[3] / "examples" / "lifted_weight.toml"

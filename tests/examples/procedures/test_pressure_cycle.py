@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 import turgor as tg
-from turgor.materials.history.softening import Mullins
-from turgor.materials.history.viscoelastic import Prony
-from turgor.model.history import over_time
-from turgor.solvers.procedures.static import Static
+from turgor.core.materials.history.softening import Mullins
+from turgor.core.materials.history.viscoelastic import Prony
+from turgor.core.model.history import over_time
+from turgor.core.solvers.procedures.static import Static
 
 ROOT = Path(__file__).parents[3]
 HEAD = """

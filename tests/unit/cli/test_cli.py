@@ -18,9 +18,9 @@ import turgor.job.run
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
 from turgor.cli.start.commands import app_of
-from turgor.solvers.checkpoints.record import Question, RunRecord
-from turgor.solvers.listeners import Listeners
-from turgor.solvers.solve import follow_question
+from turgor.core.solvers.checkpoints.record import Question, RunRecord
+from turgor.core.solvers.listeners import Listeners
+from turgor.core.solvers.solve import follow_question
 
 JOB = """\
 [actuator]

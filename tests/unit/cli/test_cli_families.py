@@ -9,9 +9,9 @@ import pytest
 import meshes
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
+from turgor.core.results.files.mesh_vtu import write_mesh_vtu
 from turgor.job.job import ACTUATORS
 from turgor.job.read import read_job
-from turgor.results.files.mesh_vtu import write_mesh_vtu
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 

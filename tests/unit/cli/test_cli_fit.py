@@ -8,8 +8,8 @@ import typer
 from typer.testing import CliRunner
 
 from turgor.cli.fitting.fit import fit_command
-from turgor.materials.laws.laws import Yeoh
-from turgor.materials.library.record_files import read_records
+from turgor.core.materials.laws.laws import Yeoh
+from turgor.core.materials.library.record_files import read_records
 
 
 @pytest.fixture

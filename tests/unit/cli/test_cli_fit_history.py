@@ -7,16 +7,16 @@ from matplotlib.colors import to_hex
 from typer.testing import CliRunner
 
 from turgor.cli.fitting.fit import fit_command
-from turgor.errors import TurgorError
-from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.history.softening import Mullins
-from turgor.materials.history.stress_history import stress_history
-from turgor.materials.history.viscoelastic import Prony
-from turgor.materials.laws.laws import NeoHooke
-from turgor.materials.library.records import from_library
-from turgor.materials.material import Material
-from turgor.results.plots.fits import COLORS
-from turgor.results.plots.history import history_figure
+from turgor.core.materials.experiments.material_test import MaterialTest
+from turgor.core.materials.history.softening import Mullins
+from turgor.core.materials.history.stress_history import stress_history
+from turgor.core.materials.history.viscoelastic import Prony
+from turgor.core.materials.laws.laws import NeoHooke
+from turgor.core.materials.library.records import from_library
+from turgor.core.materials.material import Material
+from turgor.foundation.errors import TurgorError
+from turgor.views.plots.fits import COLORS
+from turgor.views.plots.history import history_figure
 
 RUBBER = Material(
     name="r",

@@ -8,7 +8,7 @@ import pytest
 
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
-from turgor.geometry.cad.inspection import inspect_cad
+from turgor.core.geometry.cad.inspection import inspect_cad
 from turgor.units import mm
 
 

@@ -9,10 +9,10 @@ from matplotlib.figure import Figure
 
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
-from turgor.errors import TurgorError
-from turgor.materials.library.record_text import describe_material, doubts_list, library_table
-from turgor.materials.library.records import all_records, find_record, records
-from turgor.results.plots.materials import curve, material_figure, plot_records, write_material_plot
+from turgor.core.materials.library.record_text import describe_material, doubts_list, library_table
+from turgor.core.materials.library.records import all_records, find_record, records
+from turgor.foundation.errors import TurgorError
+from turgor.views.plots.materials import curve, material_figure, plot_records, write_material_plot
 
 TEST = "stretch,nominal stress (kPa)\n1.0,0\n1.5,20\n2.0,35\n3.0,62\n"
 
@@ -104,7 +104,7 @@ def test_a_test_that_does_not_say_how_it_was_loaded_is_asked(folder: Path, capsy
 
 
 def test_the_picture_holds_every_record_and_the_test(folder: Path) -> None:
-    from turgor.materials.experiments.read_tests import read_test
+    from turgor.core.materials.experiments.read_tests import read_test
 
     (axes,) = material_figure("ecoflex-00-30", tests=[read_test("strip_uniaxial.csv")]).axes
     labels = axes.get_legend_handles_labels()[1]
@@ -139,7 +139,7 @@ def test_what_was_fitted_is_solid_and_the_rest_dashed(tmp_path: Path) -> None:
 
 
 def test_tests_of_two_modes_are_refused(folder: Path) -> None:
-    from turgor.materials.experiments.read_tests import read_test
+    from turgor.core.materials.experiments.read_tests import read_test
 
     both = [read_test("strip_uniaxial.csv"), read_test("strip_uniaxial.csv", mode="planar")]
     with pytest.raises(TurgorError, match="the tests are planar and uniaxial; plot tests of one mode at a time"):

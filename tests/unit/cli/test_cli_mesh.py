@@ -11,9 +11,9 @@ from PIL import Image
 import turgor as tg
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
+from turgor.core.meshing.quality.checks import check_mesh
+from turgor.core.results.files.response_csv import read_response
 from turgor.job.prepare import prepare
-from turgor.meshing.quality.checks import check_mesh
-from turgor.results.files.response_csv import read_response
 from turgor.units import mm
 
 JOB = """

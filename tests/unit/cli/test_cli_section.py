@@ -8,7 +8,7 @@ from PIL import Image
 
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
-from turgor.results.files.response_csv import read_response
+from turgor.core.results.files.response_csv import read_response
 
 JOB = """
 [actuator]

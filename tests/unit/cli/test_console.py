@@ -12,10 +12,10 @@ from rich.console import Console
 from turgor.cli.console import PlainDisplay
 from turgor.cli.exits import NOT_CONVERGED, errors_as_sentences
 from turgor.cli.live import LiveDisplay
-from turgor.errors import NotSolved
-from turgor.finding import Finding, Severity
-from turgor.solvers.reasons import Cause, Reason
-from turgor.solvers.solution import Iteration
+from turgor.core.solvers.solution import Iteration
+from turgor.core.solvers.step_reasons import Cause, Reason
+from turgor.foundation.errors import NotSolved
+from turgor.foundation.finding import Finding, Severity
 
 STATE = cases.state(cases.model(cases.body()), None, 0.25)
 ACCEPTED = Iteration(step=5, iteration=4, load_factor=0.25, residual=2e-7, correction=0.0, step_length=1.0)

@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from turgor import loops
 from turgor.cli import main
-from turgor.meshing.enveloped.kept import kept_cells
-from turgor.store.caches import PARTS, cache_folder, private
+from turgor.core.meshing.tetwild.mesh_cache import kept_cells
+from turgor.foundation import kernel_cache as loops
+from turgor.foundation.store.caches import PARTS, cache_folder, private
 
 posix = pytest.mark.skipif(not hasattr(os, "getuid"), reason="owners and modes are those of POSIX")
 root = pytest.mark.skipif(not hasattr(os, "getuid") or os.getuid() != 0, reason="only root can make files of others")
@@ -73,7 +73,7 @@ PROGRAM = """
 import warnings
 warnings.simplefilter("error")
 warnings.filterwarnings("default", message="a damaged file")
-from turgor.engine.cache_folder import keep_compiled_loops
+from turgor.core.engine.cache_folder import keep_compiled_loops
 keep_compiled_loops()
 import lone
 print(lone.double(3))

@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from turgor.errors import TurgorError
-from turgor.response import COLUMN_UNITS, Column, Response
-from turgor.results.files.response_csv import read_response
-from turgor.source import Source
+from turgor.core.results.files.response_csv import read_response
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import COLUMN_UNITS, Column, Response
+from turgor.foundation.source import Source
 from turgor.units import deg, kPa
 
 SOURCE = Source(text="a test")
@@ -201,7 +201,7 @@ def test_a_table_is_replaced_whole_or_not_at_all(tmp_path, monkeypatch):
     def full(*_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("turgor.response._shortest", full)
+    monkeypatch.setattr("turgor.foundation.response._shortest", full)
     with pytest.raises(OSError, match=r"response\.csv"):
         Response(columns=columns, source=Source(text="a ruler")).to_csv(path)
     assert path.read_text(encoding="utf-8") == before

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from turgor.errors import TurgorError
-from turgor.toml_text import read_text, read_toml
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.toml_text import read_text, read_toml
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 from turgor.units import UNITS, format_quantity, kPa, mm, parse_quantity
 
 FINITE = st.floats(min_value=-1e12, max_value=1e12, allow_nan=False)

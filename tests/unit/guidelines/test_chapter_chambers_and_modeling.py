@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from turgor.foundation.response import MESH_ERROR, Column, Response
+from turgor.foundation.source import Source
 from turgor.guidelines.catalog import CHAPTERS, chosen
 from turgor.guidelines.guideline import Verdict
 from turgor.guidelines.judging import change, differs, line_of, verdict_of
@@ -13,9 +15,7 @@ from turgor.guidelines.omnidirectional import chamber_shapes
 from turgor.guidelines.omnidirectional.chambers import area_of
 from turgor.guidelines.omnidirectional.shapes import AREA, SHAPES, given_for
 from turgor.guidelines.values import Value
-from turgor.response import MESH_ERROR, Column, Response
-from turgor.source import Source
-from turgor.study.runs import Computed
+from turgor.studies.study.runs import Computed
 from turgor.units import deg, kPa, mm
 
 SECTIONS = ("5", "6.2", "7.3", "7.4", "8.1")

@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
+from turgor.jobs import ACTUATORS
 
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
 from turgor.guidelines.catalog import chosen
 from turgor.guidelines.convergence import element_kinds, remeshing
 from turgor.guidelines.guideline import Verdict
-from turgor.jobs import ACTUATORS
-from turgor.response import Column, Response
-from turgor.source import Source
-from turgor.study.runs import Computed
+from turgor.studies.study.runs import Computed
 from turgor.units import deg, kPa
 
 

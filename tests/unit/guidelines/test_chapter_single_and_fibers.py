@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
+from turgor.foundation.response import MESH_ERROR, Column, Response
+from turgor.foundation.source import Source
 from turgor.guidelines.catalog import guidelines
 from turgor.guidelines.fiber_reinforced import braids, double_wrap, single_wrap, too_dense, two_sides
 from turgor.guidelines.guideline import Verdict
 from turgor.guidelines.single_chamber import best_shape, layer_ratio, shapes, thin_walls, two_directions
-from turgor.response import MESH_ERROR, Column, Response
-from turgor.source import Source
-from turgor.study.runs import Computed
+from turgor.studies.study.runs import Computed
 from turgor.units import kPa
 
 KEYS = [

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 from study_cases import line, refuses
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 from turgor.guidelines.catalog import chosen, guidelines
 from turgor.guidelines.guideline import Guideline, GuidelineTest, Judgement, Verdict, overall
 from turgor.guidelines.judge import judged, run_guidelines
 from turgor.guidelines.page import write_markdown, write_page
 from turgor.guidelines.values import Value, at, falls, largest, last, linearity, listed, rises
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
+from turgor.views.plots.study_figure import Line, Panel
 
 
 def steeper(found):

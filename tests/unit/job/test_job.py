@@ -16,28 +16,29 @@ from hypothesis import strategies as st
 
 import turgor
 import turgor.job.job
-from turgor.engine.warmup.needs import Needs
-from turgor.errors import TurgorError
-from turgor.geometry import FastPneuNet, Geometry
-from turgor.job.ahead import needs_of
+from turgor.core.engine.warmup.needs import Needs
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.materials.laws.laws import Hooke, NeoHooke, Yeoh
+from turgor.core.materials.library.records import from_library
+from turgor.core.materials.material import Material
+from turgor.core.meshing.generate import mesh
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.loads import Gravity, Pressure
+from turgor.core.model.model import Model
+from turgor.core.model.sheets import Shell
+from turgor.core.model.supports import Fixed, Symmetry
+from turgor.core.solvers.procedures.static import Static
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.source import Source
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
+from turgor.job.precompile import needs_of
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError
 from turgor.job.text.quantities import dataclass_table
-from turgor.materials.laws.laws import Hooke, NeoHooke, Yeoh
-from turgor.materials.library.records import from_library
-from turgor.materials.material import Material
-from turgor.meshing.generate import mesh
-from turgor.meshing.mesh import Mesh
-from turgor.model.loads import Gravity, Pressure
-from turgor.model.model import Model
-from turgor.model.sheets import Shell
-from turgor.model.supports import Fixed, Symmetry
-from turgor.solvers.procedures.static import Static
-from turgor.source import Source
 from turgor.units import deg, kPa, mm
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "fast_pneunet.toml"

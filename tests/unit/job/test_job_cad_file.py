@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.geometry.cad.cad_file import CadFile
-from turgor.geometry.cad.selectors import ByName, InBox, NearestTo, WithNormal
-from turgor.geometry.cad.split import SplitPlane
+from turgor.core.geometry.cad.cad_file import CadFile
+from turgor.core.geometry.cad.selectors import ByName, InBox, NearestTo, WithNormal
+from turgor.core.geometry.cad.split import SplitPlane
+from turgor.core.model.supports import Fixed
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.text.problems import JobError
-from turgor.model.supports import Fixed
 from turgor.units import kPa, mm
 
 JOB = """

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
-from turgor.job.text.changes import parse_changes
+from turgor.job.text.overrides import parse_changes
 from turgor.units import kPa, mm
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -9,7 +9,11 @@ import pytest
 
 import turgor as tg
 from turgor.cli import main
-from turgor.errors import TurgorError
+from turgor.core.meshing.exchange.formats.stl import stl_bytes
+from turgor.core.model.contact import Contact
+from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, SelfContact, Sphere
+from turgor.core.model.write_inp import compressible, write_inp
+from turgor.foundation.errors import TurgorError
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
@@ -17,12 +21,8 @@ from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.tables.obstacles import SHAPES, obstacle_table
 from turgor.job.text.problems import JobError
-from turgor.meshing.exchange.formats.stl import stl_bytes
-from turgor.model.contact import Contact
-from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, SelfContact, Sphere
-from turgor.model.write_inp import compressible, write_inp
-from turgor.results.report import describe
 from turgor.units import mm
+from turgor.views.report import describe
 
 FINGER = """\
 [actuator]

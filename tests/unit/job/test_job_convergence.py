@@ -5,18 +5,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from turgor.errors import TurgorError
-from turgor.geometry import FastPneuNet
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.materials.laws.laws import NeoHooke
+from turgor.core.materials.material import Material
+from turgor.core.meshing.settings import MeshSettings
+from turgor.core.model.loads import Pressure
+from turgor.core.solvers.procedures.static import Static
+from turgor.core.solvers.solution import Solution, SolveError
+from turgor.core.solvers.solve import solve
+from turgor.foundation.errors import TurgorError
 from turgor.job.convergence import RATIO, convergence, study_sizes
 from turgor.job.job import Job
 from turgor.job.prepare import prepare
-from turgor.materials.laws.laws import NeoHooke
-from turgor.materials.material import Material
-from turgor.meshing.settings import MeshSettings
-from turgor.model.loads import Pressure
-from turgor.solvers.procedures.static import Static
-from turgor.solvers.solution import Solution, SolveError
-from turgor.solvers.solve import solve
 from turgor.units import kPa, mm
 
 RUBBER = Material(name="rubber", law=NeoHooke(C10=50 * kPa), bulk_modulus=np.inf)

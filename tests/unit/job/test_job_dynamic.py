@@ -7,14 +7,14 @@ import pytest
 
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
+from turgor.core.model.history import over_time, share_at
+from turgor.core.model.loads import Gravity, Pressure
+from turgor.core.results.files.response_csv import read_response
+from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.stabilized import Stabilized
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.text.problems import JobError
-from turgor.model.history import over_time, share_at
-from turgor.model.loads import Gravity, Pressure
-from turgor.results.files.response_csv import read_response
-from turgor.solvers.procedures.dynamic import Dynamic
-from turgor.solvers.procedures.stabilized import Stabilized
 
 HEAD = """
 [actuator]

@@ -4,7 +4,7 @@ import pytest
 
 from turgor.cli import main
 from turgor.cli.exits import DONE, FOUND_ERROR
-from turgor.finding import Severity
+from turgor.foundation.finding import Severity
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.run import run_job

@@ -8,20 +8,20 @@ from pathlib import Path
 
 import pytest
 
-from turgor.errors import TurgorError
+from turgor.core.materials.laws.laws import Hooke, NeoHooke
+from turgor.core.materials.library.records import from_library
+from turgor.core.model.fibers import Fibers, Winding
+from turgor.core.model.model import Model
+from turgor.core.model.sheets import Membrane, Shell
+from turgor.core.model.supports import Fixed, PlaneSection, Radial
+from turgor.core.model.write_inp import write_inp
+from turgor.foundation.errors import TurgorError
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.text.problems import JobError
-from turgor.materials.laws.laws import Hooke, NeoHooke
-from turgor.materials.library.records import from_library
-from turgor.model.fibers import Fibers, Winding
-from turgor.model.model import Model
-from turgor.model.sheets import Membrane, Shell
-from turgor.model.supports import Fixed, PlaneSection, Radial
-from turgor.model.write_inp import write_inp
 from turgor.units import deg, mm
 
 TUBE = """\

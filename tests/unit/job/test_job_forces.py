@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
+from turgor.loads import Force
 
 import turgor as tg
-from turgor.errors import TurgorError
+from turgor.core.model.history import RAMP
+from turgor.foundation.errors import TurgorError
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.loads import Force
-from turgor.model.history import RAMP
 
 TEXT = """\
 [actuator]

@@ -9,9 +9,9 @@ import pytest
 
 import turgor as tg
 from turgor.cli import main
-from turgor.geometry.cad.selectors import ByName, InBox, WithNormal
+from turgor.core.geometry.cad.selectors import ByName, InBox, WithNormal
+from turgor.core.meshing.exchange import MeshFile, read_mesh, read_stl
 from turgor.job.output.lock import lock_text
-from turgor.meshing.exchange import MeshFile, read_mesh, read_stl
 from turgor.units import mm
 
 ROOT = Path(__file__).parents[3]

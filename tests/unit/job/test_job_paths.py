@@ -2,19 +2,19 @@
 
 import pytest
 
-from turgor.errors import TurgorError
+from turgor.core.model.loads import Gravity, Pressure
+from turgor.core.solvers.procedures.arc_length import ArcLength
+from turgor.core.solvers.procedures.auto import Auto
+from turgor.core.solvers.procedures.gas_mass import GasMass
+from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.foundation.errors import TurgorError
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.run import run_job
 from turgor.job.text.problems import JobError
-from turgor.model.loads import Gravity, Pressure
-from turgor.results.report.describe_procedure import fields_of
-from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
-from turgor.solvers.procedures.gas_mass import GasMass
-from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.units import kPa, mL, mm
+from turgor.views.report.describe_procedure import fields_of
 
 TUBE = """
 [actuator]

@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.errors import TurgorError
+from turgor.core.setups.setup_values import BlockedForce, Grasp
+from turgor.core.solvers.procedures.static import Static
+from turgor.foundation.errors import TurgorError
 from turgor.job.export import export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
@@ -16,8 +18,6 @@ from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.run import run_job
 from turgor.job.text.problems import JobError
-from turgor.setups.values import BlockedForce, Grasp
-from turgor.solvers.procedures.static import Static
 from turgor.units import mm
 
 GUIDE = Path(__file__).parents[3] / "docs" / "howto" / "blocked-force.md"

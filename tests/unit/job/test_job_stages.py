@@ -11,7 +11,22 @@ import results_cases as cases
 
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
-from turgor.errors import TurgorError
+from turgor.core.model.history import over_time
+from turgor.core.model.loads import Gravity, Pressure
+from turgor.core.model.supports import Displacement, Fixed, Shift
+from turgor.core.results.drive import stage_column
+from turgor.core.results.files.response_csv import read_response
+from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.sealed import Sealed
+from turgor.core.solvers.procedures.stages import Stage, Stages
+from turgor.core.solvers.procedures.static import Static
+from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.progress.progress import Course, describe
+from turgor.core.solvers.solution import Iteration
+from turgor.core.solvers.solve import solve
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
 from turgor.job.export import export_job
 from turgor.job.job import Job, Output
 from turgor.job.output.lock import lock_text
@@ -21,24 +36,9 @@ from turgor.job.run import run_job
 from turgor.job.tables.stages import StageTable
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError
-from turgor.model.history import over_time
-from turgor.model.loads import Gravity, Pressure
-from turgor.model.supports import Displacement, Fixed, Shift
-from turgor.response import Column, Response
-from turgor.results.drive import stage_column
-from turgor.results.files.response_csv import read_response
-from turgor.results.pictures.state_picture import picture_title
-from turgor.results.plots.response_plots import response_figure
-from turgor.solvers.procedures.dynamic import Dynamic
-from turgor.solvers.procedures.sealed import Sealed
-from turgor.solvers.procedures.stages import Stage, Stages
-from turgor.solvers.procedures.static import Static
-from turgor.solvers.procedures.volume_control import VolumeControl
-from turgor.solvers.progress.course import Course, describe
-from turgor.solvers.solution import Iteration
-from turgor.solvers.solve import solve
-from turgor.source import Source
 from turgor.units import kPa, mL, mm
+from turgor.views.pictures.state_picture import picture_title
+from turgor.views.plots.response_plots import response_figure
 
 GUIDE = Path(__file__).parents[3] / "docs" / "howto" / "stages.md"
 

@@ -6,7 +6,7 @@ from dataclasses import fields
 
 import pytest
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 from turgor.job.job import ACTUATORS
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare

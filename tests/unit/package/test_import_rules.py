@@ -52,30 +52,38 @@ def test_the_page_on_the_architecture_shows_the_same_order():
 @pytest.mark.parametrize(
     ("module", "text", "expected"),
     [
-        ("turgor.engine.cells.kernels", "from turgor.solvers.solve import solve", "engine must not import"),
-        ("turgor.engine.cells.kernels", "def late():\n    import turgor.results.files.vtu", "engine must not import"),
-        ("turgor.engine.cells.kernels", "from ...cli import main", "engine must not import turgor.cli.main"),
-        ("turgor.units", "from turgor import materials", "foundation must not import turgor.materials"),
-        ("turgor.results.plots.response_plots", "import turgor as tg", "is a public name"),
-        ("turgor.results.plots.response_plots", "from turgor import Model", "is a public name"),
-        ("turgor.results.plots.response_plots", "from turgor.laws import Yeoh", "is a public name"),
-        ("turgor.results.files.vtu", "import numba", "numba may be imported in engine only"),
-        ("turgor.results.files.vtu", "from numba import njit", "numba may be imported in engine only"),
-        ("turgor.solvers.newton.newton", "import ctypes", "ctypes may be imported in engine and geometry only"),
-        ("turgor.meshing.generate", "from netgen.occ import Box", "netgen.occ may be imported in geometry only"),
-        ("turgor.meshing.generate", "from netgen import occ", "netgen.occ may be imported in geometry only"),
-        ("turgor.meshing.generate", "from turgor.geometry import occ", "geometry.occ may be imported in geometry only"),
-        ("turgor.engine.cells", "import netgen", "netgen may be imported in geometry and meshing only"),
-        ("turgor", "import numba", "numba may be imported in engine only"),
-        ("turgor.solvers.newton.newton", "def step():\n    print('hello')", "line 2: print"),
-        ("turgor.studio.pages", "", "studio is no known room"),
-        ("turgor.model.model", "def build(**options): ...", "**options in the public function build"),
+        ("turgor.core.engine.cells.kernels", "from turgor.core.solvers.solve import solve", "engine must not import"),
         (
-            "turgor.model.model",
+            "turgor.core.engine.cells.kernels",
+            "def late():\n    import turgor.core.results.files.vtu",
+            "engine must not import",
+        ),
+        ("turgor.core.engine.cells.kernels", "from ...cli import main", "engine must not import turgor.cli.main"),
+        ("turgor.units", "from turgor import materials", "foundation must not import turgor.core.materials"),
+        ("turgor.views.plots.response_plots", "import turgor as tg", "is a public name"),
+        ("turgor.views.plots.response_plots", "from turgor import Model", "is a public name"),
+        ("turgor.views.plots.response_plots", "from turgor.laws import Yeoh", "is a public name"),
+        ("turgor.core.results.files.vtu", "import numba", "numba may be imported in engine only"),
+        ("turgor.core.results.files.vtu", "from numba import njit", "numba may be imported in engine only"),
+        ("turgor.core.solvers.newton.newton", "import ctypes", "ctypes may be imported in engine and geometry only"),
+        ("turgor.core.meshing.generate", "from netgen.occ import Box", "netgen.occ may be imported in geometry only"),
+        ("turgor.core.meshing.generate", "from netgen import occ", "netgen.occ may be imported in geometry only"),
+        (
+            "turgor.core.meshing.generate",
+            "from turgor.core.geometry import occ",
+            "geometry.occ may be imported in geometry only",
+        ),
+        ("turgor.core.engine.cells", "import netgen", "netgen may be imported in geometry and meshing only"),
+        ("turgor", "import numba", "numba may be imported in engine only"),
+        ("turgor.core.solvers.newton.newton", "def step():\n    print('hello')", "line 2: print"),
+        ("turgor.studio.pages", "", "studio is no known room"),
+        ("turgor.core.model.model", "def build(**options): ...", "**options in the public function build"),
+        (
+            "turgor.core.model.model",
             "class Model:\n    def __init__(self, **kw): ...",
             "**kw in the public function __init__",
         ),
-        ("turgor.model.model", "\n" * (LONGEST_FILE + 1), f"{LONGEST_FILE + 1} lines"),
+        ("turgor.core.model.model", "\n" * (LONGEST_FILE + 1), f"{LONGEST_FILE + 1} lines"),
     ],
 )
 def test_a_broken_rule_is_noticed(module, text, expected):
@@ -88,15 +96,15 @@ def test_a_broken_rule_is_noticed(module, text, expected):
     ("module", "text"),
     [
         (
-            "turgor.solvers.solve",
-            "from turgor.engine.system import System\nfrom turgor.solvers.newton.newton import newton",
+            "turgor.core.solvers.solve",
+            "from turgor.core.engine.system import System\nfrom turgor.core.solvers.newton.newton import newton",
         ),
-        ("turgor.engine.cells.kernels", "import numba\nfrom basix import create_element"),
-        ("turgor.geometry.shapes.solids", "from netgen.occ import Box"),
+        ("turgor.core.engine.cells.kernels", "import numba\nfrom basix import create_element"),
+        ("turgor.core.geometry.shapes.solids", "from netgen.occ import Box"),
         ("turgor.cli.app", "import turgor as tg\nfrom turgor import solve\nprint(tg)"),
         ("turgor", "from turgor.cli import main"),
-        ("turgor.model.model", "def _build(**options): ...\nclass _Model:\n    def make(self, **kw): ..."),
-        ("turgor.model.model", "\n" * LONGEST_FILE),
+        ("turgor.core.model.model", "def _build(**options): ...\nclass _Model:\n    def make(self, **kw): ..."),
+        ("turgor.core.model.model", "\n" * LONGEST_FILE),
     ],
 )
 def test_a_kept_rule_is_not_blamed(module, text):
@@ -120,9 +128,9 @@ def test_no_folder_of_tests_holds_too_many_files():
 
 
 def test_a_large_folder_is_noticed():
-    modules = [f"turgor.model.load_{n}" for n in range(LARGEST_FOLDER)]
+    modules = [f"turgor.core.model.load_{n}" for n in range(LARGEST_FOLDER)]
     assert large_folders(modules) == {}
-    assert large_folders([*modules, "turgor.model.one_more"]) == {"turgor.model": LARGEST_FOLDER + 1}
+    assert large_folders([*modules, "turgor.core.model.one_more"]) == {"turgor.core.model": LARGEST_FOLDER + 1}
 
 
 def test_no_two_files_need_each_other():
@@ -132,9 +140,9 @@ def test_no_two_files_need_each_other():
 
 def test_a_cycle_is_noticed_wherever_the_import_stands():
     texts = {
-        "turgor.model.a": "from turgor.model.b import one",
-        "turgor.model.b": "def one():\n    from turgor.model import c",
-        "turgor.model.c": "if TYPE_CHECKING:\n    from turgor.model.a import two",
-        "turgor.model.d": "from turgor.model.a import two",
+        "turgor.core.model.a": "from turgor.core.model.b import one",
+        "turgor.core.model.b": "def one():\n    from turgor.core.model import c",
+        "turgor.core.model.c": "if TYPE_CHECKING:\n    from turgor.core.model.a import two",
+        "turgor.core.model.d": "from turgor.core.model.a import two",
     }
-    assert cycles(file_imports(texts)) == [("turgor.model.a", "turgor.model.b", "turgor.model.c")]
+    assert cycles(file_imports(texts)) == [("turgor.core.model.a", "turgor.core.model.b", "turgor.core.model.c")]

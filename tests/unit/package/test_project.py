@@ -14,10 +14,10 @@ from types import FunctionType, ModuleType
 import pytest
 
 import turgor
-from turgor._lazy import names_in
+from turgor.core.materials.laws.laws import LAWS
+from turgor.core.results.measures.measures import MEASURES
+from turgor.foundation.lazy_names import names_in
 from turgor.job.job import ACTUATORS
-from turgor.materials.laws.laws import LAWS
-from turgor.results.measures.measures import MEASURES
 
 ROOT = Path(__file__).parents[3]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))

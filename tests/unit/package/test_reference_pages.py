@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from pydantic import ValidationError
 
+from turgor.core.materials.laws.laws import LAWS
 from turgor.job.job import ACTUATORS
 from turgor.job.read import SECTIONS
 from turgor.job.reference.sections import section_tables
@@ -21,7 +22,6 @@ from turgor.job.tables.procedures import PROCEDURES, procedure_table
 from turgor.job.tables.stages import StageTable
 from turgor.job.text.load_tables import CavityTable, LoadsTable
 from turgor.job.text.quantities import MeshTable, OutputTable
-from turgor.materials.laws.laws import LAWS
 
 DOCS = Path(__file__).parents[3] / "docs"
 sys.path.insert(0, str(DOCS))

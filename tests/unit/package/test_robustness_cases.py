@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 sys.path.append(str(Path(__file__).parents[3] / "benchmarks"))
 from robustness_cases import CASES

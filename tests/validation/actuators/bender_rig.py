@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from bender import READ, SOURCE, STATED, model_of, solved
 from bender_data import measured_blocked
+from turgor.measures import Measure
 
 import turgor as tg
-from turgor.measures import Measure
-from turgor.response import Column
-from turgor.study.runs import Computed
+from turgor.foundation.response import Column
+from turgor.studies.study.runs import Computed
 from turgor.units import N, kPa, mm
 
 #: Spring that keeps the tip from turning, in effect [N m/rad].

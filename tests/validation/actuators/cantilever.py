@@ -12,10 +12,10 @@ from scipy.optimize import least_squares
 
 import turgor as tg
 from meshes import box
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.response import Column
-from turgor.source import Source
-from turgor.study.runs import Computed, Run
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.foundation.response import Column
+from turgor.foundation.source import Source
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
 
 FOLDER = DATA / "eth-dragonskin10-beam"

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 from fit_data import DATA, ecoflex_planar
+from turgor.experiments import Fit, MaterialTest, Specimen, crop, remove_slack, thin
 
 import turgor as tg
-from turgor.experiments import Fit, MaterialTest, Specimen, crop, remove_slack, thin
 from turgor.units import N, mm
 
 FOLDER = DATA / "epfl-ecoflex30-actuators"

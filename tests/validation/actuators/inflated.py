@@ -15,9 +15,9 @@ from measured_tables import DATA, numbers, table
 from netgen.occ import Cylinder, Glue, Pnt, X
 
 import turgor as tg
-from turgor.response import Column
-from turgor.source import Source
-from turgor.study.runs import Computed
+from turgor.foundation.response import Column
+from turgor.foundation.source import Source
+from turgor.studies.study.runs import Computed
 from turgor.units import MPa, kPa, mL, mm
 
 FOLDER = DATA / "upenn-ecoflex30-membranes"

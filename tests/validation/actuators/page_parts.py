@@ -9,11 +9,11 @@ import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 from PIL import Image
+from turgor.pictures import COLORS as COLORS
 
 import turgor as tg
-from turgor.pictures import COLORS as COLORS
-from turgor.study.running.ended import Ended
-from turgor.study.runs import Run
+from turgor.studies.study.running.run_outcome import Ended
+from turgor.studies.study.runs import Run
 
 DOCS = Path(__file__).parents[3] / "docs"
 IMAGES = DOCS / "images" / "measured"

@@ -30,7 +30,7 @@ from measured_tables import distance, table
 from page_parts import DOCS, RECORDED, percent
 
 import turgor as tg
-from turgor.response import Column
+from turgor.foundation.response import Column
 from turgor.units import deg, kPa, mm
 
 DRIFT = 0.02

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from fit_data import DATA
 
-from turgor.materials.experiments.read_tests import read_test
-from turgor.materials.fitting.fit_laws import fit
+from turgor.core.materials.experiments.read_tests import read_test
+from turgor.core.materials.fitting.fit_laws import fit
 
 
 def test_kawabata_field_needs_more_than_the_first_invariant():

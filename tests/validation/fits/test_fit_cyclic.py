@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from fit_data import DATA
 
-from turgor.materials.experiments.cycles import select_cycle
-from turgor.materials.experiments.handling import rest_below, thin
-from turgor.materials.experiments.read_tests import read_test
-from turgor.materials.experiments.specimen import Specimen
-from turgor.materials.fitting.fit_history import fit_history
-from turgor.materials.fitting.fit_laws import fit
-from turgor.materials.fitting.history_fit import quality_of
-from turgor.materials.material import Material
+from turgor.core.materials.experiments.cycles import select_cycle
+from turgor.core.materials.experiments.read_tests import read_test
+from turgor.core.materials.experiments.specimen import Specimen
+from turgor.core.materials.experiments.test_edits import rest_below, thin
+from turgor.core.materials.fitting.fit_history import fit_history
+from turgor.core.materials.fitting.fit_laws import fit
+from turgor.core.materials.fitting.history_fit import quality_of
+from turgor.core.materials.material import Material
 from turgor.units import N, mm
 
 SECTION = 150 * mm**2

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from fit_data import DATA, ecoflex_planar
 
-from turgor.materials.laws.laws import Ogden
+from turgor.core.materials.laws.laws import Ogden
 from turgor.units import MPa
 
 

@@ -6,7 +6,7 @@ The distances are recorded, not gated by a physical limit: they fail on drift, a
 import pytest
 from fit_data import meunier
 
-from turgor.materials.fitting.fit_laws import fit
+from turgor.core.materials.fitting.fit_laws import fit
 
 #: Root mean square relative error of the predicted equibiaxial test: fitted to uniaxial alone, and with pure shear.
 RECORDED = {"yeoh": (0.251, 0.307), "mooney-rivlin": (0.333, 0.207), "ogden-3": (15.2, 0.180)}

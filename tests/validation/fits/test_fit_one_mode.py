@@ -8,11 +8,11 @@ distances, not limits: the test fails where they drift.
 import pytest
 from fit_data import DATA
 
-from turgor.materials.experiments.handling import crop
-from turgor.materials.experiments.read_tests import read_test
-from turgor.materials.fitting.checks import check_modes
-from turgor.materials.fitting.fit_laws import fit
-from turgor.materials.laws.laws import MooneyRivlin
+from turgor.core.materials.experiments.read_tests import read_test
+from turgor.core.materials.experiments.test_edits import crop
+from turgor.core.materials.fitting.checks import check_modes
+from turgor.core.materials.fitting.fit_laws import fit
+from turgor.core.materials.laws.laws import MooneyRivlin
 
 #: Largest stretch of the fits to each rubber.
 RANGES = {

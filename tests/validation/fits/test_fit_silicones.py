@@ -8,7 +8,7 @@ from fit_data import DATA, SILICONES, silicone
 from typer.testing import CliRunner
 
 from turgor.cli.fitting.fit import fit_command
-from turgor.materials.fitting.fit_laws import fit
+from turgor.core.materials.fitting.fit_laws import fit
 
 #: Root mean square relative error in % from stretch 1 to 4; derived from the data, so it stays under their license.
 RECORDED = DATA / "marechal-2020-silicones" / "recorded_errors.csv"

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.fitting.fit_laws import fit
-from turgor.materials.fitting.law_specs import law_spec
+from turgor.core.materials.experiments.material_test import MaterialTest
+from turgor.core.materials.fitting.fit_laws import fit
+from turgor.core.materials.fitting.law_specs import law_spec
 
 KNOWN = {
     "neo-hooke": [0.12e6],

@@ -9,8 +9,8 @@ import pytest
 from fit_data import SILICONES, silicone, treloar
 from scipy.optimize import curve_fit
 
-from turgor.materials.fitting.fit_laws import fit
-from turgor.materials.laws.laws import NeoHooke, Ogden, Yeoh
+from turgor.core.materials.fitting.fit_laws import fit
+from turgor.core.materials.laws.laws import NeoHooke, Ogden, Yeoh
 
 
 def neo_hooke_as_printed(stretch, C1):

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from fit_data import DATA, treloar
 
-from turgor.materials.experiments.read_tests import read_test
-from turgor.materials.fitting.fit_laws import fit
-from turgor.materials.fitting.ranking import rank
-from turgor.materials.laws.laws import Ogden
+from turgor.core.materials.experiments.read_tests import read_test
+from turgor.core.materials.fitting.fit_laws import fit
+from turgor.core.materials.fitting.ranking import rank
+from turgor.core.materials.laws.laws import Ogden
 
 LAWS = ("neo-hooke", "mooney-rivlin", "yeoh", "gent", "arruda-boyce", "ogden-3")
 

@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from turgor.materials.laws.conventions import law_from_printed
-from turgor.materials.laws.pull import pull
-from turgor.materials.library.doubts import find_doubts
-from turgor.materials.library.records import find_record, records
+from turgor.core.materials.laws.conventions import law_from_printed
+from turgor.core.materials.laws.pull import pull
+from turgor.core.materials.library.doubts import find_doubts
+from turgor.core.materials.library.records import find_record, records
 
 DATA = Path(__file__).parents[1] / "data" / "marechal-2020-silicones" / "raw"
 

@@ -15,8 +15,8 @@ import exact
 import meshes
 import problems
 import turgor as tg
+from turgor.core.results.measures.measures import cavity_volume
 from turgor.job.convergence import convergence
-from turgor.results.measures.measures import cavity_volume
 
 INNER, OUTER = 5 * problems.MM, 7 * problems.MM
 STRETCH = 1.3

@@ -2,8 +2,8 @@
 
 Problem: a fast PneuNet on a stiff base, tetrahedra of 4 mm, 4 kPa, whose bending angle is off by 7 % and looks
 converged.
-Reference: adjoint solutions on the second mesh (`turgor.gradients.adjoint`), independent of the update; and the
-converged answer, see docs/truth.md.
+Reference: adjoint solutions on the second mesh (`turgor.accuracy.gradients.adjoint`), independent of the update; and
+the converged answer, see docs/truth.md.
 Tolerance: 1 % of the change, because the update is solved as roughly as Newton's method allows and the bending angle is
 not linear in it; the other measure of each, or the sign, would be off by far more. The estimate over the true error
 lies between 0.5 and 2.
@@ -16,20 +16,20 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.adaptivity.indicator import error_indicator
-from turgor.adaptivity.mesh_error import find_again, plan
-from turgor.adaptivity.refine import refined
-from turgor.engine.algebra.tangent import Tangent
-from turgor.engine.runtime import EngineOptions
-from turgor.engine.system import System
-from turgor.engine.transfer import Transfer
-from turgor.gradients.adjoint import adjoint_of
-from turgor.gradients.equilibrium import Equilibrium
-from turgor.gradients.systems import Systems
-from turgor.results.fields.state_fields import MeshFacts, StateFields
-from turgor.solvers.constraints.loads import load_control
-from turgor.solvers.newton.border import Border
-from turgor.solvers.states import state_of
+from turgor.accuracy.adaptivity.indicator import error_indicator
+from turgor.accuracy.adaptivity.mesh_error import find_again, plan
+from turgor.accuracy.adaptivity.refine import refined
+from turgor.accuracy.gradients.adjoint import adjoint_of
+from turgor.accuracy.gradients.equilibrium import Equilibrium
+from turgor.accuracy.gradients.systems import Systems
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.runtime import EngineOptions
+from turgor.core.engine.system import System
+from turgor.core.engine.transfer import Transfer
+from turgor.core.results.fields.state_fields import MeshFacts, StateFields
+from turgor.core.solvers.constraints.loads import load_control
+from turgor.core.solvers.newton.border import Border
+from turgor.core.solvers.states import state_of
 from turgor.units import deg, kPa, mm
 
 SOFT = tg.Material(name="soft", law=tg.Yeoh(C10=0.11e6, C20=0.02e6))

@@ -19,7 +19,7 @@ import numpy as np
 
 import problems
 import turgor as tg
-from turgor.engine.faces.surfaces import enclosed_volume
+from turgor.core.engine.faces.surfaces import enclosed_volume
 
 MM, MPA = problems.MM, problems.MPA
 DATA = Path(__file__).parents[1] / "data" / "reference_bender"

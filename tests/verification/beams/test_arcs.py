@@ -19,9 +19,9 @@ from scipy.special import ellipk
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.solvers.procedures.arc_length import ArcLength
+from turgor.core.solvers.procedures.auto import Auto
 
 MM = problems.MM
 LENGTH, SIDE = 100 * MM, 1 * MM

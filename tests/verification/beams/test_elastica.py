@@ -16,7 +16,7 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON
+from turgor.core.meshing.cells import HEXAHEDRON
 
 MM = problems.MM
 LENGTH, THICKNESS, DENSITY = 50 * MM, 1 * MM, 1000.0

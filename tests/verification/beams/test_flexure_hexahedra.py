@@ -5,9 +5,9 @@ and 16 along it; neo-Hookean, Yeoh and three-term Ogden rubber, to 223°, where 
 its length.
 Exact: Rivlin's map, the same for every incompressible isotropic law, because λ₁λ₂ = 1 at the faces. It is stable until
 the inner face creases at 0.647 (Hong, Zhao and Suo 2009; neo-Hookean rubber in plane strain). Without the penalty of
-`turgor.engine.cells.stabilization` mean stresses at corners leave hexahedra modes that turn unstable at 77°, at 0.85:
-the formulation "continuous" shows them. Tetrahedra have none. Tolerance: no unstable mode; 0.05 mm at the worst node,
-half a percent of the thickness as in `test_flexure` (0.004 mm seen).
+`turgor.core.engine.cells.stabilization` mean stresses at corners leave hexahedra modes that turn unstable at 77°, at
+0.85: the formulation "continuous" shows them. Tetrahedra have none. Tolerance: no unstable mode; 0.05 mm at the worst
+node, half a percent of the thickness as in `test_flexure` (0.004 mm seen).
 """
 
 import numpy as np
@@ -18,7 +18,7 @@ import exact
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 
 LAWS = {"neo-Hookean": problems.NEO_HOOKE, "Yeoh": problems.YEOH, "Ogden": problems.OGDEN}
 FAR, QUARTER = np.deg2rad(223), np.pi / 2

@@ -15,7 +15,7 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON
+from turgor.core.meshing.cells import HEXAHEDRON
 
 MM = problems.MM
 RUBBER = problems.rubber(tg.laws.NeoHooke(C10=0.012662 * problems.MPA), density=1070.0)

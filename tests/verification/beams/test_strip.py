@@ -50,7 +50,7 @@ def test_dead_load_is_something_else():
 
 def test_tangent_is_not_symmetric():
     """The open face's tangent has a skew part, so solving with its symmetric part alone would be another method."""
-    from turgor.engine.system import System
+    from turgor.core.engine.system import System
 
     mesh = meshes.box((LENGTH, THICKNESS, THICKNESS), (4, 1, 1))
     model = problems.one_material(mesh, problems.NEO_HOOKE, supports=[tg.Fixed("x0")], loads=[tg.Pressure("y0", 1e3)])

@@ -13,7 +13,7 @@ import pytest
 import problems
 import turgor as tg
 from problems import MM, MPA
-from turgor.geometry.solids import RoundBar
+from turgor.core.geometry.solids import RoundBar
 
 RADIUS, LENGTH = 10 * MM, 10 * MM
 TWISTS = (0.2, 0.5, 1.0)  # τA

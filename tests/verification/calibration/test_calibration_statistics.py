@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 import calibration_cases as cases
-from turgor.calibration.calibrate import calibrate
-from turgor.calibration.parameter import Parameter
-from turgor.calibration.trial import Trial
+from turgor.studies.calibration.calibrate import calibrate
+from turgor.studies.calibration.parameter import Parameter
+from turgor.studies.calibration.trial import Trial
 
 HEIGHT = Parameter(name="height", start=0.0, lower=-1.0, upper=1.0, unit="N")
 SLOPE = Parameter(name="slope", start=0.0, lower=-4.0, upper=4.0, unit="N")

@@ -12,7 +12,7 @@ import pytest
 
 import problems
 import turgor as tg
-from turgor.engine.chambers import cavity_volume
+from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.units import MPa, kPa, mm
 
 PRESSURE = -10 * kPa

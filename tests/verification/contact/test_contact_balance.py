@@ -17,10 +17,10 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.engine.faces.surfaces import enclosed_volume
-from turgor.engine.system import System
-from turgor.model.contact import SELF, Contact
-from turgor.model.obstacles import Cylinder, Plane, SelfContact, Sphere
+from turgor.core.engine.faces.surfaces import enclosed_volume
+from turgor.core.engine.system import System
+from turgor.core.model.contact import SELF, Contact
+from turgor.core.model.obstacles import Cylinder, Plane, SelfContact, Sphere
 
 ABOVE = {
     "plane": Plane(point=(0, 0, 5 * MM), normal=(0, 0, -1)),

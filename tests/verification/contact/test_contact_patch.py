@@ -19,9 +19,9 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM, MPA
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.model.contact import SELF, Contact
-from turgor.model.obstacles import SelfContact
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.model.contact import SELF, Contact
+from turgor.core.model.obstacles import SelfContact
 
 STRESSES = {2.0: -0.03792798, 3.0: -0.08029630, 5.0: -0.183}
 FARTHEST = 5.0

@@ -19,8 +19,8 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.energies import imbalance
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.solvers.energies import imbalance
 
 VOLUME = 4 / 3 * np.pi * (10 * MM) ** 3
 PRECISE = {"tolerance": 1e-9}

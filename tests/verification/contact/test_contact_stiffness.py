@@ -16,9 +16,9 @@ import contact_meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.engine.system import System
-from turgor.model.contact import SELF, Contact
-from turgor.model.obstacles import SelfContact, Sphere
+from turgor.core.engine.system import System
+from turgor.core.model.contact import SELF, Contact
+from turgor.core.model.obstacles import SelfContact, Sphere
 
 
 def _walls(stiffness):

@@ -17,10 +17,10 @@ import contact_meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.engine.system import System
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.model.contact import Contact
-from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, SelfContact, Sphere
+from turgor.core.engine.system import System
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.model.contact import Contact
+from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, SelfContact, Sphere
 
 SOFT = 1e9
 

@@ -13,8 +13,8 @@ import pytest
 import contact_cases
 import problems
 import turgor as tg
-from turgor.model.contact import Contact
-from turgor.model.obstacles import Obstacle, Plane
+from turgor.core.model.contact import Contact
+from turgor.core.model.obstacles import Obstacle, Plane
 from turgor.units import MPa, kPa, mm, um
 
 FRICTION, PULL, AREA = 0.5, 70 * kPa, (10 * mm) ** 2

@@ -16,9 +16,9 @@ import problems
 import turgor as tg
 from contact_cases import STIFF
 from problems import MM
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.model.contact import SELF, Contact
-from turgor.model.obstacles import Obstacle, Plane, SelfContact
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.model.contact import SELF, Contact
+from turgor.core.model.obstacles import Obstacle, Plane, SelfContact
 
 PRESSURE = 2e4
 GAP = 2 * contact_meshes.HALF_GAP

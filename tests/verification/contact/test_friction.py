@@ -16,8 +16,8 @@ import contact_meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.model.contact import SELF, Contact
-from turgor.model.obstacles import Obstacle, Plane, SelfContact
+from turgor.core.model.contact import SELF, Contact
+from turgor.core.model.obstacles import Obstacle, Plane, SelfContact
 
 FRICTION, HEIGHT, DOWN, ALONG = 0.5, 3, 0.1, 1.0
 PRESSED, STIFFNESS = 0.2, 1e10

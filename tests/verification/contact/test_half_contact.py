@@ -15,9 +15,9 @@ import problems
 import turgor as tg
 from meshes import Block
 from problems import MM
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.model.contact import Contact
-from turgor.model.obstacles import Obstacle, Sphere
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.model.contact import Contact
+from turgor.core.model.obstacles import Obstacle, Sphere
 
 SIZE = np.array([10, 5, 5]) * MM
 NAMES = {"x0": "x0", "x1": "x1", "y1": "y1", "z0": "z0", "z1": "z1"}

@@ -27,9 +27,9 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM, MPA
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.model.contact import Contact
-from turgor.model.obstacles import Plane, Sphere
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.model.contact import Contact
+from turgor.core.model.obstacles import Plane, Sphere
 
 RADIUS, YOUNG = 10 * MM, 0.72 * MPA
 FLAT = Plane(point=(0, 0, RADIUS), normal=(0, 0, -1))

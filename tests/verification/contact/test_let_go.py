@@ -15,15 +15,15 @@ import contact_cases
 import problems
 import turgor as tg
 from problems import MM
-from turgor.engine.algebra.tangent import Tangent
-from turgor.engine.system import System
-from turgor.model.obstacles import Obstacle, Plane, Sphere
-from turgor.solvers.constraints.loads import load_control
-from turgor.solvers.listeners import silent
-from turgor.solvers.newton.contact_newton import newton_with_contact
-from turgor.solvers.newton.inertia_correction import inertia_corrected
-from turgor.solvers.newton.newton import NewtonSettings, Start
-from turgor.solvers.reasons import Cause
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.system import System
+from turgor.core.model.obstacles import Obstacle, Plane, Sphere
+from turgor.core.solvers.constraints.loads import load_control
+from turgor.core.solvers.listeners import silent
+from turgor.core.solvers.newton.contact_newton import newton_with_contact
+from turgor.core.solvers.newton.inertia_correction import inertia_corrected
+from turgor.core.solvers.newton.newton import NewtonSettings, Start
+from turgor.core.solvers.step_reasons import Cause
 
 PATH = ((0, (0, 0, 0)), (0.3, (0, 0, -1 * MM)), (1, (4 * MM, 0, -1 * MM)))
 TOP = Plane(point=(0, 0, 5 * MM), normal=(0, 0, -1))

@@ -14,8 +14,8 @@ import problems
 import turgor as tg
 from meshes import Block
 from problems import MM
-from turgor.meshing.quality.mirror_gap import faces_its_image
-from turgor.model.contact import Contact
+from turgor.core.meshing.quality.mirror_gap import faces_its_image
+from turgor.core.model.contact import Contact
 
 FOOT = {"y0": "symmetry_y", "z0": "fixed"}
 

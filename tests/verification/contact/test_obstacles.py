@@ -14,7 +14,7 @@ import contact_cases
 import problems
 import turgor as tg
 from problems import MM
-from turgor.model.obstacles import Box, Cylinder, Plane, RigidSurface, Sphere
+from turgor.core.model.obstacles import Box, Cylinder, Plane, RigidSurface, Sphere
 
 PRECISE = tg.Static(first_step=0.2, tolerance=1e-9)
 DOWN = (0.0, 0.0, -0.8)

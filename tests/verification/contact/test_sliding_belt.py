@@ -14,9 +14,9 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.model.contact import Contact
-from turgor.model.obstacles import Cylinder, Obstacle
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.model.contact import Contact
+from turgor.core.model.obstacles import Cylinder, Obstacle
 from turgor.units import MPa, N, mm
 
 DRUM, THICK, WIDE, FREE, SLIDES = 20 * mm, 1 * mm, 5 * mm, 20 * mm, 5 * mm

@@ -16,11 +16,11 @@ import meshes
 import problems
 import turgor as tg
 import vibrations
-from turgor.engine.mass import total_mass
-from turgor.errors import TurgorError
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.dynamics.modes import natural_frequencies
-from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.core.engine.mass import total_mass
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.solvers.dynamics.modes import natural_frequencies
+from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.foundation.errors import TurgorError
 
 MM = problems.MM
 FREQUENCIES = (4.8345, 28.540, 73.76, 75.68)  # Hz

@@ -15,10 +15,10 @@ from scipy.interpolate import CubicSpline
 import problems
 import turgor as tg
 import vibrations
-from turgor.model.history import share_at
-from turgor.solvers.dynamics.modes import natural_frequencies
-from turgor.solvers.energies import imbalance
-from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.core.model.history import share_at
+from turgor.core.solvers.dynamics.modes import natural_frequencies
+from turgor.core.solvers.energies import imbalance
+from turgor.core.solvers.procedures.dynamic import Dynamic
 
 SMOOTH = "s**2 * (3 - 2*s)"
 

@@ -13,13 +13,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from netgen.occ import Cylinder, Pnt, Sphere, X
+from turgor.cad import WithNormal, read_cad
 
 import exact
 import problems
 import turgor as tg
-from turgor.cad import WithNormal, read_cad
-from turgor.engine.chambers import cavity_volume
-from turgor.engine.system import System
+from turgor.core.engine.chamber_volumes import cavity_volume
+from turgor.core.engine.system import System
 from turgor.units import MPa, kPa, mm
 
 INNER, OUTER = 10 * mm, 15 * mm

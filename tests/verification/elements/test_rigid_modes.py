@@ -12,7 +12,7 @@ import numpy as np
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.system import System
+from turgor.core.engine.system import System
 
 
 def _rigid_motions(x):

@@ -12,7 +12,7 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.system import System
+from turgor.core.engine.system import System
 
 
 @pytest.mark.parametrize(("name", "law"), [("Yeoh", problems.YEOH), ("Ogden", problems.OGDEN)])

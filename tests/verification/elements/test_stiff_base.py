@@ -12,7 +12,7 @@ import pytest
 
 import problems
 import turgor as tg
-from turgor.results.measures.measures import find_measure
+from turgor.core.results.measures.measures import find_measure
 from turgor.units import MPa, deg, kPa, mm
 
 REFERENCE = 6.607

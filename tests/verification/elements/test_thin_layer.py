@@ -26,9 +26,9 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM, MPA
-from turgor.engine.cells.element import element_of
-from turgor.engine.system import System
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.engine.cells.element import element_of
+from turgor.core.engine.system import System
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 
 SOFT, STIFF = tg.laws.NeoHooke(C10=0.1 * MPA), tg.laws.NeoHooke(C10=5 * MPA)
 LENGTH, END = 20 * MM, 2.5 * MM

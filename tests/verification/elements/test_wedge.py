@@ -16,20 +16,20 @@ import pytest
 from netgen.occ import Cylinder, Pnt, X
 from scipy.integrate import quad
 from scipy.optimize import brentq
+from turgor.cad import NearestTo, read_cad
 
 import problems
 import turgor as tg
 import wedge_cases
-from turgor.cad import NearestTo, read_cad
-from turgor.engine.chambers import Chambers
-from turgor.engine.system import System
-from turgor.materials.laws.laws import Hooke
-from turgor.meshing.wedge import sectors
-from turgor.model.fibers import Fibers, Winding
-from turgor.model.loads import Moment
-from turgor.model.points import ReferencePoint, Rotation
-from turgor.results.fields.state_fields import StateFields
-from turgor.results.measures.point_measures import of_point
+from turgor.core.engine.chamber_volumes import Chambers
+from turgor.core.engine.system import System
+from turgor.core.materials.laws.laws import Hooke
+from turgor.core.meshing.wedge import sectors
+from turgor.core.model.fibers import Fibers, Winding
+from turgor.core.model.loads import Moment
+from turgor.core.model.points import ReferencePoint, Rotation
+from turgor.core.results.fields.state_fields import StateFields
+from turgor.core.results.measures.point_measures import of_point
 from turgor.units import MPa, deg, kPa, mm
 
 INNER, OUTER, LENGTH = 10 * mm, 15 * mm, 5 * mm

@@ -5,9 +5,9 @@ import numpy as np
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.cells.element import element_of
-from turgor.engine.cells.reference import reference_cell
-from turgor.meshing.cells import TETRAHEDRON
+from turgor.core.engine.cells.element import element_of
+from turgor.core.engine.cells.reference import reference_cell
+from turgor.core.meshing.cells import TETRAHEDRON
 
 A, K, MU = 0.2, np.pi, 1.0e5
 P0 = MU / 2

@@ -15,8 +15,8 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.faces.surfaces import enclosed_volume, vector_area
-from turgor.engine.system import System
+from turgor.core.engine.faces.surfaces import enclosed_volume, vector_area
+from turgor.core.engine.system import System
 
 P = 4e4
 EXACT = tg.Static(first_step=0.2, tolerance=1e-11)

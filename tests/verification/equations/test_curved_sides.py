@@ -16,7 +16,7 @@ import exact
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.faces.surfaces import enclosed_volume
+from turgor.core.engine.faces.surfaces import enclosed_volume
 
 MM, MPA = problems.MM, problems.MPA
 

@@ -15,9 +15,9 @@ import meshes
 import problems
 import turgor as tg
 from differences import difference
-from turgor.engine.system import System
-from turgor.materials.laws.laws import Ogden
-from turgor.meshing.cells import HEXAHEDRON, HEXAHEDRON_20, TETRAHEDRON
+from turgor.core.engine.system import System
+from turgor.core.materials.laws.laws import Ogden
+from turgor.core.meshing.cells import HEXAHEDRON, HEXAHEDRON_20, TETRAHEDRON
 
 SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
 LOADS = [tg.Pressure("z1", 4e4)]

@@ -17,8 +17,8 @@ from scipy.sparse.linalg import splu
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.system import System
-from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, YeohN
+from turgor.core.engine.system import System
+from turgor.core.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, YeohN
 
 
 def _cavity():

@@ -18,11 +18,11 @@ import meshes
 import problems
 import turgor as tg
 from differences import difference
-from turgor.engine.cells import kernels_geometry
-from turgor.engine.energy import stored_energy
-from turgor.engine.system import System
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.meshing.surface import cell_sides
+from turgor.core.engine.cells import kernels_geometry
+from turgor.core.engine.energy import stored_energy
+from turgor.core.engine.system import System
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.meshing.surface import cell_sides
 
 SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
 KINDS = {"ten-node tetrahedra": TETRAHEDRON, "27-node hexahedra": HEXAHEDRON}

@@ -15,8 +15,8 @@ import meshes
 import problems
 import turgor as tg
 from differences import difference
-from turgor.engine.system import System
-from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
+from turgor.core.engine.system import System
+from turgor.core.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
 
 SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
 SHELL = tg.Shell(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e7, nu=0.3)), 1e-3)

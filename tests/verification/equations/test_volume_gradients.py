@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 import meshes
-from turgor.engine.chambers import Chambers
-from turgor.engine.system import System
-from turgor.materials.laws.laws import NeoHooke
-from turgor.materials.material import Material
-from turgor.meshing.mesh import Mesh
-from turgor.model.model import Model
-from turgor.model.supports import Displacement, Fixed
+from turgor.core.engine.chamber_volumes import Chambers
+from turgor.core.engine.system import System
+from turgor.core.materials.laws.laws import NeoHooke
+from turgor.core.materials.material import Material
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.model import Model
+from turgor.core.model.supports import Displacement, Fixed
 
 RUBBER = Material(name="rubber", law=NeoHooke(C10=0.1e6))
 

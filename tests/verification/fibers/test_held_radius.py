@@ -16,10 +16,10 @@ from hoops import INNER, LAW, OUTER, PRESSURE, STRETCH
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.algebra.boundary import held_components
-from turgor.engine.system import System
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.model.supports import Displacement, Radial
+from turgor.core.engine.algebra.boundary import held_components
+from turgor.core.engine.system import System
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.model.supports import Displacement, Radial
 
 HEIGHT = 2e-3
 TESTED = (1.02, 1.05, 1.10, 1.30)  # λz

@@ -16,8 +16,8 @@ from hoops import INNER, OUTER, PRESSURE, STRETCH
 import exact
 import problems
 import turgor as tg
-from turgor.engine.cells.element import element_of
-from turgor.model.supports import Radial
+from turgor.core.engine.cells.element import element_of
+from turgor.core.model.supports import Radial
 from turgor.units import kPa, mm
 
 LOAD, SKIN, HOOPS = 13.7201 * kPa, 1 * mm, OUTER

@@ -19,11 +19,11 @@ import pytest
 
 import problems
 import turgor as tg
-from turgor.engine.cells.reference import reference_nodes
-from turgor.geometry import FiberReinforcedCylinder
-from turgor.materials.laws.laws import Hooke
-from turgor.meshing.generate import mesh as make_mesh
-from turgor.model.fibers import Fibers, Winding
+from turgor.core.engine.cells.reference import reference_nodes
+from turgor.core.geometry import FiberReinforcedCylinder
+from turgor.core.materials.laws.laws import Hooke
+from turgor.core.meshing.generate import mesh as make_mesh
+from turgor.core.model.fibers import Fibers, Winding
 from turgor.units import deg, kPa, mm
 
 KEVLAR = tg.Material(name="kevlar", law=Hooke(E=31067e6, nu=0.36))

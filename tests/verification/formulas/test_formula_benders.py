@@ -116,7 +116,7 @@ def test_small_angles_are_those_of_a_beam_in_plane_strain(record_verification):
 
 def test_sections_are_those_of_the_solids():
     """Area of walls from the moments is the volume of the modeled solid, for every family."""
-    from turgor.formulas.bending_beam import area_moments, section_of
+    from turgor.fast_models.formulas.bending_beam import area_moments, section_of
 
     for name in F.about("euler_bernoulli").families:
         part = getattr(tg.actuators, name)()

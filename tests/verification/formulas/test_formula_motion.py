@@ -13,8 +13,8 @@ import pytest
 import problems
 import turgor as tg
 import vibrations
-from turgor.response import Column
-from turgor.solvers.dynamics.modes import natural_frequencies
+from turgor.core.solvers.dynamics.modes import natural_frequencies
+from turgor.foundation.response import Column
 
 DAMPING = 4e-3  # s
 

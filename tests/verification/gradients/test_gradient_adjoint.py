@@ -12,7 +12,7 @@ import pytest
 
 import problems
 import turgor as tg
-from turgor.gradients import derived
+from turgor.accuracy.gradients import measure_derivatives as derived
 from turgor.units import kPa, mm
 
 MEASURES = ("bending_angle", "cavity_volume", "tip_displacement", "tip_displacement_z")

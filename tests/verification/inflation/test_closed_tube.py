@@ -19,8 +19,8 @@ import exact
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.solvers.procedures.volume_control import VolumeControl
 
 INNER, OUTER, HEIGHT = 5 * problems.MM, 7 * problems.MM, 1 * problems.MM
 STRETCHES = (1.05, 1.10, 1.20, 1.30, 1.50, 1.75, 2.00, 2.50)

@@ -19,11 +19,11 @@ import exact
 import meshes
 import problems
 import turgor as tg
-from turgor.solvers.outcomes import converged
-from turgor.solvers.pressures import pressures_of
-from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
-from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.outcomes import converged
+from turgor.core.solvers.pressures import pressures_of
+from turgor.core.solvers.procedures.arc_length import ArcLength
+from turgor.core.solvers.procedures.auto import Auto
+from turgor.core.solvers.procedures.volume_control import VolumeControl
 
 REST = 4 / 3 * np.pi * INNER**3
 LIMITS = {  # kind, pressure [MPa], stretch

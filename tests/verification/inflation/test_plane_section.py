@@ -9,17 +9,17 @@ Tolerance: pressure and λz 0.05 %; derivatives against differences 1e-6.
 
 import numpy as np
 import pytest
+from turgor.supports import PlaneSection, Radial
 
 import meshes
 import problems
 import turgor as tg
 from differences import difference
-from turgor.engine.chambers import Chambers
-from turgor.engine.system import System
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.model.contact import Contact
-from turgor.model.obstacles import Obstacle, Plane
-from turgor.supports import PlaneSection, Radial
+from turgor.core.engine.chamber_volumes import Chambers
+from turgor.core.engine.system import System
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.model.contact import Contact
+from turgor.core.model.obstacles import Obstacle, Plane
 
 MM, MPA = problems.MM, problems.MPA
 INNER, OUTER, HEIGHT = 5 * MM, 7 * MM, 1 * MM

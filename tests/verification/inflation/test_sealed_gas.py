@@ -19,7 +19,7 @@ import exact
 import meshes
 import problems
 import turgor as tg
-from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.core.solvers.procedures.gas_mass import GasMass
 
 INNER, OUTER, AIR = 10 * problems.MM, 15 * problems.MM, 0.101325 * problems.MPA
 TABLE = ((1.25, 1.025465, 0.0161279), (1.5, 1.050187, 0.0298972), (2, 1.097652, 0.0519079), (3, 1.186, 0.08089),

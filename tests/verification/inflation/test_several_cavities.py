@@ -13,7 +13,7 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.system import System
+from turgor.core.engine.system import System
 from turgor.units import kPa
 
 UP_AND_DOWN = ((0, 0), (0.5, 1), (1, 0))

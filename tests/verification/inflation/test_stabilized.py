@@ -17,8 +17,8 @@ import exact
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.procedures.stabilized import Stabilized
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.solvers.procedures.stabilized import Stabilized
 
 INNER, OUTER = 10 * problems.MM, 15 * problems.MM
 YEOH = tg.Yeoh(C10=0.11 * problems.MPA, C20=0.0, C30=200.0)

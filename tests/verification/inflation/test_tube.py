@@ -19,7 +19,7 @@ import exact
 import meshes
 import problems
 import turgor as tg
-from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.procedures.volume_control import VolumeControl
 
 STRETCHES = (1.05, 1.10, 1.20, 1.30, 1.50, 1.75, 2.00, 2.50, 3.00)
 TABLE = {  # law, pressure [MPa], axial force [N]

@@ -12,7 +12,7 @@ from thick_tube import INNER, OUTER, inflate
 
 import meshes
 import problems
-from turgor.meshing.cells import HEXAHEDRON
+from turgor.core.meshing.cells import HEXAHEDRON
 
 PRESSURE, FORCE = 0.05805014 * problems.MPA, 6.51663
 

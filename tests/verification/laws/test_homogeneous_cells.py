@@ -17,8 +17,15 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.materials.laws.homogeneous import cauchy_stress, equibiaxial, nominal_stress, planar, simple_shear, uniaxial
-from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
+from turgor.core.materials.laws.homogeneous import (
+    cauchy_stress,
+    equibiaxial,
+    nominal_stress,
+    planar,
+    simple_shear,
+    uniaxial,
+)
+from turgor.core.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
 
 A, B = problems.NEO_HOOKE, problems.YEOH
 C = tg.laws.MooneyRivlin(C10=1.190e3, C01=23.028e3)

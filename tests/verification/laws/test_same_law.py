@@ -15,8 +15,8 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.system import System
-from turgor.materials.laws.laws import GeneralizedRivlin, Ogden
+from turgor.core.engine.system import System
+from turgor.core.materials.laws.laws import GeneralizedRivlin, Ogden
 
 NEO, NEO_OGDEN = tg.laws.NeoHooke(C10=5e4), Ogden(mu=(1e5,), alpha=(2.0,))
 MOONEY, MOONEY_OGDEN = tg.laws.MooneyRivlin(C10=3e4, C01=1e4), Ogden(mu=(6e4, -2e4), alpha=(2.0, -2.0))

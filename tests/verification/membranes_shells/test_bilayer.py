@@ -13,13 +13,13 @@ And the same bilayer as a cantilever with a dead load, large deflection, against
 
 import numpy as np
 import pytest
+from turgor.supports import Displacement
 
 import meshes
 import problems
 import turgor as tg
 from sheets import sheet, stiffness
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.supports import Displacement
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 
 L, H, T, E, NU = 20e-3, 2e-3, 0.4e-3, 60e6, 0.3
 RUBBER = tg.laws.NeoHooke(C10=0.12e6)

@@ -13,13 +13,13 @@ curvatures that are too stiff cancel in part; (b) 1 %, and 2 % where it is press
 
 import numpy as np
 import pytest
+from turgor.supports import Displacement, Shift
 
 import meshes
 import problems
 import turgor as tg
 from sheets import sheet
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.supports import Displacement, Shift
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 
 R, HALF, T, E, SLAB = 0.3, 0.3, 3e-3, 0.3e9, 1e-3
 

@@ -23,7 +23,7 @@ from scipy.integrate import solve_bvp
 import meshes
 import problems
 import turgor as tg
-from turgor.model.layers import as_solid
+from turgor.core.model.layers import as_solid
 from turgor.units import GPa, kPa, mm
 
 RADIUS, HOLE, YOUNG, NU, THICKNESS = 10 * mm, 0.02, 1 * GPa, 0.3, 0.05 * mm

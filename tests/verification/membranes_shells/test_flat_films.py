@@ -20,9 +20,9 @@ from scipy.integrate import quad
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.system import System
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.newton.convergence import relative_residual
+from turgor.core.engine.system import System
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.solvers.newton.convergence import relative_residual
 from turgor.units import GPa, MPa, kPa, mm
 
 SOFT = problems.rubber(tg.laws.NeoHooke(C10=0.5 * kPa))

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 import turgor as tg
-from turgor.engine.faces.surfaces import vector_area
+from turgor.core.engine.faces.surfaces import vector_area
 from turgor.units import GPa, MPa, deg, kPa, mm
 
 

@@ -17,7 +17,7 @@ import meshes
 import problems
 import turgor as tg
 from sheets import rates, sheet, stiffness
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 
 A, SLAB, T, E = 0.1, 2e-3, 1e-3, 1e9
 D = stiffness(E, T)

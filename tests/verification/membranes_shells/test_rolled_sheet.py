@@ -11,13 +11,13 @@ second order on tetrahedra; 0.1 % with 20 hexahedra, which bend by 18° each; th
 
 import numpy as np
 import pytest
+from turgor.supports import ReferencePoint, Rotation
 
 import meshes
 import problems
 import turgor as tg
 from sheets import rates, sheet, stiffness
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.supports import ReferencePoint, Rotation
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 
 L, SLAB, TURN = 50e-3, 0.25e-3, 2 * np.pi
 #: Load over D/L³, and how far the tip moves along and across over the length: table of `test_elastica`.

@@ -16,7 +16,7 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 
 L, H, T = 40e-3, 2e-3, 0.4e-3
 RUBBER, SHEET = tg.laws.NeoHooke(C10=0.12e6), tg.laws.Hooke(E=60e6, nu=0.3)

@@ -16,8 +16,8 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
-from turgor.model.layers import as_solid
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.model.layers import as_solid
 from turgor.units import GPa, mm
 
 MIDDLE, PRESSURE, T = 1.5 * mm, 10.0, 0.1 * mm

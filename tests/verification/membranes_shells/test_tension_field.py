@@ -21,7 +21,7 @@ from scipy.optimize import brentq
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.units import MPa, deg, kPa, mm
 
 THIN, YOUNG, THICKNESS = 0.05 * mm, 1 * MPa, 0.1 * mm

@@ -8,13 +8,13 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.solvers.checks.distortion import distortion_text, worst_volume
-from turgor.solvers.continuation.continuity import Verdict
-from turgor.solvers.continuation.scalar_control import arc_length as arcs
-from turgor.solvers.continuation.scalar_control import scalar_path
-from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
-from turgor.solvers.reasons import Cause, Reason
+from turgor.core.solvers.checks.distortion import distortion_text, worst_volume
+from turgor.core.solvers.continuation.continuity import Verdict
+from turgor.core.solvers.continuation.scalar_control import arc_length as arcs
+from turgor.core.solvers.continuation.scalar_control import scalar_path
+from turgor.core.solvers.procedures.arc_length import ArcLength
+from turgor.core.solvers.procedures.auto import Auto
+from turgor.core.solvers.step_reasons import Cause, Reason
 
 KPA = 1e3
 YOUNG = 6 * 0.12e6

@@ -13,14 +13,14 @@ from scipy.special import ellipk
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.algebra.tangent import Tangent
-from turgor.engine.system import System
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.constraints.loads import load_control
-from turgor.solvers.newton.convergence import relative_residual
-from turgor.solvers.newton.newton import NewtonSettings
-from turgor.solvers.newton.pseudo_transient import pseudo_transient
-from turgor.solvers.reasons import Cause
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.system import System
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.solvers.constraints.loads import load_control
+from turgor.core.solvers.newton.convergence import relative_residual
+from turgor.core.solvers.newton.newton import NewtonSettings
+from turgor.core.solvers.newton.pseudo_transient import pseudo_transient
+from turgor.core.solvers.step_reasons import Cause
 from turgor.units import kPa, mm
 
 LAW = tg.laws.NeoHooke(C10=0.12e6)

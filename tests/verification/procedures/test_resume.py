@@ -18,7 +18,7 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.meshing.cells import HEXAHEDRON
+from turgor.core.meshing.cells import HEXAHEDRON
 
 KPA, ML = 1e3, 1e-6
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)

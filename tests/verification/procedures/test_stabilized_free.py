@@ -14,16 +14,16 @@ import pytest
 import contact_cases
 import turgor as tg
 from problems import MM
-from turgor.engine.algebra.tangent import Tangent
-from turgor.engine.system import System
-from turgor.errors import TurgorError
-from turgor.model.contact import Contact
-from turgor.model.obstacles import Obstacle, Plane
-from turgor.solvers.checks.supports import check_supports, free_motions
-from turgor.solvers.dynamics.stabilization import follow_viscously
-from turgor.solvers.energies import imbalance, too_viscous
-from turgor.solvers.methods import may_be_free
-from turgor.solvers.problem import Problem
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.system import System
+from turgor.core.model.contact import Contact
+from turgor.core.model.obstacles import Obstacle, Plane
+from turgor.core.solvers.checks.supports import check_supports, free_motions
+from turgor.core.solvers.dynamics.stabilization import follow_viscously
+from turgor.core.solvers.energies import imbalance, too_viscous
+from turgor.core.solvers.methods import may_be_free
+from turgor.core.solvers.problem import Problem
+from turgor.foundation.errors import TurgorError
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=50e3), density=1100.0, bulk_modulus=5e6)
 WEIGHT = 1100 * 9.80665 * 10 * 10 * 5 * MM**3

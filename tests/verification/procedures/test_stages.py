@@ -17,13 +17,13 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.engine.faces import surfaces
-from turgor.model.contact import Contact
-from turgor.model.continuing import continued, with_loads
-from turgor.model.obstacles import Obstacle, Plane
-from turgor.model.supports import Shift
-from turgor.results.report import describe_procedure
-from turgor.solvers.pressures import pressures_of
+from turgor.core.engine.faces import surfaces
+from turgor.core.model.contact import Contact
+from turgor.core.model.continued_model import continued, with_loads
+from turgor.core.model.obstacles import Obstacle, Plane
+from turgor.core.model.supports import Shift
+from turgor.core.solvers.pressures import pressures_of
+from turgor.views.report import describe_procedure
 
 KPA, ML = 1e3, 1e-6
 STEPS = {"first_step": 0.25, "max_step": 0.5, "tolerance": 1e-9}

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.adaptivity.mesh_error import estimate_mesh_error
-from turgor.results.measures.measures import find_measure
-from turgor.solvers import solve as solving
-from turgor.solvers.continuation.guide import Guide
-from turgor.solvers.solution import Iteration
+from turgor.accuracy.adaptivity.mesh_error import estimate_mesh_error
+from turgor.core.results.measures.measures import find_measure
+from turgor.core.solvers import solve as solving
+from turgor.core.solvers.continuation.guide import Guide
+from turgor.core.solvers.solution import Iteration
 from turgor.units import MPa, kPa, mm
 
 AT = (0.25, 0.5, 0.75)

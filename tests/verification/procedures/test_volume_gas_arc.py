@@ -9,18 +9,18 @@ import pytest
 import meshes
 import turgor as tg
 from problems import solve
-from turgor.engine.algebra.linear import SingularTangentError
-from turgor.engine.algebra.tangent import Tangent
-from turgor.errors import TurgorError
-from turgor.results.drive import drive_of
-from turgor.results.files.vtu import write_series
-from turgor.solvers.checks.contact import meeting_walls
-from turgor.solvers.path_outcomes import reached
-from turgor.solvers.pressures import pressure_text, pressures_of
-from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
-from turgor.solvers.procedures.gas_mass import GasMass
-from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.core.engine.algebra.linear import SingularTangentError
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.results.drive import drive_of
+from turgor.core.results.files.vtu import write_series
+from turgor.core.solvers.checks.contact import meeting_walls
+from turgor.core.solvers.path_outcomes import reached
+from turgor.core.solvers.pressures import pressure_text, pressures_of
+from turgor.core.solvers.procedures.arc_length import ArcLength
+from turgor.core.solvers.procedures.auto import Auto
+from turgor.core.solvers.procedures.gas_mass import GasMass
+from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.foundation.errors import TurgorError
 from turgor.units import kPa, mL
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))

@@ -8,14 +8,14 @@ per length times its length, with the center of the edge. Tolerance: 1e-12, roun
 
 import numpy as np
 import pytest
+from turgor.loads import Force, LineForce, PointForce
 
 import problems
 import rig
 import turgor as tg
-from turgor.engine.faces.concentrated import line_force, point_force
-from turgor.errors import TurgorError
-from turgor.loads import Force, LineForce, PointForce
-from turgor.meshing.cells import HEXAHEDRON, HEXAHEDRON_20, TETRAHEDRON
+from turgor.core.engine.faces.concentrated import line_force, point_force
+from turgor.core.meshing.cells import HEXAHEDRON, HEXAHEDRON_20, TETRAHEDRON
+from turgor.foundation.errors import TurgorError
 
 FORCE = (0.3, -0.2, 0.5)
 

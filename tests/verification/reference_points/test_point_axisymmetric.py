@@ -12,13 +12,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from netgen.occ import Cylinder, Pnt, X
+from turgor.cad import WithNormal, read_cad
+from turgor.loads import Force, Gravity, Hanging
+from turgor.supports import PlaneSection, ReferencePoint, Rotation, Shift
 
 import problems
 import turgor as tg
-from turgor.cad import WithNormal, read_cad
-from turgor.engine.chambers import cavity_volume
-from turgor.loads import Force, Gravity, Hanging
-from turgor.supports import PlaneSection, ReferencePoint, Rotation, Shift
+from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.units import MPa, kPa, mm
 
 LAW = tg.laws.NeoHooke(C10=0.12 * MPa)

@@ -16,12 +16,12 @@ the same displacements to round-off. And half of a bar between mirror planes car
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation as Turn
+from turgor.loads import Force, Hanging, Moment
+from turgor.supports import Hinge, PlaneSection, ReferencePoint, Rotation
 
 import problems
 import rig
 import turgor as tg
-from turgor.loads import Force, Hanging, Moment
-from turgor.supports import Hinge, PlaneSection, ReferencePoint, Rotation
 
 YOUNG = 6 * problems.NEO_HOOKE.C10
 INERTIA = rig.SIDE**4 / 12

@@ -9,19 +9,19 @@ Tolerance: 1e-8 for central differences, 1e-12 for what is exact but for round-o
 
 import numpy as np
 import pytest
+from turgor.loads import Force, Hanging, Moment
+from turgor.supports import Hinge, ReferencePoint
 
 import problems
 import rig
 import turgor as tg
-from turgor.engine.algebra.linear import linear_solver
-from turgor.engine.points.average_term import AverageTerm
-from turgor.engine.points.rigid_term import RigidTerm
-from turgor.engine.points.spring_term import SpringTerm, angle_squared
-from turgor.engine.system import System
-from turgor.engine.term import Configuration
-from turgor.loads import Force, Hanging, Moment
-from turgor.model.points import Rotation
-from turgor.supports import Hinge, ReferencePoint
+from turgor.core.engine.algebra.linear import linear_solver
+from turgor.core.engine.points.average_term import AverageTerm
+from turgor.core.engine.points.rigid_term import RigidTerm
+from turgor.core.engine.points.spring_term import SpringTerm, angle_squared
+from turgor.core.engine.system import System
+from turgor.core.engine.term import Configuration
+from turgor.core.model.points import Rotation
 
 COUPLINGS = ("rigid", "averaging")
 AT = (45e-3, 2e-3, 3e-3)

@@ -10,12 +10,12 @@ Tolerance: 1e-4 for the frequencies, because the force stretches the bar a littl
 
 import numpy as np
 import pytest
+from turgor.loads import Force, Hanging, Moment
+from turgor.supports import ReferencePoint
 
 import problems
 import rig
 import turgor as tg
-from turgor.loads import Force, Hanging, Moment
-from turgor.supports import ReferencePoint
 
 MASS, INERTIA = 1.0, 2e-5
 SMALL = {"bulk_modulus": 1e9, "density": 1.0}

@@ -10,14 +10,14 @@ Tolerance: torque and angle 0.2 %, axial force 1 % (the table's demands).
 
 import numpy as np
 import pytest
+from turgor.loads import Moment
+from turgor.supports import ReferencePoint, Rotation
 
 import meshes
 import problems
 import turgor as tg
 from problems import MM, MPA
-from turgor.geometry.solids import RoundBar
-from turgor.loads import Moment
-from turgor.supports import ReferencePoint, Rotation
+from turgor.core.geometry.solids import RoundBar
 
 LENGTH = 10 * MM
 LAW = tg.laws.MooneyRivlin(C10=0.10 * MPA, C01=0.02 * MPA)

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
-
 from turgor.rods import Rod, RodModel, RodSection, static
 
 #: Stiffness against stretch and shear that changes a tip position by some 1e-9 of the length.

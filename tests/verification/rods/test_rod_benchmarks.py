@@ -13,7 +13,6 @@ Tolerance: 0.15 from the published tips, which differ by 0.1 among themselves; 1
 import numpy as np
 import pytest
 from rod_cases import rates
-
 from turgor.rods import Place, Plate, PlateForce, Rod, RodModel, RodSection, arc_length, static
 
 RADIUS = 100.0

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from rod_cases import STIFF, bent, elastica, rates, slender
 from scipy.spatial.transform import Rotation
-
 from turgor.rods import LineLoad, Place, Plate, PlateForce, Rod, RodModel, RodSection, static
 
 #: Load, and where the tip is, as in `beams/test_elastica`.

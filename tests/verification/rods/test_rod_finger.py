@@ -11,12 +11,12 @@ seen. A section analysis gives the stiffness under pressure.
 """
 
 import numpy as np
+from turgor.rods import PlateForce, Rectangle, Rod, RodModel, RodSection, static
 
 import meshes
 import problems
 import turgor as tg
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.rods import PlateForce, Rectangle, Rod, RodModel, RodSection, static
+from turgor.core.meshing.cells import HEXAHEDRON
 
 YOUNG = 6 * problems.NEO_HOOKE.C10
 BAR, SIDE = 60e-3, 4e-3

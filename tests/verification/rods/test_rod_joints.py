@@ -11,7 +11,6 @@ Tolerance: round-off for (a), 1e-6 for (b), 1e-3 for (c) and (d), one element fo
 import numpy as np
 import pytest
 from rod_cases import slender
-
 from turgor.loads import Gravity
 from turgor.obstacles import Plane
 from turgor.rods import (

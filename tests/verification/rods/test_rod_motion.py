@@ -10,7 +10,6 @@ more; second order in time.
 import numpy as np
 import pytest
 from rod_cases import rates, slender
-
 from turgor.loads import Gravity
 from turgor.rods import PlateForce, Rod, RodModel, RodSection, dynamic, natural_frequencies, static
 

@@ -14,7 +14,7 @@ import pytest
 
 import problems
 import turgor as tg
-from turgor.meshing.surface import cell_sides
+from turgor.core.meshing.surface import cell_sides
 from turgor.units import kPa, mm
 
 PRESSURE = 50 * kPa

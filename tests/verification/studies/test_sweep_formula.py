@@ -13,8 +13,8 @@ import pytest
 
 import calibration_cases as cases
 import turgor as tg
-from turgor.response import Column, Response
-from turgor.source import Source
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
 from turgor.studies import Factor
 from turgor.units import mm
 

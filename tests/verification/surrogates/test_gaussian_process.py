@@ -15,10 +15,10 @@ from scipy.stats import qmc
 from sklearn.gaussian_process import GaussianProcessRegressor
 from sklearn.gaussian_process.kernels import RBF, ConstantKernel, Matern
 
-from turgor.response import Column
-from turgor.surrogates.fit_gaussian_process import GaussianProcessTrainer
-from turgor.surrogates.gaussian_process import conditioned
-from turgor.surrogates.held_out import held_out
+from turgor.foundation.response import Column
+from turgor.studies.surrogates.fit_gaussian_process import GaussianProcessTrainer
+from turgor.studies.surrogates.gaussian_process import conditioned
+from turgor.studies.surrogates.held_out import held_out
 
 
 def wave(at):

@@ -11,11 +11,11 @@ import pytest
 from scipy.stats import qmc
 
 import surrogate_cases as cases
-from turgor.response import Column
-from turgor.surrogates.fit import surrogate
-from turgor.surrogates.fit_network import NetworkTrainer
-from turgor.surrogates.held_out import held_out
-from turgor.surrogates.invert import invert
+from turgor.foundation.response import Column
+from turgor.studies.surrogates.fit import surrogate
+from turgor.studies.surrogates.fit_network import NetworkTrainer
+from turgor.studies.surrogates.held_out import held_out
+from turgor.studies.surrogates.invert import invert
 from turgor.units import kPa
 
 

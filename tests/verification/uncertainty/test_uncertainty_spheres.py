@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import calibration_cases as cases
-from turgor.uncertainty.propagate import propagate
-from turgor.uncertainty.spread import Spread
+from turgor.studies.uncertainty.propagate import propagate
+from turgor.studies.uncertainty.spread import Spread
 from turgor.units import mm
 
 RUBBER = Spread(name="C10", mean=0.12e6, deviation=6e3, label="rubber")

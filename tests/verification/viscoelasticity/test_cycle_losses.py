@@ -18,14 +18,14 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.cells import kernels_geometry
-from turgor.engine.cells.element import element_of
-from turgor.geometry import FastPneuNet
-from turgor.materials.history.softening import Mullins, softening_dissipation
-from turgor.materials.history.stress_history import stress_history
-from turgor.materials.history.viscoelastic import Prony
-from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.procedures.static import Static
+from turgor.core.engine.cells import kernels_geometry
+from turgor.core.engine.cells.element import element_of
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.materials.history.softening import Mullins, softening_dissipation
+from turgor.core.materials.history.stress_history import stress_history
+from turgor.core.materials.history.viscoelastic import Prony
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.solvers.procedures.static import Static
 
 INNER, OUTER = 10 * problems.MM, 15 * problems.MM
 SERIES = Prony(g=(0.15, 0.1), tau=(1.0, 8.0), moduli="long_term")

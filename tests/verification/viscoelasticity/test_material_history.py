@@ -3,7 +3,7 @@
 Problem: a cube of irregular cells stretched along x, its sides free: suddenly by 1.5 and held; in cycles with a Prony
 series, with stress softening, with both; laws in invariants and in stretches. The pull is the reaction over the area.
 Exact: the relaxation of `test_relaxation`; `stress_history` of the material at the times of the states, which takes the
-same steps. Source: the recursion of `turgor.materials.history.viscoelastic`.
+same steps. Source: the recursion of `turgor.core.materials.history.viscoelastic`.
 Tolerance: 1e-4 for the relaxation, the error of a ramp of 0.1 ms; 1e-6 against the material, with a tolerance of 1e-10
 for Newton's method. The tangent is compared with central differences, 1e-6 of its largest entry.
 """
@@ -17,12 +17,12 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.system import System
-from turgor.materials.history.softening import Mullins
-from turgor.materials.history.stress_history import stress_history
-from turgor.materials.history.viscoelastic import Prony
-from turgor.materials.laws.laws import Ogden
-from turgor.solvers.procedures.static import Static
+from turgor.core.engine.system import System
+from turgor.core.materials.history.softening import Mullins
+from turgor.core.materials.history.stress_history import stress_history
+from turgor.core.materials.history.viscoelastic import Prony
+from turgor.core.materials.laws.laws import Ogden
+from turgor.core.solvers.procedures.static import Static
 
 TIMES = np.array([0.5, 1, 2, 5, 10, 20, 50, 100])
 TABLE = [0.2321620, 0.2188951, 0.2049315, 0.1930402, 0.1866552, 0.1807618, 0.1775040, 0.1773345]  # MPa

@@ -11,8 +11,8 @@ import pytest
 from scipy.integrate import quad
 
 import turgor as tg
-from turgor.materials.history.stress_history import stress_history
-from turgor.materials.history.viscoelastic import Prony
+from turgor.core.materials.history.stress_history import stress_history
+from turgor.core.materials.history.viscoelastic import Prony
 
 MPA = 1e6
 TIMES = (0, 0.5, 1, 2, 5, 10, 20, 50, 100, 1e9)

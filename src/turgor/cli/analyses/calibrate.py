@@ -13,8 +13,8 @@ from turgor.cli.options import Changes, Debug, JobFile, Json, Retry, asked_job, 
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
-    from turgor.response import Response
-    from turgor.study.running.ended import Ended
+    from turgor.foundation.response import Response
+    from turgor.studies.study.running.run_outcome import Ended
 
 Texts = list[str] | None
 
@@ -83,12 +83,12 @@ def _run(asked: _Options) -> None:
     Killed and called again, it goes on: nothing is computed twice.
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
-        from turgor.calibration.calibrate import calibrate
-        from turgor.calibration.job_files import CALIBRATED, free_parameters, job_trial, left_as_they_are
-        from turgor.calibration.write import write_calibration
         from turgor.cli.answers.studies import calibration_result
-        from turgor.study.evaluations import kept_in
-        from turgor.study.jobs.job_file import RUNS, job_file
+        from turgor.studies.calibration.calibrate import calibrate
+        from turgor.studies.calibration.job_files import CALIBRATED, free_parameters, job_trial, left_as_they_are
+        from turgor.studies.calibration.write import write_calibration
+        from turgor.studies.study.evaluations import kept_in
+        from turgor.studies.study.jobs.job_file import RUNS, job_file
 
         measured = [_measured(file, asked) for file in (*asked.experiments, *(asked.hold_out or ()))]
         job = asked_job(asked.job, asked.changes)
@@ -124,10 +124,10 @@ calibrate_command = command_of(_Options, _run)
 
 
 def _measured(file: Path, asked: _Options) -> "Response":
+    from turgor.accuracy.laboratory.read_experiment import read_experiment
+    from turgor.accuracy.laboratory.runs import loading
     from turgor.cli.options import name_and_unit
-    from turgor.laboratory.read_experiment import read_experiment
-    from turgor.laboratory.runs import loading
-    from turgor.results.drive import drive_of
+    from turgor.core.results.drive import drive_of
 
     measured = read_experiment(file, units=dict(name_and_unit(each) for each in asked.unit or ()))
     return loading(measured, drive_of(measured)) if asked.only_loading else measured
@@ -135,8 +135,8 @@ def _measured(file: Path, asked: _Options) -> "Response":
 
 def _spreads(asked: _Options, measured: "Sequence[Response]") -> list[float | None]:
     """Read standard deviations; each is that of the experiments with a column in its unit."""
-    from turgor.errors import TurgorError
-    from turgor.response import COLUMN_UNITS
+    from turgor.foundation.errors import TurgorError
+    from turgor.foundation.response import COLUMN_UNITS
 
     found: list[float | None] = [None] * len(measured)
     for text in asked.spread or ():

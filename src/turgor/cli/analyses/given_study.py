@@ -9,11 +9,11 @@ import typer
 from turgor.cli.start.signals import kept_in_folder
 
 if TYPE_CHECKING:
-    from turgor.study.factor import Factor
-    from turgor.study.jobs.study_file import StudyFile
-    from turgor.study.running.executors import Executor
-    from turgor.study.study import Study
-    from turgor.uncertainty.spread import Spread
+    from turgor.studies.study.factor import Factor
+    from turgor.studies.study.jobs.study_file import StudyFile
+    from turgor.studies.study.running.executors import Executor
+    from turgor.studies.study.study import Study
+    from turgor.studies.uncertainty.spread import Spread
 
 #: Ending of study files.
 TOML = ".toml"
@@ -55,10 +55,10 @@ def given_study(path: Path, how: HowComputed) -> "tuple[Study, Path, tuple[str, 
         The study, the folder of its files, and where and what measures are read according to the study file.
     """
     from turgor.cli.analyses.machines import executor_of
-    from turgor.errors import TurgorError
-    from turgor.job.text.changes import parse_changes
-    from turgor.study.files.stored import load_study, write_study
-    from turgor.study.jobs.study_file import read_study_file
+    from turgor.foundation.errors import TurgorError
+    from turgor.job.text.overrides import parse_changes
+    from turgor.studies.study.files.study_folder import load_study, write_study
+    from turgor.studies.study.jobs.study_file import read_study_file
 
     if path.suffix.lower() != TOML:
         given_options = {"--set": how.changes, "--scheduler": how.scheduler, "--retry": how.retry}
@@ -94,9 +94,9 @@ def computed_study(given: "StudyFile", folder: Path, executor: "Executor", *, re
     Study
     """
     from turgor.cli.analyses.progress import StudyProgress
-    from turgor.study.evaluations import Evaluations
-    from turgor.study.jobs.job_file import RUNS
-    from turgor.study.jobs.job_sweep import sweep_job
+    from turgor.studies.study.evaluations import Evaluations
+    from turgor.studies.study.jobs.job_file import RUNS
+    from turgor.studies.study.jobs.job_sweep import sweep_job
 
     with (
         kept_in_folder(folder),
@@ -121,8 +121,8 @@ def numbers_given(texts: Sequence[str] | None, units: Mapping[str, str], option:
     -------
     dict of str to float [SI]
     """
-    from turgor.errors import TurgorError, unknown
-    from turgor.study.jobs.job_numbers import JobNumber, read_number
+    from turgor.foundation.errors import TurgorError, unknown
+    from turgor.studies.study.jobs.job_numbers import JobNumber, read_number
 
     found = {}
     for text in texts or ():
@@ -171,9 +171,9 @@ def spreads_given(texts: Sequence[str], factors: "Sequence[Factor]") -> "list[Sp
     -------
     list of Spread
     """
-    from turgor.errors import TurgorError, unknown
-    from turgor.study.jobs.job_numbers import JobNumber
-    from turgor.uncertainty.job_files import read_spread
+    from turgor.foundation.errors import TurgorError, unknown
+    from turgor.studies.study.jobs.job_numbers import JobNumber
+    from turgor.studies.uncertainty.job_files import read_spread
 
     known = {each.name: each for each in factors}
     found = []

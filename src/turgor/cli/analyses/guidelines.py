@@ -11,7 +11,7 @@ from turgor.cli.options import Debug, Json, Retry, output_option
 if TYPE_CHECKING:
     from turgor.guidelines.guideline import Guideline, Setting
     from turgor.guidelines.judge import Judged
-    from turgor.study.running.ended import Ended
+    from turgor.studies.study.running.run_outcome import Ended
 
 guidelines_app = typer.Typer(
     rich_markup_mode=None, help="List, run and report the design guidelines of Xavier, Fleming and Yong (2021)."
@@ -83,7 +83,7 @@ def _report(
     """Judge what was run so far, and write the page."""
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.cli.answers.guidelines import judged_result
-        from turgor.errors import TurgorError
+        from turgor.foundation.errors import TurgorError
         from turgor.guidelines.judge import judged
         from turgor.guidelines.page import write_page
 

@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from turgor.cli.options import check_new
-from turgor.errors import TurgorError
-from turgor.store.whole import whole
-from turgor.study.jobs.job_file import job_file
-from turgor.study.jobs.study_file import StudyFile
-from turgor.study.running.executors import Executor
-from turgor.study.running.on_dask import OnDask
-from turgor.study.running.shares import Gathering, share
-from turgor.study.running.workers import Workers
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.store.atomic_files import whole
+from turgor.studies.study.jobs.job_file import job_file
+from turgor.studies.study.jobs.study_file import StudyFile
+from turgor.studies.study.running.array_tasks import Gathering, share
+from turgor.studies.study.running.executors import Executor
+from turgor.studies.study.running.on_dask import OnDask
+from turgor.studies.study.running.workers import Workers
 
 #: A job script of SLURM: an array of tasks that each compute a share.
 SCRIPT = """\

@@ -12,8 +12,8 @@ from turgor.cli.options import Changes, Debug, Json, Retry, asked_job, command_o
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
-    from turgor.optimization.files.jobs import JobOptimization
-    from turgor.optimization.result import Optimization
+    from turgor.studies.optimization.files.jobs import JobOptimization
+    from turgor.studies.optimization.result import Optimization
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,9 +44,9 @@ def _run(asked: _Options) -> None:
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.answers.optimization import optimization_result
-        from turgor.optimization.files.jobs import job_optimization
-        from turgor.optimization.files.study_files import read_study_file
-        from turgor.optimization.files.write import write_optimization
+        from turgor.studies.optimization.files.jobs import job_optimization
+        from turgor.studies.optimization.files.study_files import read_study_file
+        from turgor.studies.optimization.files.write import write_optimization
 
         study = read_study_file(asked.study)
         if asked.most_solves is not None:
@@ -63,8 +63,8 @@ def _run(asked: _Options) -> None:
 
 
 def _searched(wanted: "JobOptimization", folder: Path, asked: _Options) -> "Optimization":
-    from turgor.study.evaluations import kept_in
-    from turgor.study.jobs.job_file import RUNS
+    from turgor.studies.study.evaluations import kept_in
+    from turgor.studies.study.jobs.job_file import RUNS
 
     runs = kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry)
     with kept_in_folder(folder), runs:

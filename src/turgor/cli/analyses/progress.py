@@ -11,8 +11,8 @@ from rich.text import Text
 
 from turgor.cli.analyses.calibrate import told_run
 from turgor.cli.live import PatientConsole
-from turgor.solvers.progress.course import clock
-from turgor.study.running.ended import Ended
+from turgor.core.solvers.progress.progress import clock
+from turgor.studies.study.running.run_outcome import Ended
 
 
 class Counts:

@@ -7,11 +7,11 @@ import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
+    from turgor.fast_models.section.solution import SectionSolution
     from turgor.job.job import Job
-    from turgor.section.solution import SectionSolution
 
 #: Columns of the table on the screen.
 PRINTED = ("curvature_y", "curvature_z", "twist", "stretch", "cavity_ballooning", "outside_ballooning")
@@ -71,7 +71,7 @@ def _length(size: str) -> float | None:
 
 def _write(folder: Path, job: "Job", solution: "SectionSolution") -> None:
     from turgor.job.output.manifest import list_files
-    from turgor.results.plots.section import write_section_plot
+    from turgor.views.plots.section import write_section_plot
 
     list_files(folder, FILES)
     table, plot = (folder / name for name in FILES)
@@ -82,7 +82,7 @@ def _write(folder: Path, job: "Job", solution: "SectionSolution") -> None:
 
 def _show(solution: "SectionSolution") -> None:
     """Print a line for each state, with the columns that are not zero all along, then the last one with mesh errors."""
-    from turgor.results.report.error_text import last_with_error
+    from turgor.core.results.error_text import last_with_error
 
     response = solution.response
     names = [response.names[0], *(name for name in PRINTED if name in response and abs(response[name]).max() > 1e-9)]

@@ -14,8 +14,8 @@ from turgor.cli.start.signals import ends_at_once
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from turgor.results.plots.figures import PlotFigure
-    from turgor.study.study import Study
+    from turgor.studies.study.study import Study
+    from turgor.views.plots.figures import PlotFigure
 
 #: Ways to analyze a study: the first chooses by its design.
 METHODS = ("auto", "anova", "sobol")
@@ -53,9 +53,9 @@ def _run(asked: _Options) -> None:
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
         from turgor.cli.answers.surrogates import SensitivityResult
-        from turgor.errors import TurgorError, unknown
-        from turgor.results.plots.figures import write_figure
-        from turgor.sensitivity.anova import is_factorial
+        from turgor.foundation.errors import TurgorError, unknown
+        from turgor.studies.sensitivity.anova import is_factorial
+        from turgor.views.plots.figures import write_figure
 
         if asked.method not in METHODS:
             raise unknown("method", asked.method, METHODS)
@@ -84,9 +84,9 @@ Found = tuple[str, list[dict[str, object]], "PlotFigure"]
 
 def _anova(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None) -> Found:
     from turgor.cli.answers.surrogates import anova_terms
-    from turgor.sensitivity.anova import anova
-    from turgor.sensitivity.figure import anova_figure
-    from turgor.surrogates.training import measures_that_vary
+    from turgor.studies.sensitivity.anova import anova
+    from turgor.studies.sensitivity.figure import anova_figure
+    from turgor.studies.surrogates.training import measures_that_vary
 
     chosen = names or measures_that_vary(study, at)
     found = [anova(study, name, at=at) for name in chosen]
@@ -98,9 +98,9 @@ def _anova(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] 
 def _sobol(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None, asked: _Options) -> Found:
     from turgor.cli.analyses.given_study import spreads_given, values_given
     from turgor.cli.answers.surrogates import index_terms
-    from turgor.sensitivity.figure import indices_figure
-    from turgor.sensitivity.indices import sobol_indices
-    from turgor.surrogates.fit import surrogate
+    from turgor.studies.sensitivity.figure import indices_figure
+    from turgor.studies.sensitivity.indices import sobol_indices
+    from turgor.studies.surrogates.fit import surrogate
 
     fitted = surrogate(study, names, at=at)
     held = values_given(asked.hold, fitted.factors, "--hold")

@@ -13,8 +13,8 @@ from turgor.cli.start.signals import ends_at_once
 
 if TYPE_CHECKING:
     from turgor.cli.exits import Answer
-    from turgor.study.factor import Value
-    from turgor.surrogates.surrogate import Surrogate
+    from turgor.studies.study.factor import Value
+    from turgor.studies.surrogates.surrogate import Surrogate
 
 StudyPath = Annotated[
     Path,
@@ -60,9 +60,9 @@ def _fit(asked: _Options) -> None:
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
         from turgor.cli.answers.surrogates import surrogate_result
-        from turgor.results.plots.figures import write_figure
-        from turgor.surrogates.figure import surrogate_figure
-        from turgor.surrogates.fit import surrogate
+        from turgor.studies.surrogates.figure import surrogate_figure
+        from turgor.studies.surrogates.fit import surrogate
+        from turgor.views.plots.figures import write_figure
 
         study, place, at, measures = given_study(asked.study, asked)
         at = None if asked.along else read_at(asked.at, study) or at
@@ -107,8 +107,8 @@ def _predict(asked: _Asked) -> None:
     """Say what a surrogate gives for values of its factors, or which of them give wanted measures."""
     with errors_as_sentences(asked.debug, asked.as_json) as answer:
         from turgor.cli.analyses.given_study import values_given
-        from turgor.errors import TurgorError
-        from turgor.surrogates.surrogate import Surrogate
+        from turgor.foundation.errors import TurgorError
+        from turgor.studies.surrogates.surrogate import Surrogate
 
         found = Surrogate.load(asked.file)
         at = values_given(asked.at, found.factors, "--at")
@@ -138,7 +138,7 @@ def _say(found: "Surrogate", at: "dict[str, Value]", asked: _Asked, answer: "Ans
 def _invert(found: "Surrogate", held: "dict[str, Value]", asked: _Asked, answer: "Answer") -> None:
     from turgor.cli.analyses.given_study import numbers_given, values_given
     from turgor.cli.answers.surrogates import inverse_result
-    from turgor.surrogates.invert import invert
+    from turgor.studies.surrogates.invert import invert
 
     prefer = values_given(asked.prefer, found.factors, "--prefer")
     inverse = invert(found, numbers_given(asked.want, found.units, "--want"), held=held, prefer=prefer)

@@ -51,15 +51,15 @@ def _run(asked: _Options) -> None:
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.answers.studies import uncertainty_result
-        from turgor.results.plots.figures import write_figure
-        from turgor.study.evaluations import kept_in
-        from turgor.study.jobs.job_file import RUNS, job_file
-        from turgor.study.jobs.job_numbers import read_number
-        from turgor.uncertainty.cases import write_cases
-        from turgor.uncertainty.figure import uncertainty_figure
-        from turgor.uncertainty.job_files import PRESSURE, job_computation, read_sets, read_spreads
-        from turgor.uncertainty.job_records import read_records
-        from turgor.uncertainty.propagate import propagate
+        from turgor.studies.study.evaluations import kept_in
+        from turgor.studies.study.jobs.job_file import RUNS, job_file
+        from turgor.studies.study.jobs.job_numbers import read_number
+        from turgor.studies.uncertainty.cases import write_cases
+        from turgor.studies.uncertainty.figure import uncertainty_figure
+        from turgor.studies.uncertainty.job_files import PRESSURE, job_computation, read_sets, read_spreads
+        from turgor.studies.uncertainty.job_records import read_records
+        from turgor.studies.uncertainty.propagate import propagate
+        from turgor.views.plots.figures import write_figure
 
         job = asked_job(asked.job, asked.changes)
         folder = asked.output if asked.output is not None else Path(f"{job.name}-uncertainty")

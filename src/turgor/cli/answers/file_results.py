@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from turgor.geometry.cad.inspection import Inspection
-    from turgor.materials.experiments.material_test import MaterialTest
-    from turgor.materials.fitting.history_fit import HistoryFit
-    from turgor.materials.fitting.ranking import Ranking
-    from turgor.materials.fitting.result import Fit
+    from turgor.core.geometry.cad.inspection import Inspection
+    from turgor.core.materials.experiments.material_test import MaterialTest
+    from turgor.core.materials.fitting.history_fit import HistoryFit
+    from turgor.core.materials.fitting.ranking import Ranking
+    from turgor.core.materials.fitting.result import Fit
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -158,9 +158,9 @@ def _fit(fit: "Fit") -> dict[str, Any]:
 
 def materials_result(names: Iterable[str], record: str | None = None) -> MaterialsResult:
     """Make the result on library materials, or on one record of them."""
-    from turgor.materials.library.doubts import find_doubts
-    from turgor.materials.library.record_files import records
-    from turgor.materials.library.records import find_record
+    from turgor.core.materials.library.doubts import find_doubts
+    from turgor.core.materials.library.record_files import records
+    from turgor.core.materials.library.records import find_record
 
     def listed(name: str) -> list[dict[str, Any]]:
         chosen = records(name) if record is None else (find_record(name, record),)

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from turgor.optimization.reading import Read
-    from turgor.optimization.result import Optimization
+    from turgor.studies.optimization.result import Optimization
+    from turgor.studies.optimization.row_values import Read
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

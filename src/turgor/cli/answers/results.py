@@ -6,13 +6,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from turgor.accuracy.laboratory.compare import Comparison
+    from turgor.core.meshing.mesh import Mesh
+    from turgor.core.results.convergence.study import Convergence
+    from turgor.core.solvers.dynamics.modes import Modes
+    from turgor.fast_models.section.solution import SectionSolution
+    from turgor.foundation.response import Response
     from turgor.job.output.outcome import RunOutcome
-    from turgor.laboratory.compare import Comparison
-    from turgor.meshing.mesh import Mesh
-    from turgor.response import Response
-    from turgor.results.convergence.study import Convergence
-    from turgor.section.solution import SectionSolution
-    from turgor.solvers.dynamics.modes import Modes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -239,7 +239,7 @@ def columns_of(response: "Response") -> list[dict[str, Any]]:
 
 def mesh_result(mesh: "Mesh") -> MeshResult:
     """Make the result on a mesh."""
-    from turgor.meshing.quality.cell_quality import quality
+    from turgor.core.meshing.quality.cell_quality import quality
 
     found = quality(mesh)
     return MeshResult(

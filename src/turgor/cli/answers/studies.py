@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from turgor.calibration.result import Calibration
-    from turgor.gradients.result import Gradient
-    from turgor.uncertainty.band import Uncertainty
+    from turgor.accuracy.gradients.result import Gradient
+    from turgor.studies.calibration.result import Calibration
+    from turgor.studies.uncertainty.band import Uncertainty
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,7 +57,7 @@ class CalibrationResult:
 
 def calibration_result(found: "Calibration", files: Sequence[Path]) -> CalibrationResult:
     """Make the result of a calibration."""
-    from turgor.calibration.write import as_numbers
+    from turgor.studies.calibration.write import as_numbers
 
     return CalibrationResult(**as_numbers(found), files=files)
 

@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from turgor.sensitivity.anova import Anova
-    from turgor.sensitivity.indices import Indices
-    from turgor.surrogates.invert import Inverse
-    from turgor.surrogates.surrogate import Prediction, Surrogate
+    from turgor.studies.sensitivity.anova import Anova
+    from turgor.studies.sensitivity.indices import Indices
+    from turgor.studies.surrogates.invert import Inverse
+    from turgor.studies.surrogates.surrogate import Prediction, Surrogate
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -57,7 +57,7 @@ def summary(family: type) -> str:
 def _show(name: str) -> None:
     from inspect import getdoc
 
-    from turgor.errors import unknown
+    from turgor.foundation.errors import unknown
     from turgor.job.job import ACTUATORS
     from turgor.job.reference.meanings import markdown
     from turgor.job.reference.sections import file_tables

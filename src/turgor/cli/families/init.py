@@ -7,7 +7,7 @@ import typer
 
 from turgor.cli.exits import errors_as_sentences
 from turgor.cli.options import Debug, output_option
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 
 def init_command(
@@ -43,7 +43,7 @@ def init_command(
 
 def _checked(family: str) -> Path:
     """Refuse what is neither a family nor a file that may hold a part."""
-    from turgor.errors import unknown
+    from turgor.foundation.errors import unknown
     from turgor.job.job import ACTUATORS
     from turgor.job.reference.part_starters import PART_ENDINGS, is_part
     from turgor.job.tables.cad import CAD_FILE

@@ -10,13 +10,13 @@ import typer
 from turgor.cli.exits import errors_as_sentences
 from turgor.cli.fitting.fit_tables import show, show_each
 from turgor.cli.options import Debug, Json, command_of, output_option
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
-    from turgor.materials.experiments.material_test import MaterialTest
-    from turgor.materials.experiments.specimen import Specimen
-    from turgor.materials.fitting.history_fit import HistoryFit
-    from turgor.materials.fitting.ranking import Ranking
+    from turgor.core.materials.experiments.material_test import MaterialTest
+    from turgor.core.materials.experiments.specimen import Specimen
+    from turgor.core.materials.fitting.history_fit import HistoryFit
+    from turgor.core.materials.fitting.ranking import Ranking
 
 #: Points of a mean where curves are not thinned.
 AVERAGE_POINTS = 60
@@ -105,8 +105,8 @@ def _test(chosen: FitOptions, file: Path, mode: str | None) -> "MaterialTest":
 
 def _means(chosen: FitOptions, modes: Sequence[str | None]) -> "list[MaterialTest]":
     """Read replicates, several in a file or one in each, and average those of each mode."""
-    from turgor.materials.experiments.handling import average
-    from turgor.materials.experiments.read_tests import read_tests
+    from turgor.core.materials.experiments.read_tests import read_tests
+    from turgor.core.materials.experiments.test_edits import average
 
     measure, specimen = chosen.stress or None, _specimen(chosen.specimen)
     by_mode: dict[str, list[MaterialTest]] = {}
@@ -144,7 +144,7 @@ def _ranked(
     chosen: FitOptions, groups: "Sequence[tuple[str, list[MaterialTest]]]", names: Sequence[str]
 ) -> "list[tuple[str, Ranking]]":
     """Rank the laws for each material; print the table where there is only one."""
-    from turgor.materials.fitting.ranking import rank
+    from turgor.core.materials.fitting.ranking import rank
 
     rankings = []
     for name, group in groups:
@@ -162,7 +162,7 @@ def _fit_over_time(
 ) -> "tuple[list[MaterialTest], HistoryFit]":
     """Fit relaxation and softening to tests with all their cycles; slack points are at rest."""
     from turgor.cli.fitting.fit_history import fit_over_time, write_history_fit
-    from turgor.materials.experiments.handling import rest_below
+    from turgor.core.materials.experiments.test_edits import rest_below
 
     preload, tests = _preload(chosen.preload), []
     for file, mode in zip(chosen.files, modes, strict=True):
@@ -178,15 +178,15 @@ def _fit_over_time(
 
 
 def _read(chosen: FitOptions, file: Path, mode: str | None, cyclic: bool) -> "MaterialTest":
-    from turgor.materials.experiments.read_tests import read_test
+    from turgor.core.materials.experiments.read_tests import read_test
 
     measure, specimen = chosen.stress or None, _specimen(chosen.specimen)
     return read_test(file, mode=mode, stress_measure=measure, specimen=specimen, cyclic=cyclic)
 
 
 def _handled(test: "MaterialTest", chosen: FitOptions) -> "MaterialTest":
-    from turgor.materials.experiments.cycles import select_cycle
-    from turgor.materials.experiments.handling import remove_slack, remove_tail
+    from turgor.core.materials.experiments.cycles import select_cycle
+    from turgor.core.materials.experiments.test_edits import remove_slack, remove_tail
 
     cycle, preload = chosen.cycle, _preload(chosen.preload)
     if cycle is not None:
@@ -197,20 +197,20 @@ def _handled(test: "MaterialTest", chosen: FitOptions) -> "MaterialTest":
 
 
 def _cropped(test: "MaterialTest", wanted: tuple[float, float] | None) -> "MaterialTest":
-    from turgor.materials.experiments.handling import crop
+    from turgor.core.materials.experiments.test_edits import crop
 
     return test if wanted is None or test.mode in ("biaxial", "simple_shear") else crop(test, *wanted)
 
 
 def _thinned(test: "MaterialTest", points: int) -> "MaterialTest":
-    from turgor.materials.experiments.handling import thin
+    from turgor.core.materials.experiments.test_edits import thin
 
     return thin(test, points) if points and test.mode not in ("biaxial", "simple_shear") else test
 
 
 def _write(folder: Path, rankings: "Sequence[tuple[str, Ranking]]") -> None:
-    from turgor.materials.fitting.save import can_be_saved, save_fits
-    from turgor.results.plots.fits import fit_figure, write_fit_plot
+    from turgor.core.materials.fitting.save import can_be_saved, save_fits
+    from turgor.views.plots.fits import fit_figure, write_fit_plot
 
     folder.mkdir(parents=True, exist_ok=True)
     left: dict[str, None] = {}
@@ -246,7 +246,7 @@ def _modes(text: str, count: int) -> list[str | None]:
 
 
 def _specimen(text: str) -> "Specimen | None":
-    from turgor.materials.experiments.specimen import Specimen
+    from turgor.core.materials.experiments.specimen import Specimen
     from turgor.units import parse_quantity
 
     if not text:

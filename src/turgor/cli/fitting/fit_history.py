@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
-    from turgor.materials.experiments.material_test import MaterialTest
-    from turgor.materials.fitting.history_fit import HistoryFit
+    from turgor.core.materials.experiments.material_test import MaterialTest
+    from turgor.core.materials.fitting.history_fit import HistoryFit
 
 
 def fit_over_time(
@@ -33,8 +33,8 @@ def fit_over_time(
     """
     from dataclasses import replace
 
-    from turgor.materials.fitting.fit_history import fit_history
-    from turgor.materials.fitting.ranking import rank
+    from turgor.core.materials.fitting.fit_history import fit_history
+    from turgor.core.materials.fitting.ranking import rank
 
     virgin = [_first_loading(test) for test in tests]
     best = rank(laws, virgin).best
@@ -60,9 +60,9 @@ def write_history_fit(folder: Path, found: "HistoryFit", tests: "Sequence[Materi
     tests : sequence of MaterialTest
         Tests for the plot.
     """
-    from turgor.materials.fitting.save import save_material
-    from turgor.results.plots.fits import write_fit_plot
-    from turgor.results.plots.history import history_figure
+    from turgor.core.materials.fitting.save import save_material
+    from turgor.views.plots.fits import write_fit_plot
+    from turgor.views.plots.history import history_figure
 
     folder.mkdir(parents=True, exist_ok=True)
     stem = "-".join(found.material.name.lower().split())
@@ -75,8 +75,8 @@ def _first_loading(test: "MaterialTest") -> "MaterialTest":
     """Part of a test up to its first largest stretch, before the rubber relaxes."""
     import numpy as np
 
-    from turgor.materials.experiments.cycles import select_cycle
-    from turgor.materials.experiments.handling import thin
+    from turgor.core.materials.experiments.cycles import select_cycle
+    from turgor.core.materials.experiments.test_edits import thin
 
     low, high = test.range
     if test.stretch[0] > low + 0.5 * (high - low) or high == low:

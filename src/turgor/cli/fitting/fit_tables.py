@@ -9,8 +9,8 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from turgor.materials.fitting.ranking import Ranking
-    from turgor.materials.fitting.result import Fit
+    from turgor.core.materials.fitting.ranking import Ranking
+    from turgor.core.materials.fitting.result import Fit
 
 
 def show(ranking: "Ranking") -> None:
@@ -30,7 +30,7 @@ def show(ranking: "Ranking") -> None:
 
 def show_each(rankings: "Sequence[tuple[str, Ranking]]", laws: Sequence[str]) -> None:
     """Print one row for each material: the relative error of every law, with the best one marked."""
-    from turgor.materials.fitting.law_specs import law_spec
+    from turgor.core.materials.fitting.law_specs import law_spec
 
     names = [law_spec(law).name for law in laws]
     console, table = _table("material", "stretch")

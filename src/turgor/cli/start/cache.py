@@ -17,8 +17,8 @@ def cache_command(
 ) -> None:
     """Show the caches and their sizes, or empty them."""
     with errors_as_sentences(debug):
-        from turgor.loops import compiled_files
-        from turgor.store.caches import PARTS, caches
+        from turgor.foundation.kernel_cache import compiled_files
+        from turgor.foundation.store.caches import PARTS, caches
 
         found = {part: _files(caches() / part) for part in PARTS}
         found["compiled"] += [file for file in compiled_files() if file not in found["compiled"]]

@@ -14,7 +14,7 @@ from types import FrameType
 import typer
 
 from turgor.cli.exits import ENDED
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 #: Time [s] that a command has to write what is left; a factorization of a large matrix may last longer.
 PATIENCE = 2.0

@@ -4,9 +4,9 @@ from turgor.guidelines.convergence.mesh_size import bend
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value, at
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Panel
 
 #: Width of the bender [mm], sizes of its cells [mm], the last one as reference, and the pressure [kPa].
 WIDTH, SIZES, PRESSURE = 25, (6.0, 3.0, 2.0, 1.0, 0.5), 40

@@ -3,15 +3,15 @@
 import numpy as np
 
 import turgor as tg
+from turgor.core.meshing.quality.cell_quality import quality
+from turgor.foundation.response import Column, Response
 from turgor.guidelines.convergence.trials import end, spent
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value
-from turgor.meshing.quality.cell_quality import quality
-from turgor.response import Column, Response
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Panel
 
 #: Pressure [kPa], and sizes of the cells [mm] by kind, the last one as reference; the full setting has a finer one.
 PRESSURE, LENGTH = 35, 30

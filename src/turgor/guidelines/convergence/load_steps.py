@@ -4,8 +4,8 @@ from turgor.guidelines.convergence.trials import SETUP, end, reached, solve, spe
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value, listed
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
+from turgor.views.plots.study_figure import Panel
 
 #: Pressure [kPa], and sizes of the steps as shares of it, the largest one first.
 PRESSURE, STEPS = 25, (1.0, 0.5, 0.2, 0.1)

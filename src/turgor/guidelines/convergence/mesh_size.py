@@ -4,14 +4,14 @@ from functools import partial
 from typing import Any
 
 import turgor as tg
+from turgor.foundation.response import Column, Response
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import rubber_of, threads
 from turgor.guidelines.values import Value, last
-from turgor.response import Column, Response
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Panel
 
 #: Widths of the benders [mm], sizes of cells [mm] and the reference size, and the pressures [kPa].
 WIDTHS, SIZES, FINEST = (10, 25), (6.0, 3.0, 2.0, 1.0), 0.5

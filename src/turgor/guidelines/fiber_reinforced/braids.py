@@ -6,9 +6,9 @@ from turgor.guidelines.fiber_reinforced import two_sides
 from turgor.guidelines.fiber_reinforced.wound import TUBE, cells, tube
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import at
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Line, Panel
 
 #: The neutral angle from the axis [deg], how near it must be found, and pressures [kPa].
 NEUTRAL, NEAR, PRESSURES = 54.7356, 0.5, (6.25, 31.25, 62.5)

@@ -5,9 +5,9 @@ from itertools import pairwise
 from turgor.guidelines.fiber_reinforced.wound import BENDER, bender, cells
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import last, linearity, listed, rises
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Last pressure [kPa], and distances between hoops [mm], 0 for none.
 PRESSURE, SPACINGS = 40.0, (0.0, 512.0, 128.0, 32.0, 8.0, 2.0)

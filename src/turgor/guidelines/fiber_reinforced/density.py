@@ -6,9 +6,9 @@ import turgor as tg
 from turgor.guidelines.fiber_reinforced.banded import inflated
 from turgor.guidelines.guideline import Found, Setting
 from turgor.guidelines.values import Value, at, last
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Pressure up to which the tubes are inflated [kPa].
 PRESSURE = 50.0

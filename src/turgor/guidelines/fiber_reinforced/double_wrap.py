@@ -8,9 +8,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import last
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import deg, kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Angle of the right-handed helix from the circumference [deg], and pressure [kPa].
 ANGLE, PRESSURE = 30.0, 62.5

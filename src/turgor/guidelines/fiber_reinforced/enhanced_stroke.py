@@ -5,9 +5,9 @@ from turgor.guidelines.fiber_reinforced.density import PRESSURE, along, extensio
 from turgor.guidelines.fiber_reinforced.wound import BENDER, bender, cells
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import at
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Pressures at which tubes and benders are compared [kPa].
 TUBES, BENDERS = (10.0, 20.0, 30.0, 40.0, PRESSURE), (4.0, 8.0, 20.0, 40.0)

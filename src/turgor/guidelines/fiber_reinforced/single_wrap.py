@@ -5,9 +5,9 @@ import numpy as np
 from turgor.guidelines.fiber_reinforced.wound import TUBE, cells, tube
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import Value, at, largest, listed
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import deg, kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Angles from the circumference [deg], and pressures at which they are compared [kPa].
 QUICK, FULL = (0, 15, 25, 30, 35, 45, 60, 90), (0, 10, 20, 25, 30, 35, 40, 45, 60, 75, 90)

@@ -10,9 +10,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import Value, at, listed, rises
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Diameter of a thread [mm], distances between threads [mm], stretch that is asked for, last pressure [kPa].
 DIAMETER, SPACINGS, STRETCH, PRESSURE = 0.1778, (8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.18), 1.2, 140.0

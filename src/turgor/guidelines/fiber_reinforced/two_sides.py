@@ -3,16 +3,16 @@
 import numpy as np
 
 import turgor as tg
+from turgor.foundation.response import Column
 from turgor.guidelines.drawn import outline_of
 from turgor.guidelines.fiber_reinforced.wound import cells
 from turgor.guidelines.guideline import Found, Judgement, Setting, Verdict
 from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.sections import COARSER, compared
 from turgor.guidelines.values import Value, largest, last, rises
-from turgor.response import Column
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Angles from the axis of the upper and of the lower half [deg], and the pressure [kPa].
 UPPER = {"quick": (55, 70, 90), "full": (55, 60, 65, 70, 75, 80, 85, 90)}

@@ -5,11 +5,11 @@ from collections.abc import Sequence
 import numpy as np
 
 import turgor as tg
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
 from turgor.guidelines.sliced import bent_section
 from turgor.guidelines.values import Value
-from turgor.response import Column, Response
-from turgor.source import Source
-from turgor.study.runs import Computed
+from turgor.studies.study.runs import Computed
 from turgor.units import deg, kPa, mm
 
 #: Length of the bender [mm].

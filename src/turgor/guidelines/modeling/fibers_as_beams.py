@@ -4,9 +4,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import change, line_of
 from turgor.guidelines.modeling.benders import BENDER, bender
 from turgor.guidelines.values import Value, at, listed
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Panel
 
 #: Pressures of the comparison [kPa], and the difference that counts.
 PRESSURES, COUNTS = (6, 24, 60), 0.005

@@ -6,14 +6,14 @@ import numpy as np
 
 import turgor as tg
 from turgor import rods
+from turgor.foundation.response import Column, Response
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.modeling.benders import rubber_of
 from turgor.guidelines.values import Value, last
-from turgor.response import Column, Response
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Panel
 
 #: Rubbers with the pressure that bends one segment by the same share of its stiffness [kPa].
 RUBBERS = {

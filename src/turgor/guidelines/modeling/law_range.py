@@ -3,15 +3,15 @@
 import numpy as np
 
 import turgor as tg
-from turgor.formulas.formula import law_of
+from turgor.fast_models.formulas.formula import law_of
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import rubber_of
 from turgor.guidelines.values import Value
-from turgor.response import Column, Response
-from turgor.results.plots.study_figure import Panel
-from turgor.source import Source
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
+from turgor.views.plots.study_figure import Panel
 
 #: Laws, and the nominal strain up to which each is claimed to be accurate.
 CLAIMED = {"neo-hooke": 0.5, "mooney-rivlin": 2.0, "yeoh": 4.0, "ogden-2": 4.0}

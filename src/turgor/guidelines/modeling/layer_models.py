@@ -9,9 +9,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import Value, last
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import MPa, kPa, mm
+from turgor.views.plots.study_figure import Panel
 
 #: Young's modulus of the layer [MPa] by its thickness [mm]: the same stiffness in its plane.
 LAYERS = {0.1: 1000.0, 0.5: 200.0, 1.0: 100.0}

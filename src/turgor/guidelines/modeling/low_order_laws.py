@@ -2,15 +2,15 @@
 
 import numpy as np
 
+from turgor.foundation.response import Response
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.modeling.benders import TUBE, bender, rubber_of, tube
 from turgor.guidelines.multi_chamber.pneunets import ELASTOSIL, bend, run_of
 from turgor.guidelines.values import Value, at
-from turgor.response import Response
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Panel
 
 #: The same rubber by a law of low order and by one of high order.
 LAWS = {"neo-Hooke": "elastosil-m4601/neo-hooke-polygerinos-2020", "Yeoh": ELASTOSIL}

@@ -4,9 +4,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.modeling.benders import BENDER, bender
 from turgor.guidelines.values import Value, at, listed
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Panel
 
 #: Pressure of the comparison [kPa].
 PRESSURE = 2

@@ -4,11 +4,11 @@ import numpy as np
 
 import turgor as tg
 from turgor import rods
+from turgor.foundation.response import Column, Response
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
-from turgor.response import Column, Response
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Length of the pressure's ramp over the first period of the actuator, and damping ratios of that vibration.
 RAMPS, RATIOS = (0.5, 2.0, 20.0), (0.0, 0.02)

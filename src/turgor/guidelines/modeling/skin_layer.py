@@ -7,9 +7,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.modeling.benders import pressures_of, rubber_of, threads
 from turgor.guidelines.values import Value
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Panel
 
 #: Thickness of the skin [mm]; the publication does not state it here. Stretches at which pressures are compared.
 SKINS, STRETCHES = (0.0, 0.25, 0.5, 1.0), (1.1, 1.3)

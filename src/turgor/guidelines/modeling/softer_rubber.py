@@ -5,9 +5,9 @@ from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import BENDER, bender
 from turgor.guidelines.multi_chamber.pneunets import at_angle
 from turgor.guidelines.values import Value, listed, rises
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import deg
+from turgor.views.plots.study_figure import Panel
 
 #: Rubbers from soft to hard, with the pressure up to which the bender is followed [kPa].
 RUBBERS = {

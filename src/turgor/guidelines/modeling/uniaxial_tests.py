@@ -5,15 +5,15 @@ from typing import Literal
 import numpy as np
 
 import turgor as tg
-from turgor.formulas.formula import law_of
+from turgor.fast_models.formulas.formula import law_of
+from turgor.foundation.response import Response
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import pressures_of, rubber_of
 from turgor.guidelines.values import Value
-from turgor.response import Response
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Panel
 
 #: The rubber whose tests are made from a law, and the laws that are fitted to them.
 TRUTHS = {"Moseley": "ecoflex-00-30/ogden-moseley-2016", "Agarwal": "ecoflex-00-30/ogden-agarwal-2016"}

@@ -12,9 +12,9 @@ from turgor.guidelines.multi_chamber.pneunets import (
     run_of,
 )
 from turgor.guidelines.values import at, listed, rises
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Panel
 
 #: Pressures at which forces are compared: low, and high [kPa].
 PRESSURES = (3, 12)

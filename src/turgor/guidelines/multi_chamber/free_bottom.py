@@ -4,9 +4,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import SETUP, bend, count_and_size, pneunet, push, run_of
 from turgor.guidelines.values import Value, at
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Panel
 
 #: Pressures at which angles and forces are compared [kPa].
 PRESSURES, PUSH = (4, 9), 12

@@ -6,9 +6,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import verdict_of
 from turgor.guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, pneunet
 from turgor.guidelines.values import at, linearity, listed, rises
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Length [mm] that the chambers share, and the pressure at which they are compared.
 LENGTH, PRESSURE = 35, 9 * kPa

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 
 import turgor as tg
+from turgor.foundation.response import Response
 from turgor.guidelines.drawn import picture_of
 from turgor.guidelines.guideline import Setting
 from turgor.guidelines.values import Value
-from turgor.response import Response
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import deg, kPa, mm
 
 #: Families of which rules on multi-chambered actuators speak; they were run with the first of them.

@@ -8,8 +8,8 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import SETUP, at_angle, bend, count_and_size, pneunet, push, run_of
 from turgor.guidelines.values import Value, last
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
+from turgor.views.plots.study_figure import Panel
 
 #: Angle at which they are compared [deg for each chamber], and the pressures up to which they are followed [kPa].
 ANGLE, PRESSURES = 7.5, {"fast": 30, "slow": 200}

@@ -4,9 +4,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, count_and_size, pneunet, push, run_of
 from turgor.guidelines.values import Value, at, falls, last, listed
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Panel
 
 #: Pressures of bending, of which the first is before walls touch, and of pushing [kPa].
 PRESSURES, PUSH = (4, 14), 12

@@ -15,8 +15,8 @@ from turgor.guidelines.multi_chamber.pneunets import (
     run_of,
 )
 from turgor.guidelines.values import Value, falls, last, listed, rises
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
+from turgor.views.plots.study_figure import Panel
 
 #: Angle at which they are compared [deg for each chamber], and the pressure up to which they are followed [kPa].
 ANGLE, PRESSURE = 5, 30

@@ -8,9 +8,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import change, differs, line_of, verdict_of
 from turgor.guidelines.parts import elastosil
 from turgor.guidelines.values import Value, at, falls, last, listed, rises
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Panel
 
 #: Pressures in one of three bellows at which they are compared [kPa].
 PRESSURES = (0.5, 1.5)

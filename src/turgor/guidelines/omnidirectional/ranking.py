@@ -8,8 +8,8 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.omnidirectional.chambers import REFERENCE, SETUP, angle_at, omni
 from turgor.guidelines.values import Value, listed
-from turgor.results.plots.study_figure import Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
+from turgor.views.plots.study_figure import Panel
 
 #: Pressures of the comparison, low and high [kPa].
 PRESSURES = (20, 100)

@@ -2,11 +2,11 @@
 
 from scipy.optimize import brentq
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 from turgor.guidelines.guideline import Found, Setting
 from turgor.guidelines.omnidirectional.chambers import REFERENCE, area_of, omni
 from turgor.guidelines.values import Value, at
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
 
 #: Shapes of chambers by their short names.

@@ -8,9 +8,9 @@ from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.single_chamber.half_round import BARE, HOOPED, cells
 from turgor.guidelines.values import Value, largest, last, listed, rises
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import MPa, kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Inner and outer radius [mm], modulus C10 of the softer layer [MPa], last pressure [kPa].
 INNER, OUTER, C10, PRESSURE = 6.35, 8.35, 0.12, 20.0

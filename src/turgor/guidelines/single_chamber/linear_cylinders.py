@@ -6,8 +6,8 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.single_chamber.best_shape import extension_runs
 from turgor.guidelines.single_chamber.shapes import PRESSURE, ROUND, SETUP, bars
 from turgor.guidelines.values import linearity
-from turgor.results.plots.study_figure import Line, Panel
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Stretch of the actuator at which the rubber is compared; all shapes reach it, bare ones too.
 STRETCH = 1.01

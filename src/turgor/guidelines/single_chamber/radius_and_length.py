@@ -7,9 +7,9 @@ from turgor.guidelines.parts import elastosil, fabric, threads
 from turgor.guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
 from turgor.guidelines.single_chamber.shapes import bend_on_plate
 from turgor.guidelines.values import largest, last, listed, rises
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Radii of the chamber [mm], lengths of whole benders [mm], pressures of both [kPa].
 RADII, LENGTHS, SECTION_PRESSURE, WHOLE_PRESSURE = (6.0, 8.0, 10.0, 12.0), (30.0, 40.0, 60.0), 20.0, 10.0

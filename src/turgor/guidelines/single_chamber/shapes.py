@@ -12,10 +12,10 @@ from turgor.guidelines.guideline import Found, Setting
 from turgor.guidelines.parts import FABRIC_SPACING, elastosil, threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import Value, last
-from turgor.results.plots.study_figure import Line, Panel
 from turgor.sections import Outline, Sketch, disc, half_disc, rectangle
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import MPa, kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Area of every chamber [mm²], that of a half disc of 8 mm radius; wall all around [mm]; last pressure [kPa].
 AREA, WALL, PRESSURE = 32 * pi, 2.0, 30.0

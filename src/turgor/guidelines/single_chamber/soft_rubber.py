@@ -5,17 +5,17 @@ from dataclasses import replace
 import numpy as np
 
 import turgor as tg
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import Column
 from turgor.guidelines.drawn import outline_of, picture_of
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import fabric, threads
 from turgor.guidelines.sections import COARSER, compared
 from turgor.guidelines.single_chamber.half_round import cells
 from turgor.guidelines.values import Value, at, falls, last, listed, rises
-from turgor.response import Column
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Rubbers from soft to hard, all of one group's records.
 RUBBERS = {

@@ -6,9 +6,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
 from turgor.guidelines.values import at, last, listed, rises
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Outer radius of the tubes and their walls [mm]; pressures of tubes and benders [kPa].
 OUTER, TUBES, TUBE_PRESSURE, BENDER_PRESSURE = 8.35, (3.0, 2.5, 2.0, 1.5, 1.0), 50.0, 20.0

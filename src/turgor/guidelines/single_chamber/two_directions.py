@@ -2,13 +2,13 @@
 
 import numpy as np
 
+from turgor.foundation.response import Response
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
 from turgor.guidelines.values import Value
-from turgor.response import Response
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Run
+from turgor.studies.study.runs import Run
 from turgor.units import kPa
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Base of the benders [mm], and the last pressure [kPa].
 BASES, PRESSURE = (1.0, 1.5, 2.0, 4.0), 20.0

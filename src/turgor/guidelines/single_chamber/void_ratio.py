@@ -3,15 +3,15 @@
 import numpy as np
 
 import turgor as tg
+from turgor.foundation.response import Column
 from turgor.guidelines.drawn import outline_of
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import elastosil, fabric, threads
 from turgor.guidelines.sections import COARSER, compared
 from turgor.guidelines.single_chamber.half_round import BARE, HOOPED
-from turgor.response import Column
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Widths of the void [mm]; its height, walls all around [mm]; last pressure [kPa].
 WIDTHS, HEIGHT, WALL, PRESSURE = (5.0, 7.0, 8.5, 10.0, 12.0, 16.0, 25.0), 8.0, 2.0, 24.0

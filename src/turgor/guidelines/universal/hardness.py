@@ -7,9 +7,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.parts import threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import Value
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Records of rubbers from soft to hard, by the hardness of their makers, with its rank.
 RECORDS = (

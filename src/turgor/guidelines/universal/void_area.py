@@ -9,9 +9,9 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.parts import elastosil
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import last, listed, rises
-from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
+from turgor.studies.study.runs import Computed, Run
 from turgor.units import kPa, mm
+from turgor.views.plots.study_figure import Line, Panel
 
 #: Diameters of the chambers [mm], and the last pressure in one of them [kPa].
 DIAMETERS, PRESSURE = (5.0, 6.0, 7.0, 8.0, 9.0), 15.0

@@ -7,10 +7,10 @@ from tempfile import TemporaryFile
 
 from filelock import FileLock, Timeout
 
-from turgor.errors import TurgorError
+from turgor.core.solvers.checkpoints.record import INDEX, SOLUTION
+from turgor.core.solvers.load import PATH_FOLDER
+from turgor.foundation.errors import TurgorError
 from turgor.job.output.manifest import listed, own_files, refuse_foreign, remove
-from turgor.solvers.checkpoints.record import INDEX, SOLUTION
-from turgor.solvers.stored import PATH_FOLDER
 
 RESPONSE = "response.csv"
 STEPS = "steps.csv"

@@ -7,7 +7,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 from turgor.job.job import Job
 from turgor.job.output.folder import LOCK
 from turgor.job.output.lock import lock_text

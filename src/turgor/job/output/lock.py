@@ -7,8 +7,17 @@ from typing import Any
 
 import tomlkit
 
-from turgor.errors import TurgorError
-from turgor.geometry.cad.cad_file import CadFile
+from turgor.core.geometry.cad.cad_file import CadFile
+from turgor.core.materials.laws.law_spec import is_dimensionless
+from turgor.core.materials.laws.laws import LAWS
+from turgor.core.materials.library.record_history import history_tables
+from turgor.core.materials.material import Material
+from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.core.model.sheets import Sheet, Shell
+from turgor.core.solvers.procedures.stages import Stages
+from turgor.core.solvers.procedures.static import Static
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.registry import name_in
 from turgor.job.job import Job, actuator_type
 from turgor.job.tables.cad import cad_file_table
 from turgor.job.tables.contact import contact_table
@@ -21,15 +30,6 @@ from turgor.job.tables.procedures import written_procedure
 from turgor.job.tables.setups import written_setup
 from turgor.job.tables.stages import STAGES, stages_tables
 from turgor.job.tables.supports import held_text
-from turgor.materials.laws.law_spec import is_dimensionless
-from turgor.materials.laws.laws import LAWS
-from turgor.materials.library.record_history import history_tables
-from turgor.materials.material import Material
-from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.model.sheets import Sheet, Shell
-from turgor.registry import name_in
-from turgor.solvers.procedures.stages import Stages
-from turgor.solvers.procedures.static import Static
 from turgor.units import format_quantity
 
 #: Units in which a lock file states the dimensions of a value.

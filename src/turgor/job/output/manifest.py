@@ -8,12 +8,12 @@ from contextlib import suppress
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from turgor.errors import TurgorError
-from turgor.solvers.checkpoints.record import INDEX, SOLUTION
-from turgor.solvers.coarse_path import COARSE
-from turgor.solvers.stored import PATH_FOLDER
-from turgor.store.saved import ENDING
-from turgor.store.whole import write_whole
+from turgor.core.solvers.checkpoints.record import INDEX, SOLUTION
+from turgor.core.solvers.coarse_path import COARSE
+from turgor.core.solvers.load import PATH_FOLDER
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.store.atomic_files import write_whole
+from turgor.foundation.store.saved_objects import ENDING
 
 #: The list, in the folder.
 MANIFEST = ".turgor-files.json"

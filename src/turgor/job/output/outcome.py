@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from turgor.finding import Finding, Severity
+from turgor.core.solvers.solution import Solution
+from turgor.foundation.finding import Finding, Severity
+from turgor.foundation.response import Response
 from turgor.job.job import Job
-from turgor.response import Response
-from turgor.solvers.solution import Solution
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

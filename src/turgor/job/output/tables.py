@@ -4,14 +4,14 @@ import csv
 from collections.abc import Callable
 from pathlib import Path
 
+from turgor.core.solvers.procedures.stages import Stages
+from turgor.core.solvers.solution import Solution
+from turgor.foundation.store.atomic_files import whole, write_whole
 from turgor.job.output.folder import LOCK, LOG, RESPONSE, STEPS, clear_drawn
 from turgor.job.output.lock import lock_text
 from turgor.job.output.manifest import list_files
 from turgor.job.output.outcome import RunOutcome
-from turgor.results.report.describe_procedure import ending
-from turgor.solvers.procedures.stages import Stages
-from turgor.solvers.solution import Solution
-from turgor.store.whole import whole, write_whole
+from turgor.views.report.describe_procedure import ending
 
 STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
 

@@ -4,6 +4,9 @@ from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 
+from turgor.core.meshing.quality.cell_quality import quality
+from turgor.core.results.fields.path_fields import PathFields
+from turgor.core.results.files.vtu import series_files, write_series
 from turgor.job.compare import comparison_sections, measured_points
 from turgor.job.output.folder import (
     CONTACT,
@@ -17,20 +20,17 @@ from turgor.job.output.folder import (
     STEPS,
     UNDEFORMED,
 )
-from turgor.job.output.kept import FIELD_FILES, PICTURES, SERIES, drawn_from, kept_files
 from turgor.job.output.lock import dimensions, lock_text
 from turgor.job.output.manifest import list_files
 from turgor.job.output.outcome import RunOutcome
+from turgor.job.output.path_files import FIELD_FILES, PICTURES, SERIES, drawn_from, kept_files
 from turgor.job.output.tables import write_tables
-from turgor.meshing.quality.cell_quality import quality
-from turgor.results.fields.path_fields import PathFields
-from turgor.results.files.vtu import series_files, write_series
-from turgor.results.pictures.path_pictures import CAPTIONS, path_figures, pictured
-from turgor.results.pictures.state_picture import picture_title
-from turgor.results.plots.figures import write_figure
-from turgor.results.plots.response_plots import write_plot
-from turgor.results.report.headline import headline
-from turgor.results.report.page import Picture, Report, write_report
+from turgor.views.pictures.path_pictures import CAPTIONS, path_figures, pictured
+from turgor.views.pictures.state_picture import picture_title
+from turgor.views.plots.figures import write_figure
+from turgor.views.plots.response_plots import write_plot
+from turgor.views.report.headline import headline
+from turgor.views.report.page import Picture, Report, write_report
 
 #: Description of each file, for the report.
 CONTENTS: Mapping[str, str] = {

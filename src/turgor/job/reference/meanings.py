@@ -21,7 +21,7 @@ def meanings(described: Any) -> dict[str, str]:
 
     Examples
     --------
-    >>> from turgor.model.obstacles import Sphere
+    >>> from turgor.core.model.obstacles import Sphere
     >>> meanings(Sphere)["radius"]
     'More than 0.'
     """

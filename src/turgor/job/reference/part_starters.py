@@ -7,20 +7,20 @@ from pathlib import Path
 
 import numpy as np
 
-from turgor.errors import TurgorError
-from turgor.geometry import Geometry
-from turgor.geometry.cad.cad_file import CadFile
-from turgor.geometry.cad.files import SUFFIXES
-from turgor.geometry.cad.inspection import FaceFacts, Inspection, inspect_cad
-from turgor.geometry.cad.selectors import Selector, WithNormal
+from turgor.core.geometry.cad.cad_file import CadFile
+from turgor.core.geometry.cad.files import SUFFIXES
+from turgor.core.geometry.cad.inspection import FaceFacts, Inspection, inspect_cad
+from turgor.core.geometry.cad.selectors import Selector, WithNormal
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.core.meshing.exchange.read import READERS
+from turgor.foundation.errors import TurgorError
 from turgor.job.reference.kinds import Kind
 from turgor.job.reference.sections import file_tables
 from turgor.job.reference.starters import commented, first_materials
 from turgor.job.reference.tables import toml
 from turgor.job.tables.cad import CAD_FILE
 from turgor.job.tables.mesh_files import MESH_FILE
-from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.meshing.exchange.read import READERS
 from turgor.units import mm
 
 #: Endings of files that hold a part.

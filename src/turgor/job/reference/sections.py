@@ -5,9 +5,23 @@ from functools import partial
 from inspect import getdoc
 from typing import Any
 
-from turgor.geometry import FastPneuNet, Geometry
-from turgor.geometry.cad.cad_file import CadFile
-from turgor.geometry.cad.split import SplitPlane
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.geometry.cad.cad_file import CadFile
+from turgor.core.geometry.cad.split import SplitPlane
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.materials.laws.laws import LAWS, Hooke
+from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.core.meshing.settings import MeshSettings
+from turgor.core.model.contact import Contact
+from turgor.core.model.fibers import Fibers, Winding
+from turgor.core.model.obstacles import Obstacle, SelfContact
+from turgor.core.model.points import ReferencePoint
+from turgor.core.model.rigid import RigidFile
+from turgor.core.setups.blocked_tip import blocked_force
+from turgor.core.setups.grasped_object import grasp
+from turgor.core.solvers.procedures.static import Static
+from turgor.core.solvers.procedures.step_options import StepOptions
+from turgor.core.solvers.procedures.volume_control import VolumeControl
 from turgor.job.job import Output
 from turgor.job.read import DEFAULTS
 from turgor.job.reference.kinds import Kind
@@ -37,19 +51,6 @@ from turgor.job.text.load_tables import (
 )
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import EngineTable, MeshTable, OutputTable
-from turgor.materials.laws.laws import LAWS, Hooke
-from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.meshing.settings import MeshSettings
-from turgor.model.contact import Contact
-from turgor.model.fibers import Fibers, Winding
-from turgor.model.obstacles import Obstacle, SelfContact
-from turgor.model.points import ReferencePoint
-from turgor.model.rigid import RigidFile
-from turgor.setups.blocked_tip import blocked_force
-from turgor.setups.grasped_object import grasp
-from turgor.solvers.procedures.static import Static
-from turgor.solvers.procedures.step_options import StepOptions
-from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.units import format_quantity
 
 #: Functions that say what the keys of a setup mean.

@@ -7,8 +7,8 @@ from pathlib import Path
 from textwrap import wrap
 from typing import Any
 
-from turgor.errors import unknown
-from turgor.geometry import Geometry
+from turgor.core.geometry.geometry import Geometry
+from turgor.foundation.errors import unknown
 from turgor.job.job import ACTUATORS
 from turgor.job.read import DEFAULTS, SECTIONS
 from turgor.job.reference.kinds import Kind

@@ -7,12 +7,12 @@ from typing import Any
 
 from pydantic import Field, model_validator
 
-from turgor.errors import TurgorError, near_file
-from turgor.geometry.cad.cad_file import CadFile
-from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
-from turgor.geometry.cad.split import SplitPlane
-from turgor.geometry.cad.symmetry.wanted import NONE
-from turgor.geometry.directions import FileAxes
+from turgor.core.geometry.cad.cad_file import CadFile
+from turgor.core.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
+from turgor.core.geometry.cad.split import SplitPlane
+from turgor.core.geometry.cad.symmetry.requested import NONE
+from turgor.core.geometry.directions import FileAxes
+from turgor.foundation.errors import TurgorError, near_file
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Coordinate, Length, Table, read_table
 from turgor.units import format_quantity
@@ -127,7 +127,7 @@ def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | No
         return None
     file = Path(problems.file).parent / table.file
     if not file.is_file():
-        from turgor.geometry.cad.files import SUFFIXES  # here: it loads the CAD kernel
+        from turgor.core.geometry.cad.files import SUFFIXES  # here: it loads the CAD kernel
 
         there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in SUFFIXES)
         listed = f" CAD files there: {', '.join(there)}." if there else ""

@@ -5,14 +5,14 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator
 
-from turgor.errors import TurgorError
-from turgor.geometry import Geometry
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.model.contact import Contact
+from turgor.core.model.obstacles import SelfContact
+from turgor.core.model.rigid import RigidFile
+from turgor.foundation.errors import TurgorError
 from turgor.job.tables.obstacles import ContactStiffness, read_obstacles
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Length, Says, Table, read_table, shown
-from turgor.model.contact import Contact
-from turgor.model.obstacles import SelfContact
-from turgor.model.rigid import RigidFile
 from turgor.units import format_quantity
 
 #: Text for the default of self-contact.

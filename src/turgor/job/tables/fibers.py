@@ -7,9 +7,14 @@ from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field
 
-from turgor.errors import TurgorError, unknown
-from turgor.geometry import Geometry
-from turgor.geometry.directions import AXES
+from turgor.core.geometry.directions import AXES
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.library.records import find_record
+from turgor.core.materials.material import Material
+from turgor.core.model.fibers import Fibers, Winding
+from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.source import Source
 from turgor.job.tables.material_tables import SourceTable
 from turgor.job.tables.materials import read_library
 from turgor.job.text.lines import Key
@@ -24,11 +29,6 @@ from turgor.job.text.quantities import (
     read_table,
     shown,
 )
-from turgor.materials.laws.laws import Hooke
-from turgor.materials.library.records import find_record
-from turgor.materials.material import Material
-from turgor.model.fibers import Fibers, Winding
-from turgor.source import Source
 from turgor.units import format_quantity
 
 #: Keys of a table for the path of threads, with the unit of each in a lock file.

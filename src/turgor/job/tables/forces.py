@@ -4,14 +4,14 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any, Protocol
 
-from turgor.errors import TurgorError, unknown
-from turgor.geometry import Geometry
-from turgor.geometry.directions import DIRECTIONS
+from turgor.core.geometry.directions import DIRECTIONS
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.model.history import RAMP, over_time
+from turgor.core.model.loads import STANDARD_GRAVITY, Force, LineForce, Load, PointForce
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.text.load_tables import ForceTable, GravityTable, LineForceTable, PointForceTable
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import read_table
-from turgor.model.history import RAMP, over_time
-from turgor.model.loads import STANDARD_GRAVITY, Force, LineForce, Load, PointForce
 from turgor.units import format_quantity
 
 

@@ -4,17 +4,17 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from turgor.errors import near_match, unknown
-from turgor.geometry import Geometry
-from turgor.geometry.directions import DIRECTIONS
+from turgor.core.geometry.directions import DIRECTIONS
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.materials.material import Material
+from turgor.core.model.history import RAMP, History
+from turgor.core.model.loads import STANDARD_GRAVITY, Force, Gravity, LineForce, Load, PointForce, Pressure
+from turgor.core.model.sheets import Sheet
+from turgor.foundation.errors import near_match, unknown
 from turgor.job.tables.forces import concentrated, concentrated_tables, history_of, is_force, on_faces
 from turgor.job.text.load_tables import CavityTable, LoadsTable
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import read_table
-from turgor.materials.material import Material
-from turgor.model.history import RAMP, History
-from turgor.model.loads import STANDARD_GRAVITY, Force, Gravity, LineForce, Load, PointForce, Pressure
-from turgor.model.sheets import Sheet
 from turgor.units import format_quantity
 
 #: What a job file can state to drive an actuator.

@@ -8,10 +8,10 @@ from typing import Annotated, Any, get_args, get_origin
 
 from pydantic import AllowInfNan, BeforeValidator, Field, create_model
 
+from turgor.core.materials.laws.law_spec import is_dimensionless
+from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.job.text.quantities import BendingStiffness, Density, Length, Pressure, Says, Table, default_of
-from turgor.materials.laws.law_spec import is_dimensionless
-from turgor.materials.laws.laws import Hooke
-from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.units import parse_quantity
 
 #: Text for a bulk modulus without bound.

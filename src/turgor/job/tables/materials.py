@@ -6,19 +6,19 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
-from turgor.errors import TurgorError, unknown
-from turgor.geometry import Geometry
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke
+from turgor.core.materials.laws.names import law_name
+from turgor.core.materials.library.records import find_record, from_library, library
+from turgor.core.materials.material import Material
+from turgor.core.model.layers import as_solid
+from turgor.core.model.sheets import Membrane, Sheet, Shell
+from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.source import Source
 from turgor.job.tables.material_tables import LibraryTable, StatedTable, law_table
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import read_table, shown
-from turgor.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke
-from turgor.materials.laws.names import law_name
-from turgor.materials.library.records import find_record, from_library, library
-from turgor.materials.material import Material
-from turgor.model.layers import as_solid
-from turgor.model.sheets import Membrane, Sheet, Shell
-from turgor.source import Source
 
 #: Forms of a strain-limiting layer: a shell, a membrane without bending stiffness, a thin solid region of its own, or
 #: combined constants for the region below it.

@@ -7,15 +7,15 @@ from typing import Any, TypeAlias
 
 from pydantic import Field, model_validator
 
-from turgor.errors import TurgorError, near_file
-from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
+from turgor.core.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
+from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.core.meshing.exchange.numbered import ByNodes, BySides
+from turgor.core.meshing.exchange.selectors import Choice
+from turgor.foundation.errors import TurgorError, near_file
 from turgor.job.tables.cad import SelectorTable, axes_table, file_axes, selector_table
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, read_table
-from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.meshing.exchange.numbered import ByNodes, BySides
-from turgor.meshing.exchange.selectors import Choice
 
 #: A selector of sides of a mesh.
 SideSelector: TypeAlias = Selector | ByNodes | BySides
@@ -108,7 +108,7 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
     paths |= {(*key, "cavities", name): folder / file for name, file in table.cavities.items()}
     for place, file in paths.items():
         if not file.is_file():
-            from turgor.meshing.exchange.read import READERS  # here: it loads all readers
+            from turgor.core.meshing.exchange.read import READERS  # here: it loads all readers
 
             suffixes = (*READERS, ".stl")  # surfaces can be filled with a mesh
             there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in suffixes)

@@ -9,15 +9,15 @@ from typing import Annotated, Any, get_args
 
 from pydantic import BeforeValidator, Field, create_model
 
-from turgor.errors import TurgorError, unknown
-from turgor.geometry import Geometry
-from turgor.geometry.directions import DIRECTIONS
+from turgor.core.geometry.directions import DIRECTIONS
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.model.contact import SELF, Contact
+from turgor.core.model.obstacles import Obstacle, RigidSurface, Shape, Vector
+from turgor.core.model.rigid import RigidFile
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Coordinate, Length, Says, Table, coordinate, read_table, shown
-from turgor.model.contact import SELF, Contact
-from turgor.model.obstacles import Obstacle, RigidSurface, Shape, Vector
-from turgor.model.rigid import RigidFile
 from turgor.units import format_quantity, parse_quantity
 
 #: Shapes by their names in job files, except those from files; their fields are their keys.

@@ -7,17 +7,17 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field
 
-from turgor.errors import TurgorError, unknown
-from turgor.geometry import Geometry
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.model.history import RAMP
+from turgor.core.model.loads import Force, Gravity, Hanging, Load, Moment
+from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation, Vector
+from turgor.core.model.supports import Displacement, Fixed, Shift, Support
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.tables.forces import history_of
 from turgor.job.tables.obstacles import Direction, Lengths, SpringStiffness
 from turgor.job.text.load_tables import Forces, Mass, Points
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Angle, Says, Table, read_table, shown
-from turgor.model.history import RAMP
-from turgor.model.loads import Force, Gravity, Hanging, Load, Moment
-from turgor.model.points import RIGID, Hinge, ReferencePoint, Rotation, Vector
-from turgor.model.supports import Displacement, Fixed, Shift, Support
 from turgor.units import format_quantity, parse_quantity
 
 #: Keys that drive an actuator by themselves.

@@ -7,7 +7,11 @@ from typing import Annotated, Any, get_args, get_origin
 
 from pydantic import BeforeValidator
 
-from turgor.errors import TurgorError, unknown
+from turgor.core.model.loads import Load
+from turgor.core.solvers.procedures.stages import OneProcedure
+from turgor.core.solvers.procedures.step_options import StepOptions, fields_in_order
+from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.registry import Registry, class_of_file, name_in
 from turgor.job.tables.loads import Driving, only_pressure, requested_factors
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
@@ -20,15 +24,11 @@ from turgor.job.text.quantities import (
     read_table,
     shown,
 )
-from turgor.model.loads import Load
-from turgor.registry import Registry, class_of_file, name_in
-from turgor.solvers.procedures.stages import OneProcedure
-from turgor.solvers.procedures.step_options import StepOptions, fields_in_order
 from turgor.units import format_quantity, kPa, parse_quantity
 
 #: Procedures by their names in job files: the classes in their folder; the fields of a procedure are its keys.
 PROCEDURES: Registry[type[Any]] = Registry(
-    "turgor.solvers.procedures",
+    "turgor.core.solvers.procedures",
     class_of_file(lambda kind: issubclass(kind, OneProcedure) and kind is not StepOptions),
 )
 

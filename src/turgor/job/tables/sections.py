@@ -5,8 +5,15 @@ from dataclasses import fields
 from functools import partial
 from typing import Any
 
-from turgor.geometry import Geometry
-from turgor.geometry.names import measured_faces
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.names import measured_faces
+from turgor.core.meshing.default_settings import chosen_cells
+from turgor.core.meshing.exchange.mesh_file import MeshedShape
+from turgor.core.meshing.sizing.default_size import default_size
+from turgor.core.meshing.sizing.sizes import check_face_sizes, check_features, check_settings
+from turgor.core.meshing.sweeping.swept import check_cells
+from turgor.core.setups.setup_values import Setup
+from turgor.core.solvers.procedures.static import Static
 from turgor.job.job import ACTUATORS, Actuator, Output, standard_measures
 from turgor.job.tables.cad import CAD_FILE, read_cad_file
 from turgor.job.tables.mesh_files import MESH_FILE, read_mesh_file
@@ -20,13 +27,6 @@ from turgor.job.text.quantities import (
     fields_of_table,
     read_table,
 )
-from turgor.meshing.chosen import chosen_cells
-from turgor.meshing.exchange.mesh_file import MeshedShape
-from turgor.meshing.sizing.default_size import default_size
-from turgor.meshing.sizing.sizes import check_face_sizes, check_features, check_settings
-from turgor.meshing.sweeping.swept import check_cells
-from turgor.setups.values import Setup
-from turgor.solvers.procedures.static import Static
 from turgor.units import mm
 
 
@@ -86,7 +86,7 @@ def read_engine(values: Any, problems: Problems) -> int | None:
     table = read_table(EngineTable, values, ("engine",), problems)
     if table is None or table.threads is None:
         return None
-    from turgor.engine.runtime import EngineOptions  # here, because it loads the engine
+    from turgor.core.engine.runtime import EngineOptions  # here, because it loads the engine
 
     options = problems.attempt(("engine",), lambda: EngineOptions(threads=table.threads), fields=("threads",))
     return None if options is None else options.threads
@@ -94,7 +94,7 @@ def read_engine(values: Any, problems: Problems) -> int | None:
 
 def _marker(name: str, point: Sequence[float]) -> None:
     """Refuse a marker whose name or place cannot be used."""
-    from turgor.results.measures.markers import marker  # here: it loads the engine
+    from turgor.core.results.measures.markers import marker  # here: it loads the engine
 
     marker(name, point)
 

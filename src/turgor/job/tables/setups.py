@@ -9,13 +9,13 @@ from functools import cache
 from types import MappingProxyType
 from typing import Any
 
+from turgor.core.model.loads import Load
+from turgor.core.setups.setup_values import BlockedForce, Grasp, Setup
+from turgor.core.solvers.procedures.static import Static
 from turgor.job.tables.loads import Driving, only_pressure, requested_factors
 from turgor.job.tables.procedures import field_keys, procedure_fields, requested, stated_fields, states_requested
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, fields_of_table, made_table, read_table
-from turgor.model.loads import Load
-from turgor.setups.values import BlockedForce, Grasp, Setup
-from turgor.solvers.procedures.static import Static
 
 #: Setups by their names in job files; the keys of a setup are its fields and those of `Static`.
 SETUPS: Mapping[str, type[Setup]] = MappingProxyType({"blocked_force": BlockedForce, "grasp": Grasp})

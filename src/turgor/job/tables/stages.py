@@ -7,8 +7,15 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from turgor.errors import TurgorError, unknown
-from turgor.geometry import Geometry
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.materials.material import Material
+from turgor.core.model.contact import Contact
+from turgor.core.model.history import RAMP
+from turgor.core.model.obstacles import Vector
+from turgor.core.model.sheets import Sheet
+from turgor.core.model.supports import Displacement, Fixed, Shift
+from turgor.core.solvers.procedures.stages import Stage, Stages, check_stage
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.tables.loads import Driving, loads_table, read_loads
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
@@ -17,13 +24,6 @@ from turgor.job.tables.supports import Held
 from turgor.job.text.lines import Key, Place
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Says, Table, read_table, shown
-from turgor.materials.material import Material
-from turgor.model.contact import Contact
-from turgor.model.history import RAMP
-from turgor.model.obstacles import Vector
-from turgor.model.sheets import Sheet
-from turgor.model.supports import Displacement, Fixed, Shift
-from turgor.solvers.procedures.stages import Stage, Stages, check_stage
 from turgor.units import format_quantity
 
 STAGES = "stages"

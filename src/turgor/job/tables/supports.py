@@ -3,12 +3,12 @@
 from collections.abc import Mapping
 from typing import Any
 
-from turgor.errors import TurgorError, unknown
-from turgor.geometry import Geometry
-from turgor.geometry.directions import AXES, Vector
+from turgor.core.geometry.directions import AXES, Vector
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.model.supports import Fixed, PlaneSection, Radial
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import shown
-from turgor.model.supports import Fixed, PlaneSection, Radial
 
 #: Text of a support that holds the radius of a face, by the axis of its cylinder.
 RADIAL: Mapping[str, Vector] = {"radial": AXES["x"], **{f"radial about {axis}": AXES[axis] for axis in "yz"}}

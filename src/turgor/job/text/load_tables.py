@@ -6,10 +6,10 @@ from typing import Annotated, Any
 
 from pydantic import AfterValidator, BeforeValidator, Field
 
-from turgor.errors import TurgorError, unknown
-from turgor.geometry.directions import DIRECTIONS
+from turgor.core.geometry.directions import DIRECTIONS
+from turgor.core.model.loads import STANDARD_GRAVITY
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.text.quantities import Acceleration, Coordinate, Pressure, Says, Table, shown
-from turgor.model.loads import STANDARD_GRAVITY
 from turgor.units import parse_quantity
 
 
@@ -20,7 +20,7 @@ def _direction(text: str) -> str:
 
 
 def _history(value: object) -> object:
-    """Points or an expression of a history; `turgor.model.loads` checks them."""
+    """Points or an expression of a history; `turgor.core.model.loads` checks them."""
     if not isinstance(value, str | list):
         raise TurgorError(f"{shown(value)} is not a list in square brackets, nor an expression in quotes.")
     return value

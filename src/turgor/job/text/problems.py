@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 from turgor.job.text.lines import Key, Place
 
 Made = TypeVar("Made")

@@ -12,11 +12,11 @@ from typing import Annotated, Any, get_args
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, create_model
 
-from turgor.errors import TurgorError, near_match, unknown
+from turgor.core.meshing.settings import MeshSettings
+from turgor.core.meshing.sizing.sizes import check_target
+from turgor.foundation.errors import TurgorError, near_match, unknown
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.meshing.settings import MeshSettings
-from turgor.meshing.sizing.sizes import check_target
 from turgor.units import parse_quantity
 
 #: How tables are checked. What checks one is made when it is first read: a job has few of the tables that there are.
@@ -68,7 +68,7 @@ Coordinate = Annotated[float, BeforeValidator(coordinate)]
 
 
 def _measure(name: str) -> str:
-    from turgor.results.measures.measures import find_measure  # here, because it loads the engine
+    from turgor.core.results.measures.measures import find_measure  # here, because it loads the engine
 
     return find_measure(name).name
 

@@ -8,8 +8,8 @@ import pytest
 
 BEGIN = """
 import atexit, sys, threading, time
-from turgor.cli.start.ending import leave
-from turgor.loops import POOL
+from turgor.cli.start.fast_exit import leave
+from turgor.foundation.kernel_cache import POOL
 class Told:
     def __del__(self):
         print("taken apart", flush=True)

@@ -7,7 +7,7 @@ import pytest
 import typer.main
 
 from turgor.cli.start.commands import COMMANDS, app_of
-from turgor.cli.start.late import LATE
+from turgor.cli.start.lazy_imports import LATE
 
 
 def said(script: str) -> list[str]:

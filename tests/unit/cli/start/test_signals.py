@@ -9,7 +9,7 @@ import pytest
 
 from turgor.cli.exits import _said
 from turgor.cli.start.signals import RUN, STUDY, ends_at_once
-from turgor.errors import TurgorError
+from turgor.foundation.errors import TurgorError
 
 
 def interrupted_inside() -> None:

@@ -5,12 +5,12 @@ from pathlib import Path
 
 import pytest
 
-from turgor.errors import TurgorError
-from turgor.job.again import report_folder
+from turgor.core.results.files.response_csv import read_response
+from turgor.foundation.errors import TurgorError
 from turgor.job.output.manifest import MANIFEST, PREVIOUS, listed, own_files, set_aside
+from turgor.job.postprocess import report_folder
 from turgor.job.read import read_job
 from turgor.job.run import run_job
-from turgor.results.files.response_csv import read_response
 
 JOB = """
 [actuator]

@@ -14,12 +14,12 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.engine.fields import cell_fields
-from turgor.errors import TurgorError
-from turgor.job.again import measure_folder, report_folder
+from turgor.core.engine.fields import cell_fields
+from turgor.core.results.files.response_csv import read_response
+from turgor.foundation.errors import TurgorError
+from turgor.job.postprocess import measure_folder, report_folder
 from turgor.job.read import read_job
 from turgor.job.run import run_job
-from turgor.results.files.response_csv import read_response
 
 JOB = """
 [actuator]
@@ -205,7 +205,7 @@ def test_a_report_evaluates_each_state_once(file, tmp_path, monkeypatch):
         seen.append(displacement.tobytes())
         return cell_fields(model, displacement, *rest)
 
-    monkeypatch.setattr("turgor.results.fields.state_fields.cell_fields", counted)
+    monkeypatch.setattr("turgor.core.results.fields.state_fields.cell_fields", counted)
     outcome = report_folder(folder, lambda text: None)
     assert len(seen) == len(set(seen)) == len(outcome.solution.states) > 3
 
@@ -273,7 +273,7 @@ def test_a_disk_that_fills_up_on_the_way_keeps_the_states_before(file, whole, tm
             raise OSError(errno.ENOSPC, "No space left on device")
         os.rename(part, final)
 
-    monkeypatch.setattr("turgor.store.whole.os.replace", replace_while_there_is_room)
+    monkeypatch.setattr("turgor.foundation.store.atomic_files.os.replace", replace_while_there_is_room)
     with pytest.raises(OSError, match="No space left") as raised:
         run_job(read_job(file), tmp_path / "run", threads=1)
     assert str(raised.value.filename) == written[-1]

@@ -1,0 +1,90 @@
+"""Findings from the estimated mesh errors of a response."""
+
+from collections.abc import Sequence
+from math import isfinite
+
+from turgor.core.results.error_text import last_with_error
+from turgor.foundation.finding import Finding, Severity
+from turgor.foundation.response import Column, Response
+
+#: Relative mesh errors of the last state above which a measure gets a note, and a warning.
+NOTED, DOUBTED = 0.02, 0.05
+
+#: A value this small a share of the largest one of its column has no relative error.
+SMALL = 1e-6
+
+#: Measures that do not converge, or whose value may be nearly zero.
+LEFT_OUT = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "contact_area", "bearing_distance")
+
+#: Finding that is kept only where the mesh error is noted.
+ONLY_WITH_ERROR = "G01"
+
+
+def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Report measures with a large mesh error (N02), and keep the findings about the mesh that matter.
+
+    Parameters
+    ----------
+    response : Response
+        With mesh errors, as far as they are known.
+    before : sequence of Finding
+        Findings about the mesh, before the solve.
+
+    Returns
+    -------
+    tuple of Finding
+        ``before``, without G01 (walls that are one cell thick) where the estimated errors are small, and N02 where a
+        measure has an error of more than 2 %.
+    """
+    errors = {column.name: _relative(response, column) for column in response.quantities}
+    known = {name: error for name, error in errors.items() if error is not None}
+    large = {name: error for name, error in known.items() if error > NOTED and not _left_out(name)}
+    kept = tuple(found for found in before if found.code != ONLY_WITH_ERROR or large or not known)
+    if not large:
+        return kept
+    worst = sorted(large, key=lambda name: -large[name])
+    listed = ", ".join(
+        f"{response.find(name).label.split(' [')[0]} {last_with_error(response, response.find(name))} "
+        f"({100 * large[name]:.2g} %)"
+        for name in worst
+    )
+    doubted = large[worst[0]] > DOUBTED
+    return (
+        *kept,
+        Finding(
+            code="N02",
+            severity=Severity.WARNING if doubted else Severity.NOTE,
+            message=f"The estimated mesh error at the last state is larger than {100 * NOTED:g} %: {listed}.",
+            advice='Use hexahedra where the family has them (cells = "hexahedra"; the default where no size is given), '
+            'or a smaller mesh size, or let the mesh be refined where the error comes from: target = "2 %" in [mesh], '
+            "or mesh_to in Python.",
+        ),
+    )
+
+
+def matter(findings: Sequence[Finding], mesh_error: bool) -> tuple[Finding, ...]:
+    """Return the findings that a person should see before a solve: errors and warnings.
+
+    Parameters
+    ----------
+    findings : sequence of Finding
+    mesh_error : bool
+        Whether the mesh error will be estimated; G01 waits for it then.
+    """
+    return tuple(
+        found
+        for found in findings
+        if found.severity is not Severity.NOTE and not (mesh_error and found.code == ONLY_WITH_ERROR)
+    )
+
+
+def _relative(response: Response, column: Column) -> float | None:
+    errors = response.mesh_error(column.name)
+    if errors is None or not isfinite(errors[-1]):
+        return None
+    last, largest = abs(float(column.values[-1])), float(abs(column.values).max())
+    return float(errors[-1]) / last if last > SMALL * largest else None
+
+
+def _left_out(name: str) -> bool:
+    return name.startswith(LEFT_OUT) or name.endswith(LEFT_OUT)

@@ -1,0 +1,316 @@
+"""Mesh error: how far each measure of each state is from what finer cells would give.
+
+A few states of the path are solved for again on a second mesh, in which the cells with most of the error are cut in all
+directions. The estimate is the difference of a measure between the two meshes, scaled up by the error that the second
+mesh still has. Between these states it is interpolated along the path, relative to the change of the measure.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from itertools import pairwise
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.accuracy.adaptivity.indicator import error_indicator
+from turgor.accuracy.adaptivity.paired_states import FoundAgain, on_coarse_mesh
+from turgor.accuracy.adaptivity.refine import refined
+from turgor.accuracy.adaptivity.second_mesh import SecondMesh
+from turgor.core.engine.runtime import EngineOptions, use_threads
+from turgor.core.engine.transfer import Transfer
+from turgor.core.meshing.refining.refinement import Refinement
+from turgor.core.results.fields.state_fields import MeshFacts, StateFields
+from turgor.core.results.measures.measure import Measure
+from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.solution import Solution, State
+from turgor.foundation.display import brief
+from turgor.foundation.finding import Finding, Severity
+
+Array = NDArray[np.float64]
+
+#: Places of the states that are solved for again, as shares of the length of the path; the last one first.
+PLACES = (1.0, 0.5, 0.2)
+
+#: Work of the estimate over that of the solve.
+SHARE_OF_WORK = 0.5
+
+#: Growth of the number of cells from the first mesh to the second. Beyond the first number more states are found again
+#: than more cells are cut; the second one cuts them all. At least it is, by the nodes of a cell:
+ENOUGH_GROWTH, FULL_GROWTH = 3.0, 8.0
+LEAST_GROWTH = {10: 2.0, 27: 2.5}
+
+#: The same on a mesh that was refined already, where the error is spread over many cells.
+LEAST_GROWTH_REFINED = 3.0
+
+#: A factorization of n unknowns takes n to this power.
+COST_EXPONENT = 1.5
+
+#: Factorizations that a state needs on the second mesh, without and with contact.
+FACTORIZATIONS, FACTORIZATIONS_TOUCHING = 2.5, 15.0
+
+#: The estimate is the difference between the meshes times the first number, over the captured share of the error to the
+#: power of the second one; set on the truth set (`docs/truth.md`).
+REMAINDER, CAPTURED_POWER = 1.0, 0.7
+
+#: A measure may differ little between two meshes by accident. The difference is at least its change from rest times the
+#: relative difference of all displacements, unless the measure differs by less than this: it was prescribed then.
+PRESCRIBED = 1e-5
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class MeshError:
+    """Estimated mesh error of measures along a path.
+
+    Parameters
+    ----------
+    errors : mapping of str to (n,) array [SI]
+        Estimated size of the error of each measure at each state, not negative; nan where nothing is known.
+    unknowns : int
+        Unknowns of the second mesh.
+    states : tuple of int
+        Numbers of the states that were found again.
+    seconds : float [s]
+        What it took.
+    finding : Finding or None
+        Why there is no estimate, where there is none.
+    """
+
+    errors: Mapping[str, Array]
+    unknowns: int = 0
+    states: tuple[int, ...] = ()
+    seconds: float = 0.0
+    finding: Finding | None = None
+
+    __repr__ = brief
+
+
+def estimate_mesh_error(
+    solution: Solution,
+    measures: Sequence[Measure],
+    options: EngineOptions | None = None,
+    refined_before: bool = False,
+    linear: bool = False,
+) -> MeshError:
+    """Estimate the mesh error of measures at every state of a path.
+
+    Parameters
+    ----------
+    solution : Solution
+    measures : sequence of Measure
+    options : EngineOptions, optional
+        How the engine runs on the second mesh.
+    refined_before : bool
+        Whether the mesh was refined where the error comes from; the second mesh is finer then.
+    linear : bool
+        Whether one linear solve on the second mesh is enough, of all measures at the last state. What it gives is the
+        residual on that mesh, weighted with the adjoint of each measure there, since both follow from one tangent.
+
+    Returns
+    -------
+    MeshError
+        With nan and a finding (N03) where it cannot be estimated: motion and friction depend on all that was before.
+    """
+    reason = why_not(solution)
+    found = None if reason else _second(solution, options or EngineOptions(), (refined_before, linear))
+    if found is None or not found.pairs:
+        unknown = {each.name: np.full(len(solution.states), np.nan) for each in measures}
+        return MeshError(errors=unknown, finding=_not_estimated(reason or "no state was found on the second mesh"))
+    values = _read(solution.states, measures)
+    known = _read_again(solution, found, measures, values)
+    errors = {
+        each.name: _along_path(path_length(solution), each, (values[:, k], known[:, k]), found)
+        for k, each in enumerate(measures)
+    }
+    return MeshError(errors=errors, unknowns=found.unknowns, states=tuple(found.pairs), seconds=found.seconds)
+
+
+def _second(solution: Solution, options: EngineOptions, how: tuple[bool, bool]) -> FoundAgain | None:
+    """States of a path on another mesh: those that led it on a coarser one, else some that are solved for again."""
+    return on_coarse_mesh(solution) or find_again(solution, options, *how)
+
+
+@lru_cache(maxsize=1)
+def find_again(
+    solution: Solution, options: EngineOptions, refined_before: bool = False, linear: bool = False
+) -> FoundAgain | None:
+    """Solve for a few states of a path on a second mesh; on a coarser one where this fails because sheets wrinkle.
+
+    Only the last one, by a linear solve, if ``linear``. The last result is kept, because a solution may be measured
+    more than once.
+    """
+    began = perf_counter()
+    count, growth = plan(solution, refined_before)
+    chosen = _chosen(solution, 1 if linear else count)
+    if not chosen:
+        return None
+    shares = np.mean([error_indicator(solution.states[number]) for number in chosen[:2]], axis=0)
+    found = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, growth), options, linear)
+    least = LEAST_GROWTH[solution.model.mesh.cell_type.nodes]
+    if not found.pairs:
+        every = _chosen(solution, len(PLACES))
+        coarser = refined(solution.model.mesh, shares, least)
+        found = _on_second_mesh(solution, every, coarser, options, linear, enough=1)
+    return replace(found, seconds=perf_counter() - began)
+
+
+def _on_second_mesh(
+    solution: Solution,
+    chosen: list[int],
+    second: tuple[Refinement, float],
+    options: EngineOptions,
+    linear: bool,
+    enough: int = len(PLACES),
+) -> FoundAgain:
+    """Solve for chosen states, until enough are found, on a refined mesh that captures a share of the error."""
+    refinement, captured = second
+    transfer = Transfer(solution.model.mesh, refinement)
+    mesh = SecondMesh(refinement, transfer, options)
+    pairs: dict[int, State] = {}
+    moved: dict[int, float] = {}
+    with use_threads(options.threads):
+        for number in chosen:
+            if len(pairs) == enough:
+                break
+            state = solution.states[number]
+            found = mesh.found_again(state, procedure_of(solution, state), linear=linear)
+            if found is not None:
+                before = transfer.nodal(state.displacement)
+                pairs[number] = found
+                moved[number] = float(np.linalg.norm(found.displacement - before) / np.linalg.norm(before))
+    factor = REMAINDER / max(captured, 0.05) ** CAPTURED_POWER
+    return FoundAgain(pairs, moved, refinement.mesh.unknown_count, factor, 0.0)
+
+
+def why_not(solution: Solution) -> str:
+    """Say why states of a path cannot be solved for on another mesh; empty where they can."""
+    procedures = solution.procedure.stages if isinstance(solution.procedure, Stages) else ()
+    moving = [solution.procedure, *(stage.procedure for stage in procedures)]
+    if any(isinstance(each, Dynamic) for each in moving):
+        return "the actuator moves, and every state depends on all before it"
+    contact = solution.model.contact
+    frictions = [obstacle.friction for obstacle in contact.obstacles]
+    if contact.self_contact is not None:
+        frictions.append(contact.self_contact.friction)
+    if any(frictions):
+        return "something rubs, and every state depends on all before it"
+    if solution.model.mesh.cells.shape[1] == 20:
+        return "cells of 20 nodes cannot be cut"
+    return "" if len(solution.states) > 1 else "there is no state but the one at rest"
+
+
+def _not_estimated(reason: str) -> Finding:
+    return Finding(
+        code="N03",
+        severity=Severity.NOTE,
+        message=f"The mesh error was not estimated: {reason}.",
+        advice="Compare two meshes yourself: `turgor convergence` does.",
+    )
+
+
+def procedure_of(solution: Solution, state: State) -> OneProcedure:
+    """Return the procedure that found a state: in a sequence that of its stage."""
+    if isinstance(solution.procedure, Stages):
+        named = {stage.name: stage.procedure for stage in solution.procedure.stages}
+        return named.get(state.stage, solution.procedure.stages[-1].procedure)
+    return solution.procedure
+
+
+def plan(solution: Solution, refined_before: bool) -> tuple[int, float]:
+    """How many states are solved for again, and by how much the number of cells grows, for half the work of the solve.
+
+    Work is counted in factorizations, so that the estimate does not depend on how busy the machine is.
+    """
+    touching = any(touch.area > 0 for touch in solution.states[-1].touches.values())
+    needed = FACTORIZATIONS_TOUCHING if touching else FACTORIZATIONS
+    affordable = SHARE_OF_WORK * max(solution.timing.factorizations, 1) / needed
+    count = 1
+    while count < len(PLACES) and (affordable / (count + 1)) ** (1 / COST_EXPONENT) > ENOUGH_GROWTH:
+        count += 1
+    growth = (affordable / count) ** (1 / COST_EXPONENT)
+    least = LEAST_GROWTH_REFINED if refined_before else LEAST_GROWTH[solution.model.mesh.cell_type.nodes]
+    return count, float(np.clip(growth, least, FULL_GROWTH))
+
+
+def path_length(solution: Solution) -> Array:
+    """How far along the path each state is, (n,) from 0 to 1: sums of the distances between displacements."""
+    moved = [state.displacement for state in solution.states]
+    steps = [float(np.linalg.norm(b - a)) for a, b in pairwise(moved)]
+    total = np.concatenate([[0.0], np.cumsum(steps)])
+    return np.asarray(total / total[-1] if total[-1] > 0 else np.linspace(0, 1, len(total)))
+
+
+def _chosen(solution: Solution, count: int) -> list[int]:
+    """Numbers of the states to be found again, in the order of interest."""
+    place = path_length(solution)
+    out: list[int] = []
+    for share in PLACES[:count]:
+        number = int(np.abs(place[1:] - share).argmin()) + 1
+        if number not in out:
+            out.append(number)
+    return out
+
+
+def _read(states: Sequence[State], measures: Sequence[Measure]) -> Array:
+    """Measures (n, m) of states on one mesh; the fields of a state are shared by its measures, then dropped."""
+    facts = MeshFacts(states[0].model.mesh)
+    alone = [k for k, each in enumerate(measures) if each.along is None]
+    out = np.empty((len(states), len(measures)))
+    for number, state in enumerate(states):
+        at = StateFields(state, facts)
+        out[number, alone] = [measures[k](at) for k in alone]
+    for k, each in enumerate(measures):
+        if each.along is not None:
+            out[:, k] = each.read([StateFields(state, facts) for state in states])
+    return out
+
+
+def _read_again(solution: Solution, found: FoundAgain, measures: Sequence[Measure], values: Array) -> Array:
+    """Measures (k, m) of the states that were found again, in their order.
+
+    A sum along the path is made over these states alone on both meshes; the difference is added to its value.
+    """
+    numbers = sorted(found.pairs)
+    again = [found.pairs[number] for number in numbers]
+    sums = [k for k, each in enumerate(measures) if each.along is not None]
+    out = np.empty((len(numbers), len(measures)))
+    alone = [k for k in range(len(measures)) if k not in sums]
+    out[:, alone] = _read(again, [measures[k] for k in alone])
+    if sums:
+        rest = _at_rest(again[0])
+        few = [solution.states[0], *(solution.states[number] for number in numbers)]
+        first, second = (_read(path, [measures[k] for k in sums])[1:] for path in (few, [rest, *again]))
+        out[:, sums] = values[np.ix_(numbers, sums)] + second - first
+    return out
+
+
+def _at_rest(state: State) -> State:
+    """The undeformed state on the mesh of a state."""
+    return replace(
+        state,
+        load_factor=0.0,
+        displacement=np.zeros_like(state.displacement),
+        mean_stress=np.zeros_like(state.mean_stress),
+        nodal_force=np.zeros_like(state.nodal_force),
+        touches={},
+        pressures=dict.fromkeys(state.pressures, 0.0),
+        memory=None,
+        points={},
+    )
+
+
+def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], found: FoundAgain) -> Array:
+    """Estimated error (n,) of a measure, read at all states and at those that were found again, by their places."""
+    (values, known), numbers = read, sorted(found.pairs)
+    difference = known - values[numbers]
+    if measure.unwrap:
+        values, difference = np.unwrap(values), np.arctan2(np.sin(difference), np.cos(difference))
+    change = np.abs(values - (values[0] if np.isfinite(values[0]) else 0.0))  # what is straight at rest has no radius
+    size = np.abs(difference)
+    least = np.array([found.moved[number] for number in numbers]) * change[numbers]
+    size = np.where(size > PRESCRIBED * change[numbers], found.factor * np.maximum(size, least), size)
+    if (change[numbers] > 1e-6 * max(float(np.nanmax(np.abs(values))), 1e-300)).all():
+        return np.asarray(np.interp(place, place[numbers], size / change[numbers]) * change)
+    return np.asarray(np.interp(place, [0.0, *place[numbers]], [0.0, *size]))

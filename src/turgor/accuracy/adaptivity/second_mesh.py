@@ -1,0 +1,264 @@
+"""Second mesh: solve for states of a path on a refined mesh, each from its interpolated start."""
+
+from dataclasses import dataclass, field, replace
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.linear import SingularTangentError
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.cells.internal_variables import History
+from turgor.core.engine.chamber_volumes import Chambers
+from turgor.core.engine.points.read_motion import motions
+from turgor.core.engine.runtime import EngineOptions
+from turgor.core.engine.system import Evaluation, Stresses, System
+from turgor.core.engine.transfer import Transfer
+from turgor.core.meshing.refining.refinement import Refinement
+from turgor.core.model.model import Model
+from turgor.core.solvers.constraints.cavities import CavityPressures, VolumeTarget
+from turgor.core.solvers.constraints.constraint import Constraint, Target
+from turgor.core.solvers.constraints.load_factor import LoadFactor, WorkTarget
+from turgor.core.solvers.constraints.loads import load_control
+from turgor.core.solvers.continuation.scalar_control.cavity_control import asked_cavities
+from turgor.core.solvers.newton.contact_newton import newton_with_contact
+from turgor.core.solvers.newton.convergence import relative_residual
+from turgor.core.solvers.newton.newton import NewtonSettings, Start, newton
+from turgor.core.solvers.procedures.arc_length import ArcLength
+from turgor.core.solvers.procedures.auto import Auto
+from turgor.core.solvers.procedures.gas_mass import GasMass
+from turgor.core.solvers.procedures.stages import OneProcedure
+from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.solution import State
+from turgor.core.solvers.states import acting_pressures, touches
+
+Array = NDArray[np.float64]
+
+#: The equations on the second mesh, their tangent, and the internal variables of the step.
+Equations = tuple[System, Tangent, History]
+
+#: Relative residual on the second mesh where pressures are unknown.
+SETTINGS = NewtonSettings(tolerance=1e-4, max_iterations=12)
+
+#: The same with contact, or where simple updates diverge: for an estimate, and for a state that takes the place of the
+#: first one.
+ROUGH_SETTINGS = NewtonSettings(tolerance=1e-3, max_iterations=12)
+EXACT_SETTINGS = NewtonSettings(tolerance=1e-5, max_iterations=30)
+
+#: One update, whatever it leaves: an estimate by a linear solve.
+LINEAR_SETTINGS = NewtonSettings(tolerance=inf, max_iterations=1)
+
+#: Relative residual of a state that takes the place of the first one, as `Static` has it.
+TOLERANCE = 1e-6
+
+#: Updates at most; the last one is this small a share of the whole correction, which is the mesh error that is looked
+#: for. New factors are made where an update is not this much smaller than the one before.
+UPDATES, SMALL, CONTRACTION = 12, 0.03, 0.6
+
+#: The same where old factors fail, as where threads go slack and taut from one update to the next. It is good enough
+#: for an estimate.
+CHATTER = 0.2
+
+#: Scaled displacements smaller than this are zero.
+ROUNDING = 1e-14
+
+#: A correction larger than this share of the displacement leads to another equilibrium.
+FAR = 0.3
+
+
+@dataclass(slots=True, eq=False)
+class SecondMesh:
+    """A refined mesh and the equations on it, for every model that the states of one path belong to.
+
+    Parameters
+    ----------
+    refinement : Refinement
+    transfer : Transfer
+        From the mesh of the path to it.
+    options : EngineOptions
+    """
+
+    refinement: Refinement
+    transfer: Transfer
+    options: EngineOptions
+    _known: list[tuple[Model, tuple[str, ...], System, Tangent]] = field(default_factory=list)
+
+    def found_again(
+        self, state: State, procedure: OneProcedure, exact: bool = False, linear: bool = False
+    ) -> State | None:
+        """Find a state on the refined mesh under the constraint of its procedure; None where Newton's method fails.
+
+        ``exact`` asks for the tolerance of a solve, not only for a good estimate of the mesh error; ``linear`` for one
+        linear solve alone, where the loads are given.
+        """
+        controlled = _controlled(state, procedure)
+        system, tangent = self._equations(state.model, controlled)
+        history = system.history(self.transfer.memory(state.memory), 0.0 if state.memory is not None else inf)
+        start, equations = self._start(system, state), (system, tangent, history)
+        free = controlled or (isinstance(procedure, ArcLength | Auto) and state.model.pressures)
+        try:
+            if free:
+                return _at_volume(equations, start, state, controlled)
+            if linear:
+                return _linearly(equations, start, state)
+            return _at_load(equations, start, state, exact or isinstance(procedure, ArcLength | Auto))
+        except (SingularTangentError, np.linalg.LinAlgError):
+            return None
+
+    def at_rest(self, state: State) -> State:
+        """Transfer the undeformed state to the refined mesh."""
+        return replace(
+            state,
+            model=replace(state.model, mesh=self.refinement.mesh),
+            displacement=self.transfer.nodal(state.displacement),
+            mean_stress=self.transfer.mean_stress(
+                state.model, replace(state.model, mesh=self.refinement.mesh), state.mean_stress
+            ),
+            nodal_force=np.zeros_like(self.refinement.mesh.points),
+            touches={},
+        )
+
+    def _equations(self, model: Model, controlled: tuple[str, ...]) -> tuple[System, Tangent]:
+        for known, faces, system, tangent in self._known:
+            if known is model and faces == controlled:
+                return system, tangent
+        system = System(replace(model, mesh=self.refinement.mesh), controlled)
+        tangent = Tangent(system, self.options.linear_solver, self.options.threads, self.options.iteration)
+        self._known = [(model, controlled, system, tangent)]  # one at a time: factors are large
+        return system, tangent
+
+    def _start(self, system: System, state: State) -> Array:
+        """Scaled unknowns of a state, interpolated."""
+        moved = self.transfer.nodal(state.displacement)
+        mean = self.transfer.mean_stress(state.model, system.model, state.mean_stress)
+        obstacles = {obstacle.name: obstacle for obstacle in system.model.contact.obstacles}
+        springs = [
+            (state.touches[name].place - obstacles[name].displacement(0.0)) / system.length
+            for name in system.contact.bodies.names
+        ]
+        return np.concatenate([system.unknowns(moved, mean), *springs])
+
+
+def _controlled(state: State, procedure: OneProcedure) -> tuple[str, ...]:
+    """Cavities whose pressure the procedure found."""
+    if not isinstance(procedure, VolumeControl | GasMass):
+        return ()
+    return asked_cavities(state.model, procedure)
+
+
+def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -> State | None:
+    """Equilibrium at the load factor of the state, with the accuracy that the estimate needs."""
+    system, tangent, history = equations
+    at = system.evaluate(unknowns, state.load_factor, history=history)
+    if at is None:
+        return None
+    if any(touch.area > 0 for touch in state.touches.values()):
+        return _carefully(system, tangent, at, state, exact)
+    first, whole = at, np.zeros(int(system.moving.sum()))
+    size_of_state = float(np.linalg.norm(unknowns[system.moving]))
+    before, fresh, hard, geometric = np.inf, True, False, system.stresses(at) if tangent.mixed_points else None
+    for _ in range(UPDATES):
+        update, made = _update(system, tangent, at, geometric if fresh else None, fresh)
+        new = system.evaluate(at.unknowns + update, state.load_factor, history=history)
+        moved = update[system.moving]
+        size, total = float(np.linalg.norm(moved)), float(np.linalg.norm(whole + moved))
+        if not made and (new is None or size > before):
+            fresh = hard = True  # with new factors, as where a thread goes slack
+            continue
+        if new is None or total > FAR * size_of_state:
+            break
+        small = CHATTER if hard and not exact else SMALL
+        if size <= small * total and (not exact or relative_residual(system, new) <= TOLERANCE):
+            return _state(system, new, state, tangent.unstable_modes())
+        fresh, before = hard or size > CONTRACTION * before, size
+        if tangent.mixed_points:
+            geometric = system.stresses(at, update, geometric)
+        at, whole = new, whole + moved
+    return _carefully(system, tangent, first, state, exact)
+
+
+def _update(
+    system: System, tangent: Tangent, at: Evaluation, geometric: Stresses | None, fresh: bool
+) -> tuple[Array, bool]:
+    """Newton update, with new factors if ``fresh`` or if held unknowns move; and whether they are new."""
+    jump = system.prescribed(at.load_factor) - at.unknowns[system.held]
+    jump[np.abs(jump) < ROUNDING] = 0.0  # else each would cost a tangent
+    fresh = fresh or bool(jump.any())
+    coupling = tangent.factor(at, geometric, jump) if fresh else np.zeros(system.size)
+    right = -at.residual - coupling
+    right[system.held] = jump
+    return tangent.solve(right), fresh
+
+
+def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, exact: bool) -> State | None:
+    """Equilibrium by the Newton's method of a solve: with contact, or where simple updates diverge."""
+    start = Start(at.unknowns, system.stresses(at), evaluation=at)
+    constraint = load_control(system, history=at.history)
+    settings = EXACT_SETTINGS if exact else ROUGH_SETTINGS
+    result = newton_with_contact(constraint, tangent, start, state.load_factor, settings, _unheard)
+    if not result.converged or result.evaluation is None:
+        return None
+    moved = (result.evaluation.unknowns - at.unknowns)[system.moving]
+    if np.linalg.norm(moved) > FAR * np.linalg.norm(at.unknowns[system.moving]):
+        return None  # another equilibrium
+    return _state(system, result.evaluation, state, result.unstable_modes)
+
+
+def _linearly(equations: Equations, unknowns: Array, state: State) -> State | None:
+    """The state after one update of Newton's method at its load factor; None where it leads far away."""
+    system, tangent, history = equations
+    start = Start(unknowns, None, np.zeros(0))
+    constraint = load_control(system, history=history)
+    found = newton(constraint, tangent, start, state.load_factor, LINEAR_SETTINGS, _unheard).evaluation
+    if found is None:
+        return None
+    moved = (found.unknowns - unknowns)[system.moving]
+    if np.linalg.norm(moved) > FAR * np.linalg.norm(unknowns[system.moving]):
+        return None
+    return _state(system, found, state)
+
+
+def _at_volume(equations: Equations, unknowns: Array, state: State, controlled: tuple[str, ...]) -> State | None:
+    """Equilibrium with the volumes of the state; pressures, or the load factor, are unknown."""
+    system, tangent, history = equations
+    if controlled:
+        chambers = Chambers(system, controlled)
+        volumes = chambers.volumes(unknowns)
+        target: Target = VolumeTarget(chambers, volumes, np.zeros_like(volumes))
+        constraint = Constraint.of(CavityPressures(system), target, history=history)
+        scalars = np.array([state.pressures[name] for name in controlled]) / system.stress_scale
+        parameter = state.load_factor
+    else:
+        weights = {load.face: load.pressure for load in state.model.pressures}
+        chambers = Chambers(system, tuple(weights))
+        shares = np.array(list(weights.values())) / max(map(abs, weights.values()))
+        now, rest = (float(shares @ chambers.volumes(x)) for x in (unknowns, np.zeros(system.size)))
+        target = WorkTarget(chambers, shares, rest, now)
+        constraint = Constraint.of(LoadFactor(system), target, history=history)
+        scalars, parameter = np.array([state.load_factor]), 1.0
+    start = Start(unknowns, None, scalars)
+    result = newton(constraint, tangent, start, parameter, SETTINGS, _unheard)
+    if not result.converged or result.evaluation is None:
+        return None
+    return _state(system, result.evaluation, state)
+
+
+def _state(system: System, at: Evaluation, state: State, modes: int | None = None) -> State:
+    displacement, mean_stress = system.physical(at.unknowns)
+    return replace(
+        state,
+        model=system.model,
+        load_factor=at.load_factor,
+        displacement=displacement,
+        mean_stress=mean_stress,
+        nodal_force=system.nodal_forces(at),
+        points=motions(system, at),
+        unstable_modes=modes,
+        touches=touches(system, at),
+        pressures={**state.pressures, **acting_pressures(system, at)},
+        memory=at.history.memory,
+    )
+
+
+def _unheard(iteration: int, residual: float, correction: float, step_length: float) -> None:
+    """Report nothing: the progress of a run is that of its path."""

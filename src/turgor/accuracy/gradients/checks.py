@@ -1,0 +1,159 @@
+"""Refusals: states whose derivative is not exact, each with a sentence that says why and what to do."""
+
+from turgor.core.materials.material import Material
+from turgor.core.results.measures.measure import Measure
+from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.gas_mass import GasMass
+from turgor.core.solvers.procedures.stabilized import Stabilized
+from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.solution import Solution, State
+from turgor.foundation.errors import TurgorError
+
+
+def check_state(solution: Solution, number: int) -> State:
+    """Return a state of a path, if its derivatives can be computed.
+
+    Parameters
+    ----------
+    solution : Solution
+    number : int
+        Of the state, from the end where it is negative.
+
+    Returns
+    -------
+    State
+
+    Raises
+    ------
+    TurgorError
+        If there is no such state, or it depends on all that was before.
+    """
+    count = len(solution.states)
+    if not -count <= number < count:
+        raise TurgorError(f"state is {number}; the path has the states 0 to {count - 1}, or -1 for the last one.")
+    state = solution.states[number]
+    reason = depends_on_history(solution, state)
+    if reason:
+        raise TurgorError(f"the gradient is not computed: {reason}.")
+    if number % count in {point.state for point in solution.limit_points}:
+        raise limit_point(state)
+    return state
+
+
+def depends_on_history(solution: Solution, state: State) -> str:
+    """Say why a state depends on more than its own equations; empty where it does not.
+
+    Parameters
+    ----------
+    solution : Solution
+    state : State
+
+    Returns
+    -------
+    str
+    """
+    procedures = procedures_before(solution, state)
+    now = procedures[-1]
+    if any(isinstance(each, Dynamic) for each in procedures):
+        return "the actuator moves, and every state depends on all before it; take Static"
+    if isinstance(now, Stabilized):
+        return "artificial viscosity acts in the states of Stabilized; go on with a stage of Static and take its states"
+    if getattr(now, "duration", None) is not None and any(m.viscoelasticity for m in _rubbers(state)):
+        return (
+            "the rubber relaxes during the procedure's duration, and every state depends on all before it; without a "
+            "duration the relaxed rubber has a gradient"
+        )
+    if any(m.stress_softening for m in _rubbers(state)):
+        return (
+            "the rubber softens, and every state depends on the largest stretch before it; leave stress_softening out"
+        )
+    if rubs(state):
+        return "something rubs, and every state depends on all before it; set friction to 0"
+    if len(procedures) > 1 and any(isinstance(each, VolumeControl | GasMass) for each in procedures):
+        return "pressures were found in one stage and act in another; take one stage, or state the pressures"
+    if isinstance(now, GasMass) and now.pressure:
+        return (
+            "the gas is sealed at a pressure, and its amount depends on the state there; leave procedure.pressure out"
+        )
+    return ""
+
+
+def procedures_before(solution: Solution, state: State) -> tuple[OneProcedure, ...]:
+    """Return the procedures up to the one that found a state.
+
+    Parameters
+    ----------
+    solution : Solution
+    state : State
+
+    Returns
+    -------
+    tuple of OneProcedure
+    """
+    if not isinstance(solution.procedure, Stages):
+        return (solution.procedure,)
+    found = []
+    for stage in solution.procedure.stages:
+        found.append(stage.procedure)
+        if stage.name == state.stage:
+            break
+    return tuple(found)
+
+
+def rubs(state: State) -> bool:
+    """Whether friction may act anywhere.
+
+    Parameters
+    ----------
+    state : State
+
+    Returns
+    -------
+    bool
+    """
+    contact = state.model.contact
+    frictions = [obstacle.friction for obstacle in contact.obstacles]
+    if contact.self_contact is not None:
+        frictions.append(contact.self_contact.friction)
+    return any(frictions)
+
+
+def check_alone(measure: Measure) -> None:
+    """Refuse a measure that is a sum along a path.
+
+    Parameters
+    ----------
+    measure : Measure
+
+    Raises
+    ------
+    TurgorError
+    """
+    if measure.along is not None:
+        raise TurgorError(
+            f"measure '{measure.name}' is a sum along the path, which a gradient at one state does not know; "
+            "take measures of a state."
+        )
+
+
+def limit_point(state: State) -> TurgorError:
+    """Make the error for a state at which the tangent is singular.
+
+    Parameters
+    ----------
+    state : State
+
+    Returns
+    -------
+    TurgorError
+    """
+    return TurgorError(
+        f"the equilibrium at load factor {state.load_factor:.4g} could not be differentiated: the tangent is singular "
+        "or nearly so there, as at a limit point, where measures change infinitely fast with the load; take a state "
+        "away from it, or drive by VolumeControl."
+    )
+
+
+def _rubbers(state: State) -> list[Material]:
+    return list(state.model.region_materials.values())

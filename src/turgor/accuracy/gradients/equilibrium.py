@@ -1,0 +1,261 @@
+"""Equilibrium: a state of a path as a solution of its equations, with the factors of their tangent at hand."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.accuracy.gradients.checks import limit_point
+from turgor.accuracy.gradients.systems import Systems
+from turgor.core.engine.algebra.linear import SingularTangentError
+from turgor.core.engine.chamber_volumes import Chambers
+from turgor.core.engine.runtime import EngineOptions
+from turgor.core.engine.system import Evaluation, System
+from turgor.core.solvers.constraints.cavities import CavityPressures, VolumeTarget
+from turgor.core.solvers.constraints.constraint import Conditions, Constraint, Target
+from turgor.core.solvers.constraints.loads import load_control
+from turgor.core.solvers.continuation.scalar_control.cavity_control import (
+    asked_cavities,
+    gas_target,
+    of_each,
+)
+from turgor.core.solvers.listeners import silent
+from turgor.core.solvers.newton.border import Border
+from turgor.core.solvers.newton.contact_newton import newton_with_contact
+from turgor.core.solvers.newton.convergence import whole_residual
+from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Start
+from turgor.core.solvers.procedures.gas_mass import GasMass
+from turgor.core.solvers.procedures.stages import OneProcedure
+from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.restart import unknowns_of
+from turgor.core.solvers.solution import State
+from turgor.foundation.errors import TurgorError
+
+Array = NDArray[np.float64]
+Pair = tuple[Array, Array]
+
+#: Relative residual of the state before it is differentiated: the derivative is off by about as much as the state. What
+#: a solve leaves, 1e-6, is good enough where round-off or contact lets it fall no further.
+SETTINGS = NewtonSettings(tolerance=1e-9, max_iterations=12, mixed_points=False)
+ENOUGH = 1e-6
+
+#: Updates of the state up to which the factors of its beginning are kept: more of them move it farther.
+FEW_UPDATES = 2
+
+#: Refinements of a solution at most, and the relative update that is left when they end.
+REFINEMENTS, REFINED = 8, 1e-11
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """A state as a solution of its equations.
+
+    Parameters
+    ----------
+    state : State
+    procedure : OneProcedure
+        That found it.
+    system : System
+    border : Border
+        Factored at the state.
+    constraint : Constraint
+        What holds there: given loads, or given volumes or amounts of gas.
+    at : Evaluation
+    scalars : (k,) array
+        The pressures that are sought.
+    systems : Systems
+        Equations that were set up before.
+    """
+
+    state: State
+    procedure: OneProcedure
+    system: System
+    border: Border
+    constraint: Constraint
+    at: Evaluation
+    scalars: Array
+    systems: Systems
+
+    @cached_property
+    def conditions(self) -> Conditions:
+        """What determines the scalars, and how it changes with unknowns and scalars."""
+        return self.constraint.target.conditions(self.at.unknowns, self.state.load_factor, self.scalars)
+
+    @cached_property
+    def columns(self) -> Array:
+        """Derivatives (k, size) of the residual by the scalars, zero at held unknowns."""
+        return np.where(self.system.held, 0.0, self.constraint.sought.columns(self.at))
+
+    def answer(self, right: Array, errors: Array) -> tuple[Array, Array]:
+        """Changes of unknowns and scalars that right sides of equilibrium and conditions cause, refined.
+
+        Factors may be in single precision, and a long soft body amplifies what is left by the square of its length over
+        its thickness. So the answer is refined against the matrix until nothing more is gained.
+        """
+
+        def once(residual: Array, wrong: Array) -> Pair:
+            return self.border.update(residual, self.conditions, -wrong)
+
+        def left(unknowns: Array, scalars: Array) -> Pair:
+            forces = right - self.border.tangent.product(unknowns) - scalars @ self.columns
+            return forces, errors - self.conditions.rows @ unknowns - self.conditions.corner @ scalars
+
+        return _refined(once, left, (right, errors))
+
+    def transposed_answer(self, right: Array) -> tuple[Array, Array]:
+        """Solve the transposed equations, with zero for the conditions: Kᵀ a + Cᵀ b = right, Fᵀ a + Dᵀ b = 0.
+
+        The tangent must be symmetric.
+        """
+        rows, corner = np.where(self.system.held, 0.0, self.conditions.rows), self.conditions.corner.T
+        tangent = self.border.tangent
+        solved = np.array([tangent.solve(row) for row in rows]).reshape(rows.shape)
+        small = corner - self.columns @ solved.T
+
+        def once(residual: Array, wrong: Array) -> Pair:
+            free = tangent.solve(residual)
+            scalars = np.asarray(np.linalg.solve(small, wrong - self.columns @ free), dtype=np.float64)
+            return free - scalars @ solved, scalars
+
+        def left(unknowns: Array, scalars: Array) -> Pair:
+            wrong = self.columns @ unknowns + corner @ scalars
+            return right - tangent.product(unknowns) - scalars @ rows, -wrong
+
+        return _refined(once, left, (right, np.zeros(len(self.scalars))))
+
+
+def _refined(once: Callable[[Array, Array], Pair], left: Callable[[Array, Array], Pair], right: Pair) -> Pair:
+    """Solve a bordered system by its factors, and refine the answer until nothing more is gained."""
+    unknowns, scalars = once(*right)
+    before = np.inf
+    for _ in range(REFINEMENTS):
+        update, change = once(*left(unknowns, scalars))
+        size = float(np.linalg.norm(update)) / max(float(np.linalg.norm(unknowns)), 1e-300)
+        if size > 0.5 * before:
+            break
+        unknowns, scalars = unknowns + update, scalars + change
+        if size * size < REFINED * min(before, 1.0):  # the next update would be smaller by as much again
+            break
+        before = size
+    return unknowns, scalars
+
+
+def equilibrium_of(
+    state: State, procedure: OneProcedure, options: EngineOptions, systems: Systems | None = None
+) -> Equilibrium:
+    """Find a state again, more accurately than a solve does, and factor the tangent there.
+
+    Parameters
+    ----------
+    state : State
+    procedure : OneProcedure
+    options : EngineOptions
+    systems : Systems, optional
+        Where several states of a path are differentiated.
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    TurgorError
+        If Newton's method does not find the state, or the tangent is singular there.
+    """
+    systems = systems or Systems()
+    system = systems.of(state.model, controlled_cavities(state, procedure))
+    constraint = constraint_of(system, state, procedure)
+    try:
+        result, border = _found_again(state, constraint, options, systems)
+    except (SingularTangentError, np.linalg.LinAlgError):
+        raise limit_point(state) from None
+    at = result.evaluation
+    assert at is not None  # _found_again has it
+    conditions = constraint.target.conditions(at.unknowns, state.load_factor, result.scalars)
+    if state.displacement.any() and whole_residual(system, at, conditions) > ENOUGH:
+        raise limit_point(state)
+    return Equilibrium(state, procedure, system, border, constraint, at, result.scalars, systems)
+
+
+def _found_again(
+    state: State, constraint: Constraint, options: EngineOptions, systems: Systems
+) -> tuple[NewtonResult, Border]:
+    """Newton's method from a state, with factors of the tangent where it begins, and the tangent where it ends.
+
+    What a solve leaves takes one update as a rule, after which the factors are as good as new: answers are refined.
+    """
+    system = constraint.sought.system
+    scalars = np.array([state.pressures[name] for name in system.controlled]) / system.stress_scale
+    unknowns = unknowns_of(system, state)
+    if not len(scalars):  # supports are where they should be, up to round-off
+        unknowns[system.held] = system.prescribed(state.load_factor)
+    begin = constraint.evaluate(unknowns, state.load_factor, scalars)
+    if begin is None:
+        raise limit_point(state)
+    system.lay_out(begin)  # the tangent is analyzed once, with what touches
+    tangent = systems.tangent_of(state.model, system, options)
+    border = Border(constraint, tangent)
+    if not len(scalars):
+        border.factor(begin, None, np.zeros(int(system.held.sum())))
+    start = Start(unknowns, None, scalars, begin, fresh=bool(len(scalars)))
+    loaded = bool(state.displacement.any())  # at rest there is nothing but round-off to compare a residual with
+    settings = SETTINGS if loaded else replace(SETTINGS, max_iterations=1)
+    result = newton_with_contact(constraint, tangent, start, state.load_factor, settings, silent)
+    at = result.evaluation
+    if at is None or not np.isfinite(result.residual):
+        raise limit_point(state)
+    if result.iterations <= FEW_UPDATES:
+        border.renew(at)
+    else:
+        border.factor(at, None, np.zeros(int(system.held.sum())))
+    return result, border
+
+
+def controlled_cavities(state: State, procedure: OneProcedure) -> tuple[str, ...]:
+    """Name the cavities whose pressure a procedure sought.
+
+    Parameters
+    ----------
+    state : State
+    procedure : OneProcedure
+
+    Returns
+    -------
+    tuple of str
+    """
+    return asked_cavities(state.model, procedure) if isinstance(procedure, VolumeControl | GasMass) else ()
+
+
+def constraint_of(system: System, state: State, procedure: OneProcedure) -> Constraint:
+    """Return what holds at a state: loads at its load factor, or the volumes or amounts of gas of its cavities.
+
+    Along `ArcLength` and `Auto` the loads are given, too: what is asked is how a measure changes at the same load.
+
+    Parameters
+    ----------
+    system : System
+        Of the model of the state, or of one that differs a little.
+    state : State
+    procedure : OneProcedure
+
+    Returns
+    -------
+    Constraint
+    """
+    history = system.history(step=inf)
+    if not system.controlled:
+        return load_control(system, history=history)
+    chambers = Chambers(system, system.controlled)
+    rest = chambers.volumes(np.zeros(system.size))
+    if isinstance(procedure, VolumeControl):
+        injected = state.load_factor * of_each(procedure.volume, system.controlled) / system.length**3
+        volumes: Target = VolumeTarget(chambers, rest + injected, np.zeros(len(rest)))
+        return Constraint.of(CavityPressures(system), volumes, history=history)
+    if not isinstance(procedure, GasMass):
+        raise TurgorError(f"{type(procedure).__name__} seeks no pressures.")
+    ratios = of_each(procedure.mass_ratio, system.controlled)
+    target = gas_target(chambers, procedure, ratios, (rest, np.zeros(len(rest))))
+    return Constraint.of(CavityPressures(system), target, history=history)

@@ -1,0 +1,194 @@
+"""Keys: the numbers of a model by dotted names, as in a job file, and the model with other ones."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields, is_dataclass, replace
+from functools import reduce
+from math import isfinite
+from typing import Any
+
+from turgor.accuracy.gradients.variation import Variation
+from turgor.core.materials.material import Material
+from turgor.core.model.drive import common_pressure
+from turgor.core.model.loads import Pressure
+from turgor.core.model.model import Model
+from turgor.core.model.sheets import Membrane, Shell
+from turgor.foundation.errors import TurgorError, unknown
+
+#: Parts of a model that hold numbers, by the name that they have in job files.
+_PARTS = {"materials": "materials", "loads": "loads", "fibers": "reinforcements", "supports": "supports"}
+
+#: The key of the pressure where all pressed faces share one.
+COMMON = "loads.pressure"
+
+#: What is no quantity that could change by little: ranges of validity, histories, counts.
+_LEFT_OUT = ("source", "stretch_range", "history", "starts", "viscoelasticity", "stress_softening")
+
+#: Fields whose content counts as that of the whole: constants of the law of a material, of the material of a sheet.
+_THROUGH = {Material: ("law",), Shell: ("material",), Membrane: ("material",)}
+
+#: Units in which numbers are shown, by the last part of their key.
+_UNITS = (
+    (r"pressure", "kPa"),
+    (r"thickness|diameter|spacing|pitch", "mm"),
+    (r"angle_from_\w+", "deg"),
+    (r"bulk_modulus|E|C\d\d|mu", "MPa"),
+)
+
+
+def model_numbers(model: Model) -> dict[str, float]:
+    """Find the numbers of a model by their keys, as those of a job file: ``"materials.body.C10"``.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    dict of str to float [SI]
+        Constants of materials, thickness of layers, fibers, loads, and what supports state.
+    """
+    found: dict[str, float] = {}
+    common = common_pressure(model)
+    if common is not None:
+        found[COMMON] = common.pressure
+    for name, attribute in _PARTS.items():
+        found |= dict(_numbers(name, getattr(model, attribute)))
+    return found
+
+
+def with_number(model: Model, key: str, value: float) -> Model:
+    """Return a model with another number.
+
+    Parameters
+    ----------
+    model : Model
+    key : str
+        One of `model_numbers`, or several with commas between them, which have one number.
+    value : float [SI]
+
+    Returns
+    -------
+    Model
+    """
+    return reduce(lambda made, single: _with_one(made, single, value), key.split(","), model)
+
+
+def model_variation(model: Model, keys: Sequence[str]) -> Variation:
+    """Return a model as a function of some of its numbers.
+
+    Parameters
+    ----------
+    model : Model
+    keys : sequence of str
+        Of `model_numbers`; several with commas between them are one number.
+
+    Returns
+    -------
+    Variation
+
+    Raises
+    ------
+    TurgorError
+        If the model has no such number, with the near match, or keys that stand for one have different numbers.
+    """
+    known = model_numbers(model)
+    values: dict[str, float] = {}
+    for key in keys:
+        found = [_found(known, single) for single in key.split(",")]
+        if len(set(found)) > 1:
+            raise TurgorError(f"'{key}' has the numbers {' and '.join(f'{each:g}' for each in found)}; one is needed.")
+        values[key] = found[0]
+    units = {key: unit for key in keys if (unit := _unit_of(key))}
+
+    def made(numbers: Mapping[str, float]) -> Model:
+        return reduce(lambda so_far, key: with_number(so_far, key, numbers[key]), numbers, model)
+
+    return Variation(made, values, units)
+
+
+def _found(known: Mapping[str, float], key: str) -> float:
+    if key not in known:
+        same = [each for each in known if each.split(".")[0] == key.split(".")[0]]
+        raise unknown("number of the model", key, same or known)
+    return known[key]
+
+
+def _unit_of(key: str) -> str:
+    """Unit in which a number is shown; empty for SI."""
+    parts = [part for part in key.split(",")[0].split(".") if not part.isdigit()]
+    return next((unit for pattern, unit in _UNITS if re.fullmatch(pattern, parts[-1])), "")
+
+
+def _with_one(model: Model, key: str, value: float) -> Model:
+    if key == COMMON:
+        pressed = (replace(each, pressure=value) if isinstance(each, Pressure) else each for each in model.loads)
+        return replace(model, loads=tuple(pressed))
+    head, *rest = key.split(".")
+    attribute = _PARTS[head]
+    return replace(model, **{attribute: _put(getattr(model, attribute), rest, value)})
+
+
+def _numbers(key: str, value: Any) -> Iterator[tuple[str, float]]:
+    """Keys and values of all numbers in a value."""
+    if isinstance(value, bool | str) or value is None:
+        return
+    if isinstance(value, int | float):
+        if isfinite(value):
+            yield key, float(value)
+        return
+    for name, child in _children(value).items():
+        yield from _numbers(f"{key}.{name}", child)
+
+
+def _children(value: Any) -> dict[str, Any]:
+    """What a value holds, by the parts of keys."""
+    if isinstance(value, Mapping):
+        return {str(name): each for name, each in value.items()}
+    if isinstance(value, tuple | list):
+        return dict(zip(_names(value), value, strict=True))
+    if not is_dataclass(value):
+        return {}
+    found: dict[str, Any] = {}
+    for each in fields(value):
+        if each.name in _LEFT_OUT:
+            continue
+        child = getattr(value, each.name)
+        if each.name in _THROUGH.get(type(value), ()):
+            found |= _children(child)
+        else:
+            found[each.name] = child
+    return found
+
+
+def _names(values: Sequence[Any]) -> list[str]:
+    """What the members of a list are called: by their name or face, where no two share one; else by number, from 1."""
+    names = [_own_name(each) for each in values]
+    return [name if name and names.count(name) == 1 else str(place) for place, name in enumerate(names, start=1)]
+
+
+def _own_name(value: Any) -> str:
+    """Name or face of what a model holds, or its kind; empty for a plain number."""
+    name = getattr(value, "name", None) or getattr(value, "face", None)
+    if isinstance(name, str):
+        return name
+    return type(value).__name__.lower() if is_dataclass(value) else ""
+
+
+def _put(value: Any, parts: Sequence[str], number: float) -> Any:
+    """Return a value in which a number is another one."""
+    if not parts:
+        return number
+    first, rest = parts[0], parts[1:]
+    if isinstance(value, Mapping):
+        return {name: _put(each, rest, number) if str(name) == first else each for name, each in value.items()}
+    if isinstance(value, tuple | list):
+        return tuple(
+            _put(each, rest, number) if name == first else each for name, each in zip(_names(value), value, strict=True)
+        )
+    own = {each.name for each in fields(value)}
+    through = _THROUGH.get(type(value), ())
+    holder = next((name for name in through if first in _children(getattr(value, name))), None)
+    if holder is not None and (first not in own or first in _children(getattr(value, holder))):
+        return replace(value, **{holder: _put(getattr(value, holder), parts, number)})
+    return replace(value, **{first: _put(getattr(value, first), rest, number)})

@@ -1,0 +1,89 @@
+"""Systems: the equations of models at which several states of a path are differentiated, made once."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.runtime import EngineOptions
+from turgor.core.engine.system import System
+from turgor.core.model.model import Model
+from turgor.core.solvers.solve import FEW_UNKNOWNS
+
+#: What equations belong to: a model, and what is asked of it.
+Key = tuple[int, object]
+
+Made = TypeVar("Made")
+
+
+@dataclass(slots=True, eq=False)
+class Systems:
+    """Equations by the model that they are of. Small ones take longer to set up than to solve.
+
+    Those of a larger mesh are not kept, because they would take memory and spare little.
+    """
+
+    _known: dict[Key, tuple[Model, Any]] = field(default_factory=dict)
+
+    def of(self, model: Model, controlled: tuple[str, ...]) -> System:
+        """Return the equations of a model whose states are differentiated.
+
+        Parameters
+        ----------
+        model : Model
+        controlled : tuple of str
+            Cavities whose pressure is sought.
+
+        Returns
+        -------
+        System
+        """
+        return self._kept(model, controlled, lambda: System(model, controlled))
+
+    def tangent_of(self, model: Model, system: System, options: EngineOptions) -> Tangent:
+        """Return the tangent of such equations, analyzed for what touches now.
+
+        Parameters
+        ----------
+        model : Model
+        system : System
+            Of the model.
+        options : EngineOptions
+
+        Returns
+        -------
+        Tangent
+        """
+        what = system.controlled, options.linear_solver, options.threads
+        tangent = self._kept(model, what, lambda: Tangent(system, options.linear_solver, options.threads))
+        tangent.use_double()  # a solution in single precision takes two or three refinements, every answer five of them
+        return tangent
+
+    def near(self, model: Model, asked: Model, touching: bool, like: System) -> System:
+        """Return the equations of a model at a nearby value of a number.
+
+        Parameters
+        ----------
+        model : Model
+        asked : Model
+            The same with what may touch at the state.
+        touching : bool
+            Whether anything touches there.
+        like : System
+            That has their scales.
+
+        Returns
+        -------
+        System
+        """
+        return self._kept(model, (id(like), touching), lambda: System(asked, like.controlled, like=like))
+
+    def _kept(self, model: Model, what: object, make: Callable[[], Made]) -> Made:
+        key = id(model), what
+        if key in self._known:
+            kept: Made = self._known[key][1]
+            return kept
+        found = make()
+        if model.mesh.unknown_count <= FEW_UNKNOWNS:
+            self._known[key] = model, found  # with the model, whose id would else be given to another one
+        return found

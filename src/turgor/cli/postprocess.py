@@ -1,0 +1,96 @@
+"""Commands on the folder of a run: measure it again, report it again, and compare it with an experiment."""
+
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from turgor.cli.exits import DONE, errors_as_sentences
+from turgor.cli.options import Debug, Json, check_new, name_and_unit, output_option
+
+Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run, finished or not.")]
+
+
+def report_command(folder: Folder, as_json: Json = False, debug: Debug = False) -> None:
+    """Write response, pictures and report of a run anew, as far as its path goes."""
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import run_result
+        from turgor.job.postprocess import report_folder
+
+        outcome = report_folder(folder, lambda text: typer.echo(text, err=True))
+        answer.warn(outcome.findings)
+        answer.give(partial(run_result, outcome))
+        typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip())
+        typer.echo(f"Written in {folder}: {', '.join(str(file.relative_to(folder)) for file in outcome.files)}.")
+        raise typer.Exit(DONE)
+
+
+def measure_command(
+    folder: Folder,
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[MEASURE]...", help="What to measure, with blanks or commas between; as the job says by default."
+        ),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        output_option("CSV file; the table is printed where none is given."),
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace the file of --output if it exists.")] = False,
+    debug: Debug = False,
+) -> None:
+    """Measure the path of a run again, as far as it goes."""
+    with errors_as_sentences(debug):
+        from turgor.job.postprocess import measure_folder
+
+        if output is not None:
+            check_new(output, force, "--output")
+        response = measure_folder(
+            folder, tuple(name for each in names or () for name in each.replace(",", " ").split())
+        )
+        if output is not None:
+            response.to_csv(output)
+            typer.echo(f"{len(response)} states in {output}.")
+        else:
+            typer.echo(",".join(column.header for column in response.columns))
+            for row in zip(*(column.in_unit.tolist() for column in response.columns), strict=True):
+                typer.echo(",".join(f"{value:.7g}" for value in row))
+        raise typer.Exit(DONE)
+
+
+def compare_command(
+    run: Annotated[Path, typer.Argument(metavar="RUN", help="Folder of a run, or a CSV file of a response.")],
+    experiment: Annotated[
+        Path, typer.Argument(metavar="EXPERIMENT", help="Table of a laboratory: CSV or text; or another run.")
+    ],
+    y: Annotated[
+        str | None,
+        typer.Option("--y", help="What to compare: NAME, or NAME=NAME THERE.", show_default=False),
+    ] = None,
+    x: Annotated[
+        str | None, typer.Option("--x", help="What drives, such as pressure; in the same manner.", show_default=False)
+    ] = None,
+    unit: Annotated[
+        list[str] | None,
+        typer.Option(help="Unit of a column whose header has none: NAME=UNIT; as often as needed.", show_default=False),
+    ] = None,
+    only_loading: Annotated[bool, typer.Option("--loading", help="Leave out rows in which the drive falls.")] = False,
+    as_json: Json = False,
+    debug: Debug = False,
+) -> None:
+    """Compare a run with an experiment: differences, the best shift of the drive, table and picture."""
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import compared_result
+        from turgor.job.compare import Asked, compare_folder
+
+        units = dict(name_and_unit(each) for each in unit or ())
+        found, files = compare_folder(run, experiment, Asked(y=y, x=x, units=units, only_loading=only_loading))
+        typer.echo(found.summary()[:1].upper() + found.summary()[1:])
+        for note in found.notes:
+            typer.echo(note)
+        if files:
+            typer.echo(f"Written: {', '.join(map(str, files))}. 'turgor report {run}' adds it to the report.")
+        answer.give(partial(compared_result, found, files))
+        raise typer.Exit(DONE)

@@ -1,0 +1,302 @@
+"""Supports as prescribed displacement components."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.cyclic import CyclicPairs
+from turgor.core.engine.algebra.multipoint import UNTIED, MultiPoint
+from turgor.core.engine.algebra.node_frames import NodeFrames
+from turgor.core.engine.algebra.rings import AXIAL, TANGENTIAL, rings_of
+from turgor.core.engine.algebra.sections import Section, coordinate_plane, plane_sections
+from turgor.core.engine.points.point_unknowns import Carrier, carriers_of, with_carried
+from turgor.core.engine.points.prescribed_motion import Turned, check_rigid, hold_points, rigid_ties
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.surface import outer_triangles
+from turgor.core.model.model import Model
+from turgor.core.model.points import Hinge, ReferencePoint, Rotation
+from turgor.core.model.supports import (
+    Displacement,
+    Fixed,
+    PlaneSection,
+    Radial,
+    Support,
+    Symmetry,
+)
+from turgor.foundation.errors import TurgorError
+from turgor.units import mm
+
+AXES = "xyz"
+
+#: Largest distance of a node from the cylinder that its face should be, as a share of the radius.
+ROUND = 1e-3
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Held:
+    """Which displacement components are prescribed, and the functions that move some of them.
+
+    Parameters
+    ----------
+    mask : (n + e, 3) bool array
+        Prescribed components along the directions of the nodes: those of the mesh, then those of reference points.
+    moving : tuple of (nodes, axes, Displacement or Turned)
+    frames : NodeFrames
+        Nodes whose components are not along x, y and z.
+    along_axes : (n + e, 3) bool array
+        Components along x, y and z that are prescribed, those of rigid faces left out.
+    normals : (k, 3) array
+        Of each node with a frame, the direction that is held besides the axes; zero where there is none.
+    ties : MultiPoint
+        Components that follow others; followers count as prescribed.
+    carriers : tuple of Carrier
+        Reference points.
+    """
+
+    mask: NDArray[np.bool_]
+    moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...]
+    frames: NodeFrames
+    along_axes: NDArray[np.bool_]
+    normals: Array
+    ties: MultiPoint
+    carriers: tuple[Carrier, ...] = ()
+
+    def values(self, points: Array, load_factor: float) -> Array:
+        """Prescribed components (n + e, 3) [m] of points at rest, at a load factor; zero where none is prescribed."""
+        out = np.zeros_like(points)
+        for nodes, axes, support in self.moving:
+            value = np.asarray(support.value(points[nodes], load_factor), dtype=np.float64)
+            out[nodes[:, None], axes] = np.broadcast_to(value, (len(nodes), 3))[:, axes]
+        if not len(self.frames.nodes):
+            return out
+        moved = np.einsum("ki,ki->k", self.normals, out[self.frames.nodes])
+        out = self.frames.to_local(out)
+        # the component along the normal must be zero: the first direction compensates those of the held axes
+        along = np.einsum("ki,ki->k", self.normals, self.frames.axes[:, 0])
+        nodes = self.frames.nodes[along != 0]
+        out[nodes, 0] = -moved[along != 0] / along[along != 0]
+        return out
+
+
+def held_components(model: Model) -> Held:
+    """Collect what the supports of a model prescribe.
+
+    Raises
+    ------
+    TurgorError
+        If a support names directions or a face that it cannot hold.
+    """
+    carriers = carriers_of(model)
+    mask = np.zeros((len(model.mesh.points) + sum(each.count for each in carriers), 3), dtype=bool)
+    by_point = {each.point.name: each for each in carriers}
+    moving: list[tuple[Ints, list[int], Displacement | Turned]] = []
+    mirrored = np.zeros_like(mask)
+    for support in model.supports:
+        if isinstance(support, Radial | PlaneSection | ReferencePoint | Rotation | Hinge):
+            continue
+        nodes = _nodes(model, support, by_point)
+        axes = _axes(model.mesh, support)
+        (mirrored if isinstance(support, Symmetry) else mask)[nodes[:, None], axes] = True
+        if isinstance(support, Displacement):
+            moving.append((nodes, axes, support))
+    radial, sections = radial_normals(model), plane_sections(model)
+    check_rigid(carriers, mask, np.concatenate([radial[0], *(section.nodes for section in sections)]))
+    mask |= mirrored
+    moving += [(nodes, [0, 1, 2], turned) for nodes, turned in hold_points(model, carriers, mask)]
+    for section in sections:
+        section.check(mask)
+        mask[section.nodes, section.axis] = True
+    if model.mesh.revolved:
+        return _around_axis(model, mask, tuple(moving), sections, carriers)
+    held = _with_normals(mask, tuple(moving), radial, sections)
+    if model.mesh.wedge is not None:
+        held = _with_cyclic(model, held, mask, sections)
+    return _with_rigid(held, carriers)
+
+
+def _nodes(model: Model, support: Fixed | Symmetry | Displacement, points: Mapping[str, Carrier]) -> Ints:
+    if support.face in points:
+        return np.array([points[support.face].node])
+    return np.unique(outer_triangles(model.mesh)) if support.face == "*" else model.mesh.face_nodes(support.face)
+
+
+def _with_rigid(held: Held, carriers: tuple[Carrier, ...]) -> Held:
+    """Let rigid faces follow their reference points."""
+    followers, leaders, weights = rigid_ties(carriers)
+    held.mask.ravel()[followers] = True
+    ties = MultiPoint(
+        np.concatenate([held.ties.followers, followers]),
+        np.concatenate([held.ties.leaders, leaders]),
+        np.concatenate([held.ties.weights, weights]),
+    )
+    return replace(held, ties=ties, carriers=carriers)
+
+
+def _with_cyclic(model: Model, held: Held, mask: NDArray[np.bool_], sections: tuple[Section, ...]) -> Held:
+    """Let the higher cut face of a wedge follow the lower one; ``mask`` are the components held along the axes."""
+    carriers = carriers_of(model)
+    pairs = CyclicPairs.of(model.mesh, carriers)
+    pairs.check_alike(mask)
+    pairs.check_sections(sections)
+    local, along = held.mask.copy(), held.along_axes.copy()
+    local[pairs.low] |= local[pairs.high]
+    for both in (local, along):
+        both[pairs.on_axis[:, None], pairs.wedge.across] = True
+    frames, normals = pairs.frames(held.frames, held.normals, len(mask))
+    ties = pairs.ties(held.ties, len(mask))
+    held = replace(held, mask=local, frames=frames, along_axes=along, normals=normals, ties=ties)
+    points = with_carried(model.mesh.points, carriers)
+    for nodes, _, support in held.moving:
+        if isinstance(support, Displacement):
+            pairs.check_moved(np.where(local, held.values(points, 1.0), 0.0), nodes, support.face)
+    local.ravel()[ties.followers] = True
+    return held
+
+
+def _around_axis(
+    model: Model,
+    mask: NDArray[np.bool_],
+    moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...],
+    sections: tuple[Section, ...],
+    carriers: tuple[Carrier, ...],
+) -> Held:
+    """Hold and tie the nodes of a body of revolution ring by ring; see `turgor.core.engine.algebra.rings`.
+
+    Its mirror planes leave a reference point the way along the axis alone, which a rigid face follows; the radii of
+    the face stay.
+    """
+    rings, count = rings_of(model.mesh), len(model.mesh.points)
+    for section in sections:
+        mask[section.nodes, section.axis] = False  # its leader is free, and the others follow it
+        if section.axis != rings.axis:
+            raise TurgorError(
+                f"PlaneSection of '{section.face}': its normal must be the axis {AXES[rings.axis]} of the axisymmetric "
+                "mesh."
+            )
+    rigid = [each for each in carriers if each.rigid]
+    radial = np.concatenate([radial_normals(model)[0], *(each.nodes for each in rigid)])
+    local = np.concatenate([rings.local_mask(mask[:count], radial), mask[count:]])
+    together = [(section.nodes, 3 * section.leader + AXIAL) for section in sections]
+    together += [(each.nodes, 3 * each.node + rings.axis) for each in rigid]
+    ties = rings.ties(together, len(mask))
+    along_axes = mask.copy()
+    along_axes[:count] |= rings.on_axis[:, None] & (np.arange(3) != rings.axis)
+    held = Held(local, moving, rings.frames, along_axes, np.zeros_like(model.mesh.points), ties, carriers)
+    for nodes, _, support in moving:
+        swept = held.values(with_carried(model.mesh.points, carriers), 1.0)[nodes]
+        astray = np.abs(swept[:, TANGENTIAL]).max(initial=0.0)
+        if isinstance(support, Displacement) and astray > ROUND * np.abs(swept).max():
+            raise TurgorError(
+                f"Displacement of '{support.face}': it moves the face around the axis or across it, which an "
+                "axisymmetric mesh cannot follow; move it along the axis, or use another kind of cells."
+            )
+    local.ravel()[ties.followers] = True
+    return held
+
+
+def _with_normals(
+    mask: NDArray[np.bool_],
+    moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...],
+    radial: tuple[Ints, Array],
+    sections: tuple[Section, ...],
+) -> Held:
+    """Hold nodes along normals too: their first direction is the part of the normal across the held axes.
+
+    The components along the normal of a plane section are held in ``mask``, so that each is a direction of its node.
+    Then they are tied to that of the first node.
+    """
+    nodes, normals = radial
+    rest = np.where(mask[nodes], 0.0, normals)
+    free = np.linalg.norm(rest, axis=1) > 1e-6
+    nodes, normals, rest = nodes[free], normals[free], rest[free]
+    first = rest / np.linalg.norm(rest, axis=1)[:, None]
+    axes = np.empty((len(nodes), 3, 3))
+    local, along = mask.copy(), mask.copy()
+    for k, node in enumerate(nodes):
+        held = np.eye(3)[mask[node]]
+        basis = np.linalg.qr(np.concatenate([first[k : k + 1], held, np.eye(3)]).T)[0].T
+        axes[k] = np.concatenate([first[k : k + 1], held, basis[1 + len(held) :]])[:3]
+        local[node] = np.arange(3) <= len(held)
+        along[node] |= local[node].all()
+    for section in sections:
+        section.check_across(nodes, normals)
+    ties = _ties(mask, nodes, sections)
+    local.ravel()[ties.leaders] = False
+    return Held(local, moving, NodeFrames(nodes, axes), along, normals, ties)
+
+
+def _ties(mask: NDArray[np.bool_], turned: Ints, sections: tuple[Section, ...]) -> MultiPoint:
+    """Tie the components along the normal of each section to that of its first node; some nodes have turned axes."""
+    followers, leaders = [UNTIED.followers], [UNTIED.leaders]
+    for section in sections:
+        # of a node with a frame, the held axes come after the normal, in their order
+        rank = mask[section.nodes, : section.axis].sum(axis=1)
+        tied = 3 * section.nodes + np.where(np.isin(section.nodes, turned), 1 + rank, section.axis)
+        followers.append(tied[1:])
+        leaders.append(np.full(len(tied) - 1, tied[0]))
+    tied = np.concatenate(followers)
+    return MultiPoint(tied, np.concatenate(leaders), np.ones(len(tied)))
+
+
+def radial_normals(model: Model) -> tuple[Ints, Array]:
+    """Find the nodes (k,) that are held radially, and the outward normals (k, 3) of their cylinders at rest.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    tuple of array
+    """
+    found: dict[int, Array] = {}
+    for support in model.supports:
+        if not isinstance(support, Radial):
+            continue
+        nodes = model.mesh.face_nodes(support.face)
+        for node, normal in zip(nodes.tolist(), _cylinder_normals(model.mesh.points[nodes], support), strict=True):
+            if node in found and abs(float(found[node] @ normal)) < 1 - 1e-6:
+                raise TurgorError(f"Radial of '{support.face}': it meets another cylinder that is held radially.")
+            found[node] = normal
+    return np.array(list(found), dtype=np.int64), np.array(list(found.values())).reshape(-1, 3)
+
+
+def _cylinder_normals(points: Array, support: Radial) -> Array:
+    """Normals of the cylinder on which points lie; its center comes from a fit of a circle."""
+    axis = np.asarray(support.axis, dtype=np.float64)
+    if not np.linalg.norm(axis) > 0:
+        raise TurgorError(f"Radial of '{support.face}': axis is a zero vector; give for example (1, 0, 0).")
+    axis /= np.linalg.norm(axis)
+    across = np.linalg.svd(axis[None])[2][1:]  # two unit vectors across the axis
+    flat = points @ across.T
+    middle = flat.mean(axis=0)
+    terms = np.column_stack([2 * (flat - middle), np.ones(len(flat))])
+    solved = np.linalg.lstsq(terms, ((flat - middle) ** 2).sum(axis=1), rcond=None)[0]
+    arm = flat - middle - solved[:2]
+    radii = np.linalg.norm(arm, axis=1)
+    radius = float(radii.mean())
+    off = float(np.abs(radii - radius).max())
+    if off > ROUND * radius:
+        raise TurgorError(
+            f"Radial of '{support.face}': a node lies {off / mm:.3g} mm off the cylinder around {support.axis} "
+            f"that fits best, of radius {radius / mm:.4g} mm; only the face of one cylinder can be held radially."
+        )
+    return np.asarray((arm / radii[:, None]) @ across)
+
+
+def _axes(mesh: Mesh, support: Support) -> list[int]:
+    if isinstance(support, Symmetry):
+        return [coordinate_plane(mesh, support.face, "a mirror plane")]
+    assert isinstance(support, Fixed | Displacement)
+    unknown = set(support.directions) - set(AXES)
+    if unknown or not support.directions:
+        raise TurgorError(
+            f"{type(support).__name__} of '{support.face}': directions is '{support.directions}'; "
+            "allowed are the letters x, y and z."
+        )
+    return [AXES.index(letter) for letter in support.directions]

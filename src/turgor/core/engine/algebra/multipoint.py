@@ -1,0 +1,143 @@
+"""Multi-point constraints: degrees of freedom that are weighted sums of others, by elimination.
+
+Each follower has the value that its leaders give it. The forces and the stiffness of the followers are added to those
+of the leaders, and the followers leave the equations: their unknowns are zero and count as prescribed. No penalty and
+no multiplier is needed, and the tangent stays symmetric where it was.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MultiPoint:
+    """Followers, their leaders, and the weights with which they follow.
+
+    Parameters
+    ----------
+    followers : (k,) int array
+        Degrees of freedom of displacements, along the directions of their nodes; one that follows several leaders
+        stands there once for each.
+    leaders : (k,) int array
+        The degree of freedom that each follows; no leader follows.
+    weights : (k,) array
+        A follower is the sum of its leaders times their weights.
+    """
+
+    followers: Ints
+    leaders: Ints
+    weights: Array
+
+    def fill(self, unknowns: Array) -> Array:
+        """Unknowns in which every follower has the value that its leaders give it."""
+        if not len(self.followers):
+            return unknowns
+        out = unknowns.copy()
+        out[self.followers] = 0.0
+        np.add.at(out, self.followers, self.weights * unknowns[self.leaders])
+        return out
+
+    def gather(self, forces: Array) -> Array:
+        """Forces in which each leader has those of its followers besides its own, and the followers have none."""
+        if not len(self.followers):
+            return forces
+        out = forces.copy()
+        np.add.at(out, self.leaders, self.weights * forces[self.followers])
+        out[self.followers] = 0.0
+        return out
+
+    def reduce(self, matrix: sp.csc_matrix) -> sp.csc_matrix:
+        """Rows and columns of the followers added to those of their leaders."""
+        if not len(self.followers):
+            return matrix
+        spread = self._spread(matrix.shape[0])
+        return (spread.T @ matrix @ spread).tocsc()
+
+    def _spread(self, size: int) -> sp.csr_matrix:
+        """All unknowns (size, size) from those that do not follow."""
+        free = np.setdiff1d(np.arange(size), self.followers)
+        rows, columns = np.concatenate([free, self.followers]), np.concatenate([free, self.leaders])
+        values = np.concatenate([np.ones(len(free)), self.weights])
+        return sp.csr_matrix((values, (rows, columns)), shape=(size, size))
+
+    def extended(self, rows: Ints) -> Ints:
+        """Rows (m, n) of unknowns that something couples, −1 for none, with the leaders of the followers among them.
+
+        The whole nodes of the leaders are added, because directions are turned node by node. Rows without a follower
+        are left out. A row may name an unknown several times.
+        """
+        size = int(max(rows.max(initial=0), self.followers.max())) + 1
+        pairs = np.unique(np.stack([self.followers, self.leaders // 3], axis=1), axis=0)
+        count = np.bincount(pairs[:, 0])[pairs[:, 0]]
+        first = np.searchsorted(pairs[:, 0], pairs[:, 0])
+        of = np.full((size + 1, int(count.max())), -1)
+        of[pairs[:, 0], np.arange(len(pairs)) - first] = pairs[:, 1]
+        followed = of[rows]  # -1 in a row means none, and finds the last entry, which is -1
+        has = (followed >= 0).any(axis=(1, 2))
+        rows, followed = rows[has], followed[has]
+        nodes = followed[:, (followed >= 0).any(axis=(0, 2))]
+        nodes = nodes.reshape(len(rows), nodes.shape[1] * nodes.shape[2])
+        return np.concatenate([rows, *(np.where(nodes >= 0, 3 * nodes + i, -1) for i in range(3))], axis=1)
+
+    def places(self, pattern: Pattern) -> "Places":
+        """Where the entries of the followers go in a pattern that has room for them.
+
+        An entry off the diagonal stands for its mirror image too: each pair of leaders has it once, one leader twice.
+        """
+        spread = self._spread(pattern.size)
+        follows = np.zeros(pattern.size, dtype=bool)
+        follows[self.followers] = True
+        columns = np.repeat(np.arange(pattern.size), np.diff(pattern.indptr))
+        rows = pattern.indices.astype(np.int64)
+        sources = np.flatnonzero(follows[rows] | follows[columns])
+        entry, first = _expanded(spread, rows[sources])
+        source, at_first = sources[entry], spread.data[first]
+        again, second = _expanded(spread, columns[source])
+        source, to_row, to_column = source[again], spread.indices[first[again]], spread.indices[second]
+        weights = at_first[again] * spread.data[second]
+        diagonal = rows[source] == columns[source]
+        weights = np.where(~diagonal & (to_row == to_column), 2.0 * weights, weights)
+        kept = (~diagonal | (to_row >= to_column)) & (weights != 0)
+        targets = locate(pattern.indptr, pattern.indices, to_row[kept].astype(np.int64), to_column[kept])
+        return Places(source[kept], targets, weights[kept])
+
+
+def _expanded(spread: sp.csr_matrix, rows: Ints) -> tuple[Ints, Ints]:
+    """All entries of some rows of a matrix: the place of the row in the list, and the place of the entry."""
+    count = np.diff(spread.indptr)[rows].astype(np.int64)
+    place = np.repeat(np.arange(len(rows)), count)
+    before = np.cumsum(count) - count
+    return place, spread.indptr[rows][place] + np.arange(count.sum()) - before[place]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Places:
+    """Entries of the lower triangle of a matrix that are added to others.
+
+    Parameters
+    ----------
+    sources, targets : (k,) int array
+        Positions in the values of the lower triangle.
+    weights : (k,) array
+    """
+
+    sources: Ints
+    targets: NDArray[np.int32]
+    weights: Array
+
+    def add(self, data: Array) -> None:
+        """Move the stiffness of the followers to their leaders, in place."""
+        scatter_add(data, self.targets, self.weights * data[self.sources])
+        data[self.sources] = 0.0
+
+
+#: Where nothing is tied.
+UNTIED = MultiPoint(np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64), np.zeros(0))

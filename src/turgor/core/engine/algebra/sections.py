@@ -1,0 +1,88 @@
+"""Plane sections: faces whose nodes move along the normal by the same amount."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.model import Model
+from turgor.core.model.supports import PlaneSection
+from turgor.foundation.errors import TurgorError
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: A face is plane when its nodes lie nearer to a plane than this share of its size.
+FLAT = 1e-6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Section:
+    """A face that stays plane.
+
+    Parameters
+    ----------
+    face : str
+    nodes : (k,) int array
+        Its nodes. The first one leads.
+    axis : int
+        Number of the axis along its normal.
+    """
+
+    face: str
+    nodes: Ints
+    axis: int
+
+    @property
+    def leader(self) -> int:
+        """The node whose component along the normal is that of all."""
+        return int(self.nodes[0])
+
+    def check(self, mask: NDArray[np.bool_]) -> None:
+        """Refuse a section of which some nodes are held along its normal already."""
+        held = int(mask[self.nodes, self.axis].sum())
+        if held:
+            raise TurgorError(
+                f"PlaneSection of '{self.face}': {held} of its {len(self.nodes)} nodes are held along "
+                f"{'xyz'[self.axis]} by another support, so that it cannot move; remove one of both."
+            )
+
+    def check_across(self, nodes: Ints, normals: Array) -> None:
+        """Refuse a section that meets a face whose radius is held along an axis other than the section's normal."""
+        meet = np.isin(nodes, self.nodes)
+        if (np.abs(normals[meet, self.axis]) > FLAT).any():
+            raise TurgorError(
+                f"PlaneSection of '{self.face}': it meets a face that Radial holds; the axis of the cylinder must be "
+                f"{'xyz'[self.axis]}, the normal of the section."
+            )
+
+
+def plane_sections(model: Model) -> tuple[Section, ...]:
+    """Find the plane sections of a model.
+
+    Raises
+    ------
+    TurgorError
+        If a face is no coordinate plane, or two sections with the same normal share nodes.
+    """
+    found: list[Section] = []
+    for support in model.supports:
+        if not isinstance(support, PlaneSection):
+            continue
+        axis = coordinate_plane(model.mesh, support.face, "a plane section")
+        section = Section(support.face, model.mesh.face_nodes(support.face), axis)
+        for other in found:
+            if other.axis == axis and np.intersect1d(other.nodes, section.nodes).size:
+                raise TurgorError(f"PlaneSection of '{section.face}': it shares nodes with '{other.face}'; keep one.")
+        found.append(section)
+    return tuple(found)
+
+
+def coordinate_plane(mesh: Mesh, face: str, what: str) -> int:
+    """Return the number of the axis along the normal of a face that must be a coordinate plane."""
+    extent = np.ptp(mesh.points[mesh.face_nodes(face)], axis=0)
+    axis = int(extent.argmin())
+    if extent[axis] > FLAT * extent.max():
+        raise TurgorError(f"face '{face}' is not a coordinate plane; {what} must be one.")
+    return axis

@@ -1,0 +1,233 @@
+"""Materials of the cells: derivatives of the energy at all points, stresses of laws in stretches, compressibility."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.cells import spectral
+from turgor.core.engine.cells.internal_variables import History, Memory, RegionMemory, invariant_stress, joined_memory
+from turgor.core.engine.cells.known_stress import add_known_stress
+from turgor.core.materials.history.softening import INVARIANT_PAIRS
+from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
+from turgor.core.materials.laws.laws import InvariantLaw, Law, StretchLaw
+from turgor.core.materials.material import Material
+from turgor.core.model.model import Model
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Isochoric:
+    """What the laws say at all points, scaled: the isochoric part of stress and tangent.
+
+    Parameters
+    ----------
+    derivatives : (5, c, q) array
+        First and second derivatives of the energy by the invariants; zero in cells of laws in stretches.
+    stress : (s, q, 6) array
+        Second Piola–Kirchhoff stress in the s `gradient_cells` besides that, in the order of the mesh: of laws in
+        stretches, and what a rubber that relaxes remembers.
+    tangent : (s, q, 21) array
+        Lower triangles of 4 ∂²W/∂C² of it.
+    """
+
+    derivatives: Array
+    stress: Array
+    tangent: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Region:
+    """Cells of one material, and their rows among the gradient cells."""
+
+    name: str
+    cells: Ints
+    rows: Ints
+    material: Material
+
+    @property
+    def law(self) -> Law:
+        assert isinstance(self.material.law, Law)
+        return self.material.law
+
+    @property
+    def remembers(self) -> bool:
+        return self.material.viscoelasticity is not None or self.material.stress_softening is not None
+
+
+class CellMaterials:
+    """The laws of a model's regions, evaluated region by region on whole arrays.
+
+    Parameters
+    ----------
+    model : Model
+    stress : float [Pa]
+        Scale that the results are divided by.
+    points : int
+        Integration points of a cell.
+
+    Attributes
+    ----------
+    compliance : (c,) array
+        1/κ, scaled; zero where incompressible.
+    gradient_cells : (s,) array of int
+        Cells whose deformation gradients are needed, in the order of the mesh: those of laws in stretches, and those
+        that relax.
+    rows : (c,) array of int
+        Place of each cell among them; −1 for the cells that invariants are enough for.
+    rest : History
+        That of a sudden step from rest.
+    """
+
+    def __init__(self, model: Model, stress: float, points: int) -> None:
+        self._stress = stress
+        regions = [(name, model.mesh.regions[name], m) for name, m in model.region_materials.items()]
+        count = len(model.mesh.cells)
+        self.compliance = np.empty(count)
+        self.rows = np.full(count, -1, dtype=np.int64)
+        in_stretches = np.zeros(count, dtype=bool)
+        for _, cells, material in regions:
+            self.compliance[cells] = 0.0 if material.incompressible else stress / material.bulk_modulus
+            in_stretches[cells] = isinstance(material.law, StretchLaw)
+            if isinstance(material.law, StretchLaw) or material.viscoelasticity is not None:
+                self.rows[cells] = 0
+        self.gradient_cells = np.flatnonzero(self.rows == 0)
+        self.rows[self.gradient_cells] = np.arange(len(self.gradient_cells))
+        self._spectral = np.flatnonzero(in_stretches[self.gradient_cells])
+        self._regions = []
+        for name, cells, material in regions:
+            self._regions.append(_Region(name, cells, self.rows[cells], material))
+        self._points = points
+        self._remembering = [region for region in self._regions if region.remembers]
+        self.rest = self.history()
+
+    @property
+    def remembers(self) -> bool:
+        """Whether any rubber relaxes or softens."""
+        return bool(self._remembering)
+
+    def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
+        """What a state with a memory, at rest where that is None, brings into a step of a length [s]."""
+        return History(
+            {
+                region.name: RegionMemory.of(
+                    region.material, (len(region.cells), self._points), memory, region.name, step
+                )
+                for region in self._remembering
+            }
+        )
+
+    def isochoric(self, I1: Array, I2: Array, F: Array, history: History) -> Isochoric:
+        """Evaluate all laws.
+
+        Parameters
+        ----------
+        I1, I2 : (c, q) array
+            Isochoric invariants.
+        F : (s, q, 3, 3) array
+            Deformation gradients of `gradient_cells`.
+        history : History
+        """
+        out = np.zeros((5, *I1.shape)) if len(self._spectral) else np.empty((5, *I1.shape))
+        for region in self._regions:
+            if isinstance(region.law, InvariantLaw):
+                found = energy_and_derivatives(region.law, I1[region.cells], I2[region.cells])
+                for k, values in enumerate(_response(history, region, found, INVARIANT_PAIRS)):
+                    out[k, region.cells] = values / self._stress
+        stress, tangent = self._in_stretches(F, history)
+        for region in self._remembering:
+            known = history.regions[region.name].known
+            if known is not None:
+                add_known_stress(F, region.rows, known, self._stress, stress, tangent)
+        return Isochoric(out, stress, tangent)
+
+    def _in_stretches(self, F: Array, history: History) -> tuple[Array, Array]:
+        """Stress and tangent in the gradient cells whose law is one in stretches; zero in the others."""
+        among, count = self._spectral, len(self.gradient_cells)
+        if not len(among):
+            return np.zeros((count, F.shape[1], 6)), np.zeros((count, F.shape[1], spectral.TANGENT))
+        bar, directions, scale = spectral.principal_stretches(F if len(among) == count else F[among])
+        W = np.empty((9, *scale.shape))
+        for region in self._regions:
+            if isinstance(region.law, StretchLaw):
+                at = np.searchsorted(among, region.rows)
+                derivatives = stretch_derivatives(region.law, *bar[:, at])
+                for k, values in enumerate(_response(history, region, derivatives, STRETCH_PAIRS)):
+                    W[k, at] = values / self._stress
+        found = spectral.spectral_response(bar, directions, scale, W[:3], W[3:])
+        if len(among) == count:
+            return found[0], found[1]
+        stress, tangent = np.zeros((count, F.shape[1], 6)), np.zeros((count, F.shape[1], spectral.TANGENT))
+        stress[among], tangent[among] = found
+        return stress, tangent
+
+    def energy(self, I1: Array, I2: Array, F: Array, history: History) -> Array:
+        """Isochoric strain energy density (c, q) [Pa] that can be got back; arguments as in `isochoric`.
+
+        Of a rubber that relaxes or softens it is what infinitely slow unloading gives back.
+        """
+        out = np.empty(I1.shape)
+        for region in self._regions:
+            W = self._law_energy(region, I1, I2, F)
+            out[region.cells] = history.regions[region.name].recoverable(W) if region.remembers else W
+        return out
+
+    def remembered(self, F: Array, history: History) -> Memory | None:
+        """What the state at the end of a step remembers.
+
+        Parameters
+        ----------
+        F : (c, q, 3, 3) array
+            Deformation gradients of all cells.
+        history : History
+            What the step began with.
+        """
+        stress, largest = {}, {}
+        for region in self._remembering:
+            here, its = F[region.cells], history.regions[region.name]
+            S, W = _own_stress(region, here, its)
+            if its.stress is not None:
+                stress[region.name] = its.next_stress(S, here)
+            if its.largest is not None:
+                largest[region.name] = its.next_largest(W)
+        return joined_memory(stress, largest)
+
+    def softening_loss(self, memory: Memory) -> Array:
+        """Energy density (c, q) [Pa] that softening has taken, as infinitely slow cycles would measure it."""
+        count, points = len(self.rows), next(iter(memory.largest.values())).shape[1]
+        out = np.zeros((count, points))
+        for region in self._remembering:
+            if region.name in memory.largest:
+                out[region.cells] = self.rest.regions[region.name].lost(memory.largest[region.name])
+        return out
+
+    def _law_energy(self, region: _Region, I1: Array, I2: Array, F: Array) -> Array:
+        """Energy density (c, q) [Pa] of a region's law itself."""
+        if isinstance(region.law, InvariantLaw):
+            return energy_and_derivatives(region.law, I1[region.cells], I2[region.cells])[0]
+        bar, _, _ = spectral.principal_stretches(F[region.rows])
+        return stretch_derivatives(region.law, *bar)[0]
+
+
+def _response(
+    history: History, region: _Region, values: tuple[Array, ...], pairs: tuple[tuple[int, int], ...]
+) -> Sequence[Array] | Array:
+    """First and second derivatives of the energy in the step; ``values`` are the law's, its energy first."""
+    return history.regions[region.name].response(values, pairs) if region.remembers else values[1:]
+
+
+def _own_stress(region: _Region, F: Array, memory: RegionMemory) -> tuple[Array, Array]:
+    """Isochoric stress (c, q, 6) of the softened law and energy density (c, q) of the law [Pa]."""
+    bar, directions, scale = spectral.principal_stretches(F)
+    if isinstance(region.law, StretchLaw):
+        values = stretch_derivatives(region.law, *bar)
+        W = np.ascontiguousarray(memory.softened(values, STRETCH_PAIRS))
+        return spectral.spectral_response(bar, directions, scale, W[:3], W[3:])[0], values[0]
+    I1 = (bar**2).sum(axis=0)
+    I2 = (bar[0] * bar[1]) ** 2 + (bar[1] * bar[2]) ** 2 + (bar[0] * bar[2]) ** 2
+    values = energy_and_derivatives(region.law, I1, I2)
+    first = memory.softened(values, INVARIANT_PAIRS)
+    return invariant_stress(first[0], first[1], F), values[0]

@@ -1,0 +1,204 @@
+"""Internal variables: of rubber that relaxes or softens, at the Gauss points of each region, and of friction.
+
+A step in time has a length Δt. A `History` holds the internal variables of the last converged state and what they
+contribute to a step of that length. With it the response is a plain function of the deformation, whatever is tried:
+Newton's method, predictors and line searches may evaluate it in any order. What a state will remember is computed from
+its evaluation alone (`turgor.core.engine.system.System.remembered`). The formulas are in
+`turgor.core.materials.history.viscoelastic` and `turgor.core.materials.history.softening`.
+
+Δt = 0 is a sudden step, and at a state it gives that state's own stress. Δt = ∞ is a step as slow as can be, to the
+relaxed equilibrium.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.contact.friction import Friction
+from turgor.core.materials.history.isochoric import scaled_stress
+from turgor.core.materials.history.softening import softened_derivatives, softening, softening_dissipation
+from turgor.core.materials.history.viscoelastic import memory_at_rest, next_memory, remembered_stress, step_factor
+from turgor.core.materials.material import Material
+from turgor.foundation.display import brief
+
+Array = NDArray[np.float64]
+Pairs = Sequence[tuple[int, int]]
+
+_SIX = ([0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Memory:
+    """Internal variables of a state: at the Gauss points of each region that relaxes or softens, and of friction.
+
+    Parameters
+    ----------
+    stress : mapping of str to (n + 1, c, q, 6) array [Pa]
+        Of regions with a Prony series of n terms: the stress of the law, then the internal stresses.
+    largest : mapping of str to (c, q) array [Pa]
+        Of regions that soften: the largest energy density so far.
+    friction : tuple of (FrictionHistory or None)
+        Of each part of the contact; empty where nothing rubs.
+    """
+
+    stress: Mapping[str, Array]
+    largest: Mapping[str, Array]
+    friction: Friction = ()
+
+    __repr__ = brief
+
+    @property
+    def of_rubber(self) -> "Memory | None":
+        """Without friction; None where nothing relaxes or softens."""
+        return joined_memory(self.stress, self.largest)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RegionMemory:
+    """Internal variables of one region at the last converged state, and what they contribute to a step.
+
+    Parameters
+    ----------
+    material : Material
+        What it is made of.
+    step : float [s]
+        Length of the step; 0 is a sudden one, infinite an infinitely slow one.
+    stress : (n + 1, c, q, 6) array or None [Pa]
+        See `Memory`; None where the material does not relax.
+    largest : (c, q) array or None [Pa]
+        See `Memory`; None where the material does not soften.
+    factor : float
+        Of the stress of the law in the step.
+    known : (c, q, 6) array or None [Pa]
+        Scaled isochoric stress that is known before the step, None where there is none.
+    """
+
+    material: Material
+    step: float
+    stress: Array | None = None
+    largest: Array | None = None
+    factor: float = 1.0
+    known: Array | None = None
+
+    @staticmethod
+    def of(material: Material, shape: tuple[int, int], memory: Memory | None, name: str, step: float) -> "RegionMemory":
+        """That of a region of (c, q) cells and points, by its name in a memory; at rest where that is None."""
+        stress = None if memory is None else memory.stress.get(name)
+        largest = None if memory is None else memory.largest.get(name)
+        series, factor, known = material.viscoelasticity, 1.0, None
+        if series is not None:
+            stress = memory_at_rest(series, shape) if stress is None else stress
+            factor = step_factor(series, step)
+            known = None if step == inf else remembered_stress(series, step, stress)
+        if material.stress_softening is not None:
+            largest = np.zeros(shape) if largest is None else largest
+        return RegionMemory(material, step, stress, largest, factor, known)
+
+    def softened(self, values: Sequence[Array], pairs: Pairs) -> Sequence[Array] | Array:
+        """First and second derivatives of the energy with softening; ``values`` are the law's, its energy first."""
+        mullins = self.material.stress_softening
+        if mullins is None or self.largest is None:
+            return values[1:]
+        return softened_derivatives(*softening(mullins, values[0], self.largest), values[1:], pairs)
+
+    def response(self, values: Sequence[Array], pairs: Pairs) -> Sequence[Array] | Array:
+        """Derivatives that the step has, besides `known`; ``values`` as in `softened`."""
+        softened = self.softened(values, pairs)
+        return softened if self.factor == 1.0 else self.factor * np.stack(list(softened))
+
+    def next_stress(self, S: Array, F: Array) -> Array:
+        """What is remembered of the stress at the end of the step; ``S`` (c, q, 6) [Pa] is that of the softened law."""
+        series = self.material.viscoelasticity
+        assert series is not None and self.stress is not None
+        return next_memory(series, self.step, self.stress, scaled_stress(S, right_cauchy_green(F)))
+
+    def next_largest(self, energy: Array) -> Array:
+        """Largest energy density at the end of the step."""
+        assert self.largest is not None
+        return np.maximum(self.largest, energy)
+
+    def lost(self, largest: Array) -> Array:
+        """Energy density [Pa] that softening takes on the way to the largest one of the law."""
+        mullins, series = self.material.stress_softening, self.material.viscoelasticity
+        assert mullins is not None
+        lost = softening_dissipation(mullins, largest)
+        return lost if series is None else np.asarray(series.instantaneous * series.relaxed * lost)
+
+    def recoverable(self, energy: Array) -> Array:
+        """Energy density [Pa] that infinitely slow unloading gives back, of the law's energy density."""
+        out, mullins, series = energy, self.material.stress_softening, self.material.viscoelasticity
+        if mullins is not None and self.largest is not None:
+            top = np.maximum(self.largest, energy)
+            out = energy - softening_dissipation(mullins, top) + _lost_above(self.material, energy, top)
+        return out if series is None else np.asarray(series.instantaneous * series.relaxed * out)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class History:
+    """Converged history: what a state brings into a step, an argument of `System.evaluate`.
+
+    `turgor.core.engine.system.System.history` makes one.
+
+    Parameters
+    ----------
+    regions : mapping of str to RegionMemory
+        Of each region that relaxes or softens.
+    friction : tuple of (FrictionHistory or None)
+        Of each part of the contact, from which its points slip; empty where nothing rubs.
+    """
+
+    regions: Mapping[str, RegionMemory]
+    friction: Friction = ()
+
+    @property
+    def memory(self) -> Memory | None:
+        """Internal variables of the state from which the step goes; None where there are none."""
+        return joined_memory(
+            {name: each.stress for name, each in self.regions.items() if each.stress is not None},
+            {name: each.largest for name, each in self.regions.items() if each.largest is not None},
+            self.friction,
+        )
+
+
+def joined_memory(stress: Mapping[str, Array], largest: Mapping[str, Array], friction: Friction = ()) -> Memory | None:
+    """The memory of all regions and contacts, None where there is none."""
+    return Memory(stress=stress, largest=largest, friction=friction) if stress or largest or friction else None
+
+
+def friction_of(memory: Memory | None) -> Friction:
+    """The friction history in a memory; empty where there is none."""
+    return () if memory is None else memory.friction
+
+
+def _lost_above(material: Material, energy: Array, top: Array) -> Array:
+    """(1/r) ∫ erf((W_m − W)/(m + β W_m)) dW from W to W_m."""
+    from scipy.special import erf
+
+    mullins = material.stress_softening
+    assert mullins is not None
+    width, gap = mullins.m + mullins.beta * top, top - energy
+    x = np.divide(gap, width, out=np.zeros_like(gap), where=width > 0)
+    return np.asarray((gap * erf(x) + width / np.sqrt(np.pi) * np.expm1(-(x**2))) / mullins.r)
+
+
+def right_cauchy_green(F: Array) -> Array:
+    """C = Fᵀ F as components 11 22 33 12 23 13, (..., 6)."""
+    C = F.swapaxes(-1, -2) @ F
+    return np.ascontiguousarray(C[..., _SIX[0], _SIX[1]])
+
+
+def invariant_stress(W1: Array, W2: Array, F: Array) -> Array:
+    """Isochoric second Piola–Kirchhoff stress (..., 6) of a law in invariants, from its first derivatives."""
+    C = F.swapaxes(-1, -2) @ F
+    J = np.linalg.det(F)
+    j = J ** (-2.0 / 3.0)
+    inverse, identity = np.linalg.inv(C), np.eye(3)
+    I1 = np.trace(C, axis1=-2, axis2=-1)
+    I2 = 0.5 * (I1**2 - np.einsum("...ij,...ij->...", C, C))
+    first = identity - (I1 / 3.0)[..., None, None] * inverse
+    second = I1[..., None, None] * identity - C - (2.0 * I2 / 3.0)[..., None, None] * inverse
+    S = 2.0 * ((W1 * j)[..., None, None] * first + (W2 * j * j)[..., None, None] * second)
+    return np.ascontiguousarray(S[..., _SIX[0], _SIX[1]])

@@ -1,0 +1,58 @@
+"""Stabilization of hexahedra: moments of the lost volume that are penalized in every cell.
+
+27-node hexahedra with mean stresses at their corners have 24 displacements for each mean stress. Modes that change the
+volume within cells have no energy, and where the rubber is compressed they buckle although the body would not: a block
+in exact flexure loses stability at 77°, where its inner face is compressed to 0.85 of its length. The energy gets the
+term ½ Σ (∫ φₖ (J − 1 − p/κ) dV)² with functions φₖ that are orthonormal in the cell times √γ. It is consistent: it
+vanishes with the exact solution. The functions are 1, ξ, η, ζ and the products ξη, ηζ, ζξ.
+
+Measured with γ = 5 μ on that block, 8 × 16 cells: the first unstable mode comes at 260°, where the inner face is
+compressed to 0.62 and rubber creases; with 1, ξ, η, ζ alone at 174°, with the mean alone at 84°. A penalty on all of
+J − 1 − p/κ has none up to 270°, but punishes moments of second order that long cells cannot avoid: a closed tube of
+5 mm cells extended 3 % too little with it, 0.6 % with these functions.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.cells.reference import ReferenceCell
+from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.model.model import MIXED, Model
+
+Array = NDArray[np.float64]
+
+#: γ over the initial shear modulus.
+STIFFNESS = 5.0
+
+
+def volume_penalty(model: Model, tables: ReferenceCell, dV: Array, compliance: Array, stress: float) -> Array:
+    """Tabulate √γ φₖ (c, q, k) at the points of all cells; k is zero where cells are stable without it.
+
+    Parameters
+    ----------
+    model : Model
+    tables : ReferenceCell
+    dV : (c, q) array
+        Volumes of the points.
+    compliance : (c,) array
+        1/κ, scaled by ``stress``; γ stays below κ.
+    stress : float [Pa]
+    """
+    if model.mesh.cell_type is not HEXAHEDRON or model.formulation != MIXED:
+        return np.zeros((*dV.shape, 0))
+    x, y, z = (tables.points - 0.5).T
+    functions = np.column_stack([np.ones(len(x)), x, y, z, x * y, y * z, z * x])
+    products = np.einsum("qk,cq,ql->ckl", functions, dV, functions)
+    lower = np.linalg.cholesky(products)
+    orthonormal = np.linalg.solve(lower, np.broadcast_to(functions.T, (len(dV), *functions.T.shape)))
+    gamma = np.empty(len(dV))
+    for name, material in model.region_materials.items():
+        gamma[model.mesh.regions[name]] = STIFFNESS * material.law.shear_modulus / stress
+    gamma /= 1 + gamma * compliance
+    return np.ascontiguousarray(np.sqrt(gamma)[:, None, None] * np.swapaxes(orthonormal, 1, 2))
+
+
+def penalty_energy(penalty: Array, dV: Array, lost: Array) -> Array:
+    """Energy (c,) of the penalty, from the lost volume J − 1 − p/κ (c, q)."""
+    moments = np.einsum("cqk,cq,cq->ck", penalty, dV, lost)
+    return np.asarray(0.5 * np.einsum("ck,ck->c", moments, moments))

@@ -1,0 +1,76 @@
+"""Compiled loops: their threads, and what keeps numba's cache on disk true when one of several files changes."""
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from contextvars import ContextVar
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from types import ModuleType
+from typing import Any, TypeVar
+
+from turgor.foundation.kernel_cache import POOL, processors
+
+Loop = TypeVar("Loop", bound=Callable)
+
+
+#: Options of a loop that Python calls, and of a function that compiled loops alone call, which Python must not. Nothing
+#: here is called from C, and what numba adds for callers that do not exist takes a tenth of the time to compile. Such
+#: functions are inlined. Else a loop takes the copy that its process compiled first, and a first run, which compiles
+#: all of them, has other last digits than one that finds the loops on disk.
+LOOP = {"cache": True, "no_cfunc_wrapper": True, "error_model": "numpy", "nogil": True}
+INNER = LOOP | {"no_cpython_wrapper": True, "forceinline": True}
+
+#: Threads of `over`, where `turgor.core.engine.runtime.use_threads` says how many.
+THREADS: ContextVar[int | None] = ContextVar("threads", default=None)
+
+#: Passes of a loop below which another thread costs more than it saves, and parts of a loop for each thread, so that
+#: none waits long for another.
+LEAST, PARTS = 256, 4
+
+
+def over(count: int, loop: Callable[..., None], *arguments: Any) -> None:
+    """Call ``loop(begin, end, *arguments)`` for ranges that together are 0 to ``count``, on several threads.
+
+    The loop is compiled with ``nogil=True`` and writes only what belongs to its range. It compiles in a third of the
+    time of a parallel loop of numba.
+    """
+    threads = min(processors() if THREADS.get() is None else THREADS.get() or 1, count // LEAST)
+    if threads < 2:
+        if count:
+            loop(0, count, *arguments)
+        return
+    ends = [count * k // (PARTS * threads) for k in range(PARTS * threads + 1)]
+    list(_pool(threads, os.getpid()).map(lambda k: loop(ends[k], ends[k + 1], *arguments), range(len(ends) - 1)))
+
+
+@cache
+def _pool(threads: int, _process: int) -> ThreadPoolExecutor:
+    """Threads that wait for the next loop; a process that was forked has its own."""
+    return ThreadPoolExecutor(threads, thread_name_prefix=POOL)
+
+
+def calls(*modules: ModuleType) -> Callable[[Loop], Loop]:
+    """Name a function after the text of the modules that it calls, below ``numba.njit``.
+
+    numba keeps compiled code beside the file of a function, under the function's qualified name, and renews it when
+    that file changes. It does not notice a change in another file, whose functions it compiled along. With this
+    decorator such a change gives the function another name on disk, so that it is compiled anew. Name every module
+    of turgor that the function calls, and those that these call.
+    """
+    text = b"".join(_text(module) for module in modules)
+    key = sha256(text).hexdigest()[:12]
+
+    def named(function: Loop) -> Loop:
+        function.__qualname__ = f"{function.__qualname__}_{key}"
+        return function
+
+    return named
+
+
+def _text(module: ModuleType) -> bytes:
+    try:
+        return Path(str(module.__file__)).read_bytes()
+    except OSError:  # a frozen program has no sources, and none of them changes
+        return b""

@@ -1,0 +1,317 @@
+"""Build the parts of contact that a model asks for."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.result_cache import kept
+from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
+from turgor.core.engine.contact.shape_part import ShapePart
+from turgor.core.engine.contact.shapes import scaled
+from turgor.core.engine.contact.surface import DEPTH, Surface, listed, of_face, overhangs, strangers
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.contact import SELF
+from turgor.core.model.drive import pressed_together
+from turgor.core.model.model import Model
+from turgor.core.model.obstacles import Obstacle, Plane, RigidSurface
+from turgor.foundation.errors import TurgorError
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: Sides closer than this many of their mean lengths are candidates for contact.
+REACH = 4.0
+
+#: A point that comes upon a rigid body is inside of it to this share of a mean length; known partners may lie deeper.
+RIGID_DEPTH = 0.5
+
+#: A wall meets its mirror image in the mirror plane, with the stiffness of both.
+BOTH_WALLS = 2.0
+
+#: Triangles of a rigid body at most.
+MOST_TRIANGLES = 500_000
+
+#: Rounds in which contact is switched off between sides that overlap at rest.
+ROUNDS = 4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Bodies:
+    """Obstacles held by springs.
+
+    Parameters
+    ----------
+    names : tuple of str
+    springs : (b,) array
+        Scaled stiffness, of the modeled part.
+    unknowns : tuple of int
+        First unknown of each.
+    held : (3 b,) bool array
+        Directions across mirror planes, in which they cannot move.
+    """
+
+    names: tuple[str, ...]
+    springs: Array
+    unknowns: tuple[int, ...]
+    held: NDArray[np.bool_]
+
+    @staticmethod
+    def of(model: Model, scales: tuple[float, float], first_unknown: int) -> "Bodies":
+        """Collect the sprung obstacles of a model."""
+        length, stress = scales
+        sprung = [o for o in model.contact.obstacles if o.spring is not None]
+        springs = np.array([o.spring for o in sprung], dtype=np.float64) / (stress * length)
+        across = np.zeros(3, dtype=bool)
+        for name in model.mesh.symmetry_faces:
+            across[_mirror_axis(model.mesh, name)] = True
+        return Bodies(
+            tuple(o.name for o in sprung),
+            springs / model.mesh.symmetry_factor,
+            tuple(first_unknown + 3 * k for k in range(len(sprung))),
+            np.tile(across, len(sprung)),
+        )
+
+
+def _mirror_axis(mesh: Mesh, face: str) -> int:
+    return int(np.ptp(mesh.points[mesh.face_nodes(face)], axis=0).argmin())
+
+
+def may_touch(model: Model) -> bool:
+    """Whether a model has any contact."""
+    contact = model.contact
+    if model.mesh.cell_type.side.nodes == 8:
+        return False
+    if contact.obstacles:
+        return True
+    return contact.self_contact is not None and (
+        bool(pressed_together(model)) or contact.for_mesh(model.mesh) is not None
+    )
+
+
+def build_parts(
+    model: Model,
+    surface: Surface,
+    points: Array,
+    scales: tuple[float, float],
+    bodies: Bodies,
+    like: Sequence[PairPart | ShapePart] = (),
+) -> list[PairPart | ShapePart]:
+    """Make a part for every obstacle, and those of the contact of the body with itself.
+
+    ``like`` are those of a mesh with the same cells whose nodes are elsewhere by little.
+    """
+    mesh, (length, stress) = model.mesh, scales
+    if mesh.cell_type.side.nodes == 8:
+        if model.contact.obstacles:
+            raise TurgorError("contact needs tetrahedra or 27-node hexahedra; this mesh has 20-node hexahedra.")
+        return []
+    mirrors = of_face(mesh, surface, *mesh.cut_faces)
+    cavities = of_face(mesh, surface, *mesh.cavities)
+    outside = surface.chosen(~mirrors & ~cavities & ~_pinhole(mesh, surface))
+    parts = _with_itself(model, surface, outside, (points, length / stress), like)
+    own = model.contact.self_contact
+    for part in parts:
+        part.elastic_slip = _over(None if own is None else own.elastic_slip, length)
+    for obstacle in model.contact.obstacles:
+        chosen = outside if obstacle.face is None else surface.chosen(of_face(mesh, surface, obstacle.face))
+        if obstacle.stiffness is not None:
+            chosen = _stiff(chosen, obstacle.stiffness * length / stress)
+        unknown = bodies.unknowns[bodies.names.index(obstacle.name)] if obstacle.name in bodies.names else -1
+        shape = scaled(obstacle.shape, length)
+        if isinstance(shape, RigidSurface):
+            parts.append(_triangles(obstacle, shape, chosen, points, unknown))
+        else:
+            parts.append(ShapePart(obstacle.name, chosen, shape, obstacle, unknown))
+        parts[-1].elastic_slip = _over(obstacle.elastic_slip, length)
+    return parts
+
+
+def _over(stated: float | None, length: float) -> float | None:
+    """A stated length over the unit of length."""
+    return None if stated is None else stated / length
+
+
+def _pinhole(mesh: Mesh, surface: Surface) -> NDArray[np.bool_]:
+    """Sides around the axis of a revolved mesh, which is within the body: the wall of the pinhole touches nothing."""
+    if not mesh.revolved:
+        return np.zeros(len(surface.sides), dtype=bool)
+    return np.asarray(mesh.on_axis[surface.sides].all(axis=1))
+
+
+def _stiff(surface: Surface, stiffness: float) -> Surface:
+    """A surface with a scaled stiffness of its own."""
+    return replace(surface, spring=np.full(len(surface.sides), stiffness))
+
+
+def _with_itself(
+    model: Model,
+    surface: Surface,
+    outside: Surface,
+    sizes: tuple[Array, float],
+    like: Sequence[PairPart | ShapePart],
+) -> list[PairPart | ShapePart]:
+    """Walls outside, walls of cavities that are pressed together, and walls against their mirror images.
+
+    ``sizes`` are the scaled points, and the stiffness of 1 Pa/m.
+    """
+    mesh, chosen, (points, stiffness) = model.mesh, model.contact.self_contact, sizes
+    if chosen is None:
+        return []
+    alone = [surface.chosen(of_face(mesh, surface, cavity)) for cavity in pressed_together(model)]
+    if model.contact.for_mesh(mesh) is not None:
+        alone.insert(0, outside)
+    mirrored = np.zeros(len(points), dtype=bool)
+    for name in mesh.cut_faces:
+        mirrored[mesh.face_nodes(name)] = True
+    parts: list[PairPart | ShapePart] = []
+    for one in alone:
+        if chosen.stiffness is not None:
+            one = _stiff(one, chosen.stiffness * stiffness)
+        parts.append(_pairs(one, points, mirrored, chosen.friction, like))
+        for name in mesh.symmetry_faces:
+            parts += _mirror(mesh, name, one, points)
+    return parts
+
+
+def _pairs(
+    surface: Surface,
+    points: Array,
+    mirrored: NDArray[np.bool_],
+    friction: float,
+    like: Sequence[PairPart | ShapePart],
+) -> PairPart:
+    sides, weights, height = surface.sides, surface.weights, surface.height
+    alike = (one for one in like if isinstance(one, PairPart) and one.rigid is None)
+    known = next((one.partners for one in alike if np.array_equal(one.surface.sides, sides)), None)
+    if known is None:
+        partners = replace(_partners(sides, (surface.N, surface.dN, weights, height), points, mirrored), sides=sides)
+    else:  # what never touches is the same
+        over = overhangs(points, sides, mirrored)
+        partners = replace(known, sides=sides, overhang=over, depth=DEPTH * height, reach=_reach(weights))
+    return PairPart(SELF, surface, partners, friction, 0.5)
+
+
+def _reach(weights: Array) -> float:
+    return REACH * float(np.sqrt(weights.sum(axis=1)).mean())
+
+
+@kept(2)  # the search at rest is slow, and the next run often has the same mesh
+def _partners(
+    sides: Ints, tables: tuple[Array, Array, Array, Array], points: Array, mirrored: NDArray[np.bool_]
+) -> Partners:
+    """Sides of a surface that its own points may touch; ``tables`` are N, dN, weights and heights of the surface."""
+    N, dN, weights, height = tables
+    surface = Surface(sides, N, dN, weights, np.ones(len(sides)), height)  # stiffness does not matter to a search
+    partners = Partners(
+        sides=sides,
+        corners=surface.corners,
+        overhang=overhangs(points, sides, mirrored),
+        depth=DEPTH * height,
+        strangers=strangers(points, sides),
+        around=_around(sides, surface.corners),
+        reach=_reach(weights),
+    )
+    for _ in range(ROUNDS):
+        found = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, np.zeros(3))
+        inside = np.argwhere(found.gap < -1e-6 * height[:, None])
+        if not len(inside):
+            break
+        partners = _apart(partners, inside[:, 0], found.partner[inside[:, 0], inside[:, 1]])
+    return partners
+
+
+def _apart(partners: Partners, side: Ints, partner: Ints) -> Partners:
+    """Sides that lie in each other at rest, at an acute edge or a flaw of the mesh, never touch."""
+    start, never = partners.strangers
+    rows = np.concatenate([np.repeat(np.arange(len(start) - 1), np.diff(start)), side])
+    return replace(partners, strangers=listed(rows, np.concatenate([never, partner]), len(start) - 1))
+
+
+def _around(sides: Ints, corners: int) -> tuple[Ints, Ints]:
+    """Sides that share a corner with each side, itself included."""
+    nodes, local = np.unique(sides[:, :corners], return_inverse=True)
+    rows = np.repeat(np.arange(len(sides)), corners)
+    touching = sp.csr_matrix((np.ones(rows.size, np.int32), (rows, local.ravel())), shape=(len(sides), len(nodes)))
+    graph = (touching @ touching.T).tocoo()
+    return listed(graph.row.astype(np.int64), graph.col.astype(np.int64), len(sides))
+
+
+def _mirror(mesh: Mesh, name: str, surface: Surface, points: Array) -> list[PairPart | ShapePart]:
+    """A rigid plane in a mirror plane, for the sides that do not lie in it."""
+    axis = _mirror_axis(mesh, name)
+    level = float(points[mesh.face_nodes(name)][:, axis].mean())
+    side = float(np.sign(points[:, axis].mean() - level))
+    normal, point = np.zeros(3), np.zeros(3)
+    normal[axis], point[axis] = side, level
+    plane = Plane(point=(point[0], point[1], point[2]), normal=(normal[0], normal[1], normal[2]))
+    stiff = replace(surface, spring=BOTH_WALLS * surface.spring)
+    return [ShapePart(SELF, stiff, plane, None, -1)]
+
+
+def _triangles(obstacle: Obstacle, shape: RigidSurface, surface: Surface, points: Array, unknown: int) -> PairPart:
+    """A rigid body of triangles, cut to the size of the sides that it meets."""
+    size = float(np.sqrt(surface.weights.sum(axis=1)).mean())
+    corners, triangles = refined(shape.points, shape.triangles, 2 * size)
+    sides, nodes = six_nodes(corners, triangles)
+    if len(sides) > MOST_TRIANGLES:
+        raise TurgorError(
+            f"obstacle '{obstacle.name}': it has {len(sides)} triangles of the size that the mesh of the actuator "
+            "needs; cut away what cannot be touched."
+        )
+    count = len(points)
+    nothing = (np.zeros(len(surface.sides) + 1, dtype=np.int64), np.zeros(0, dtype=np.int64))
+    partners = Partners(
+        sides=sides + count,
+        corners=3,
+        overhang=overhangs(nodes, sides, np.zeros(len(nodes), dtype=bool)),
+        depth=np.full(len(sides), RIGID_DEPTH * size),
+        strangers=nothing,
+        around=_around(sides, 3),
+        reach=REACH * size,
+        rigid=Rigid(obstacle, nodes, unknown),
+    )
+    return PairPart(obstacle.name, surface, partners, obstacle.friction, 1.0)
+
+
+def refined(points: Array, triangles: Ints, size: float) -> tuple[Array, Ints]:
+    """Halve edges longer than a size until there are none, the same way in both triangles of an edge."""
+    while True:
+        edges = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2)
+        marked = np.linalg.norm(points[edges[..., 0]] - points[edges[..., 1]], axis=2) > size
+        if not marked.any() or len(triangles) > MOST_TRIANGLES:
+            return points, triangles
+        unique, index = np.unique(np.sort(edges[marked], axis=1), axis=0, return_inverse=True)
+        middle = np.full(triangles.shape, -1)
+        middle[marked] = len(points) + index.ravel()
+        points = np.vstack([points, (points[unique[:, 0]] + points[unique[:, 1]]) / 2])
+        triangles = np.concatenate([_cut(triangles, marked, middle, count) for count in range(4)])
+
+
+def _cut(triangles: Ints, marked: NDArray[np.bool_], middle: Ints, count: int) -> Ints:
+    """The pieces of the triangles with ``count`` marked edges; edge i runs from corner i to the next."""
+    chosen = marked.sum(axis=1) == count
+    triangles, marked, middle = triangles[chosen], marked[chosen], middle[chosen]
+    if count == 0:
+        return triangles
+    first = marked.argmax(axis=1) if count != 2 else (1 + (~marked).argmax(axis=1)) % 3
+    turn = (first[:, None] + np.arange(3)) % 3
+    a, b, c = np.take_along_axis(triangles, turn, axis=1).T
+    p, q, r = np.take_along_axis(middle, turn, axis=1).T
+    pieces = {
+        1: [(a, p, c), (p, b, c)],
+        2: [(p, b, q), (a, p, q), (a, q, c)],
+        3: [(a, p, r), (p, b, q), (r, q, c), (p, q, r)],
+    }
+    return np.concatenate([np.stack(piece, axis=1) for piece in pieces[count]])
+
+
+def six_nodes(points: Array, triangles: Ints) -> tuple[Ints, Array]:
+    """Straight six-node triangles (t, 6) and their nodes."""
+    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    unique, index = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)
+    middles = len(points) + index.ravel().reshape(3, -1).T
+    nodes = np.vstack([points, (points[unique[:, 0]] + points[unique[:, 1]]) / 2])
+    return np.ascontiguousarray(np.hstack([triangles, middles])), nodes

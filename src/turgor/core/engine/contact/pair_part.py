@@ -1,0 +1,237 @@
+"""Contact of a surface with curved sides: with itself, or with a rigid body of triangles."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.contact import pairs
+from turgor.core.engine.contact.friction import FrictionHistory
+from turgor.core.engine.contact.part import Found, Look, Ties, dofs, groups, nodal
+from turgor.core.engine.contact.points_part import PointsPart
+from turgor.core.engine.contact.search import Grid, centers_of, find_partners, follow_partners, points_of
+from turgor.core.engine.contact.surface import Surface
+from turgor.core.model.obstacles import Obstacle
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: A foot point may cross so many sides between two searches.
+WALK = 4
+
+#: In a global search, a partner is replaced by one that is nearer by this share of the cell behind it.
+NEARER = 1e-3
+
+#: Ties are kept ready for points nearer than this share of the cell behind them.
+READY = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rigid:
+    """Nodes that move together, behind those of the mesh: the triangles of an obstacle.
+
+    Parameters
+    ----------
+    obstacle : Obstacle
+    points : (m, 3) array
+        Scaled positions at first.
+    unknown : int
+        First of its three unknowns where a spring holds it, −1 otherwise.
+    """
+
+    obstacle: Obstacle
+    points: Array
+    unknown: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Partners:
+    """Sides that may be touched.
+
+    Parameters
+    ----------
+    sides : (t, m) int array
+        Nodes of the mesh, or behind them those of the rigid body.
+    corners : int
+    overhang : (t, e) array
+    depth : (t,) array
+        Depth to which a point counts as inside.
+    strangers : (start, list)
+        For each side of the surface the partner sides that it never touches.
+    around : (start, list)
+        For each partner side those that share a node with it.
+    reach : float
+        How far apart two sides still see each other.
+    rigid : Rigid or None
+    """
+
+    sides: Ints
+    corners: int
+    overhang: Array
+    depth: Array
+    strangers: tuple[Ints, Ints]
+    around: tuple[Ints, Ints]
+    reach: float
+    rigid: Rigid | None = None
+
+
+class PairPart(PointsPart):
+    """Contact of a surface with sides.
+
+    Parameters
+    ----------
+    name : str
+    surface : Surface
+        Its points are integrated on.
+    partners : Partners
+    coefficient : float
+        Of friction.
+    share : float
+        Share of the stiffness that this part has: half where both surfaces are integrated on.
+    """
+
+    def __init__(self, name: str, surface: Surface, partners: Partners, coefficient: float, share: float) -> None:
+        super().__init__(name, surface, coefficient, share)
+        self.partners = partners
+
+    @property
+    def rigid(self) -> Rigid | None:
+        """The rigid body that is touched, if it is one."""
+        return self.partners.rigid
+
+    @property
+    def obstacle(self) -> Obstacle | None:
+        """The obstacle that is touched; None where the actuator meets itself."""
+        return None if self.rigid is None else self.rigid.obstacle
+
+    @property
+    def unknown(self) -> int:
+        """First unknown of the obstacle where a spring holds it, −1 otherwise."""
+        return -1 if self.rigid is None else self.rigid.unknown
+
+    @property
+    def key_count(self) -> int:
+        """Ties that are possible."""
+        return len(self.surface.sides) * len(self.partners.sides)
+
+    def _all(self, position: Array, place: Array) -> Array:
+        return position if self.rigid is None else np.vstack([position, self.rigid.points + place])
+
+    def look(self, position: Array, place: Array, known: Found | None = None, how: Look = Look.FOLLOW) -> Found:
+        """Find the partner of every point, by a global search where none is known."""
+        s, p = self.surface, self.partners
+        x, normal, growth = points_of(position, s.sides, s.N, s.dN)
+        every = self._all(position, place)
+        if known is None:
+            return Found(x, normal, growth, *self._search(x, normal, position, every), place)
+        walk = 0 if how is Look.KEEP else WALK
+        partner, at, gap = follow_partners(
+            (x, normal), every, p.sides, known.partner, known.at, p.around, p.overhang, walk
+        )
+        if how is Look.ANEW:
+            others, places, gaps = self._search(x, normal, position, every)
+            nearer = np.abs(gaps) < np.abs(gap) - NEARER * s.height[:, None]
+            change = ~np.isfinite(gap) | ~np.isfinite(gaps) | nearer
+            partner, gap = np.where(change, others, partner), np.where(change, gaps, gap)
+            at = np.where(change[:, :, None], places, at)
+        return Found(x, normal, growth, partner, at, gap, place)
+
+    def _search(self, x: Array, normal: Array, position: Array, every: Array) -> tuple[Ints, Array, Array]:
+        """Search the whole surface: partner, place and gap of every point."""
+        s, p = self.surface, self.partners
+        others = centers_of(every, p.sides, p.corners)
+        own = others if p.sides is s.sides else centers_of(position, s.sides, s.corners)
+        grid = Grid.of(others[0], p.reach + float(own[1].max() + others[1].max()))
+        cubes = (grid.low, grid.edge, grid.counts, grid.start, grid.order)
+        allowed = (p.overhang, p.depth)
+        return find_partners((x, normal), every, p.sides, (own, others), cubes, allowed, p.reach, p.strangers)
+
+    def _springs(self, points: Ints, partner: Ints) -> Array:
+        """Pressure per depth (k,) at points: that of the softer side, times the penalty scale of the point's own."""
+        side = points[:, 0]
+        spring = self.surface.spring[side]
+        if self.rigid is None:
+            spring = np.minimum(spring, self.surface.spring[partner])
+        return np.asarray(self.share * spring * self.penalty_scale[side])
+
+    def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
+        return np.hstack([self.surface.sides[points[:, 0]], self.partners.sides[partner]])
+
+    def _press(self, position: Array, found: Found) -> Array:
+        every = self._all(position, found.place)
+        points = np.ascontiguousarray(found.touching)
+        if not len(points):
+            return np.zeros_like(every)
+        i, q = points.T
+        partner, at = found.partner[i, q], found.at[i, q]
+        spring = self._springs(points, partner) * self._weights(points)
+        local = pairs.press_forces(
+            every, (self.surface.sides, self.partners.sides), self.surface.N, points, partner, at, spring
+        )
+        return nodal(self._nodes(points, partner, len(position)), local, len(every))
+
+    def _press_tangents(self, position: Array, found: Found) -> Ties:
+        points = found.touching
+        partner = found.partner[points[:, 0], points[:, 1]]
+        order, start, keys = groups(self._key(points[:, 0], partner))
+        points, partner = np.ascontiguousarray(points[order]), np.ascontiguousarray(partner[order])
+        spring = self._springs(points, partner) * self._weights(points)
+        sides = (self.surface.sides, self.partners.sides)
+        at = np.ascontiguousarray(found.at[points[:, 0], points[:, 1]])
+        every = self._all(position, found.place)
+        local = pairs.press_tangents(every, sides, self.surface.N, points, partner, at, spring, start)
+        return Ties(self.tied_unknowns(keys), local)
+
+    def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
+        places = self._all(position, found.place)[self._nodes(a.points, a.partner, len(position))]
+        return np.einsum("ka,kai->ki", self._shares(a.points, a.at), places)
+
+    def _shares(self, points: Ints, at: Array) -> Array:
+        there = pairs.shares_at(self.partners.sides.shape[1], np.ascontiguousarray(at))
+        return np.hstack([self.surface.N[points[:, 1]], -there])
+
+    def _normals(self, position: Array, found: Found, points: Ints) -> Array:
+        every, at = self._all(position, found.place), found.at[points[:, 0], points[:, 1]]
+        return pairs.normals_at(every, self.partners.sides, self._partners(found, points), at)
+
+    def keys(self, found: Found) -> Ints:
+        """Ties that the tangent needs."""
+        points = found.touching
+        out = self._key(points[:, 0], found.partner[points[:, 0], points[:, 1]])
+        if found.friction is not None:
+            out = np.concatenate([out, self._key(found.friction.points[:, 0], found.friction.partner)])
+        return np.unique(out)
+
+    def ready_keys(self, found: Found) -> Ints:
+        """Ties that the tangent may need soon: of points that are near, with the sides around their partners."""
+        near = np.argwhere(found.gap < READY * self.surface.height[:, None])
+        side, partner = near[:, 0], found.partner[near[:, 0], near[:, 1]]
+        start, around = self.partners.around
+        count = start[partner + 1] - start[partner]
+        rows = np.repeat(side, count)
+        place = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count) + np.repeat(start[partner], count)
+        return np.union1d(self.keys(found), self._key(rows, around[place]))
+
+    def _key(self, side: Ints, partner: Ints) -> Ints:
+        return np.asarray(side * len(self.partners.sides) + partner)
+
+    def tied_unknowns(self, keys: Ints) -> Ints:
+        """Unknowns of ties, in rows; −1 where a node is fixed."""
+        side, partner = np.divmod(keys, len(self.partners.sides))
+        first = dofs(self.surface.sides[side])
+        if self.rigid is None:
+            return np.hstack([first, dofs(self.partners.sides[partner])])
+        body = self.rigid.unknown + np.arange(3) if self.rigid.unknown >= 0 else np.full(3, -1)
+        return np.hstack([first, np.tile(body, (len(keys), self.partners.sides.shape[1]))])
+
+    def passed(self, position: Array, old: Found, new: Found) -> Array:
+        """Signed gap (s, q) of points to the sides that were before them, where they have passed through unseen."""
+        every = self._all(position, new.place)
+        p = self.partners
+        open_before = np.where((old.gap >= 0) & (new.gap >= 0) & (new.partner != old.partner), old.partner, -1)
+        _, at, gap = follow_partners((new.x, new.normal), every, p.sides, open_before, old.at, p.around, p.overhang, 0)
+        inside = (at.min(axis=2) > -0.1) & (at.max(axis=2) < 1.1)
+        if self.partners.corners == 3:
+            inside &= at.sum(axis=2) < 1.1
+        deep = gap < -self.partners.depth[np.maximum(open_before, 0)]
+        return np.where((open_before >= 0) & inside & deep, gap, np.inf)

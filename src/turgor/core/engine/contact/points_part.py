@@ -1,0 +1,225 @@
+"""PointsPart: penalty contact with Coulomb friction at the quadrature points of a surface.
+
+Every point that has penetrated is pushed back with a force in proportion to its depth (the penalty). Friction acts on
+its slip since the last converged state, by a return mapping (`turgor.core.engine.contact.friction`). What the points
+may touch is left to the subclasses: sides of cells in `PairPart`, shapes with a formula in `ShapePart`.
+"""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.contact import friction
+from turgor.core.engine.contact.friction import FrictionHistory
+from turgor.core.engine.contact.pairs import tie_tangents
+from turgor.core.engine.contact.part import Found, Ties, groups, nodal
+from turgor.core.engine.contact.surface import Surface
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rubbing:
+    """How the limit of friction changes with the contact pressure: a matrix of rank one for each of k points.
+
+    Parameters
+    ----------
+    pulled : (k, m) int array
+        Unknowns that are pulled, −1 for none.
+    pull : (k, m) array
+        Forces on them for a limit of one.
+    pressed : (k, l) int array
+        Unknowns that change the limit, −1 for none.
+    change : (k, l) array
+        How the limit changes with each.
+    """
+
+    pulled: Ints
+    pull: Array
+    pressed: Ints
+    change: Array
+
+
+class PointsPart(ABC):
+    """Contact of the quadrature points of a surface.
+
+    Parameters
+    ----------
+    name : str
+    surface : Surface
+    coefficient : float
+        Of friction.
+    share : float
+        Share of the stiffness that this part has: half where both surfaces are integrated on.
+
+    Attributes
+    ----------
+    penalty_scale : (s,) array
+        Factor on the penalty of each side; it grows where the penetration exceeds the tolerance.
+    elastic_slip : float or None
+        Scaled slip at which points that stick begin to slide, where it is stated.
+    """
+
+    def __init__(self, name: str, surface: Surface, coefficient: float, share: float) -> None:
+        self.name, self.surface, self.coefficient, self.share = name, surface, coefficient, share
+        self.penalty_scale = np.ones(len(surface.sides))
+        self.elastic_slip: float | None = None
+
+    @abstractmethod
+    def tied_unknowns(self, keys: Ints) -> Ints:
+        """Degrees of freedom that each tie couples, in rows; −1 where nothing moves freely."""
+
+    @abstractmethod
+    def _press(self, position: Array, found: Found) -> Array:
+        """Forces of the pressure on the nodes."""
+
+    @abstractmethod
+    def _press_tangents(self, position: Array, found: Found) -> Ties:
+        """Tangents of the points that press."""
+
+    @abstractmethod
+    def _springs(self, points: Ints, partner: Ints) -> Array:
+        """Pressure per depth (k,) at points."""
+
+    @abstractmethod
+    def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
+        """Nodes of points and of what they touch, ``count`` of which are those of the mesh."""
+
+    @abstractmethod
+    def _shares(self, points: Ints, at: Array) -> Array:
+        """Shape functions of points, then minus those of their places on what they touch."""
+
+    @abstractmethod
+    def _normals(self, position: Array, found: Found, points: Ints) -> Array:
+        """Normals (k, 3) of what points touch, out of it."""
+
+    @abstractmethod
+    def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
+        """Points minus the places on their partners (k, 3)."""
+
+    @abstractmethod
+    def _key(self, side: Ints, partner: Ints) -> Ints:
+        """Ties of sides with partners."""
+
+    def _weights(self, points: Ints) -> Array:
+        return np.asarray(self.surface.weights[points[:, 0], points[:, 1]])
+
+    def _partners(self, found: Found, points: Ints) -> Ints:
+        return np.maximum(found.partner[points[:, 0], points[:, 1]], 0)
+
+    def forces(self, position: Array, found: Found) -> Array:
+        """Internal forces on the nodes, those of a rigid body last."""
+        out, a = self._press(position, found), self.bound(found)
+        if a is None:
+            return out
+        traction, _ = friction.tractions(a, self._apart(position, found, a))
+        pull = self._weights(a.points)[:, None] * traction
+        local = self._shares(a.points, a.at)[:, :, None] * pull[:, None, :]
+        return out + nodal(self._nodes(a.points, a.partner, len(position)), local, len(out))
+
+    def tangents(self, position: Array, found: Found) -> list[Ties]:
+        """Tangents of the points that press, and of those that stick or slip at the limits that they have."""
+        out = [self._press_tangents(position, found)] if found.inside.any() else []
+        a = self.bound(found)
+        if a is not None:
+            _, matrices = friction.tractions(a, self._apart(position, found, a))
+            matrices *= self._weights(a.points)[:, None, None]
+            out.append(self._tied(a.points, a.partner, self._shares(a.points, a.at), matrices))
+        return out
+
+    def _tied(self, points: Ints, partner: Ints, shares: Array, matrices: Array) -> Ties:
+        order, start, keys = groups(self._key(points[:, 0], partner))
+        local = tie_tangents(shares[order], np.ascontiguousarray(matrices[order]), start)
+        return Ties(self.tied_unknowns(keys), local)
+
+    def rubbing(self, position: Array, found: Found) -> Rubbing | None:
+        """Change of the limits of friction with the contact pressure; None without friction, or where they are kept."""
+        a = self.bound(found)
+        if a is None or a.limits_kept:
+            return None
+        pull = friction.by_limit(a, self._apart(position, found, a)) * self._weights(a.points)[:, None]
+        chosen = found.inside[a.points[:, 0], a.points[:, 1]] & pull.any(axis=1)
+        if not chosen.any():
+            return None
+        points, pull = a.points[chosen], pull[chosen]
+        partner, at = self._partners(found, points), found.at[points[:, 0], points[:, 1]]
+        normal = self._normals(position, found, points)
+        normal *= -self.coefficient * self._springs(points, partner)[:, None]
+        return Rubbing(
+            self.tied_unknowns(self._key(points[:, 0], a.partner[chosen])),
+            (self._shares(points, a.at[chosen])[:, :, None] * pull[:, None, :]).reshape(len(points), -1),
+            self.tied_unknowns(self._key(points[:, 0], partner)),
+            (self._shares(points, at)[:, :, None] * normal[:, None, :]).reshape(len(points), -1),
+        )
+
+    def pressures(self, found: Found) -> Array:
+        """Pressure (s, q) per reference area at the points, that of both passes."""
+        out = np.zeros(found.gap.shape)
+        points = found.touching
+        i, q = points.T
+        out[i, q] = self._springs(points, found.partner[i, q]) / self.share * -found.gap[i, q]
+        return out
+
+    def energy(self, found: Found) -> float:
+        """Energy stored in the penetration."""
+        points = found.touching
+        i, q = points.T
+        spring = self._springs(points, found.partner[i, q]) * self._weights(points)
+        return float(0.5 * (spring * found.gap[i, q] ** 2).sum())
+
+    def stiffened(self, former: Array, before: Found, found: Found) -> float:
+        """Energy that raising the penalty from the ``former`` scales (s,) put into what was and is penetrated.
+
+        Consistent with work by the trapezoidal rule: ½ (k₁ − k₀) g₀ g₁ at every point.
+        """
+        points = before.also(found)
+        i, q = points.T
+        gain = (
+            self._springs(points, found.partner[i, q]) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
+        )
+        return float(0.5 * (gain * before.gap[i, q] * found.gap[i, q]).sum())
+
+    def rubbed(self, position: Array, found: Found) -> float:
+        """Energy that friction has dissipated since the last state."""
+        a = self.bound(found)
+        return 0.0 if a is None else friction.taken(a, self._apart(position, found, a), self._weights(a.points))
+
+    def bound(self, found: Found) -> FrictionHistory | None:
+        """The friction history with the limits that hold; None where there are none."""
+        a = found.friction
+        if a is None or not len(a.points):
+            return None
+        return a if a.limits_kept else replace(a, limit=self._limits(found, a.points))
+
+    def _limits(self, found: Found, points: Ints) -> Array:
+        """Coulomb's limit (k,) of the tractions at points, from the present pressures."""
+        gap = found.gap[points[:, 0], points[:, 1]]
+        depth = np.where(np.isfinite(gap), np.maximum(-gap, 0.0), 0.0)
+        return np.asarray(self.coefficient * self._springs(points, self._partners(found, points)) * depth)
+
+    def settled(self, found: Found) -> tuple[FrictionHistory | None, bool]:
+        """The friction history with the present limits, and whether any differs noticeably from that before."""
+        a = found.friction
+        if a is None or not len(a.points):
+            return a, False
+        limit = self._limits(found, a.points)
+        largest = float(max(limit.max(), a.limit.max()))
+        return replace(a, limit=limit), bool(np.abs(limit - a.limit).max() > friction.SETTLED * largest)
+
+    def anchored(self, position: Array, found: Found) -> FrictionHistory:
+        """Friction history of the points that touch or soon may, with the tractions that they have."""
+        points = np.argwhere(found.gap < friction.NEAR * self.surface.height[:, None])
+        i, q = points.T
+        normal = self._normals(position, found, points)
+        traction, a = np.zeros((len(points), 3)), self.bound(found)
+        if a is not None:
+            before = np.zeros((*found.gap.shape, 3))
+            before[a.points[:, 0], a.points[:, 1]], _ = friction.tractions(a, self._apart(position, found, a))
+            traction = friction.turned(before[i, q], normal)
+        slip, none = friction.elastic_slip(self.surface, points, self.elastic_slip), np.zeros((len(points), 3))
+        limit = self._limits(found, points)
+        out = FrictionHistory(points, found.partner[i, q], found.at[i, q], none, normal, traction, limit, slip)
+        return replace(out, apart=self._apart(position, found, out))

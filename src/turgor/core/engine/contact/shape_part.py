@@ -1,0 +1,107 @@
+"""Contact of a surface with a rigid body whose distance is a formula."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.contact.friction import FrictionHistory
+from turgor.core.engine.contact.part import Found, Look, Ties, dofs, nodal
+from turgor.core.engine.contact.points_part import PointsPart
+from turgor.core.engine.contact.search import points_of
+from turgor.core.engine.contact.shapes import Formula, signed_distance
+from turgor.core.engine.contact.surface import Surface
+from turgor.core.model.obstacles import Obstacle
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+class ShapePart(PointsPart):
+    """Contact of a surface with a plane, a sphere, a cylinder or a box.
+
+    Parameters
+    ----------
+    name : str
+    surface : Surface
+    shape : Plane, Sphere, Cylinder or Box
+        Scaled.
+    obstacle : Obstacle or None
+        What moves it; None for a mirror plane, which stays.
+    unknown : int
+        First of its three unknowns where a spring holds it, −1 otherwise.
+    """
+
+    def __init__(self, name: str, surface: Surface, shape: Formula, obstacle: Obstacle | None, unknown: int) -> None:
+        super().__init__(name, surface, 0.0 if obstacle is None else obstacle.friction, 1.0)
+        self.shape, self.obstacle, self.unknown = shape, obstacle, unknown
+
+    @property
+    def key_count(self) -> int:
+        """Ties that are possible."""
+        return len(self.surface.sides)
+
+    def look(self, position: Array, place: Array, known: Found | None = None, how: Look = Look.FOLLOW) -> Found:
+        """Measure the gap of every point."""
+        s = self.surface
+        x, normal, growth = points_of(position, s.sides, s.N, s.dN)
+        gap, _, _ = signed_distance(self.shape, (x - place).reshape(-1, 3))
+        zero = np.zeros(x.shape[:2], dtype=np.int64)
+        at = np.zeros((*x.shape[:2], 2))
+        return Found(x, normal, growth, zero, at, gap.reshape(x.shape[:2]), place)
+
+    def _springs(self, points: Ints, partner: Ints) -> Array:
+        side = points[:, 0]
+        return np.asarray(self.surface.spring[side] * self.penalty_scale[side])
+
+    def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
+        return np.hstack([self.surface.sides[points[:, 0]], np.full((len(points), 1), count)])
+
+    def _shares(self, points: Ints, at: Array) -> Array:
+        return np.hstack([self.surface.N[points[:, 1]], -np.ones((len(points), 1))])
+
+    def _press(self, position: Array, found: Found) -> Array:
+        points = found.touching
+        i, q = points.T
+        partner, at = found.partner[i, q], found.at[i, q]
+        spring = self._springs(points, partner) * self._weights(points)
+        push = (spring * found.gap[i, q])[:, None] * self._normals(position, found, points)
+        local = self._shares(points, at)[:, :, None] * push[:, None, :]
+        return nodal(self._nodes(points, partner, len(position)), local, len(position) + 1)
+
+    def _press_tangents(self, position: Array, found: Found) -> Ties:
+        points = found.touching
+        i, q = points.T
+        gap, gradient, hessian = signed_distance(self.shape, found.x[i, q] - found.place)
+        matrices = gradient[:, :, None] * gradient[:, None, :] + gap[:, None, None] * hessian
+        matrices *= (self._springs(points, found.partner[i, q]) * self._weights(points))[:, None, None]
+        return self._tied(points, found.partner[i, q], self._shares(points, found.at[i, q]), matrices)
+
+    def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
+        return np.asarray(found.x[a.points[:, 0], a.points[:, 1]] - found.place)
+
+    def _normals(self, position: Array, found: Found, points: Ints) -> Array:
+        return signed_distance(self.shape, found.x[points[:, 0], points[:, 1]] - found.place)[1]
+
+    def _key(self, side: Ints, partner: Ints) -> Ints:
+        return side
+
+    def keys(self, found: Found) -> Ints:
+        """Ties that the tangent needs beyond those of the cells: of sides with a sprung body."""
+        if self.unknown < 0:
+            return np.zeros(0, dtype=np.int64)
+        sides = found.touching[:, 0]
+        if found.friction is not None:
+            sides = np.concatenate([sides, found.friction.points[:, 0]])
+        return np.unique(sides)
+
+    def ready_keys(self, found: Found) -> Ints:
+        """Ties that the tangent may need: all sides."""
+        return np.arange(len(self.surface.sides)) if self.unknown >= 0 else np.zeros(0, dtype=np.int64)
+
+    def tied_unknowns(self, keys: Ints) -> Ints:
+        """Unknowns of ties, in rows; −1 where the body does not move freely."""
+        body = self.unknown + np.arange(3) if self.unknown >= 0 else np.full(3, -1)
+        return np.hstack([dofs(self.surface.sides[keys]), np.tile(body, (len(keys), 1))])
+
+    def passed(self, position: Array, old: Found, new: Found) -> Array:
+        """No point passes unseen: the gap is a formula."""
+        return np.full(new.gap.shape, np.inf)

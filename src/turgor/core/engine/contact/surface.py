@@ -1,0 +1,161 @@
+"""Surface: sides that may touch, their quadrature points and how stiff they are behind."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from turgor.core.engine.cells.reference import reference_cell
+from turgor.core.engine.contact.search import centers_of, points_of
+from turgor.core.meshing.cells import side_type
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.surface import cell_sides, corner_keys
+from turgor.core.model.model import Model
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: The quadrature on a side: 6 points on a triangle, 9 on a quadrilateral.
+DEGREE = {6: 4, 8: 5, 9: 5}
+
+#: Contact stiffness times the height of the cell behind, over Young's modulus at rest.
+STIFFNESS = 20.0
+
+#: Foot points may lie this far beyond an edge that joins two sides smoothly, whose kink leaves wedges in front of it;
+#: beyond a sharp edge there is nothing.
+OVERHANG, SHARP_OVERHANG = 0.03, 1e-6
+
+#: Cosine between the normals of two sides that join smoothly: below 37°.
+SMOOTH = 0.8
+
+#: A point is taken to lie inside a side no deeper than this share of the cell behind it.
+DEPTH = 0.25
+
+#: Two sides with a common node face each other where each lies above the other by this share of their distance.
+ABOVE = 0.1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Surface:
+    """Sides of the body that may touch something, in scaled units.
+
+    Parameters
+    ----------
+    sides : (s, n) int array
+    N : (q, n) array
+        Shape functions at the quadrature points.
+    dN : (q, n, 2) array
+    weights : (s, q) array
+        Reference area that belongs to each point.
+    spring : (s,) array
+        Pressure per depth.
+    height : (s,) array
+        Of the cell behind each side.
+    """
+
+    sides: Ints
+    N: Array
+    dN: Array
+    weights: Array
+    spring: Array
+    height: Array
+
+    def chosen(self, which: Ints | NDArray[np.bool_]) -> "Surface":
+        """Return some of the sides."""
+        return Surface(
+            np.ascontiguousarray(self.sides[which]),
+            self.N,
+            self.dN,
+            self.weights[which],
+            self.spring[which],
+            self.height[which],
+        )
+
+    @property
+    def corners(self) -> int:
+        """Corners of each side."""
+        return side_type(self.sides.shape[1]).corners
+
+
+def whole_surface(model: Model, points: Array, volumes: Array, stress: float) -> Surface:
+    """Collect every side that belongs to one cell only.
+
+    Parameters
+    ----------
+    model : Model
+    points : (n, 3) array
+        Scaled reference positions.
+    volumes : (c,) array
+        Scaled volumes of the cells.
+    stress : float [Pa]
+        Scale of stresses.
+    """
+    mesh = model.mesh
+    every = cell_sides(mesh.cells)
+    _, index, count = np.unique(corner_keys(every, len(points)), return_index=True, return_counts=True)
+    outer = np.sort(index[count == 1])
+    sides = np.ascontiguousarray(every[outer])
+    owner = outer // (len(every) // len(mesh.cells))
+    r = reference_cell(sides.shape[1], DEGREE[sides.shape[1]])
+    _, _, growth = points_of(points, sides, r.N, r.dN)
+    weights = growth * r.weights
+    tall = 3.0 if mesh.cell_type.corners == 4 else 1.0
+    height = tall * volumes[owner] / weights.sum(axis=1)
+    modulus = np.empty(len(mesh.cells))
+    for name, material in model.region_materials.items():
+        modulus[mesh.regions[name]] = 3 * material.law.shear_modulus / stress
+    return Surface(sides, r.N, r.dN, weights, STIFFNESS * modulus[owner] / height, height)
+
+
+def of_face(mesh: Mesh, surface: Surface, *names: str) -> NDArray[np.bool_]:
+    """Which sides of a surface belong to named faces."""
+    n = len(mesh.points)
+    keys = [corner_keys(mesh.face(name), n) for name in names]
+    return np.isin(corner_keys(surface.sides, n), np.concatenate([np.zeros(0, dtype=np.int64), *keys]))
+
+
+def overhangs(points: Array, sides: Ints, mirrored: NDArray[np.bool_]) -> Array:
+    """How far a foot point may lie beyond each edge of each side (s, e); ``mirrored`` marks nodes on mirror planes."""
+    kind = side_type(sides.shape[1])
+    _, _, normal = centers_of(points, sides, kind.corners)
+    edges = np.concatenate([np.sort(sides[:, list(pair)], axis=1) for pair in kind.edges])
+    owner = np.tile(np.arange(len(sides)), len(kind.edges))
+    _, edge, count = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
+    edge = edge.ravel()
+    order = np.argsort(edge, kind="stable")
+    start = np.cumsum(count) - count
+    out = np.full(len(edges), SHARP_OVERHANG)
+    twice = start[count == 2]
+    first, second = order[twice], order[twice + 1]
+    smooth = np.einsum("ei,ei->e", normal[owner[first]], normal[owner[second]]) > SMOOTH
+    out[first[smooth]] = out[second[smooth]] = OVERHANG
+    out[mirrored[edges].all(axis=1)] = OVERHANG  # the surface goes on behind the mirror
+    return np.ascontiguousarray(out.reshape(len(kind.edges), -1).T)
+
+
+def strangers(points: Array, sides: Ints) -> tuple[Ints, Ints]:
+    """Sides that share a node with each side and never touch it, as start (s + 1,) and list: all but those in a groove.
+
+    Two sides at a common edge seem to lie inside each other where the body between them is a wedge; where they look at
+    each other through air, they may close like a book.
+    """
+    kind = side_type(sides.shape[1])
+    nodes, local = np.unique(sides[:, : kind.corners], return_inverse=True)
+    rows = np.repeat(np.arange(len(sides)), kind.corners)
+    touching = sp.csr_matrix((np.ones(rows.size, np.int32), (rows, local.ravel())), shape=(len(sides), len(nodes)))
+    graph = (touching @ touching.T).tocoo()
+    a, b = graph.row.astype(np.int64), graph.col.astype(np.int64)
+    center, _, normal = centers_of(points, sides, kind.corners)
+    apart = center[b] - center[a]
+    distance = np.linalg.norm(apart, axis=1)
+    groove = (np.einsum("pi,pi->p", apart, normal[a]) > ABOVE * distance) & (
+        np.einsum("pi,pi->p", apart, normal[b]) < -ABOVE * distance
+    )
+    return listed(a[~groove], b[~groove], len(sides))
+
+
+def listed(rows: Ints, values: Ints, count: int) -> tuple[Ints, Ints]:
+    """Values of each of ``count`` rows one after another: start (count + 1,), values."""
+    order = np.lexsort((values, rows))
+    return np.searchsorted(rows[order], np.arange(count + 1)).astype(np.int64), np.ascontiguousarray(values[order])

@@ -1,0 +1,199 @@
+"""Discrete threads: every thread of a winding as a chain of trusses, cut where it passes from side to side.
+
+Each truss lies in one side of a cell, so that it adds nothing to the sparsity of the tangent. It stretches like the
+surface in its middle, as interpolated from the integration points of membranes: elsewhere the strains of a quadratic
+side are too noisy for threads that hardly stretch, which would go slack and tight at random. A thread that crosses a
+side is two trusses, one that cuts off a corner is one. With one truss per crossing the side could bulge between the
+threads without stretching any truss, and with ten sides around the tube of V20 it would twist 4 % too little.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.fibers.fiber_kernels import Pieces
+from turgor.core.engine.fibers.lines import Lines, thread_lines
+from turgor.core.engine.fibers.smeared import course_of, smeared_pieces, unit_axis, wound_sides
+from turgor.core.engine.fibers.surface_unrolling import UnrolledSurface, shape_values, unroll
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.fibers import DISCRETE, Fibers
+from turgor.foundation.display import brief
+from turgor.foundation.errors import TurgorError
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: Distance of the points at which a thread is first looked up, as a share of the smaller extent of the smaller sides.
+STEP = 0.5
+
+#: Halvings by which the passage from one side to the next is found.
+HALVINGS = 22
+
+#: Trusses of a thread that crosses a whole side.
+CROSSING = 2
+
+#: Trusses shorter than this share of the smaller sides are left out: they only cut a corner.
+SHORTEST = 1e-4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FiberTrusses:
+    """Discrete threads: their trusses in order along each thread, and where these begin and end.
+
+    Parameters
+    ----------
+    pieces : Pieces
+        The trusses, thread after thread.
+    begin, end : (k, n) arrays
+        Shape values of the sides' nodes at the two ends of each truss.
+    thread : (k,) int array
+        Thread that each truss belongs to; a thread that leaves the face and comes back counts as two.
+    """
+
+    pieces: Pieces
+    begin: Array
+    end: Array
+    thread: Ints
+
+    __repr__ = brief
+
+    @property
+    def count(self) -> int:
+        """Number of threads."""
+        return int(self.thread[-1]) + 1 if len(self.thread) else 0
+
+    @property
+    def lengths(self) -> Array:
+        """Length of each thread at rest, (count,) [m]."""
+        return np.bincount(self.thread, self.pieces.weights, minlength=self.count).astype(np.float64)
+
+    def ends(self, points: Array) -> Array:
+        """First and last point of each truss, (k, 2, 3), from nodal positions (n, 3) at rest or deformed."""
+        nodes = points[self.pieces.sides]
+        return np.stack([np.einsum("ka,kai->ki", values, nodes) for values in (self.begin, self.end)], axis=1)
+
+    def polylines(self, points: Array) -> list[Array]:
+        """Points (k, 3) along each thread, from nodal positions (n, 3) at rest or deformed."""
+        borders = np.flatnonzero(np.diff(self.thread)) + 1
+        return [np.concatenate([part[:, 0], part[-1:, 1]]) for part in np.split(self.ends(points), borders)]
+
+
+def discrete_threads(mesh: Mesh, fibers: Fibers) -> FiberTrusses:
+    """Lay the threads of a winding on their face and cut them into trusses.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    fibers : Fibers
+
+    Raises
+    ------
+    TurgorError
+        If the winding does not fit the face, or no thread lies on it.
+    """
+    course = course_of(mesh, fibers)
+    axis = unit_axis(fibers.winding)
+    face = unroll(mesh.points, wound_sides(mesh, fibers), axis, fibers.name)
+    lines = thread_lines(course, face, fibers)
+    cuts = _parted(face, lines, _cut(face, lines, _Where(mesh, face, fibers)))
+    if not len(cuts.side):
+        raise TurgorError(f"fibers on '{fibers.name}': no thread lies on this face within the given box.")
+    return _trusses(mesh, face, fibers, lines, cuts)
+
+
+def lay(mesh: Mesh, fibers: Fibers) -> FiberTrusses | Pieces:
+    """The threads of a discrete winding, or the pieces of a smeared one."""
+    return discrete_threads(mesh, fibers) if fibers.form == DISCRETE else smeared_pieces(mesh, fibers)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Where:
+    """Tells the side under points of the unrolled face, −1 outside the face or the box of the winding."""
+
+    mesh: Mesh
+    face: UnrolledSurface
+    fibers: Fibers
+
+    def sides(self, points: Array) -> Ints:
+        side, place = self.face.find(points)
+        if self.fibers.within is None:
+            return side
+        values, _ = shape_values(self.face.sides.shape[1], place)
+        at = np.einsum("ka,kai->ki", values, self.mesh.points[self.face.sides[side]])
+        return np.where(self.fibers.holds(at), side, -1)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Cuts:
+    """Parts of lines, each in one side: line, where it begins and ends along it, side; sorted."""
+
+    line: Ints
+    begin: Array
+    end: Array
+    side: Ints
+
+
+def _cut(face: UnrolledSurface, lines: Lines, where: _Where) -> _Cuts:
+    """Cut lines where they pass from side to side: coarse look-up first, then halving."""
+    parts = np.maximum(2, np.ceil(lines.length / (STEP * face.fineness)).astype(np.int64))
+    line = np.repeat(np.arange(len(parts)), parts + 1)
+    number = np.arange(len(line)) - np.repeat(np.cumsum(parts + 1) - parts - 1, parts + 1)
+    t = number / parts[line] * lines.length[line]
+    side = where.sides(lines.at(line, t))
+    differ = np.flatnonzero((line[1:] == line[:-1]) & (side[1:] != side[:-1]))
+    at, low, high = line[differ], t[differ], t[differ + 1]
+    before, after = side[differ], side[differ + 1]
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        between = where.sides(lines.at(at, middle))
+        left, right = before != between, between != after
+        at = np.concatenate([at[left], at[right]])
+        low, high = np.concatenate([low[left], middle[right]]), np.concatenate([middle[left], high[right]])
+        before, after = (
+            np.concatenate([before[left], between[right]]),
+            np.concatenate([between[left], after[right]]),
+        )
+    first = number == 0
+    line = np.concatenate([line[first], at])
+    begin = np.concatenate([t[first], (low + high) / 2])
+    side = np.concatenate([side[first], after])
+    order = np.lexsort((begin, line))
+    line, begin, side = line[order], begin[order], side[order]
+    last = np.append(line[1:] != line[:-1], True)
+    end = np.where(last, lines.length[line], np.append(begin[1:], 0.0))
+    kept = (side >= 0) & (end - begin > SHORTEST * face.fineness)
+    return _Cuts(line[kept], begin[kept], end[kept], side[kept])
+
+
+def _parted(face: UnrolledSurface, lines: Lines, cuts: _Cuts) -> _Cuts:
+    """Cut each part in equal shares, as many as its share of a whole crossing of its side asks for."""
+    extent = np.ptp(face.flat, axis=1)[cuts.side]
+    crossing = (extent / np.maximum(np.abs(lines.direction[cuts.line]), 1e-12)).min(axis=1)
+    parts = np.maximum(1, np.ceil(CROSSING * (cuts.end - cuts.begin) / crossing - 1e-6)).astype(np.int64)
+    old = np.repeat(np.arange(len(parts)), parts)
+    number = np.arange(len(old)) - np.repeat(np.cumsum(parts) - parts, parts)
+    step = ((cuts.end - cuts.begin) / parts)[old]
+    begin = cuts.begin[old] + number * step
+    return _Cuts(cuts.line[old], begin, begin + step, cuts.side[old])
+
+
+def _trusses(mesh: Mesh, face: UnrolledSurface, fibers: Fibers, lines: Lines, cuts: _Cuts) -> FiberTrusses:
+    sides = face.sides[cuts.side]
+    middle = lines.at(cuts.line, (cuts.begin + cuts.end) / 2)  # its ends must not be folded apart
+    half = (cuts.end - cuts.begin)[:, None] / 2 * lines.direction[cuts.line]
+    values = [shape_values(sides.shape[1], face.place(cuts.side, at))[0] for at in (middle - half, middle + half)]
+    slopes = face.slopes(cuts.side, middle, lines.direction[cuts.line])
+    stretch = np.linalg.norm(np.einsum("ka,kai->ki", slopes, mesh.points[sides]), axis=1)
+    gap = SHORTEST * face.fineness * 2
+    apart = (cuts.line[1:] != cuts.line[:-1]) | (np.abs(cuts.begin[1:] - cuts.end[:-1]) > gap)
+    pieces = Pieces(
+        sides=np.ascontiguousarray(sides),
+        along=slopes / stretch[:, None],
+        weights=cuts.end - cuts.begin,
+        stiffness=np.full(len(sides), fibers.stretching_stiffness),
+        pushed=np.full(len(sides), fibers.compression),
+        middle=shape_values(sides.shape[1], face.place(cuts.side, middle))[0],
+        hand=(lines.direction[cuts.line].prod(axis=1) < 0).astype(np.int64),
+    )
+    return FiberTrusses(pieces, values[0], values[1], np.concatenate([[0], np.cumsum(apart)]))

@@ -1,0 +1,128 @@
+"""Terms: the one list of what adds to the equations besides cells and contact, and the sums over it."""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
+from turgor.core.engine.faces.dead_loads import dead_terms
+from turgor.core.engine.faces.membrane_term import membrane_terms
+from turgor.core.engine.faces.plate_edges import plate_terms
+from turgor.core.engine.faces.pressure_term import PressureTerm, pressure_terms
+from turgor.core.engine.faces.thrust_term import ThrustTerm, thrust_terms
+from turgor.core.engine.fibers.fiber_term import fiber_terms
+from turgor.core.engine.points.average_term import average_terms
+from turgor.core.engine.points.bearing_term import bearing_terms
+from turgor.core.engine.points.rigid_term import rigid_terms
+from turgor.core.engine.points.spring_term import spring_terms
+from turgor.core.engine.points.turning_term import turning_terms
+from turgor.core.engine.term import Configuration, Setting, Term
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: What makes the terms of a model. A new kind of term is a file with its class, and one name here.
+TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
+    pressure_terms,
+    thrust_terms,
+    membrane_terms,
+    plate_terms,
+    fiber_terms,
+    dead_terms,
+    rigid_terms,
+    average_terms,
+    bearing_terms,
+    spring_terms,
+    turning_terms,
+)
+
+
+class Terms:
+    """Sums over all terms of a model, in scaled units.
+
+    Parameters
+    ----------
+    setting : Setting
+    """
+
+    def __init__(self, setting: Setting) -> None:
+        self.all: list[Term] = [term for make in TERMS for term in make(setting)]
+        self._positions: list[NDArray[np.int32]] = []
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether all forces have a potential."""
+        return all(term.symmetric for term in self.all)
+
+    @property
+    def couplings(self) -> list[Ints]:
+        """Degrees of freedom that are tied across the borders of cells, a row for each tie."""
+        return [term.unknowns for term in self.all if term.couples]
+
+    def locate(self, pattern: Pattern) -> None:
+        """Find where the entries of all terms go in the tangent."""
+        self._positions = []
+        for term in self.all:
+            unknowns = term.unknowns
+            rows, columns = np.tril_indices(unknowns.shape[1])
+            entries = (unknowns[:, rows].ravel(), unknowns[:, columns].ravel())
+            self._positions.append(locate(pattern.indptr, pattern.indices, *entries))
+
+    def forces(self, at: Configuration) -> tuple[Array, Array]:
+        """Internal forces, and external forces of loads, (n, 3) each."""
+        internal, external = np.zeros_like(at.position), np.zeros_like(at.position)
+        for term in self.all:
+            term.add_forces(external if term.external else internal, at)
+        return internal, external
+
+    def unit_forces(self, position: Array, count: int) -> list[Array]:
+        """External forces (n, 3) of a scaled pressure of one on each of the first ``count`` controlled faces."""
+        sought = [term for term in self.all if isinstance(term, PressureTerm | ThrustTerm)]
+        by_place = [[term.unit_forces(position) for term in sought if term.place == place] for place in range(count)]
+        return [np.sum(forces, axis=0) for forces in by_place]
+
+    def energy(self, position: Array) -> float:
+        """Scaled energy that all terms store."""
+        return sum((term.energy(position) for term in self.all), 0.0)
+
+    def stresses(
+        self, position: Array, update: Array | None = None, last: Sequence[Array] | None = None
+    ) -> list[Array]:
+        """Stresses of each term, linearized for an update where one is given; ``last`` are those before it."""
+        update = np.zeros_like(position) if update is None else update
+        if last is None:
+            return [term.stresses(position, update) for term in self.all]
+        return [term.continued(position, update, one) for term, one in zip(self.all, last, strict=True)]
+
+    def correction(self, at: Configuration, given: Sequence[Array]) -> Array | None:
+        """Forces (n, 3) of the stresses that the tangent is linearized about; None where no term has any."""
+        parts = (term.correction(at, stresses) for term, stresses in zip(self.all, given, strict=True))
+        found = [part for part in parts if part is not None]
+        return np.sum(found, axis=0) if found else None
+
+    def add_tangents(self, data: Array, at: Configuration, given: Sequence[Array] | None) -> None:
+        """Add the symmetric parts of all tangents to the lower triangle; the given stresses enter the geometric one."""
+        stresses = self.stresses(at.position) if given is None else given
+        for term, positions, stress in zip(self.all, self._positions, stresses, strict=True):
+            scatter_add(data, positions, term.tangents(at, stress))
+
+    def unsymmetric_matrix(self, at: Configuration, size: int) -> sp.csc_matrix | None:
+        """Unsymmetric tangents of a few unknowns, such as those of moments; None where there are none."""
+        parts = [part for term in self.all if (part := term.unsymmetric(at, size)) is not None]
+        return sum(parts[1:], parts[0]).tocsc() if parts else None
+
+    def skew_matrix(self, at: Configuration, size: int) -> sp.csc_matrix | None:
+        """Skew part of the tangents of forces without a potential; None where there are none."""
+        total: sp.csc_matrix | None = None
+        for term in self.all:
+            if term.symmetric:
+                continue
+            unknowns = term.unknowns
+            count = unknowns.shape[1]
+            rows = np.repeat(unknowns, count, axis=1).ravel()
+            columns = np.tile(unknowns, (1, count)).ravel()
+            part = sp.csc_matrix((term.skew(at).ravel(), (rows, columns)), shape=(size, size))
+            total = part if total is None else (total + part).tocsc()
+        return total

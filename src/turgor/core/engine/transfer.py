@@ -1,0 +1,90 @@
+"""Transfer: carry the fields of a state to a refined mesh, whose cells are exact pieces of the cells before."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.cells.element import element_of, tables_with
+from turgor.core.engine.cells.internal_variables import Memory
+from turgor.core.engine.cells.reference import reference_nodes, smooth_basis, tables_at
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.refining.refinement import Refinement
+from turgor.core.model.model import Model
+
+Array = NDArray[np.float64]
+
+#: Reference coordinates of parts are distinguished to this precision: cuts halve them a few times.
+PRECISION = 1e-6
+
+
+class Transfer:
+    """Carry fields from a mesh to its refinement.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        The coarser mesh.
+    refinement : Refinement
+        The finer one.
+    """
+
+    def __init__(self, mesh: Mesh, refinement: Refinement) -> None:
+        self._mesh, self._fine = mesh, refinement
+        flat = np.rint(refinement.corners.reshape(len(refinement.parent), -1) / PRECISION)
+        _, first, self._kind = np.unique(flat, axis=0, return_index=True, return_inverse=True)
+        self._kinds = refinement.corners[first]  # the few ways in which a part lies in its parent
+        self._kind = self._kind.ravel()
+
+    def nodal(self, values: Array) -> Array:
+        """Values at the nodes of the finer mesh, (n', k), of a field with values (n, k) at the nodes; exact."""
+        nodes = self._mesh.cell_type.nodes
+        out = np.empty((len(self._fine.mesh.points), values.shape[1]))
+        for kind, corners in enumerate(self._kinds):
+            at = self._inside(reference_nodes(nodes), corners)
+            parts = np.flatnonzero(self._kind == kind)
+            known = values[self._mesh.cells[self._fine.parent[parts]]]
+            out[self._fine.mesh.cells[parts]] = np.einsum(
+                "na,cak->cnk", tables_at(nodes, at, np.ones(len(at))).N, known
+            )
+        return out
+
+    def mean_stress(self, model: Model, fine: Model, values: Array) -> Array:
+        """Mean stresses of the finer model, (m',), of those (m,) of the model."""
+        before, after = element_of(model), element_of(fine)
+        out = np.zeros(after.mean_count)
+        if not before.modes:
+            return out
+        nodes = self._mesh.cell_type.nodes
+        for kind, corners in enumerate(self._kinds):
+            parts = np.flatnonzero(self._kind == kind)
+            linear = tables_at(nodes, corners, np.ones(len(corners))).M
+            out[after.mean[parts]] = values[before.mean[self._fine.parent[parts]]] @ linear.T
+        return out
+
+    def memory(self, memory: Memory | None) -> Memory | None:
+        """Internal variables of the rubber, transferred by a linear fit in each cell of the coarser mesh."""
+        if memory is None:
+            return None
+        stress = {name: np.stack([self._fitted(name, each) for each in every]) for name, every in memory.stress.items()}
+        largest = {name: np.maximum(self._fitted(name, each), 0.0) for name, each in memory.largest.items()}
+        return Memory(stress=stress, largest=largest)
+
+    def _fitted(self, region: str, values: Array) -> Array:
+        """Values (c', q, ...) at the points of a region's parts, from those (c, q, ...) of its cells."""
+        nodes = self._mesh.cell_type.nodes
+        r = tables_with(nodes, values.shape[1])
+        fit = np.linalg.pinv(smooth_basis(nodes, r.points))
+        cells, parts = self._mesh.regions[region], self._fine.mesh.regions[region]
+        place = np.empty(len(self._mesh.cells), dtype=np.int64)
+        place[cells] = np.arange(len(cells))
+        out = np.empty((len(parts), *values.shape[1:]))
+        for kind, corners in enumerate(self._kinds):
+            chosen = np.flatnonzero(self._kind[parts] == kind)
+            table = smooth_basis(nodes, self._inside(r.points, corners)) @ fit
+            known = values[place[self._fine.parent[parts[chosen]]]]
+            out[chosen] = np.einsum("pq,cq...->cp...", table, known)
+        return out
+
+    def _inside(self, points: Array, corners: Array) -> Array:
+        """Reference coordinates in the parent of reference coordinates (n, 3) in a part with these corners."""
+        nodes = self._mesh.cell_type.nodes
+        return np.asarray(tables_at(nodes, points, np.ones(len(points))).M @ corners)

@@ -1,0 +1,63 @@
+"""Call every loop of contact once on two sides, so that compilation happens at a known time."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from turgor.core.engine.algebra.pattern import Pattern
+from turgor.core.engine.cells.reference import reference_cell, reference_nodes
+from turgor.core.engine.contact.couplings import Layout
+from turgor.core.engine.contact.pair_part import PairPart, Partners
+from turgor.core.engine.contact.surface import DEGREE, Surface, overhangs, strangers
+from turgor.core.meshing.cells import side_type
+
+#: Depth to which the two sides lie in each other.
+INSIDE = 0.05
+
+
+def touch_search(nodes: int) -> None:
+    """Call the loops that look for what points may touch, which a model needs from its first step on."""
+    points, part = _pressed(nodes)
+    found = part.look(points, np.zeros(3))
+    found = part.look(points, np.zeros(3), found)
+    part.passed(points, found, found)
+
+
+def touch_press(nodes: int) -> None:
+    """Call the loops that a model needs once walls meet, after those that look for it."""
+    points, part = _pressed(nodes)
+    found = part.look(points, np.zeros(3))
+    found = replace(found, friction=part.anchored(points, found))
+    part.forces(points, found)
+    size = 3 * len(points)
+    diagonal = Pattern(size, np.arange(size + 1, dtype=np.int64), np.arange(size, dtype=np.int32))
+    layout = Layout(diagonal, np.zeros(size, dtype=bool))
+    keys = part.ready_keys(found)
+    layout.renew(keys, [part.tied_unknowns(keys)])
+    data = layout.spread(np.zeros(size))
+    for ties in part.tangents(points, found):
+        ties.add_to(data, layout.pattern)
+
+
+def _pressed(nodes: int) -> tuple[np.ndarray, PairPart]:
+    """Two sides of ``nodes`` nodes that face each other and are pressed together."""
+    kind, r = side_type(nodes), reference_cell(nodes, DEGREE[nodes])
+    flat = np.zeros((nodes, 3))
+    flat[:, :2] = reference_nodes(nodes)
+    turned = flat[:, [1, 0, 2]] - [0, 0, INSIDE]  # the other side looks the other way
+    points = np.vstack([flat, turned])
+    sides = np.arange(2 * nodes, dtype=np.int64).reshape(2, nodes)
+    weights = np.ones((2, 1)) * r.weights
+    surface = Surface(sides, r.N, r.dN, weights, np.ones(2), np.ones(2))
+    none = np.zeros(len(points), dtype=bool)
+    around = (np.arange(3, dtype=np.int64), np.arange(2, dtype=np.int64))
+    partners = Partners(
+        sides=sides,
+        corners=kind.corners,
+        overhang=overhangs(points, sides, none),
+        depth=np.ones(2),
+        strangers=strangers(points, sides),
+        around=around,
+        reach=1.0,
+    )
+    return points, PairPart("self", surface, partners, 0.5, 0.5)

@@ -1,0 +1,1 @@
+"""Geometry: solids with named regions and faces, one actuator family per file."""

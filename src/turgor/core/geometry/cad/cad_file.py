@@ -1,0 +1,108 @@
+"""CadFile: an actuator from a CAD file, as a value of a job."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from hashlib import sha256
+from pathlib import Path
+
+from turgor.core.geometry.cad.selectors import Selector
+from turgor.core.geometry.cad.split import SplitPlane
+from turgor.core.geometry.cad.symmetry.requested import NONE, WantedSymmetry
+from turgor.core.geometry.directions import FileAxes, rotation_to
+from turgor.core.geometry.geometry import Geometry
+from turgor.foundation.errors import TurgorError
+
+#: What breaks the symmetry: pairs of an axis and a reason.
+Reasons = tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CadFile:
+    """An actuator from a CAD file, with the arguments of `read_cad`.
+
+    Parameters
+    ----------
+    file : Path
+        STEP, BREP or STL.
+    unit : str or float, optional
+        Unit of the numbers in the file; it overrides that of the file.
+    faces : mapping of str to Selector
+        Names for faces.
+    regions : mapping of str to Selector
+        Names for bodies.
+    split : SplitPlane, optional
+        A plane that cuts off the bottom as a region of its own.
+    symmetry : str or WantedSymmetry
+        Where to cut the part, as for `read_cad`.
+    axes : tuple of three str or (3,) floats, optional
+        Directions in the file of our x, y and z, as for `read_cad`; found where they are not given.
+    sha256 : str
+        Checksum of the file, as a lock file states it; computed if it is empty.
+
+    Raises
+    ------
+    TurgorError
+        If the file is missing, or its checksum is another one.
+
+    Examples
+    --------
+    >>> CadFile(file=Path("missing.step"))
+    Traceback (most recent call last):
+    turgor.TurgorError: file is missing.step, and there is no such file.
+    """
+
+    file: Path
+    unit: str | float | None = None
+    faces: Mapping[str, Selector] = field(default_factory=dict)
+    regions: Mapping[str, Selector] = field(default_factory=dict)
+    split: SplitPlane | None = None
+    symmetry: str | WantedSymmetry = NONE
+    axes: FileAxes | None = None
+    sha256: str = ""
+
+    def __post_init__(self) -> None:
+        if not Path(self.file).is_file():
+            raise TurgorError(f"file is {self.file}, and there is no such file.")
+        found = sha256(Path(self.file).read_bytes()).hexdigest()
+        if self.sha256 and self.sha256 != found:
+            raise TurgorError(
+                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {found[:12]}…: the file has "
+                "changed since; take the old one, or remove the key to go on with the new one."
+            )
+        object.__setattr__(self, "sha256", found)
+        object.__setattr__(self, "symmetry", self.wanted_symmetry)
+        if self.axes is not None:
+            rotation_to(self.axes)  # refuses what are none
+
+    def build(self) -> Geometry:
+        """Read the file with `read_cad`, once: a job builds its actuator several times."""
+        names = tuple(self.faces.items()), tuple(self.regions.items())
+        wanted = self.wanted_symmetry
+        broken = tuple(sorted(wanted.broken.items())), tuple(sorted(wanted.broken_turns.items()))
+        placing = (wanted.planes, *broken, self.axes)
+        return _built(self.file, self.sha256, self.unit, *names, self.split, placing)
+
+    @property
+    def wanted_symmetry(self) -> WantedSymmetry:
+        """What is asked for, with what forbids it."""
+        return self.symmetry if isinstance(self.symmetry, WantedSymmetry) else WantedSymmetry(self.symmetry)
+
+
+@lru_cache(maxsize=8)
+def _built(
+    file: Path,
+    sha256: str,
+    unit: str | float | None,
+    faces: tuple[tuple[str, Selector], ...],
+    regions: tuple[tuple[str, Selector], ...],
+    split: SplitPlane | None,
+    placing: tuple[str, Reasons, Reasons, FileAxes | None],
+) -> Geometry:
+    """Read a file; the checksum makes another call of it when its content changes."""
+    from turgor.core.geometry.cad.read import read_cad  # here: it loads much, and every job loads this file
+
+    planes, broken, turns, axes = placing
+    wanted = WantedSymmetry(planes, dict(broken), dict(turns))
+    named = {"faces": dict(faces), "regions": dict(regions)}
+    return read_cad(file, unit=unit, **named, split=split, symmetry=wanted, axes=axes)

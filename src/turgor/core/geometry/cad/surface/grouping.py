@@ -1,0 +1,147 @@
+"""Facets grouped into faces: planes first, then what continues smoothly."""
+
+from collections import deque
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+
+from turgor.core.geometry.cad.facets import edge_pairs
+from turgor.units import deg
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: Normals of a plane differ by at most this cosine from that of its largest facet, and its corners lie within this
+#: share of the size of the part.
+PLANE_COSINE, PLANE_DISTANCE = float(np.cos(2 * deg)), 1e-3
+
+#: Facets whose normals differ by less than this belong to one curved face.
+SMOOTH_COSINE = float(np.cos(30 * deg))
+
+#: A strip of a curved face has a neighbor of similar area, which continues it smoothly; a plane beside a fillet is
+#: this many times larger than the first strip of the fillet.
+LARGER = 4.0
+
+#: A plane is this many times larger than all the regions together that continue it smoothly. A patch of a rough wall
+#: that is plane by chance is not.
+LARGER_THAN_ALL = 1.5
+
+#: A plane that others continue smoothly has at least this share of the surface.
+LEAST_PLANE = 2e-3
+
+#: A group smaller than this share of the surface joins the neighbor with which it has the longest border.
+SPECK = 1e-4
+
+
+def grouped(points: Array, triangles: Ints) -> Ints:
+    """Number the faces of a surface of triangles.
+
+    Parameters
+    ----------
+    points : (n, 3) array
+    triangles : (t, 3) int array
+
+    Returns
+    -------
+    (t,) int array
+        Face of each triangle, from zero, the largest first.
+    """
+    areas = vector_areas(points, triangles)
+    area = np.linalg.norm(areas, axis=1)
+    normal = areas / np.where(area > 0, area, 1.0)[:, None]
+    pairs, edges, _ = edge_pairs(triangles)
+    planes = _grown(points, triangles, normal, area, pairs)
+    flat = _truly_plane(planes, normal, area, pairs)
+    label = np.where(flat, planes, -1)
+    smooth = np.einsum("pi,pi->p", normal[pairs[:, 0]], normal[pairs[:, 1]]) > SMOOTH_COSINE
+    smooth |= (area[pairs] == 0).any(axis=1)  # a sliver has no normal
+    both = (label[pairs] == -1).all(axis=1) & smooth
+    same = both | ((label[pairs[:, 0]] == label[pairs[:, 1]]) & (label[pairs[:, 0]] >= 0))
+    label = _components(len(triangles), pairs[same])
+    length = np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
+    return _by_area(_without_specks(label, area, pairs, length), area)
+
+
+def vector_areas(points: Array, triangles: Ints) -> Array:
+    """Vector area of each triangle, (t, 3)."""
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    return np.asarray(np.cross(b - a, c - a) / 2)
+
+
+def _grown(points: Array, triangles: Ints, normal: Array, area: Array, pairs: Ints) -> Ints:
+    """Number of the flat region of each triangle: each grows from its largest triangle."""
+    count = len(triangles)
+    neighbors: list[list[int]] = [[] for _ in range(count)]
+    for a, b in pairs.tolist():
+        neighbors[a].append(b)
+        neighbors[b].append(a)
+    reach = PLANE_DISTANCE * float(np.ptp(points, axis=0).max())
+    corners, sliver = points[triangles], area == 0
+    label = np.full(count, -1, dtype=np.int64)
+    for number, seed in enumerate(np.argsort(-area, kind="stable").tolist()):
+        if label[seed] >= 0:
+            continue
+        label[seed] = number
+        waiting, along, height = deque([seed]), normal[seed], float(corners[seed, 0] @ normal[seed])
+        while waiting:
+            for other in neighbors[waiting.popleft()]:
+                if (
+                    label[other] < 0
+                    and (sliver[other] or normal[other] @ along > PLANE_COSINE)
+                    and np.abs(corners[other] @ along - height).max() < reach
+                ):
+                    label[other] = number
+                    waiting.append(other)
+    return np.asarray(np.unique(label, return_inverse=True)[1]).ravel().astype(np.int64)
+
+
+def _truly_plane(region: Ints, normal: Array, area: Array, pairs: Ints) -> NDArray[np.bool_]:
+    """Whether the flat region of each triangle is a plane face, and no strip of a curved one."""
+    total = np.bincount(region, weights=area)
+    a, b = region[pairs].T
+    smooth = (a != b) & (np.einsum("pi,pi->p", normal[pairs[:, 0]], normal[pairs[:, 1]]) > SMOOTH_COSINE)
+    beside = np.unique(np.concatenate([np.stack([a, b], axis=1)[smooth], np.stack([b, a], axis=1)[smooth]]), axis=0)
+    one, other = beside.T
+    largest, together = np.zeros(len(total)), np.bincount(one, weights=total[other], minlength=len(total))
+    np.maximum.at(largest, one, total[other])
+    least = np.where(together > 0, LEAST_PLANE * float(area.sum()), 0.0)
+    return np.asarray((total >= np.maximum(np.maximum(LARGER * largest, LARGER_THAN_ALL * together), least))[region])
+
+
+def _components(count: int, links: Ints) -> Ints:
+    from scipy.sparse.csgraph import connected_components  # slow to load, and every job loads this file
+
+    graph = coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(count, count))
+    return np.asarray(connected_components(graph, directed=False)[1]).astype(np.int64)
+
+
+def _without_specks(label: Ints, area: Array, pairs: Ints, length: Array) -> Ints:
+    """Join the smallest groups to their neighbors."""
+    least = SPECK * float(area.sum())
+    for _ in range(8):
+        total = np.bincount(label, weights=area)
+        a, b = label[pairs].T
+        outward = np.concatenate([np.stack([a, b], axis=1), np.stack([b, a], axis=1)])
+        outward, weight = outward[outward[:, 0] != outward[:, 1]], np.tile(length, 2)[np.tile(a != b, 2)]
+        small = total[outward[:, 0]] < least
+        if not small.any():
+            break
+        border = coo_array((weight[small], outward[small].T), shape=(len(total), len(total))).tocsr()
+        into = np.arange(len(total))
+        specks = np.unique(outward[small, 0])
+        longest = np.asarray(border.argmax(axis=1)).ravel()
+        # a speck joins a larger neighbor only, so that two specks do not swap
+        into[specks] = np.where(total[longest[specks]] > total[specks], longest[specks], specks)
+        if (into == np.arange(len(total))).all():
+            break
+        label = into[label]
+        label = np.asarray(np.unique(label, return_inverse=True)[1]).ravel()
+    return label
+
+
+def _by_area(label: Ints, area: Array) -> Ints:
+    total = np.bincount(label, weights=area)
+    rank = np.empty(len(total), dtype=np.int64)
+    rank[np.argsort(-total, kind="stable")] = np.arange(len(total))
+    return np.asarray(rank[label])

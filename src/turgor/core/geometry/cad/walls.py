@@ -1,0 +1,119 @@
+"""Wall thickness of a part, measured along rays into the material."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.geometry.cad.facets import Facets
+
+Array = NDArray[np.float64]
+
+#: Budget of ray–triangle tests (one or two seconds), which gives the number of rays, and the limits of this number.
+WORK, FEWEST, MOST = 3e7, 1_000, 3_000
+
+#: Cosine of the largest angle, 25°, between the ray and the normal of the opposite wall; it excludes wedges.
+OPPOSED = 0.9
+
+#: Share of the surface that may be thinner than the reported wall: chips, sharp edges, ends of fillets.
+THINNER = 0.01
+
+#: A ray misses a face that it meets at an angle below this sine.
+SLANTED = 1e-6
+
+#: Rays evaluated together, to bound the memory.
+CHUNK = 200
+
+
+def smallest_wall(facets: Facets) -> float:
+    """Return the thickness that 99 % of the walls of a part exceed [CAD units].
+
+    Rays start at points spread evenly over the surface and follow the inward normal to the opposite face.
+
+    Parameters
+    ----------
+    facets : Facets
+        Surface of the part.
+
+    Returns
+    -------
+    float
+        At most the extent of the part, if no walls face each other.
+    """
+    extent = float(np.ptp(facets.points, axis=0).max())
+    return min(thinnest_wall(facets.corners()[facets.outer])[0], extent)
+
+
+def thinnest_wall(
+    triangles: Array, chosen: NDArray[np.bool_] | None = None, most: int = MOST
+) -> tuple[float, Array | None]:
+    """Return the thickness that 99 % of walls exceed, and a place on the surface behind which it is.
+
+    Parameters
+    ----------
+    triangles : (t, 3, 3) array
+        The surface, with normals out of the solid, in any unit of length.
+    chosen : (t,) bool array, optional
+        Triangles whose walls are looked at; all by default.
+    most : int
+        Largest number of rays.
+
+    Returns
+    -------
+    thickness : float
+        In the unit of the triangles; inf if no walls face each other.
+    place : (3,) array or None
+
+    Examples
+    --------
+    >>> corners = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    >>> slab = np.stack([corners + [0, 0, 0.1], corners[::-1]])
+    >>> round(thinnest_wall(slab)[0], 12)
+    0.1
+    """
+    normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    area = np.linalg.norm(normal, axis=1)
+    solid = area > 0
+    seen = area[solid] if chosen is None else np.where(chosen, area, 0.0)[solid]
+    triangles, normal = triangles[solid], normal[solid] / area[solid, None]
+    start, of = _starts(triangles, seen, most)
+    thickness = np.concatenate(
+        [_through(start[i : i + CHUNK], of[i : i + CHUNK], triangles, normal) for i in range(0, len(start), CHUNK)]
+    )
+    walls = thickness[np.isfinite(thickness)]
+    if not len(walls):
+        return np.inf, None
+    thinnest = float(np.quantile(walls, THINNER))
+    return thinnest, start[int(np.abs(thickness - thinnest).argmin())]
+
+
+def _starts(triangles: Array, area: Array, most: int) -> tuple[Array, NDArray[np.int64]]:
+    """Points spread evenly over triangles by their areas, with a fixed seed."""
+    generator = np.random.default_rng(0)
+    rays = int(np.clip(WORK / len(area), min(FEWEST, most), most))
+    of = np.searchsorted(np.cumsum(area) / area.sum(), (np.arange(rays) + 0.5) / rays)
+    of = np.minimum(of, len(area) - 1)
+    u, v = generator.random((2, rays))
+    u, v = np.where(u + v > 1, 1 - u, u), np.where(u + v > 1, 1 - v, v)
+    a, b, c = (triangles[of, i] for i in range(3))
+    return a + u[:, None] * (b - a) + v[:, None] * (c - a), of
+
+
+def _through(start: Array, of: NDArray[np.int64], triangles: Array, normal: Array) -> Array:
+    """Length of each ray in the material; inf if it leaves through a face that is not opposite.
+
+    A line intersects a triangle if it passes all three edges on the same side. The test is a matrix product of the
+    Plücker coordinates of lines and edges.
+    """
+    along = -normal[of]
+    moment = np.cross(start, along)
+    size = float(np.ptp(triangles, axis=(0, 1)).max())
+    leaving = along @ normal.T
+    hit = leaving > SLANTED
+    for i in range(3):
+        p, q = triangles[:, i], triangles[:, (i + 1) % 3]
+        hit &= along @ np.cross(p, q).T + moment @ (q - p).T >= -1e-9 * size**2
+    height = np.einsum("ti,ti->t", normal, triangles[:, 0]) - start @ normal.T
+    distance = np.where(hit, height / np.where(hit, leaving, 1.0), np.inf)
+    distance[distance < 1e-6 * size] = np.inf
+    first = distance.argmin(axis=1)
+    rays = np.arange(len(start))
+    return np.where(leaving[rays, first] > OPPOSED, distance[rays, first], np.inf)

@@ -1,0 +1,187 @@
+"""Casting mold of a PneuNet, as parts for 3-D printing."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import pi
+from typing import Any
+
+from turgor.core.geometry import occ
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
+from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.core.geometry.geometry import Geometry, check_volume
+from turgor.core.geometry.rules import check_length
+from turgor.core.geometry.shapes.solids import box, cut, union, volume
+from turgor.foundation.errors import TurgorError
+from turgor.units import mm
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MoldSettings:
+    """Dimensions of a mold.
+
+    Parameters
+    ----------
+    wall : float [m]
+        Thickness of the mold around the casting; pins stand in its middle.
+    pin_diameter, pin_height : float [m]
+        Four pins on the rim of the cup, which hold the core in place.
+    clearance : float [m]
+        Radial clearance between a pin and its hole.
+    """
+
+    wall: float = 8 * mm
+    pin_diameter: float = 3 * mm
+    pin_height: float = 3 * mm
+    clearance: float = 0.2 * mm
+
+    def __post_init__(self) -> None:
+        check_length("wall", self.wall, low=2 * mm, high=100 * mm)
+        check_length("clearance", self.clearance, low=0.0, high=2 * mm)
+        high = self.wall - 2 * self.clearance - 1 * mm
+        check_length("pin_diameter", self.pin_diameter, low=0.5 * mm, high=high, why="so that the rim holds the pins")
+        check_length("pin_height", self.pin_height, low=0.5 * mm, high=self.wall)
+
+
+@dataclass(frozen=True, slots=True)
+class _Sizes:
+    """Outer dimensions of the casting [m]."""
+
+    length: float
+    width: float
+    floor_top: float
+    height: float
+
+
+def casting_mold(actuator: FastPneuNet | SlowPneuNet, settings: MoldSettings | None = None) -> Mapping[str, Geometry]:
+    """Make the mold of a PneuNet: two parts for the chambers, and a tray for the layer that closes them.
+
+    The parting plane is the floor of the cavity, the only plane from which both the chambers and the gaps between them
+    can be pulled. The cup forms the outside of the chambers, the core plate the inside; both come off along z without
+    an undercut. The floor and the base with the strain-limiting layer are cast in the tray and glued on. A tube forms
+    the air inlet and the hole of the clamped block.
+
+    Parameters
+    ----------
+    actuator : FastPneuNet or SlowPneuNet
+        Actuator to cast; a half model is cast as a whole.
+    settings : MoldSettings, optional
+        Dimensions of the mold.
+
+    Returns
+    -------
+    mapping of str to Geometry
+        ``cup``, ``core`` and ``tray``, in place around the actuator; write them with `write_step` or `write_stl`.
+
+    Raises
+    ------
+    TurgorError
+        If the actuator is of another family, or the parts do not fill the mold.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> parts = casting_mold(FastPneuNet(chambers=2, length=20e-3))
+    >>> {name: round(part.solid_volume * 1e9) for name, part in parts.items()}  # mm³
+    {'cup': 21430, 'core': 12350, 'tray': 13056}
+    """
+    if not isinstance(actuator, FastPneuNet | SlowPneuNet):
+        raise TurgorError(
+            f"a mold can be made for FastPneuNet and SlowPneuNet, not for {type(actuator).__name__}: the other "
+            "families have undercuts or closed cavities that no two-part mold can be pulled from."
+        )
+    mold = settings or MoldSettings()
+    whole = replace(actuator, symmetric=False, inlet_diameter=0.0)
+    built = whole.build()
+    sizes = _Sizes(
+        length=whole.clamp_length + whole.length,
+        width=whole.width,
+        floor_top=whole.base + whole.floor,
+        height=whole.height,
+    )
+    cavity, gaps = _air(built, sizes)
+    check_volume("core", volume(cavity), built.cavity_volume)
+    filled = _envelope(sizes, sizes.floor_top, sizes.height)
+    casting = cut(filled, gaps) if gaps else filled
+    parts = {"cup": _cup(sizes, mold, casting), "core": _core(sizes, mold, cavity), "tray": _tray(sizes, mold)}
+    _check(parts, sizes, mold, volume(casting), built.cavity_volume)
+    return {name: _geometry(f"{name} of the mold of a {built.name}", name, shape) for name, shape in parts.items()}
+
+
+def _envelope(sizes: _Sizes, low: float, high: float, around: float = 0.0) -> Any:
+    half = sizes.width / 2 + around
+    return box((-around, sizes.length + around), (-half, half), (low, high))
+
+
+def _air(built: Geometry, sizes: _Sizes) -> tuple[Any, list[Any]]:
+    """Split the air above the floor into the cavity, which touches no side of the envelope, and the gaps."""
+    air = _envelope(sizes, sizes.floor_top, sizes.height) - union(list(built._shape.solids))
+    inside: list[Any] = []
+    gaps: list[Any] = []
+    for solid in air.solids:
+        low, high = solid.bounding_box
+        across = sizes.width / METERS_PER_CAD_UNIT / 2
+        touches = min(high[1] - across, -across - low[1], key=abs)
+        (gaps if abs(touches) < 1e-6 else inside).append(solid)
+    return union(inside), gaps
+
+
+def _pins(sizes: _Sizes, mold: MoldSettings, radius: float, height: float) -> list[Any]:
+    """Four cylinders below the parting plane, in the corners of the rim."""
+    scale, half = METERS_PER_CAD_UNIT, sizes.width / 2 + mold.wall / 2
+    ends = (-mold.wall / 2, sizes.length + mold.wall / 2)
+    low = (sizes.floor_top - height) / scale
+    return [
+        occ.Cylinder(occ.Pnt(x / scale, y / scale, low), occ.Z, r=radius / scale, h=height / scale)
+        for x in ends
+        for y in (-half, half)
+    ]
+
+
+def _cup(sizes: _Sizes, mold: MoldSettings, casting: Any) -> Any:
+    block = _envelope(sizes, sizes.floor_top, sizes.height + mold.wall, mold.wall)
+    return union([block - casting, *_pins(sizes, mold, mold.pin_diameter / 2, mold.pin_height)])
+
+
+def _core(sizes: _Sizes, mold: MoldSettings, cavity: Any) -> Any:
+    """A plate below the parting plane with the inside of the chambers on it."""
+    plate = _envelope(sizes, sizes.floor_top - mold.wall, sizes.floor_top, mold.wall)
+    deep = mold.pin_height + mold.clearance
+    holes = _pins(sizes, mold, mold.pin_diameter / 2 + mold.clearance, deep)
+    return union([cut(plate, holes), cavity])
+
+
+def _tray(sizes: _Sizes, mold: MoldSettings) -> Any:
+    """A flat tray for the floor and the base."""
+    block = _envelope(sizes, -mold.wall, sizes.floor_top, mold.wall)
+    return block - _envelope(sizes, 0.0, sizes.floor_top)
+
+
+def _check(parts: Mapping[str, Any], sizes: _Sizes, mold: MoldSettings, casting: float, cavity: float) -> None:
+    """Compare the CAD volumes with those of the dimensions."""
+    outer = (sizes.length + 2 * mold.wall) * (sizes.width + 2 * mold.wall)
+    pins = pi * mold.pin_diameter**2 * mold.pin_height
+    holes = pi * (mold.pin_diameter + 2 * mold.clearance) ** 2 * (mold.pin_height + mold.clearance)
+    inner = sizes.length * sizes.width * sizes.floor_top
+    wanted = {
+        "cup": outer * (sizes.height + mold.wall - sizes.floor_top) - casting + pins,
+        "core": outer * mold.wall - holes + cavity,
+        "tray": outer * (sizes.floor_top + mold.wall) - inner,
+    }
+    for name, shape in parts.items():
+        check_volume(f"{name} of the mold", volume(shape), wanted[name])
+
+
+def _geometry(title: str, name: str, shape: Any) -> Geometry:
+    for solid in shape.solids:
+        solid.name = name
+    shape.faces.name = "outside"
+    return Geometry(
+        name=title,
+        smallest_wall=1 * mm,
+        cavity_volumes={},
+        solid_volume=volume(shape),
+        regions=(name,),
+        faces=("outside",),
+        _shape=shape,
+    )

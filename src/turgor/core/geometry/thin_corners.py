@@ -1,0 +1,167 @@
+"""Corners of cavities about which thin walls bend, detected from the edges of a shape.
+
+The wall over a ring sector is an arch between two webs, the wall over a long box a plate between two others. Pressure
+bends them about the corners as about hinges, so the mesh at the corners determines how far they bulge;
+`turgor.core.meshing.sizing.local_sizes` makes the cells there smaller.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.geometry import occ
+from turgor.core.geometry.geometry import Geometry
+
+Array = NDArray[np.float64]
+
+#: A wall up to this many times thicker than the thinnest one counts as thin: the mesh size suits thicker ones.
+THIN = 1.5
+
+#: Between flat walls, a corner counts where it is this many times longer than the thinnest wall is thick. The corners
+#: of chambers of PneuNets are shorter; there are many, and the default size is within 1 % without smaller cells.
+LONG = 20.0
+
+#: An edge is straight, and two faces meet smoothly, where directions differ by less than this sine.
+ALIKE = 0.1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ThinCorners:
+    """Corners of one cavity about which thin walls bend.
+
+    Parameters
+    ----------
+    name : str
+        Name of the cavity.
+    curved : tuple of int
+        Places of its curved faces before thin walls, in the list of faces of the shape.
+    lines : (c, 2, 3) array [m]
+        Ends of the corners, which are straight.
+    """
+
+    name: str
+    curved: tuple[int, ...]
+    lines: Array
+
+
+def find_thin_corners(geometry: Geometry) -> tuple[ThinCorners, ...]:
+    """Find the straight corners of cavities with four-sided faces where a thin curved wall ends or long flat ones meet.
+
+    Tubes have none, because their walls close on themselves; fillets have none, because they meet their walls smoothly.
+
+    Parameters
+    ----------
+    geometry : Geometry
+
+    Returns
+    -------
+    tuple of ThinCorners
+        One for each cavity that has some.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
+    >>> from turgor.core.geometry import OmnidirectionalActuator
+    >>> sectors = OmnidirectionalActuator(chamber_shape="ring_sector", symmetric=True).build()
+    >>> [(found.name, len(found.curved), len(found.lines)) for found in find_thin_corners(sectors)]
+    [('cavity_1', 2, 4), ('cavity_2', 1, 7)]
+    >>> find_thin_corners(ExtendingCylinder().build())
+    ()
+    """
+    faces, scale = list(geometry._cad.faces), geometry.length_scale
+    thin, found = THIN * geometry.smallest_wall / scale, []
+    for name in geometry.cavity_volumes:
+        walls = _Walls(faces=faces, name=name, thin=thin)
+        corners = walls.corners()
+        curved = tuple(sorted({i for pair in corners.values() for i in pair if walls.is_thin_and_curved(i)}))
+        chosen = [edge for edge, pair in corners.items() if set(pair) & set(curved)]
+        long = [pair for edge, pair in corners.items() if edge.mass >= LONG * geometry.smallest_wall / scale]
+        flat = {i for pair in long for i in pair}
+        chosen += [edge for edge, pair in corners.items() if edge not in chosen and set(pair) & flat]
+        if chosen:
+            lines = np.array([[_xyz(edge.start), _xyz(edge.end)] for edge in chosen]) * scale
+            found.append(ThinCorners(name=name, curved=curved, lines=lines))
+    return tuple(found)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Walls:
+    """Walls of one cavity of a shape; they are thin up to a thickness [CAD units]."""
+
+    faces: list[Any]
+    name: str
+    thin: float
+
+    def corners(self) -> dict[Any, tuple[int, ...]]:
+        """Return the straight sharp edges between two four-sided faces of the cavity at thin walls, and these faces."""
+        owners: dict[Any, list[int]] = {}
+        for i, face in enumerate(self.faces):
+            edges = dict.fromkeys(face.edges) if face.name == self.name else {}
+            for edge in edges if len(edges) == 4 else {}:
+                owners.setdefault(edge, []).append(i)
+        straight = {edge: tuple(pair) for edge, pair in owners.items() if len(pair) == 2 and _is_straight(edge)}
+        return {
+            edge: pair
+            for edge, pair in straight.items()
+            if _fold(edge, *(self.faces[i] for i in pair)) and self._is_thin_at(edge)
+        }
+
+    def is_thin_and_curved(self, i: int) -> bool:
+        """Return whether a face is curved and its wall is thin in the middle of its arcs."""
+        edges = list(dict.fromkeys(self.faces[i].edges))
+        points = np.concatenate([_samples(edge)[0] for edge in edges])
+        depth = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+        if depth[2] <= 1e-6 * depth[0]:
+            return False
+        middles = [_samples(edge)[0][2] for edge in edges if not _is_straight(edge)]
+        return all(self._is_thin_at(occ.Vertex(occ.Pnt(*middle))) for middle in middles)
+
+    def _is_thin_at(self, place: Any) -> bool:
+        """Whether the outside or another cavity is closer than the limit of a thin wall."""
+        beyond = (f for f in self.faces if f.name == "outside" or (_is_cavity(f) and f.name != self.name))
+        return any(float(place.Distance(face)) <= self.thin for face in beyond)
+
+
+def _is_cavity(face: Any) -> bool:
+    return str(face.name).startswith("cavity")
+
+
+def _xyz(point: Any) -> Array:
+    return np.array([point.x, point.y, point.z], dtype=np.float64)
+
+
+def _samples(edge: Any) -> tuple[Array, Array]:
+    """Points along an edge and unit tangents there, (5, 3) each."""
+    start, end = edge.parameter_interval
+    at = np.linspace(float(start), float(end), 5)
+    tangents = np.array([_xyz(edge.Tangent(s)) for s in at])
+    length = np.linalg.norm(tangents, axis=1, keepdims=True)
+    return np.array([_xyz(edge.Value(s)) for s in at]), tangents / np.where(length > 0, length, 1.0)
+
+
+def _is_straight(edge: Any) -> bool:
+    _, tangents = _samples(edge)
+    return bool(np.linalg.norm(np.cross(tangents[0], tangents), axis=1).max() < ALIKE)
+
+
+def _fold(edge: Any, one: Any, other: Any) -> bool:
+    """Whether two faces meet at a sharp angle along their common straight edge."""
+    first, second = _into(one, edge), _into(other, edge)
+    return bool(len(first) and len(second) and np.linalg.norm(np.cross(first, second)) > ALIKE)
+
+
+def _into(face: Any, edge: Any) -> Array:
+    """Tangent of a face at the start of one of its straight edges, perpendicular to the edge; empty if unknown."""
+    corner, along = _xyz(edge.start), _xyz(edge.end) - _xyz(edge.start)
+    length = float(np.linalg.norm(along))
+    along /= length
+    for neighbor in dict.fromkeys(face.edges):
+        points, tangents = _samples(neighbor)
+        for end, sign in ((0, 1.0), (-1, -1.0)):
+            across = sign * (tangents[end] - (tangents[end] @ along) * along)
+            rise = float(np.linalg.norm(across))
+            if np.linalg.norm(points[end] - corner) < 1e-6 * length and rise > ALIKE:
+                return np.asarray(across / rise)
+    return np.zeros(0)

@@ -1,0 +1,165 @@
+"""Points of several tests as one linear system: weighted stresses, and the stress of each term of a law."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.materials.experiments.material_test import Array, MaterialTest
+from turgor.core.materials.laws.homogeneous import nominal_stress
+from turgor.core.materials.laws.law_spec import LawSpec
+from turgor.foundation.errors import TurgorError
+
+#: The deformation of each mode with its range of stretch.
+ModeRanges: TypeAlias = Sequence[tuple[Callable[[Any], Array], tuple[float, float]]]
+
+#: Smallest stress for relative weights, as a share of the largest stress of its test.
+WEIGHT_FLOOR = 0.05
+
+#: Smallest exponent of Ogden's law; no test distinguishes smaller ones.
+LEAST_EXPONENT = 0.05
+
+#: Number of stretches in each mode at which stability is required, and the factor by which these exceed the range.
+STABILITY_POINTS = 240
+BEYOND = 1.005
+
+
+class FitPoints:
+    """Deformations, measured nominal stresses and weights of all tests in one row each.
+
+    Parameters
+    ----------
+    tests : sequence of MaterialTest
+        Tests of the fit.
+    weights : str
+        ``"relative"`` or ``"absolute"``.
+    """
+
+    def __init__(self, tests: Sequence[MaterialTest], weights: str) -> None:
+        self.measured = np.concatenate([test.measured for test in tests])
+        self.F = np.concatenate([test.deformation for test in tests])
+        rows, start = [], 0
+        for test in tests:
+            rows.append((start, test))
+            start += len(test.stretch)
+        self._rows = rows
+        if weights == "relative":
+            floors = [np.maximum(np.abs(t.measured), WEIGHT_FLOOR * np.abs(t.measured).max()) for t in tests]
+            scale = np.concatenate(floors)
+        else:
+            scale = np.full(len(self.measured), np.abs(self.measured).max())
+        if not (scale > 0).all():
+            raise TurgorError("a test has no stress at all; nothing can be fitted to it.")
+        self.weight = 1.0 / scale
+        self.target = self.measured * self.weight
+        self._known: dict[float, Array] = {}
+
+    def stress(self, law: Any) -> Array:
+        """Return the nominal stress of a law at every point, in the order of ``measured`` [Pa]."""
+        P = nominal_stress(law, self.F)
+        return np.concatenate([test.components(P[start : start + len(test.stretch)]) for start, test in self._rows])
+
+    def columns(self, spec: LawSpec, shapes: Sequence[float] | Array) -> Array:
+        """Return the weighted stress of the term of each coefficient, at a coefficient of 1; (m, n) array."""
+        return columns_of(spec, shapes, lambda law: self.stress(law) * self.weight, self._known)
+
+
+def columns_of(
+    spec: LawSpec, shapes: Sequence[float] | Array, stress: Callable[[Any], Array], known: dict[float, Array]
+) -> Array:
+    """Return the stress of each term of a law, evaluated with the law itself.
+
+    Parameters
+    ----------
+    spec : LawSpec
+        The law.
+    shapes : sequence of float
+        Its shape parameters.
+    stress : callable
+        ``stress(law)`` returns the stresses of a law.
+    known : dict
+        Stresses of the terms that were evaluated before, by shape; new ones are added.
+    """
+    if spec.sign == "slope":
+        count = len(spec.coefficients)
+        unit = np.eye(count)
+        first = stress(spec.make(unit[0], ()))
+        # a law must have a positive shear modulus, so the other terms are evaluated on top of the first
+        return np.stack([first, *(stress(spec.make(unit[0] + unit[k], ())) - first for k in range(1, count))], axis=1)
+    found = []
+    for shape in shapes:
+        value = off_zero(shape) if spec.sign == "shape" else float(shape)
+        if value not in known:
+            known[value] = stress(_single(spec, value))
+        found.append(known[value])
+    return np.stack(found, axis=1)
+
+
+def off_zero(exponent: float) -> float:
+    """Return an exponent of Ogden's law, moved away from 0, where the coefficient would tend to infinity.
+
+    Examples
+    --------
+    >>> off_zero(-0.001), off_zero(2.0)
+    (-0.05, 2.0)
+    """
+    sign = -1.0 if exponent < 0 else 1.0
+    return sign * max(abs(float(exponent)), LEAST_EXPONENT)
+
+
+def stability_rows(spec: LawSpec, ranges: ModeRanges) -> tuple[Array, Array]:
+    """Return the constraints of stability: rows g, with stress increments g · coefficients, and stretch increments s.
+
+    Both the nominal and the Cauchy stress must rise with the stretch.
+
+    Parameters
+    ----------
+    spec : LawSpec
+        A law without shape parameters.
+    ranges : sequence of (mode, (float, float)) [-]
+        The deformation of each mode as a function, and its range of stretch, which is extended to include 1.
+    """
+    rows, steps = [], []
+    for mode, (low, high) in ranges:
+        # a little beyond both ends, so that the slope at the ends counts too
+        grid = np.geomspace(min(low, 0.999) / BEYOND, max(high, 1.001) * BEYOND, STABILITY_POINTS)
+        F = mode(grid)
+        nominal = columns_of(spec, (), partial(_pull, F), {})
+        rows += [np.diff(nominal, axis=0), np.diff(nominal * grid[:, None], axis=0)]
+        steps += [np.diff(grid)] * 2
+    return np.concatenate(rows), np.concatenate(steps)
+
+
+def modulus_row(spec: LawSpec) -> Array:
+    """Return the initial shear modulus of each term, at a coefficient of 1; (n,) array [-]."""
+    unit = np.eye(len(spec.coefficients))
+    first = spec.make(unit[0], ()).shear_modulus
+    rest = (spec.make(unit[0] + row, ()).shear_modulus - first for row in unit[1:])
+    return np.array([first, *rest])
+
+
+def within(test: MaterialTest, stretch: tuple[float, float] | None) -> MaterialTest | None:
+    """Return the part of a test within a range of stretch; None where it has fewer than two points."""
+    if stretch is None or test.mode == "simple_shear":
+        return test
+    low, high = stretch
+    keep: NDArray[np.bool_] = (test.stretch >= low) & (test.stretch <= high)
+    if test.stretch_2 is not None:
+        keep &= test.stretch_2 <= high
+    if keep.all():
+        return test
+    if keep.sum() < 2:
+        return None
+    return test.keeping(keep, f"Outside the stretch {low:g} to {high:g} that is fitted")
+
+
+def _pull(F: Array, law: Any) -> Array:
+    """Nominal stress of a law along the first axis, (n,) [Pa]."""
+    return np.asarray(nominal_stress(law, F)[:, 0, 0])
+
+
+def _single(spec: LawSpec, shape: float) -> Any:
+    """One term of a law with shape parameters, with a positive shear modulus."""
+    return spec.make([np.sign(shape) if spec.sign == "shape" else 1.0], [shape])

@@ -1,0 +1,158 @@
+"""Ranking of laws on the same tests, with sentences that explain the numbers."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from turgor.core.materials.experiments.material_test import MaterialTest
+from turgor.core.materials.fitting.fit_laws import fit
+from turgor.core.materials.fitting.result import Fit
+from turgor.core.materials.laws.stability import Criterion, instabilities
+from turgor.foundation.display import brief
+from turgor.foundation.errors import TurgorError
+
+#: What happens where each criterion of stability fails.
+_FAILS: Mapping[Criterion, str] = {
+    "nominal": "the nominal stress has an extreme",
+    "cauchy": "the Cauchy stress has an extreme",
+    "drucker": "Drucker's postulate fails",
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Ranking:
+    """Fits of several laws to the same tests, the best first.
+
+    Parameters
+    ----------
+    fits : tuple of Fit
+        In the order of Akaike's criterion.
+    failed : tuple of str
+        A sentence for each law that could not be fitted.
+    """
+
+    fits: tuple[Fit, ...]
+    failed: tuple[str, ...] = ()
+
+    __repr__ = brief
+
+    @property
+    def best(self) -> Fit:
+        """The fit with the smallest AIC."""
+        return self.fits[0]
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """Sentences that help to choose a law: order, modes, range and search."""
+        return (
+            *_on_order(self.fits),
+            *_on_modes(self.fits),
+            *_on_range(self.fits),
+            *_on_search(self.fits),
+            *_on_tests(self.fits),
+        )
+
+
+def rank(
+    laws: Sequence[str | type],
+    tests: MaterialTest | Sequence[MaterialTest],
+    *,
+    stretch: tuple[float, float] | None = None,
+    weights: str = "relative",
+    starts: int = 20,
+    seed: int = 0,
+) -> Ranking:
+    """Fit several laws to the same tests and order them by Akaike's criterion, the best first.
+
+    Parameters
+    ----------
+    laws : sequence of str or type
+        Such as ``["yeoh", "ogden-3"]``.
+    tests, stretch, weights, starts, seed
+        See `fit`.
+    """
+    if not laws:
+        raise TurgorError("no law was given; name one or more, for example 'yeoh'.")
+    fits, failed = [], []
+    for law in laws:
+        try:
+            fits.append(fit(law, tests, stretch=stretch, weights=weights, starts=starts, seed=seed))
+        except TurgorError as error:
+            failed.append(str(error))
+    if not fits:
+        raise TurgorError(" ".join(dict.fromkeys(failed)))
+    return Ranking(fits=tuple(sorted(fits, key=lambda each: each.aic)), failed=tuple(failed))
+
+
+def _on_order(fits: Sequence[Fit]) -> list[str]:
+    said = []
+    for each in fits:
+        limit = getattr(each.law, "max_stretch_hint", None)
+        if limit is not None and each.stretch[1] > limit:
+            said.append(
+                f"{each.spec.name} suits strains up to {100 * (limit - 1):.0f} %; over the "
+                f"{100 * (each.stretch[1] - 1):.0f} % wanted it is {100 * each.relative:.2g} % off (M03)."
+            )
+    good = [each for each in fits if each.relative <= 1.25 * min(other.relative for other in fits)]
+    fewest = min(good, key=lambda each: (len(each.spec.names), each.aic))
+    best = fits[0]
+    if fewest is best:
+        said.append(f"{best.spec.name} fits best, {100 * best.relative:.2g} % off.")
+    else:
+        few = len(fewest.spec.names)
+        said.append(
+            f"{best.spec.name} fits best, {100 * best.relative:.2g} % off; {fewest.spec.name} is nearly as good, "
+            f"{100 * fewest.relative:.2g} %, with {few} parameter{'s' if few > 1 else ''}, not {len(best.spec.names)}."
+        )
+    return said
+
+
+def _on_modes(fits: Sequence[Fit]) -> list[str]:
+    """Sentences of M02, each once with the names of its laws, and the advice once."""
+    said: dict[str, list[str]] = {}
+    advice = ""
+    for each in fits:
+        for found in each.findings:
+            if found.code == "M02":
+                said.setdefault(found.message, []).append(each.spec.name)
+                advice = found.advice
+    return [f"{', '.join(names)}: {message} (M02)" for message, names in said.items()] + ([advice] if advice else [])
+
+
+def _on_tests(fits: Sequence[Fit]) -> list[str]:
+    """Sentences on series that are copies of each other (P08)."""
+    return [f"{found.message} {found.advice} (P08)" for found in fits[0].findings if found.code == "P08"]
+
+
+def _on_range(fits: Sequence[Fit]) -> list[str]:
+    low, high = fits[0].stretch_range
+    said = [f"Use these constants only from stretch {low:.3g} to {high:.3g}, the range of the tests (M01)."]
+    beyond = [found for found in fits[0].findings if found.code == "M01"]
+    if beyond:
+        least, most = fits[0].stretch
+        said.append(f"You asked for {least:.3g} to {most:.3g}, more than the tests cover.")
+    return said
+
+
+def _on_search(fits: Sequence[Fit]) -> list[str]:
+    said = []
+    for each in fits:
+        agreed, starts = each.starts
+        if starts > 1 and agreed < 0.2 * starts:
+            said.append(f"{each.spec.name}: only {agreed} of {starts} starts found this fit; try more starts.")
+        loose = each.undetermined
+        if loose and not each.left_open:
+            said.append(f"{each.spec.name}: the tests determine only a combination of {loose[0]} and {loose[1]}.")
+        said += [f"{each.spec.name} {_lost(each, mode)}" for mode in each.instability]
+        if not each.instability:  # M06 then concerns stretches beyond the range
+            said += [f"{each.spec.name}: {found.message} (M06)" for found in each.findings if found.code == "M06"]
+        if each.bounds_hit:
+            said.append(f"{each.spec.name}: {'; '.join(each.bounds_hit)}.")
+    return said
+
+
+def _lost(found: Fit, mode: str) -> str:
+    """Sentence about where stability is lost in a mode, by the strictest criterion and by the others."""
+    low, high = min(found.stretch[0], 1.0), max(found.stretch[1], 1.0)
+    first, *others = instabilities(found.law, mode, high, low).items()  # type: ignore[arg-type]
+    rest = "".join(f"; {_FAILS[name]} at {at:.4g}" for name, at in others)
+    return f"loses its stability in {mode} tests at stretch {first[1]:.4g}, where {_FAILS[first[0]]}{rest}."

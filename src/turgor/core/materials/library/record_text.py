@@ -1,0 +1,146 @@
+"""Describe a library material in words: printed and canonical constants, sources, and doubts."""
+
+from collections.abc import Iterator, Sequence
+from math import inf
+
+from turgor.core.materials.library.doubts import find_doubts
+from turgor.core.materials.library.record import Record
+from turgor.core.materials.library.record_files import all_records, library, records
+from turgor.core.materials.library.record_history import describe_history
+from turgor.core.materials.library.records import find_record
+from turgor.foundation.errors import TurgorError
+
+
+def describe_material(name: str, record: str | None = None) -> str:
+    """Describe the records of a material in plain text.
+
+    Parameters
+    ----------
+    name : str
+        One of `turgor.core.materials.library.record_files.library`, or the path of a file of your own.
+    record : str, optional
+        Name of one record; by default all are described.
+
+    Returns
+    -------
+    str
+        Several lines.
+
+    Examples
+    --------
+    >>> print(describe_material("fiber-yarn"))
+    Fiber yarn
+    <BLANKLINE>
+    hooke-wang-2016
+      law: hooke
+      printed: E = 103 GPa, nu = 0.34
+      canonical: E = 103 GPa, nu = 0.34
+      source: B. Wang, K. C. Aw, M. Biglari-Abhari, A. McDaid, in Proc. IEEE/ASME Int. Conf. on Advanced \
+Intelligent Mechatronics, IEEE, Piscataway, NJ 2016, pp. 83–88
+      quoted in: Table 3 of Xavier, Fleming and Yong 2021, references 144
+      doubts: none known
+    """
+    chosen = records(name) if record is None else (find_record(name, record),)
+    lines = list(_heading(chosen[0]))
+    for entry in chosen:
+        lines += ["", entry.name, *(f"  {line}" for line in _lines(entry))]
+    return "\n".join(lines)
+
+
+def library_table() -> str:
+    """Return a Markdown table of every record of the library, for the documentation.
+
+    Examples
+    --------
+    >>> library_table().splitlines()[0]
+    '| material | record | law | as printed | as computed with | software | references | doubts |'
+    """
+    columns = ("material", "record", "law", "as printed", "as computed with", "software", "references", "doubts")
+    rows = [columns, ("---",) * len(columns)]
+    for name in library():
+        for record in records(name):
+            doubts = ", ".join(f"{doubt.code} {doubt.kind}" for doubt in find_doubts(record))
+            cited = ", ".join(str(number) for number in record.references)
+            rows.append(
+                (
+                    name,
+                    record.name,
+                    record.law,
+                    record.printed,
+                    _canonical(record),
+                    record.software or "",
+                    cited,
+                    doubts,
+                )
+            )
+    return "\n".join(f"| {' | '.join(row)} |".replace("|  |", "| |") for row in rows) + "\n"
+
+
+def doubts_list() -> str:
+    """Return a Markdown list of every doubt in the library in full, for the documentation.
+
+    Examples
+    --------
+    >>> doubts_list().splitlines()[0][:70]
+    '- **dragon-skin-10**, ogden-nuthi-2018: M04 far from the supplier: The'
+    """
+    lines = []
+    for record in all_records():
+        lines += [f"- **{record.library}**, {record.name}: {doubt}" for doubt in find_doubts(record)]
+    return "\n".join(lines) + "\n"
+
+
+def _heading(record: Record) -> Iterator[str]:
+    yield record.material_name + (f", Shore hardness {record.shore_hardness}" if record.shore_hardness else "")
+    supplier = record.supplier
+    if supplier is None:
+        return
+    if supplier.stress_at_stretch_2 is not None:
+        stress = f"{supplier.stress_at_stretch_2 / 1e3:.3g} kPa"
+        yield f"supplier: nominal stress at stretch 2 is {stress} ({supplier.source})"
+    if supplier.modulus is not None:
+        yield f"supplier: Young's modulus is {supplier.modulus / 1e9:.3g} GPa ({supplier.source})"
+    yield from supplier.doubts
+
+
+def _lines(record: Record) -> Iterator[str]:
+    yield f"law: {record.law}" + (f" in the convention {record.convention}" if record.law == "ogden" else "")
+    yield f"printed: {record.printed}"
+    yield f"canonical: {_canonical(record)}"
+    if record.bulk_modulus != inf:
+        yield f"bulk modulus: {record.bulk_modulus / 1e6:.4g} MPa"
+    if record.stretch_range is not None:
+        yield f"fitted from stretch {record.stretch_range[0]:g} to {record.stretch_range[1]:g}"
+    for what, text in describe_history(record.viscoelasticity, record.stress_softening):
+        yield f"{what}: {text}"
+    if record.density is not None:
+        yield f"density: {record.density:g} kg/m³"
+    if record.diameter is not None:
+        yield f"diameter: {record.diameter * 1e3:.4g} mm"
+    if record.form:
+        yield f"as a strain-limiting layer: {record.form}"
+    if record.bending_stiffness is not None:
+        yield f"bending stiffness: {record.bending_stiffness * 1e6:.4g} µN m"
+    if record.software:
+        yield f"software: {record.software}"
+    yield f"source: {record.source}"
+    for text in record.cited_by:
+        yield f"also in: {text}"
+    if record.quoted_in:
+        numbers = f", references {', '.join(map(str, record.references))}" if record.references else ""
+        yield f"quoted in: {record.quoted_in} of Xavier, Fleming and Yong 2021{numbers}"
+    yield from _doubt_lines(find_doubts(record))
+
+
+def _doubt_lines(doubts: Sequence[object]) -> Iterator[str]:
+    if not doubts:
+        yield "doubts: none known"
+    for doubt in doubts:
+        yield f"doubt {doubt}"
+
+
+def _canonical(record: Record) -> str:
+    try:
+        return record.canonical
+    except TurgorError:
+        return "no law"

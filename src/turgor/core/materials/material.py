@@ -1,0 +1,123 @@
+"""Material: a law with its bulk response, density, fitted range and source."""
+
+from dataclasses import dataclass, field
+from math import inf
+from typing import TYPE_CHECKING, get_args
+
+from turgor.core.materials.history.softening import Mullins
+from turgor.core.materials.history.viscoelastic import Prony
+from turgor.core.materials.laws.laws import Hooke, Law
+from turgor.foundation.display import Shown
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.given import Quantity, number, one
+from turgor.foundation.source import Source
+
+#: Classes of rubbers' laws.
+LAW_KINDS = get_args(Law)
+
+UNSTATED = Source(text="stated in the script")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Material(Shown):
+    """A law, how it resists a change of volume, its density, the range it was fitted in, and where it came from.
+
+    Parameters
+    ----------
+    name : str
+        What the material is called in reports.
+    law : Law or Hooke
+        The strain energy function with its coefficients.
+    bulk_modulus : float [Pa]
+        Initial bulk modulus κ; infinite (the default) means fully incompressible. Ignored for `Hooke`.
+    density : float or None [kg/m³]
+        Mass per reference volume; needed for gravity only.
+    stretch_range : (float, float) or None [-]
+        Smallest and largest stretch of the tests that the law was fitted to, when known.
+    source : Source
+        Where the coefficients came from.
+    viscoelasticity : Prony or None
+        How the isochoric stress relaxes; by default not at all.
+    stress_softening : Mullins or None
+        How the rubber softens below its largest stretch so far; by default not at all.
+    bending_stiffness : float or None [N m]
+        Moment per width and curvature of a sheet that bends more easily than a plate, such as a woven fabric; by
+        default a sheet bends like a plate of its thickness. For `Hooke` only.
+
+    Examples
+    --------
+    >>> from turgor.core.materials.laws.laws import NeoHooke
+    >>> Material(name="test rubber", law=NeoHooke(C10=0.12e6)).incompressible
+    True
+    >>> Material(name="test rubber", law=NeoHooke(C10=0.12e6), density=1070.0)
+    Material('test rubber', NeoHooke(C10=120000.0) [SI], incompressible, 1070 kg/m³)
+    """
+
+    name: str
+    law: Law | Hooke
+    bulk_modulus: float = inf
+    density: float | None = None
+    stretch_range: tuple[float, float] | None = None
+    source: Source = field(default=UNSTATED)
+    viscoelasticity: Prony | None = None
+    stress_softening: Mullins | None = None
+    bending_stiffness: float | None = None
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str,
+            law: Law | Hooke,
+            bulk_modulus: Quantity = inf,
+            density: Quantity | None = None,
+            bending_stiffness: Quantity | None = None,
+            stretch_range: tuple[float, float] | None = None,
+            source: Source = UNSTATED,
+            viscoelasticity: Prony | None = None,
+            stress_softening: Mullins | None = None,
+        ) -> None: ...
+
+    def __post_init__(self) -> None:
+        said = f"material '{self.name}'"
+        one(self.law, (*LAW_KINDS, Hooke), f"{said}: law", "a law is needed, such as Yeoh(C10=0.11e6, C20=0.02e6)")
+        bulk = number(self.bulk_modulus, f"{said}: bulk_modulus", "pressure", finite=False)
+        object.__setattr__(self, "bulk_modulus", bulk)
+        if self.density is not None:
+            object.__setattr__(self, "density", number(self.density, f"{said}: density", "density"))
+        if not self.bulk_modulus > 0:
+            raise TurgorError(f"material '{self.name}': bulk_modulus is {self.bulk_modulus:g} Pa; it must be positive.")
+        if self.density is not None and not self.density > 0:
+            raise TurgorError(f"material '{self.name}': density is {self.density:g} kg/m³; it must be positive.")
+        if isinstance(self.law, Hooke) and (self.viscoelasticity or self.stress_softening):
+            raise TurgorError(
+                f"material '{self.name}' is linear elastic; viscoelasticity and stress_softening are for rubbers."
+            )
+        if self.bending_stiffness is not None:
+            bending = number(self.bending_stiffness, f"{said}: bending_stiffness", "bending stiffness")
+            object.__setattr__(self, "bending_stiffness", bending)
+            self._check_bending(bending)
+
+    def _check_bending(self, value: float) -> None:
+        if not isinstance(self.law, Hooke):
+            raise TurgorError(f"material '{self.name}' is no sheet; a bending_stiffness is for the law Hooke.")
+        if not 0 < value < inf:
+            raise TurgorError(f"material '{self.name}': bending_stiffness is {value:g} N m; it must be positive.")
+
+    def __repr__(self) -> str:
+        told = [f"'{self.name}'", f"{self.law!r} [SI]"]
+        if not isinstance(self.law, Hooke):
+            told.append("incompressible" if self.incompressible else f"bulk modulus {self.bulk_modulus:.4g} Pa")
+        told += [f"bending stiffness {self.bending_stiffness:.4g} N m"] if self.bending_stiffness is not None else []
+        told += [f"{self.density:g} kg/m³"] if self.density is not None else []
+        if self.stretch_range is not None:
+            told.append(f"fitted to stretches {self.stretch_range[0]:.4g} to {self.stretch_range[1]:.4g}")
+        told += ["relaxes"] if self.viscoelasticity else []
+        told += ["softens"] if self.stress_softening else []
+        return f"Material({', '.join(told)})"
+
+    @property
+    def incompressible(self) -> bool:
+        """Whether the material keeps its volume exactly."""
+        return self.bulk_modulus == inf

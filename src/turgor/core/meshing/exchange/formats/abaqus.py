@@ -1,0 +1,241 @@
+"""Read .inp files of Abaqus and CalculiX: nodes, solid cells, sets and surfaces."""
+
+import re
+from collections import defaultdict
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from turgor.core.meshing.exchange.formats.abaqus_sets import CellTable, Member, NumberSets, surface_sides
+from turgor.core.meshing.exchange.formats.raw import KINDS, Block, RawMesh, numbers, rows_of
+from turgor.foundation.errors import TurgorError
+
+_SOLIDS = {4: "tetrahedron4", 10: "tetrahedron10", 8: "hexahedron8", 20: "hexahedron20", 6: "wedge6", 15: "wedge15"}
+_SHEETS = {3: "triangle3", 6: "triangle6", 4: "quadrilateral4", 8: "quadrilateral8", 9: "quadrilateral9"}
+_TYPE = re.compile(r"(D?C3D|AC3D|S|M3D|SFM3D|R3D|STRI|DS|CPS|CPE|CAX)(\d+)")
+
+
+@dataclass(slots=True)
+class _Keyword:
+    """One keyword with its parameters and the lines of data below it."""
+
+    name: str
+    given: dict[str, str]
+    lines: list[str] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class _Content:
+    """What was read so far, with the numbers of the file.
+
+    ``left_out`` says what was not understood, one clause each.
+    """
+
+    path: Path
+    node_ids: list[int] = field(default_factory=list)
+    points: list[list[float]] = field(default_factory=list)
+    cells: dict[str, list[list[int]]] = field(default_factory=lambda: defaultdict(list))
+    node_sets: dict[str, list[Member]] = field(default_factory=lambda: defaultdict(list))
+    cell_sets: dict[str, list[Member]] = field(default_factory=lambda: defaultdict(list))
+    surfaces: dict[str, list[tuple[str, str]]] = field(default_factory=lambda: defaultdict(list))
+    sections: list[str] = field(default_factory=list)
+    unread: list[str] = field(default_factory=list)
+    left_out: list[str] = field(default_factory=list)
+
+
+def read_abaqus(path: Path) -> RawMesh:
+    """Read an .inp file; sets and surfaces become the names of its cells and faces.
+
+    What no solid cell needs is left out, and `RawMesh.left_out` says so: members of sets that the file does not define,
+    lines, springs and the like, surfaces on them.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    RawMesh
+
+    Raises
+    ------
+    TurgorError
+        If the file has several parts or instances, a line is no line of numbers, or a cell has an unknown node.
+    """
+    content = _Content(path)
+    for keyword in _keywords(path):
+        _take(content, keyword)
+    if not content.points:
+        raise TurgorError(f"'{path}' has no *NODE with nodes in it.")
+    return _mesh(content)
+
+
+def _keywords(path: Path, depth: int = 0) -> list[_Keyword]:
+    """Split a file into keywords, with the files that it includes in their places."""
+    found: list[_Keyword] = []
+    pending = ""
+    for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
+        if line.startswith("**") or not line.strip():
+            continue
+        text = pending + line.strip()
+        pending = ""
+        if not text.startswith("*"):
+            if found:
+                found[-1].lines.append(text)
+            continue
+        if text.endswith(","):  # a keyword line goes on in the next line
+            pending = text
+            continue
+        name, *parameters = (part.strip() for part in text[1:].split(","))
+        given = {k.strip().lower(): v.strip().strip('"') for k, _, v in (p.partition("=") for p in parameters)}
+        keyword = _Keyword(" ".join(name.lower().split()), given)
+        if keyword.name == "include":
+            found += _included(path, given.get("input", ""), depth)
+        found.append(keyword)
+    return found
+
+
+def _included(path: Path, name: str, depth: int) -> list[_Keyword]:
+    file = path.parent / name
+    if not name or not file.is_file() or depth > 8:
+        raise TurgorError(f"'{path}' includes '{name}', which is not there.")
+    return _keywords(file, depth + 1)
+
+
+def _take(content: _Content, keyword: _Keyword) -> None:
+    take = _TAKERS.get(keyword.name)
+    if take is not None:
+        take(content, keyword)
+
+
+def _take_nodes(content: _Content, keyword: _Keyword) -> None:
+    for line in keyword.lines:
+        values = [*numbers(line, content.path, "a node"), 0.0, 0.0, 0.0]
+        content.node_ids.append(int(values[0]))
+        content.points.append(values[1:4])
+        if "nset" in keyword.given:
+            content.node_sets[keyword.given["nset"]].append(int(values[0]))
+
+
+def _take_cells(content: _Content, keyword: _Keyword) -> None:
+    name = keyword.given.get("type", "").upper()
+    match = _TYPE.match(name)
+    solid = match is not None and match[1].endswith("C3D")
+    kind = (_SOLIDS if solid else _SHEETS).get(int(match[2])) if match is not None else None
+    if kind is None and solid:
+        raise TurgorError(f"'{content.path}' has cells of type {name}; known are C3D4, C3D10, C3D8 and C3D20.")
+    if kind is None:  # lines, springs and the like bound no solid, but their sets may be named in others
+        content.unread.append(name or "without a type")
+        if "elset" in keyword.given:
+            content.cell_sets[keyword.given["elset"]] += []
+        return
+    values = [int(value) for line in keyword.lines for value in numbers(line, content.path, "a cell")]
+    width = KINDS[kind].nodes + 1
+    if len(values) % width:
+        raise TurgorError(f"'{content.path}': cells of type {name} need {width} numbers each; some lines are short.")
+    for start in range(0, len(values), width):
+        content.cells[kind].append(values[start : start + width])
+        if "elset" in keyword.given:
+            content.cell_sets[keyword.given["elset"]].append(values[start])
+
+
+def _take_node_set(content: _Content, keyword: _Keyword) -> None:
+    _take_set(content, keyword, content.node_sets, "nset")
+
+
+def _take_cell_set(content: _Content, keyword: _Keyword) -> None:
+    _take_set(content, keyword, content.cell_sets, "elset")
+
+
+def _take_set(content: _Content, keyword: _Keyword, sets: dict[str, list[Member]], key: str) -> None:
+    name = keyword.given.get(key)
+    if name is None:
+        raise TurgorError(f"'{content.path}': *{keyword.name.upper()} names no {key.upper()}.")
+    members: list[Member] = []
+    for line in keyword.lines:
+        words = [word.strip().strip('"') for word in line.split(",") if word.strip()]
+        if "generate" in keyword.given:
+            first, last, step = ([int(word) for word in words] + [1])[:3]
+            members.append(range(first, last + 1, max(step, 1)))
+            continue
+        members += [int(word) if re.fullmatch(r"\d+", word) else word for word in words]
+    sets[name] += members
+
+
+def _take_surface(content: _Content, keyword: _Keyword) -> None:
+    name = keyword.given.get("name", "")
+    node = keyword.given.get("type", "").lower() == "node"
+    for line in keyword.lines:
+        words = [word.strip().strip('"') for word in line.split(",") if word.strip()]
+        if node:
+            content.node_sets[name].append(int(words[0]) if words[0].isdigit() else words[0])
+        elif words:
+            content.surfaces[name].append((words[0], words[1].upper() if len(words) > 1 else ""))
+
+
+def _take_section(content: _Content, keyword: _Keyword) -> None:
+    if "elset" in keyword.given:
+        content.sections.append(keyword.given["elset"])
+
+
+def _take_part(content: _Content, keyword: _Keyword) -> None:
+    if content.points:
+        raise TurgorError(
+            f"'{content.path}' has several parts; merge them into one, or write a file without parts and assemblies."
+        )
+
+
+def _take_instance(content: _Content, keyword: _Keyword) -> None:
+    moved = any(value for line in keyword.lines for value in numbers(line, content.path, "an instance"))
+    if moved:
+        raise TurgorError(
+            f"'{content.path}' moves an instance; merge it into one part, or write a file without assemblies."
+        )
+
+
+_TAKERS = {
+    "node": _take_nodes,
+    "element": _take_cells,
+    "nset": _take_node_set,
+    "elset": _take_cell_set,
+    "surface": _take_surface,
+    "solid section": _take_section,
+    "part": _take_part,
+    "instance": _take_instance,
+}
+
+
+def _mesh(content: _Content) -> RawMesh:
+    ids = np.array(content.node_ids, dtype=np.int64)
+    tables = {kind: np.array(cells, dtype=np.int64) for kind, cells in content.cells.items()}
+    numbered = np.concatenate([np.zeros(0, dtype=np.int64), *(table[:, 0] for table in tables.values())])
+    if content.unread:
+        content.left_out.append(f"cells of the types {', '.join(sorted(set(content.unread)))}")
+    node_sets = NumberSets(content.node_sets, ids, "node", content.left_out)
+    cell_sets = NumberSets(content.cell_sets, numbered, "" if content.unread else "cell", content.left_out)
+    members = {name: numbered[rows] for name, rows in cell_sets.all().items()}
+    blocks, corners = [], CellTable()
+    for kind, table in tables.items():
+        nodes = rows_of(table[:, 1:], ids, content.path, "node")
+        corners.add(KINDS[kind].dimension, table[:, 0], nodes[:, : KINDS[kind].corners])
+        groups = {name: np.flatnonzero(np.isin(table[:, 0], known)) for name, known in members.items()}
+        blocks.append(Block(kind=KINDS[kind], nodes=nodes, groups={n: rows for n, rows in groups.items() if len(rows)}))
+    return RawMesh(
+        path=content.path,
+        points=np.array(content.points, dtype=np.float64),
+        blocks=tuple(blocks),
+        node_sets=node_sets.all(),
+        surfaces={
+            name: surface_sides(name, parts, cell_sets, corners, content.left_out)
+            for name, parts in content.surfaces.items()
+        },
+        sections=_sections(content),
+        left_out=tuple(content.left_out),
+        node_numbers=ids,
+    )
+
+
+def _sections(content: _Content) -> tuple[str, ...]:
+    names = {name.lower(): name for name in content.cell_sets}
+    return tuple(dict.fromkeys(names[name.lower()] for name in content.sections if name.lower() in names))

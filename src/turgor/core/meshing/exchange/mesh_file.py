@@ -1,0 +1,139 @@
+"""MeshFile: an actuator that comes as a mesh, as a job names it."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from hashlib import sha256
+from pathlib import Path
+
+import numpy as np
+
+from turgor.core.geometry.cad.walls import thinnest_wall
+from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.core.geometry.directions import FileAxes
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.meshing.cells import six_node_triangles
+from turgor.core.meshing.exchange.formats.raw import Ints
+from turgor.core.meshing.exchange.selectors import Choice
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.quality.checks import RAYS
+from turgor.core.meshing.surface import outer_triangles
+from turgor.foundation.errors import TurgorError
+
+Corner = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MeshedShape:
+    """A mesh in the place of a CAD shape.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    """
+
+    mesh: Mesh
+
+    @property
+    def bounding_box(self) -> tuple[Corner, Corner]:
+        """Lowest and highest corner of the box around it, in CAD units."""
+        points = self.mesh.points / METERS_PER_CAD_UNIT
+        low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+        return (low[0], low[1], low[2]), (high[0], high[1], high[2])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeshFile:
+    """An actuator from a mesh file, with the arguments of `read_mesh`; an STL file is filled by `mesh_surfaces`.
+
+    Parameters
+    ----------
+    file : Path
+        The file.
+    unit : str or float, optional
+        Unit of length of the file; as for `read_mesh`.
+    axes : tuple of three str or (3,) floats
+        Directions in the file of our x, y and z.
+    regions, faces : mapping of str to Choice
+        Names with what they mean.
+    cavities : mapping of str to Path
+        Names of cavities with the STL files of their surfaces.
+    sha256 : str
+        Content of the file that is meant, as a lock file notes it; taken from the file where it is empty.
+
+    Raises
+    ------
+    TurgorError
+        If there is no such file, or its content is another one.
+
+    Examples
+    --------
+    >>> MeshFile(file=Path("missing.msh"))
+    Traceback (most recent call last):
+    turgor.TurgorError: file is missing.msh, and there is no such file.
+    """
+
+    file: Path
+    unit: str | float | None = None
+    axes: FileAxes = ("x", "y", "z")
+    regions: Mapping[str, Choice] = field(default_factory=dict)
+    faces: Mapping[str, Choice] = field(default_factory=dict)
+    cavities: Mapping[str, Path] = field(default_factory=dict)
+    sha256: str = ""
+
+    def __post_init__(self) -> None:
+        if not Path(self.file).is_file():
+            raise TurgorError(f"file is {self.file}, and there is no such file.")
+        found = sha256(Path(self.file).read_bytes()).hexdigest()
+        if self.sha256 and self.sha256 != found:
+            raise TurgorError(
+                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {found[:12]}…: the file has "
+                "changed since; take the old one, or remove the key to go on with the new one."
+            )
+        object.__setattr__(self, "sha256", found)
+
+    def read(self) -> Mesh:
+        """Read the mesh."""
+        from turgor.core.meshing.exchange.fill import (
+            mesh_surfaces,  # here: readers load much, and every job loads this file
+        )
+        from turgor.core.meshing.exchange.read import read_mesh
+
+        surface = Path(self.file).suffix.lower() == ".stl"
+        reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
+        return reader(
+            self.file,
+            unit=self.unit,
+            regions=self.regions,
+            faces=self.faces,
+            cavities=self.cavities,
+            axes=self.axes,
+        )
+
+    def build(self) -> Geometry:
+        """Read the mesh and give it the form of a geometry, whose names and volumes are those of the mesh."""
+        mesh = self.read()
+        corners = six_node_triangles(outer_triangles(mesh))[:, :3]
+        extent = float(np.ptp(mesh.points, axis=0).max())
+        return Geometry(
+            name=mesh.name,
+            smallest_wall=min(thinnest_wall(mesh.points[corners], most=RAYS)[0], extent),
+            cavity_volumes={name: -_enclosed(mesh, mesh.faces[name]) for name in mesh.cavities},
+            solid_volume=_enclosed(mesh, outer_triangles(mesh)),
+            regions=tuple(mesh.regions),
+            faces=tuple(sorted(mesh.faces)),
+            _shape=MeshedShape(mesh),
+        )
+
+
+def _enclosed(mesh: Mesh, sides: Ints) -> float:
+    """Volume behind flat sides [m³], seen from a point on all mirror planes."""
+    origin = mesh.points.mean(axis=0)
+    for name in mesh.symmetry_faces:
+        plane = mesh.points[mesh.face_nodes(name)]
+        axis = int(np.ptp(plane, axis=0).argmin())
+        origin[axis] = plane[:, axis].mean()
+    p = mesh.points[sides[:, : mesh.cell_type.side.corners]] - origin
+    first, second = (
+        (p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]) if p.shape[1] == 4 else (p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+    )
+    return float(np.einsum("fi,fi->", p.mean(axis=1), np.cross(first, second)) / 6)

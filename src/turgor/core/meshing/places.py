@@ -1,0 +1,36 @@
+"""Places: points of a mesh that coincide."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.meshing.bodies.groups import groups_of
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: Points closer than this share of the size of what they describe are in the same place.
+SAME_PLACE = 1e-9
+
+
+def same_places(points: Array) -> tuple[Ints, Ints]:
+    """Number points such that those in the same place share a number; the first of each place stands for it.
+
+    Returns
+    -------
+    number : (p,) int array
+        New number of each point.
+    kept : (n,) int array
+        The point that stands for each number.
+
+    Examples
+    --------
+    >>> number, kept = same_places(np.array([[0.0, 1.0], [2.0, 1.0], [0.0, 1.0 + 1e-15]]))
+    >>> number.tolist(), kept.tolist()
+    ([0, 1, 0], [0, 1])
+    """
+    from scipy.spatial import cKDTree  # slow to load, and the engine imports this file
+
+    pairs = cKDTree(points).query_pairs(SAME_PLACE * float(np.ptp(points, axis=0).max()), output_type="ndarray")
+    label = groups_of(len(points), pairs[:, 0], pairs[:, 1])
+    _, kept, number = np.unique(label, return_index=True, return_inverse=True)
+    return number, kept

@@ -1,0 +1,25 @@
+"""Whether walls of a mesh may meet as it deforms."""
+
+from turgor.core.meshing.bodies.bodies import find_bodies
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.quality.mirror_gap import faces_its_image
+from turgor.core.meshing.quality.proximity import find_facing_walls
+from turgor.core.meshing.quality.quality_cache import asked_once
+
+
+@asked_once  # by every check, and by the engine
+def may_meet(mesh: Mesh) -> bool:
+    """Whether a mesh has several bodies, or walls that face each other or their image.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Returns
+    -------
+    bool
+        False for 20-node hexahedra, which have no contact.
+    """
+    if not mesh.cell_type.side.triangles:
+        return False
+    return len(find_bodies(mesh)) > 1 or len(find_facing_walls(mesh).pairs) > 0 or faces_its_image(mesh)

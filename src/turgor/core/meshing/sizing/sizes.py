@@ -1,0 +1,221 @@
+"""Mesh sizes: the range that a geometry allows, its default size, and checks of given sizes."""
+
+from collections.abc import Mapping
+from math import ceil, floor, isfinite
+from numbers import Integral, Real
+from typing import Any
+
+from turgor.core.geometry.cad.surface.shape import SurfaceShape
+from turgor.core.geometry.extrusion import Along
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.lazy_shape import LateShape
+from turgor.core.meshing.settings import MeshSettings
+from turgor.foundation.errors import TurgorError, unknown
+from turgor.units import mm
+
+#: Cells up to this many times longer than the thinnest wall is thick suit all walls: one quadratic cell through a wall,
+#: four times as long as thick, still bends well; longer cells miss the bulging of walls.
+LARGEST_SIZE_PER_WALL = 4.0
+
+#: Largest mesh that one machine can be expected to solve.
+MOST_UNKNOWNS = 3e6
+
+#: Unknowns per volume over size cubed, measured on the fast PneuNet from 1.5 to 1 mm: 40 to 35.
+UNKNOWNS_PER_SIZE_CUBED = 40.0
+
+#: Unknowns per area over size squared that a face with a size of its own adds, measured on the cavity of the fast
+#: PneuNet from 1 to 0.5 mm: 15 to 19 (cells grow away from it with a grading of 0.5).
+UNKNOWNS_PER_SIZE_SQUARED = 20.0
+
+#: Cells along an arc as long as its radius. With 1, curved cells turn inside out where a fillet or a tube is coarse
+#: (a slot of 1 mm radius at 1 mm size: 3 cells); with 2, none did on slots, tubes, half tubes and spheres.
+CELLS_PER_RADIUS = 2.0
+
+#: Relative mesh errors that can be asked for.
+LEAST_TARGET, MOST_TARGET = 1e-4, 0.5
+
+#: A sweep is a tube where one layer is longer than this share of its path, and than so many times the thinnest wall.
+TUBE, LONG_PER_WALL = 0.5, 20.0
+
+#: Cells through a wall that can be asked for.
+MOST_WALL_CELLS = 4
+
+
+def size_range(geometry: Geometry) -> tuple[float, float]:
+    """Smallest and largest mesh size that `mesh` accepts for a geometry [m].
+
+    The smallest makes about 3 million unknowns; the largest is the part itself. Above `wall_size`, thin walls get
+    smaller cells than the rest.
+    """
+    return size_for(geometry, MOST_UNKNOWNS), extent_of(geometry)
+
+
+def wall_size(geometry: Geometry) -> float:
+    """Largest mesh size that suits every wall of a geometry [m]: four times the thinnest wall, or the part itself."""
+    return min(LARGEST_SIZE_PER_WALL * geometry.smallest_wall, extent_of(geometry))
+
+
+def check_settings(geometry: Geometry, settings: MeshSettings) -> None:
+    """Refuse what no mesh can be made with.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    settings : MeshSettings
+        With a size.
+
+    Raises
+    ------
+    TurgorError
+        If its size, grading or number of cells through walls is not allowed: what it is, and what is allowed.
+    """
+    grading: object = settings.grading
+    _check_wall_cells(settings.wall_cells)
+    _check_size(geometry, settings.size)
+    if isinstance(grading, bool) or not isinstance(grading, Real) or not 0.1 <= float(grading) <= 1:
+        raise TurgorError(f"mesh grading is {grading!r}; allowed is 0.1 to 1.")
+
+
+def check_target(target: float) -> None:
+    """Refuse a relative mesh error that no mesh can be refined to.
+
+    Examples
+    --------
+    >>> check_target(2.0)
+    Traceback (most recent call last):
+    turgor.TurgorError: mesh target is 200 %; allowed is 0.01 % to 50 %.
+    """
+    if not LEAST_TARGET <= target <= MOST_TARGET:
+        raise TurgorError(
+            f"mesh target is {100 * target:g} %; allowed is {100 * LEAST_TARGET:g} % to {100 * MOST_TARGET:g} %."
+        )
+
+
+def check_face_sizes(geometry: Geometry, face_sizes: Mapping[str, Any], size: float) -> None:
+    """Refuse sizes of faces that the geometry does not have, that are no lengths or larger than the whole mesh's.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    face_sizes : mapping of str to float [m]
+        Sizes by the name of the face.
+    size : float [m]
+        Size of the whole mesh.
+
+    Raises
+    ------
+    TurgorError
+        If one of them is not allowed: what it is, and what is allowed.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> check_face_sizes(FastPneuNet().build(), {"cavty": 1e-3}, 2e-3)
+    Traceback (most recent call last):
+    turgor.TurgorError: unknown face 'cavty'; did you mean 'cavity'? Known: cavity, fixed, outside, ...
+    """
+    given: object = face_sizes
+    if not isinstance(given, Mapping):
+        raise TurgorError(f"mesh face_sizes is {face_sizes!r}; sizes by face are needed, such as {{'cavity': 1*mm}}.")
+    for name, value in given.items():
+        if name not in geometry.faces:
+            raise unknown("face", str(name), geometry.faces)
+        if isinstance(value, bool) or not isinstance(value, Real) or not isfinite(value):
+            raise TurgorError(f"mesh size of face '{name}' is {value!r}; a length in meters is needed, such as 1*mm.")
+        low = (UNKNOWNS_PER_SIZE_SQUARED * _face_area(geometry, name) / MOST_UNKNOWNS) ** 0.5
+        if not low <= value <= size:
+            shown = f"{ceil(low / mm * 1000) / 1000:g} mm to {size / mm:.6g} mm, the size of the whole mesh"
+            raise TurgorError(f"mesh size of face '{name}' is {value / mm:.6g} mm; allowed is {shown}.")
+
+
+def check_features(geometry: Geometry, limit: object, size: float, cells: str) -> None:
+    """Refuse a limit of small features that is no length, larger than the cells, or has no meaning for them.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    limit : float or None [m]
+        Radius below which rounds are left coarse.
+    size : float [m]
+        Size of the mesh.
+    cells : str
+        Kind of the cells.
+
+    Raises
+    ------
+    TurgorError
+        What is given, and what is allowed.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> check_features(FastPneuNet().build(), 5e-3, 2e-3, "tetrahedra")
+    Traceback (most recent call last):
+    turgor.TurgorError: mesh ignore_features_below is 5 mm; allowed is 0 to 2 mm, the size of the mesh.
+    """
+    if limit is None:
+        return
+    if isinstance(limit, bool) or not isinstance(limit, Real) or not isfinite(limit):
+        raise TurgorError(f"mesh ignore_features_below is {limit!r}; a length in meters is needed, such as 1*mm.")
+    if not 0 <= float(limit) <= size:
+        raise TurgorError(
+            f"mesh ignore_features_below is {float(limit) / mm:.6g} mm; allowed is 0 to {size / mm:.6g} mm, the size "
+            "of the mesh."
+        )
+    if cells == "hexahedra" or isinstance(geometry._shape, SurfaceShape):
+        what = "hexahedra of a swept section" if cells == "hexahedra" else "cells in a part that is given by facets"
+        raise TurgorError(f"mesh ignore_features_below is given, but {what} are not smaller at rounds; leave it out.")
+
+
+def extent_of(geometry: Geometry) -> float:
+    """Longest side [m], the same before and after meshing: a triangulation widens the box around curved faces."""
+    if not isinstance(geometry._shape, SurfaceShape | LateShape):  # the box of a late shape is the wider one
+        geometry._shape.MakeTriangulation()
+    return geometry.extent
+
+
+def size_for(geometry: Geometry, unknowns: float) -> float:
+    """Size of tetrahedra [m] that make about so many unknowns."""
+    return float((UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / unknowns) ** (1 / 3))
+
+
+def _check_size(geometry: Geometry, size: object) -> None:
+    if isinstance(size, bool) or not isinstance(size, Real) or not isfinite(size):
+        raise TurgorError(f"mesh size is {size!r}; a finite length in meters is needed, such as 3*mm.")
+    length, (low, high) = float(size), size_range(geometry)
+    if low <= length <= high * (1 + 1e-9):
+        return
+    # rounded inwards, so that both numbers shown are themselves allowed
+    shown = f"{ceil(low / mm * 1000) / 1000} mm to {floor(high / mm * 1000 + 1e-6) / 1000:g} mm (the whole part)"
+    given = f"mesh size is {length / mm:.6g} mm"
+    if length <= 0:
+        raise TurgorError(f"{given}; allowed is {shown}.")
+    if length < low:
+        millions = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / length**3 / 1e6
+        raise TurgorError(f"{given}, which makes about {millions:.3g} million unknowns; allowed is {shown}.")
+    hint = "; is the unit right?" if low <= length * mm <= high else "."
+    raise TurgorError(f"{given}, larger than the part; allowed is {shown}{hint}")
+
+
+def is_tube(geometry: Geometry) -> bool:
+    """Whether the same section fills most of a straight path, so that its walls hardly bend along their length."""
+    sweep = geometry._sweep
+    if sweep is None or not isinstance(sweep.path, Along):
+        return False
+    lengths = [layer.end - layer.start for layer in sweep.layers]
+    return max(lengths) > TUBE * sum(lengths) and max(lengths) > LONG_PER_WALL * geometry.smallest_wall
+
+
+def _check_wall_cells(wall_cells: object) -> None:
+    whole = isinstance(wall_cells, Integral) and not isinstance(wall_cells, bool)
+    if not whole or not 1 <= int(wall_cells) <= MOST_WALL_CELLS:  # type: ignore[call-overload]
+        raise TurgorError(
+            f"mesh wall_cells is {wall_cells!r}; allowed is 1, which leaves the walls as they come, to "
+            f"{MOST_WALL_CELLS}, which puts so many cells through every wall at least; a smaller size puts more."
+        )
+
+
+def _face_area(geometry: Geometry, name: str) -> float:
+    """Area of a named face [m²]."""
+    faces = set(geometry._cad.faces)  # a face between two solids is listed for both
+    return float(sum(face.mass for face in faces if face.name == name)) * geometry.length_scale**2

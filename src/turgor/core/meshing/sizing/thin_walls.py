@@ -1,0 +1,148 @@
+"""Find walls that are too thin for the cells along them, by rays through the solid, and give them smaller sizes."""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
+from turgor.core.meshing.quality.facing import OPPOSED, first_hits, unit_normals
+from turgor.core.meshing.sizing.sizes import LARGEST_SIZE_PER_WALL, MOST_UNKNOWNS, UNKNOWNS_PER_SIZE_SQUARED
+from turgor.core.meshing.surface import outer_triangles
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.finding import Finding, Severity
+from turgor.units import mm
+
+Array = NDArray[np.float64]
+
+#: Longest edge over thickness of a wall that is accepted. The largest size is four times the wall, and the generator
+#: makes some edges half as long again as the size it is given.
+LONGEST_EDGE_PER_WALL = 1.5 * LARGEST_SIZE_PER_WALL
+
+#: Size asked for at a thin wall over its thickness at first, and its factor each time that this did not suffice.
+ASKED_SIZE_PER_WALL, FIRMER = 3.0, 0.7
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ThinWalls:
+    """Places on the surface behind which the wall is too thin for the cells there.
+
+    Parameters
+    ----------
+    points : (p, 3) array [m]
+        Middles of outer triangles.
+    thickness : (p,) array [m]
+        Thickness of the wall behind each, along its normal.
+    areas : (p,) array [m²]
+        Areas of these triangles; a wall is seen from both sides.
+    """
+
+    points: Array
+    thickness: Array
+    areas: Array
+
+    def sizes(self, rounds: int) -> Array:
+        """Sizes that suit the walls after some rounds of asking, (p,) [m]."""
+        return ASKED_SIZE_PER_WALL * FIRMER**rounds * self.thickness
+
+    def unknowns(self) -> float:
+        """About so many unknowns lie in these walls once their cells are as short as they are asked to be."""
+        return float((UNKNOWNS_PER_SIZE_SQUARED / 2 * self.areas / self.sizes(0) ** 2).sum())
+
+    def place(self) -> str:
+        """Where the thinnest of these walls is, and how thick."""
+        thinnest = int(self.thickness.argmin())
+        x, y, z = self.points[thinnest] / mm
+        return f"{self.thickness[thinnest] / mm:.3g} mm thick, at ({x:.3g}, {y:.3g}, {z:.3g}) mm"
+
+
+def find_thin_walls(mesh: Mesh, size: float, stated: Collection[str] = ()) -> ThinWalls:
+    """Find walls that are too thin for the cells along them: an edge is over six times as long as the wall is thick.
+
+    Every outer triangle looks into the solid along its normal, to the opposed triangle behind the wall.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Ten-node tetrahedra.
+    size : float [m]
+        Size that was aimed at; thicker walls than a quarter of it are not looked for.
+    stated : collection of str
+        Faces that keep the size that was stated for them: walls on which they lie are left out.
+
+    Returns
+    -------
+    ThinWalls
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> from turgor.core.meshing.generate import mesh
+    >>> len(find_thin_walls(mesh(FastPneuNet(chambers=2, length=20e-3).build(), size=3e-3), 3e-3).points)
+    0
+    """
+    surface = outer_triangles(mesh)
+    surface = surface[~_on_faces(mesh, surface, mesh.cut_faces)]
+    corners, inward, kept = mesh.points[surface[:, :3]], surface[:, [0, 2, 1]], _on_faces(mesh, surface, stated)
+    normal, middle = unit_normals(mesh.points, inward), corners.mean(axis=1)
+    hit = first_hits(mesh.points, inward, size / LARGEST_SIZE_PER_WALL)
+    facing = np.einsum("ti,ti->t", normal, normal[hit])
+    seen = np.flatnonzero((hit >= 0) & (facing < -OPPOSED) & ~kept & ~kept[hit])
+    depth = np.einsum("ti,ti->t", middle[hit[seen]] - middle[seen], normal[hit[seen]]) / facing[seen]
+    longest = np.max([np.linalg.norm(corners[seen, a] - corners[seen, b], axis=1) for a, b in TRIANGLE_EDGES], axis=0)
+    thin = longest > LONGEST_EDGE_PER_WALL * depth
+    one, two = (corners[seen, i] - corners[seen, 0] for i in (1, 2))
+    areas = np.linalg.norm(np.cross(one, two), axis=1) / 2
+    return ThinWalls(points=middle[seen][thin], thickness=depth[thin], areas=areas[thin])
+
+
+def _on_faces(mesh: Mesh, surface: NDArray[np.int64], names: Collection[str]) -> NDArray[np.bool_]:
+    """Whether each triangle lies on one of some faces."""
+    found = np.zeros(len(surface), dtype=bool)
+    for name in names:
+        found |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
+    return found
+
+
+def refuse_thin_walls(walls: ThinWalls, name: str) -> None:
+    """Refuse walls of a geometry that are too thin for their area: nothing could solve cells that suit them."""
+    if (unknowns := walls.unknowns()) > MOST_UNKNOWNS:
+        raise TurgorError(
+            f"'{name}' has walls that are too thin for their area: cells three times as long as they are thick would "
+            f"make about {unknowns / 1e6:.3g} million unknowns; the thinnest is {walls.place()}. Make them thicker, or "
+            'state a size for one of their faces, which is then kept there: face_sizes = { NAME = "1 mm" }.'
+        )
+
+
+def thin_walls_left(walls: ThinWalls) -> Finding:
+    """Say that walls stayed too thin for their cells."""
+    return Finding(
+        code="G09",
+        severity=Severity.WARNING,
+        message=f"In {len(walls.points)} places cells are more than six times as long as their wall is thick; the "
+        f"thinnest of these walls is {walls.place()}.",
+        advice="Use a smaller mesh size, or set a smaller size for the faces of these walls alone (face_sizes).",
+    )
+
+
+def thin_walls_finer(size: float, wall: float) -> Finding:
+    """Say that thin walls have smaller cells than the stated size [m]; ``wall`` is the thinnest one [m]."""
+    return Finding(
+        code="G09",
+        severity=Severity.NOTE,
+        message=f"The mesh size of {size / mm:.4g} mm is more than four times the thinnest wall, {wall / mm:.4g} mm: "
+        f"walls thinner than {size / LARGEST_SIZE_PER_WALL / mm:.3g} mm have shorter cells.",
+        advice="Where such a wall does not bend, a size for its face keeps it coarse: face_sizes.",
+    )
+
+
+def section_finer(size: float, kept: float, wall: float) -> Finding:
+    """Say that cells of a section have a smaller size than the stated one, ``kept`` [m]."""
+    return Finding(
+        code="G09",
+        severity=Severity.NOTE,
+        message=f"The mesh size of {size / mm:.4g} mm is more than four times the thinnest wall, {wall / mm:.4g} mm: "
+        f"cells in the section stay below {kept / mm:.4g} mm, and only those along its path may be longer.",
+        advice=f"Use {kept / mm:.4g} mm or less where walls bend along the path too.",
+    )

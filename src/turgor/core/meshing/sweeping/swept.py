@@ -1,0 +1,132 @@
+"""Swept meshes: 27-node hexahedra of a section moved along a line or turned about an axis."""
+
+from collections.abc import Sequence
+from math import pi
+
+from turgor.core.geometry.extrusion import Sweep, Turned
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.sections import Outline
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.sweeping.axis import core_outline, core_radius, reaches_axis, with_core, without_core
+from turgor.core.meshing.sweeping.grid import grid_section
+from turgor.core.meshing.sweeping.hexahedra import fill
+from turgor.core.meshing.sweeping.naming import assemble
+from turgor.core.meshing.sweeping.polar import polar_section
+from turgor.core.meshing.sweeping.section import Fineness, SectionMesh
+from turgor.foundation.errors import TurgorError, unknown
+
+QUARTER = pi / 2
+
+#: Kinds of cells that a mesh can be made of.
+KINDS = ("tetrahedra", "hexahedra", "axisymmetric")
+
+
+def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
+    """Generate 27-node hexahedra that fill a geometry which is a swept section, and carry its names.
+
+    All nodes lie on the true shape. Where the section is a grid or rings, walls get one cell unless more are asked
+    for; sections of other outlines get two.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        What to mesh; its family tells how it is swept.
+    fine : Fineness
+        How fine the cells are.
+
+    Returns
+    -------
+    Mesh
+
+    Raises
+    ------
+    TurgorError
+        If the geometry is no sweep, or its section cannot be meshed.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> made = swept_mesh(FastPneuNet(chambers=2, length=20e-3).build(), Fineness(size=4e-3))
+    >>> len(made.cells), made.cell_type.name, sorted(made.faces)[0]
+    (373, '27-node hexahedron', 'cavity')
+    """
+    sweep = _sweep_of(geometry)
+    section = section_of(sweep, sweep.outlines, fine)
+    if not reaches_axis(sweep, section):
+        return assemble(fill(sweep, section, fine), geometry, sweep)
+    radius = core_radius(sweep)
+    section = without_core(section_of(sweep, (*sweep.outlines, core_outline(sweep)), fine), radius)
+    quarters = round((sweep.layers[-1].end - sweep.layers[0].start) / QUARTER)
+    return assemble(
+        with_core(fill(sweep, section, fine, multiple=2 * quarters), sweep, section, radius, fine), geometry, sweep
+    )
+
+
+def check_cells(geometry: Geometry, cells: object) -> str:
+    """Return a kind of cells, refusing what is none and hexahedra where these cannot be made.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    cells : str
+        As `turgor.mesh` takes it.
+
+    Raises
+    ------
+    TurgorError
+        If the kind is unknown, or the geometry is no sweep.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> check_cells(FastPneuNet().build(), "hexahedrons")
+    Traceback (most recent call last):
+    turgor.TurgorError: unknown kind of cells 'hexahedrons'; did you mean 'hexahedra'? Known: ...
+    """
+    if cells not in KINDS:
+        raise unknown("kind of cells", str(cells), KINDS)
+    if cells == "hexahedra":
+        _sweep_of(geometry)
+    return str(cells)
+
+
+def _sweep_of(geometry: Geometry) -> Sweep:
+    if geometry._sweep is None:
+        raise TurgorError(
+            f"'{geometry.name}' cannot be filled with hexahedra: it is not built as a section moved along a line or "
+            'turned about an axis. Use cells = "tetrahedra"; hexahedra fill PneuNets, tubes, benders, omnidirectional '
+            "actuators and bellows of revolution, in most of their forms."
+        )
+    sweep: Sweep = geometry._sweep
+    return sweep
+
+
+def is_lattice(geometry: Geometry, fine: Fineness) -> bool:
+    """Whether the section of a swept geometry is cut along its own lines or circles, not into paired triangles.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> from turgor.core.geometry.actuators.semicircular_bender import SemicircularBender
+    >>> [is_lattice(kind().build(), Fineness(size=3e-3)) for kind in (FastPneuNet, SemicircularBender)]
+    [True, False]
+    """
+    sweep = _sweep_of(geometry)
+    return _lattice(sweep, sweep.outlines, fine) is not None
+
+
+def _lattice(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> SectionMesh | None:
+    section = grid_section(outlines, fine)
+    if section is None and not isinstance(sweep.path, Turned) and not fine.corners:  # rays have no short cells
+        section = polar_section(sweep.layers, outlines, fine)
+    return section
+
+
+def section_of(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> SectionMesh:
+    """Mesh a section: along its own lines or circles where it has such, else with paired triangles."""
+    section = _lattice(sweep, outlines, fine)
+    if section is not None:
+        return section
+    from turgor.core.meshing.sweeping.general import general_section  # here: most sections have lines or circles
+
+    return general_section(outlines, fine)

@@ -1,0 +1,254 @@
+"""Continuing: make the model of a stage that begins where another one ended, under the loads that acted there."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from copy import copy
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.model.contact import Contact
+from turgor.core.model.history import History, share_at
+from turgor.core.model.loads import Force, Hanging, LineForce, Load, Moment, PointForce, Pressure, Traction
+from turgor.core.model.model import Model
+from turgor.core.model.obstacles import Path, Vector
+from turgor.core.model.points import Rotation
+from turgor.core.model.supports import Displacement, Fixed, Shift, Support
+from turgor.foundation.errors import TurgorError, unknown
+
+Array = NDArray[np.float64]
+
+
+def with_loads(
+    model: Model,
+    loads: Sequence[Load],
+    displacements: Sequence[Displacement] = (),
+    moves: Mapping[str, Vector] | None = None,
+) -> Model:
+    """Return a model in which loads, displacements and moves replace those on the same faces and obstacles.
+
+    Parameters
+    ----------
+    model : Model
+    loads : sequence of Load
+    displacements : sequence of Displacement
+        Each in place of one of the same face and directions.
+    moves : mapping of str to (3,) floats [m]
+        Displacements of obstacles at load factor 1.
+
+    Raises
+    ------
+    TurgorError
+        If two loads act on the same, or there is no such displacement or obstacle.
+    """
+    stated = _by_place(loads)
+    kept = [load for load in model.loads if _place(load) not in stated]
+    new = _by_support(model, displacements)
+    supports = [new.get(_held(support), support) for support in model.supports]
+    moves = moves or {}
+    return _made(model, (*kept, *loads), supports, _moved(model, _paths(model, 0.0, moves, moves)))
+
+
+def movable(model: Model, displacements: Sequence[Displacement]) -> Model:
+    """Return a model in which held faces that later stages move have a displacement of zero.
+
+    Parameters
+    ----------
+    model : Model
+    displacements : sequence of Displacement
+        How faces are moved later.
+    """
+    moved = {_held(each) for each in displacements}
+    if not any(isinstance(support, Fixed) and _held(support) in moved for support in model.supports):
+        return model
+    supports = [
+        Displacement(support.face, Shift((0.0, 0.0, 0.0)), support.directions)
+        if isinstance(support, Fixed) and _held(support) in moved
+        else support
+        for support in model.supports
+    ]
+    return _made(model, model.loads, supports, model.contact)
+
+
+def continued(
+    model: Model,
+    acting: tuple[float, Mapping[str, float]],
+    loads: Sequence[Load],
+    displacements: Sequence[Displacement] = (),
+    moves: Mapping[str, Vector] | None = None,
+) -> Model:
+    """Return a model that begins with everything that acts at one load factor of another model.
+
+    Loads that are not stated again stay as they are. Those that are go from the old value to the new one; their history
+    is the share of this change, by default the load factor.
+
+    Parameters
+    ----------
+    model : Model
+        That of the former stage.
+    acting : (float, mapping of str to float [Pa])
+        The load factor at which it ended, and the pressures there.
+    loads, displacements, moves
+        As in `with_loads`; displacements count from the undeformed body, moves from where an obstacle was at first.
+    """
+    factor, pressures = acting
+    new = _by_place(loads)
+    out: list[Load] = []
+    for face in dict.fromkeys([*pressures, *(load.face for load in loads if isinstance(load, Pressure))]):
+        stated = new.get(("pressure", face))
+        assert stated is None or isinstance(stated, Pressure)
+        pressure = pressures.get(face, 0.0)
+        if pressure or stated is not None:
+            out.append(_pressure(face, pressure, stated))
+    for load in model.loads:
+        share = share_at(load.history, factor)
+        if not isinstance(load, Pressure) and share:
+            out.append(_with_history(load, _fading(share, new.get(_place(load)))))
+    out += [load for load in loads if not isinstance(load, Pressure)]
+    supports = _supports(model, factor, _by_support(model, displacements))
+    names = [obstacle.name for obstacle in model.contact.obstacles]
+    moves = moves or {}
+    return _made(model, tuple(out), supports, _moved(model, _paths(model, factor, moves, [*names, *moves])))
+
+
+def _made(model: Model, loads: Sequence[Load], supports: Sequence[Support], contact: Contact) -> Model:
+    return Model(
+        model.mesh,
+        model.materials,
+        supports,
+        loads,
+        formulation=model.formulation,
+        reinforcements=model.reinforcements,
+        contact=contact,
+    )
+
+
+def _place(load: Load) -> tuple[str, str]:
+    """Key of what a load acts on: a load with the same key replaces it."""
+    if isinstance(load, Pressure | Traction | Force):
+        return type(load).__name__.lower(), load.face
+    if isinstance(load, Moment | Hanging):
+        return type(load).__name__.lower(), load.point
+    if isinstance(load, PointForce):
+        return "point force", str(load.at)
+    if isinstance(load, LineForce):
+        return "line force", " and ".join(load.faces)
+    return type(load).__name__.lower(), ""
+
+
+def _by_place(loads: Sequence[Load]) -> dict[tuple[str, str], Load]:
+    found: dict[tuple[str, str], Load] = {}
+    for load in loads:
+        place = _place(load)
+        if place in found:
+            raise TurgorError(f"a stage states {' on '.join(filter(None, place))} twice; once is enough.")
+        found[place] = load
+    return found
+
+
+def _held(support: Support) -> tuple[str, str]:
+    return (support.face, support.directions) if isinstance(support, Displacement | Fixed) else ("", "")
+
+
+def _by_support(model: Model, displacements: Sequence[Displacement]) -> dict[tuple[str, str], Displacement]:
+    known = {_held(support) for support in model.supports if isinstance(support, Displacement)}
+    for each in displacements:
+        if _held(each) not in known:
+            raise TurgorError(
+                f"a stage moves '{each.face}' in {each.directions}, and the model does not hold this face in these "
+                "directions; hold it with Fixed, or with a Displacement."
+            )
+    return {_held(each): each for each in displacements}
+
+
+def _supports(model: Model, factor: float, new: Mapping[tuple[str, str], Displacement]) -> list[Support]:
+    out: list[Support] = []
+    for support in model.supports:
+        if isinstance(support, Displacement):
+            then = ContinuedMove(support, factor, new.get(_held(support)))
+            out.append(replace(support, value=then))
+        elif isinstance(support, Rotation):
+            share = share_at(support.history, factor)
+            out.append(_with_history(support, ((0.0, share), (1.0, share))))
+        else:
+            out.append(support)
+    return out
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ContinuedMove:
+    """A move that stays where an old one ended, or follows a new one from there.
+
+    A class and not a function, so that a file can hold it.
+
+    Parameters
+    ----------
+    old : Displacement
+    factor : float
+        Load factor at which the old move ended.
+    new : Displacement or None
+    """
+
+    old: Displacement
+    factor: float
+    new: Displacement | None
+
+    def __call__(self, points: Array, load_factor: float) -> Array:
+        """Displacement [m] of points at a load factor."""
+        left = np.asarray(self.old.value(points, self.factor))
+        if self.new is None:
+            return left
+        there, begun = self.new.value(points, load_factor), self.new.value(points, 0.0)
+        return np.asarray(there) + (1 - load_factor) * (left - begun)
+
+
+def _paths(model: Model, factor: float, moves: Mapping[str, Vector], names: Iterable[str]) -> dict[str, Path]:
+    """Paths of obstacles from where they were at a load factor to where they are moved, if they are."""
+    obstacles = {obstacle.name: obstacle for obstacle in model.contact.obstacles}
+    paths: dict[str, Path] = {}
+    for name in names:
+        if name not in obstacles:
+            raise unknown("obstacle in the moves of a stage", name, obstacles)
+        x, y, z = (float(each) for each in obstacles[name].displacement(factor))
+        paths[name] = ((0.0, (x, y, z)), (1.0, moves.get(name, (x, y, z))))
+    return paths
+
+
+def _moved(model: Model, paths: Mapping[str, Path]) -> Contact:
+    obstacles = tuple(
+        replace(each, path=paths[each.name]) if each.name in paths else each for each in model.contact.obstacles
+    )
+    return model.contact.with_obstacles(obstacles)
+
+
+def _pressure(face: str, old: float, new: Pressure | None) -> Pressure:
+    """A pressure that begins at ``old`` and stays, or follows the history of a new one."""
+    if new is None:
+        return _with_history(Pressure(face, old), ((0.0, 1.0), (1.0, 1.0)))
+    if not old:
+        return new
+    change = new.pressure - old
+    if isinstance(new.history, str):
+        top = abs(old) + abs(change)
+        text = f"({old / top!r}) + ({change / top!r}) * ({new.history})"
+        return _with_history(Pressure(face, top), text)
+    values = [(factor, old + share * change) for factor, share in new.history]
+    top = max(abs(value) for _, value in values)
+    return _with_history(Pressure(face, top), tuple((factor, value / top) for factor, value in values))
+
+
+def _fading(share: float, new: Load | None) -> History:
+    """The history of a load that acts with a share at first, and gives way to a new one where there is one."""
+    if new is None:
+        return ((0.0, share), (1.0, share))
+    if isinstance(new.history, str):
+        return f"({share!r}) * (1 - ({new.history}))"
+    return tuple((factor, share * (1 - gone)) for factor, gone in new.history)
+
+
+def _with_history(load: Any, history: History) -> Any:
+    """A load with a history that need not begin at zero, which users cannot state."""
+    out = copy(load)
+    object.__setattr__(out, "history", history)
+    return out

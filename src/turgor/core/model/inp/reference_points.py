@@ -1,0 +1,245 @@
+"""Reference points in .inp files: nodes of their own, couplings to their faces, springs, supports and forces."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.history import RAMP, History, points_of
+from turgor.core.model.loads import Force, Gravity, Hanging, Moment
+from turgor.core.model.model import Model
+from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
+from turgor.core.model.supports import Displacement, Fixed, Shift, Symmetry
+from turgor.foundation.errors import TurgorError
+from turgor.units import N, mm
+
+Array = NDArray[np.float64]
+
+#: Triangles that fill a side of six, eight or nine nodes; those of eight are split at the middles of their edges.
+_FANS = {
+    6: [(0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)],
+    8: [(0, 4, 7), (4, 1, 5), (5, 2, 6), (6, 3, 7), (4, 5, 6), (4, 6, 7)],
+    9: [(0, 4, 8), (4, 1, 8), (1, 5, 8), (5, 2, 8), (2, 6, 8), (6, 3, 8), (3, 7, 8), (7, 0, 8)],
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InpPoint:
+    """The nodes of a reference point in a file, counted from 1.
+
+    Parameters
+    ----------
+    point : ReferencePoint
+    at : (3,) array [m]
+    node : int
+        Carries the displacement.
+    turning : int
+        Carries the rotation: a node of its own in CalculiX where the face is rigid, the same one elsewhere.
+    first : int
+        Degree of freedom of the rotation about x on that node.
+    mirrored : tuple of int
+        Axes across the mirror planes that cut its face.
+    """
+
+    point: ReferencePoint
+    at: Array
+    node: int
+    turning: int
+    first: int
+    mirrored: tuple[int, ...]
+
+
+def inp_points(model: Model, program: str) -> dict[str, InpPoint]:
+    """Lay out the nodes of the reference points of a model, after those of its mesh.
+
+    Raises
+    ------
+    TurgorError
+        If a point has something that has no form in the file.
+    """
+    found, mesh = {}, model.mesh
+    for number, point in enumerate(model.points.values()):
+        _check(point, program)
+        own = program == "calculix" and point.coupling == RIGID
+        node = len(mesh.points) + 2 * number + 1
+        mirrored = _mirrored(model, point.face)
+        at = _middle(mesh, point.face) if point.at is None else np.array(point.at)
+        for axis, position in mirrored.items():
+            at[axis] = position
+        found[point.name] = InpPoint(
+            point=point, at=at, node=node, turning=node + own, first=1 if own else 4, mirrored=tuple(mirrored)
+        )
+    return found
+
+
+def _check(point: ReferencePoint, program: str) -> None:
+    if program == "calculix" and point.coupling != RIGID:
+        raise TurgorError(
+            f"reference point '{point.name}': the couplings of CalculiX that average a face cannot be held or moved, "
+            "and are linear in the rotation (5 % off at half a radian); take rigid, or the program abaqus."
+        )
+    if point.rotational_spring:
+        raise TurgorError(
+            f"reference point '{point.name}': its rotational spring has no form in .inp files; leave it out."
+        )
+    if point.mass and point.center is not None:
+        raise TurgorError(
+            f"reference point '{point.name}': a center of mass beside the point has no form in .inp files; put the "
+            "point there with at."
+        )
+
+
+def _mirrored(model: Model, face: str) -> dict[int, float]:
+    found, nodes = {}, model.mesh.face_nodes(face)
+    for support in model.supports:
+        if isinstance(support, Symmetry) and np.isin(nodes, model.mesh.face_nodes(support.face)).any():
+            points = model.mesh.points[model.mesh.face_nodes(support.face)]
+            axis = int(np.ptp(points, axis=0).argmin())
+            found[axis] = float(points[:, axis].mean())
+    return found
+
+
+def _middle(mesh: Mesh, face: str) -> Array:
+    """Center of the area of a face [m]."""
+    sides = mesh.face(face)
+    triangles = np.concatenate([sides[:, list(fan)] for fan in _FANS[sides.shape[1]]])
+    corners = mesh.points[triangles]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    return np.asarray(area @ corners.mean(axis=1) / area.sum())
+
+
+def point_lines(model: Model, points: Mapping[str, InpPoint], plain: Mapping[str, str]) -> Iterator[str]:
+    """Nodes, couplings and springs; ``plain`` has the names of the faces in the file."""
+    number = 2 * len(model.mesh.cells) + sum(len(model.mesh.face(name)) for name in model.membranes)
+    for name, each in points.items():
+        face = plain[each.point.face]
+        place = ", ".join(f"{value:.12g}" for value in each.at / mm)
+        yield f"** reference point {name}"
+        yield from ("*NODE", *(f"{node}, {place}" for node in sorted({each.node, each.turning})))
+        if each.turning != each.node:
+            yield f"*RIGID BODY, NSET={face}, REF NODE={each.node}, ROT NODE={each.turning}"
+        else:
+            yield f"*COUPLING, CONSTRAINT NAME=tie_{name}, REF NODE={each.node}, SURFACE={face}"
+            yield from ("*KINEMATIC", "1, 3") if each.point.coupling == RIGID else ("*DISTRIBUTING", "1, 6")
+        for axis, stiffness in enumerate(each.point.stiffness):
+            if stiffness and axis not in each.mirrored:
+                number += 1
+                label = f"spring_{name}_{'xyz'[axis]}"
+                yield from (f"*ELEMENT, TYPE=SPRING1, ELSET={label}", f"{number}, {each.node}")
+                share = stiffness * mm / N / model.mesh.symmetry_factor
+                yield from (f"*SPRING, ELSET={label}", f"{axis + 1}", f"{share:.12g}")
+
+
+def held_lines(model: Model, points: Mapping[str, InpPoint]) -> Iterator[str]:
+    """Rows of ``*BOUNDARY``: what is held at zero all along."""
+    for each in points.values():
+        held, still = set(each.mirrored), set[int]()
+        for axis in each.mirrored:
+            still |= {k for k in range(3) if k != axis}
+        for support in model.supports:
+            if isinstance(support, Fixed) and support.face == each.point.name:
+                held |= {"xyz".index(letter) for letter in support.directions}
+            elif isinstance(support, Hinge) and support.point == each.point.name:
+                still |= _across(support)
+            elif isinstance(support, Rotation) and support.point == each.point.name:
+                still |= {k for k in range(3) if not support.angle * support.axis[k]}
+                if support.tilts:
+                    raise TurgorError(f"the rotation of '{support.point}' tilts, which .inp files cannot say.")
+        yield from (f"{each.node}, {axis + 1}" for axis in sorted(held))
+        yield from (f"{each.turning}, {each.first + axis}" for axis in sorted(still))
+
+
+def _across(hinge: Hinge) -> set[int]:
+    across = {k for k in range(3) if not hinge.direction[k]}
+    if len(across) != 2:
+        raise TurgorError(
+            f"hinge of '{hinge.point}': its axis is {hinge.axis}; .inp files have hinges about x, y and z."
+        )
+    return across
+
+
+@dataclass(frozen=True, slots=True)
+class Acting:
+    """Rows of a step that share a history.
+
+    Parameters
+    ----------
+    keyword : str
+        ``"*CLOAD"`` or ``"*BOUNDARY"``.
+    history : History
+    rows : tuple of str
+    """
+
+    keyword: str
+    history: History
+    rows: tuple[str, ...]
+
+
+def acting(model: Model, points: Mapping[str, InpPoint]) -> list[Acting]:
+    """What moves and loads the points, in the order of the numbers of the amplitudes.
+
+    Raises
+    ------
+    TurgorError
+        If a load follows its point, or a displacement is a function.
+    """
+    return [each for each in (*_moves(model, points), *_forces(model, points)) if each.rows]
+
+
+def _moves(model: Model, points: Mapping[str, InpPoint]) -> Iterator[Acting]:
+    for support in model.supports:
+        if isinstance(support, Rotation):
+            each = points[support.point]
+            turn = support.angle * np.array(support.axis) / np.linalg.norm(support.axis)
+            rows = [f"{each.turning}, {each.first + k}, {each.first + k}, {turn[k]:.12g}" for k in range(3) if turn[k]]
+            yield Acting("*BOUNDARY", support.history, tuple(rows))
+        elif isinstance(support, Displacement) and support.face in points:
+            each = points[support.face]
+            if not isinstance(support.value, Shift):
+                raise TurgorError(
+                    f"the displacement of '{support.face}' is a function, which has no form in .inp files."
+                )
+            axes = ["xyz".index(letter) for letter in support.directions]
+            ways = [f"{each.node}, {k + 1}, {k + 1}, {support.value.vector[k] / mm:.12g}" for k in axes]
+            yield Acting("*BOUNDARY", support.value.history, tuple(ways))
+
+
+def _forces(model: Model, points: Mapping[str, InpPoint]) -> Iterator[Acting]:
+    share = 1 / model.mesh.symmetry_factor
+    for load in model.loads:
+        if isinstance(load, Force | Moment) and load.follower:
+            raise TurgorError("a force or moment that follows its point has no form in .inp files; leave it out.")
+        if isinstance(load, Force) and load.face in points:
+            each = points[load.face]
+            yield Acting("*CLOAD", load.history, _rows(each.node, 1, share * np.array(load.vector) / N))
+        elif isinstance(load, Hanging):
+            yield Acting("*CLOAD", load.history, _rows(points[load.point].node, 1, share * np.array(load.force) / N))
+        elif isinstance(load, Moment):
+            each = points[load.point]
+            yield Acting("*CLOAD", load.history, _rows(each.turning, each.first, share * np.array(load.vector) / mm))
+        elif isinstance(load, Gravity):
+            down = load.acceleration * np.array(load.direction) / np.linalg.norm(load.direction)
+            rows = [_rows(each.node, 1, share * each.point.mass * down / N) for each in points.values()]
+            yield Acting("*CLOAD", load.history, sum(rows, ()))
+
+
+def _rows(node: int, first: int, values: Array) -> tuple[str, ...]:
+    return tuple(f"{node}, {first + k}, {value:.12g}" for k, value in enumerate(values) if value)
+
+
+def amplitude_lines(parts: Sequence[Acting]) -> Iterator[str]:
+    """Amplitudes of what acts on the points."""
+    for number, part in enumerate(parts):
+        if part.history != RAMP:
+            yield f"*AMPLITUDE, NAME=point_{number + 1}, TIME=TOTAL TIME"
+            yield from (f"{factor:.12g}, {share:.12g}" for factor, share in points_of(part.history))
+
+
+def step_lines(parts: Sequence[Acting]) -> Iterator[str]:
+    """What acts on the points, for the first step."""
+    for number, part in enumerate(parts):
+        amplitude = "ramp" if part.history == RAMP else f"point_{number + 1}"
+        yield f"{part.keyword}, AMPLITUDE={amplitude}"
+        yield from part.rows

@@ -1,0 +1,1 @@
+"""Results: measures, fields and files of a solution."""

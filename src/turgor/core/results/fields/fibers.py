@@ -1,0 +1,156 @@
+"""Fibers in results: the stretch and tension of every piece, the largest tension, and the threads as lines."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.fibers.fiber_kernels import Pieces
+from turgor.core.engine.fibers.fiber_trusses import FiberTrusses
+from turgor.core.engine.fibers.smeared import smeared_pieces
+from turgor.core.meshing.cells import side_type
+from turgor.core.model.fibers import DISCRETE, Fibers
+from turgor.core.results.fields.state_fields import StateFields
+from turgor.core.solvers.solution import State
+from turgor.foundation.display import brief
+from turgor.foundation.errors import TurgorError
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FiberResult:
+    """A winding in one state.
+
+    Parameters
+    ----------
+    fibers : Fibers
+        The winding.
+    stretch : (k,) array
+        Current over initial length of each piece by itself: of each truss of a discrete thread, or at each integration
+        point of the face for smeared fibers.
+    tension : (k,) array [N]
+        Tension of one thread there, averaged over the sides of cells around it, see `smooth_tension`.
+    positions : (k, 3) array [m]
+        Where the middle of each piece is now.
+    weights : (k,) array
+        Reference length of each truss [m]; for smeared fibers the reference area of each point [m²].
+    threads : FiberTrusses or None
+        The trusses in order along their threads; None for smeared fibers.
+    """
+
+    fibers: Fibers
+    stretch: Array
+    tension: Array
+    positions: Array
+    weights: Array
+    threads: FiberTrusses | None
+
+    __repr__ = brief
+
+    @property
+    def maximum_tension(self) -> float:
+        """Largest tension of any thread [N]."""
+        return float(self.tension.max())
+
+
+def fiber_results(state: State | StateFields) -> tuple[FiberResult, ...]:
+    """Read stretch and tension of every winding of the model off a state.
+
+    Parameters
+    ----------
+    state : State or StateFields
+
+    Returns
+    -------
+    tuple of FiberResult
+        In the order of the model's reinforcements.
+    """
+    at = state if isinstance(state, StateFields) else StateFields(state)
+    out = []
+    for fibers in at.model.reinforcements:
+        threads = at.facts.threads(fibers) if fibers.form == DISCRETE else None
+        pieces = threads.pieces if threads else smeared_pieces(at.mesh, fibers)
+        stretch = np.linalg.norm(tangents(pieces, at.points), axis=1)
+        out.append(
+            FiberResult(
+                fibers=fibers,
+                stretch=stretch,
+                tension=smooth_tension(pieces, piece_tension(fibers, stretch)),
+                positions=np.einsum("ka,kai->ki", pieces.middle, at.points[pieces.sides]),
+                weights=pieces.weights,
+                threads=threads,
+            )
+        )
+    return tuple(out)
+
+
+def maximum_tension(at: StateFields) -> float:
+    """Largest tension of any thread of the model [N]."""
+    if not at.model.reinforcements:
+        raise TurgorError("the model has no fibers.")
+    return max(each.maximum_tension for each in fiber_results(at))
+
+
+def tangents(pieces: Pieces, points: Array) -> Array:
+    """Current tangent of each piece per reference length, (k, 3), from current positions of the nodes (n, 3) [m]."""
+    return np.asarray(np.einsum("ka,kai->ki", pieces.along, points[pieces.sides]))
+
+
+def piece_tension(fibers: Fibers, stretch: Array) -> Array:
+    """Tension of one thread at each piece by itself, (k,) [N], from its stretch."""
+    share = np.where(stretch >= 1, 1.0, fibers.compression)
+    return np.asarray(share * fibers.stretching_stiffness * (stretch - 1))
+
+
+def smooth_tension(pieces: Pieces, tension: Array) -> Array:
+    """Average tensions over the sides of cells around each piece, weighted by length or area.
+
+    Threads hardly stretch, and the strains of a quadratic side are not exact enough for them. Along a thread the
+    tension jumps from truss to truss, and in the middle of a side it is twice as large as near the edge. The average is
+    right. Each node of the mesh gets the average of the sides around it, by hand of the winding, and each side the
+    average of its corners. This averages over two sides in every direction.
+
+    Parameters
+    ----------
+    pieces : Pieces
+    tension : (k,) array [N]
+        Tension at each piece by itself.
+
+    Returns
+    -------
+    (k,) array [N]
+    """
+    corners = side_type(pieces.sides.shape[1]).corners
+    nodes = pieces.sides[:, :corners]
+    places = nodes + (nodes.max() + 1) * pieces.hand[:, None]
+    weights = np.repeat(pieces.weights, corners)
+    total = np.bincount(places.ravel(), weights)
+    held = np.bincount(places.ravel(), weights * np.repeat(tension, corners))
+    return np.asarray((held / np.where(total > 0, total, 1.0))[places].mean(axis=1))
+
+
+def threads_with_tension(at: StateFields) -> list[tuple[Array, Array]]:
+    """Threads of the whole actuator, (k, 3) [m] each, with the tension at their points, (k,) [N]."""
+    lines = drawn_threads(at)
+    if not lines:
+        return []
+    from scipy.spatial import cKDTree  # slow to load, and few models have threads
+
+    found = fiber_results(at)
+    places = np.concatenate([image.of(each.positions) for image in at.facts.images for each in found])
+    tension = np.tile(np.concatenate([each.tension for each in found]), len(at.facts.images))
+    nearest = cKDTree(places)
+    return [(line, tension[nearest.query(line)[1]]) for line in lines]
+
+
+def drawn_threads(at: StateFields) -> list[Array]:
+    """Threads of the whole actuator as polylines (k, 3) [m]; those of smeared fibers run as discrete ones would."""
+    lines: list[Array] = []
+    for fibers in at.model.reinforcements:
+        try:
+            lines += at.facts.threads(fibers).polylines(at.points)
+        except TurgorError:
+            if fibers.form == DISCRETE:
+                raise
+    return [image.of(line) for image in at.facts.images for line in lines]

@@ -1,0 +1,49 @@
+"""Fields along a path: each state is evaluated once for measures, files, pictures and the viewer."""
+
+from collections.abc import Iterator
+
+from turgor.core.results.fields.state_fields import MeshFacts, StateFields
+from turgor.core.solvers.solution import Solution
+
+#: Nodes of all states whose fields are kept: 11 numbers each, so 180 MB at most.
+MOST_KEPT = 2_000_000
+
+
+class PathFields:
+    """Fields of the states of a path, which several readers go through one after another.
+
+    The fields at the nodes of a state are kept when a reader leaves it; those at the quadrature points, which are the
+    largest by far, are not.
+
+    Parameters
+    ----------
+    solution : Solution
+    facts : MeshFacts, optional
+        What states of the same mesh share; made here if it is not given.
+    most : int
+        Nodes of all states whose fields are kept; the other states are evaluated by each reader anew. 0 keeps none,
+        which is best where there is one reader.
+    """
+
+    def __init__(self, solution: Solution, facts: MeshFacts | None = None, most: int = MOST_KEPT) -> None:
+        self.solution = solution
+        self.facts = facts or MeshFacts(solution.model.mesh)
+        self._room = most // len(solution.model.mesh.points)
+        self._kept: dict[int, StateFields] = {}
+
+    def at(self, row: int) -> StateFields:
+        """Return the fields of a state of the path by its number, which may be negative."""
+        row %= len(self.solution.states)
+        return self._kept.get(row) or StateFields(self.solution.states[row], self.facts)
+
+    def leave(self, row: int, fields: StateFields) -> None:
+        """Keep the fields of a state for the next reader, where there is room."""
+        if row not in self._kept and len(self._kept) < self._room:
+            fields.settle()
+            self._kept[row] = fields
+
+    def __iter__(self) -> Iterator[StateFields]:
+        for row in range(len(self.solution.states)):
+            fields = self.at(row)
+            yield fields
+            self.leave(row, fields)

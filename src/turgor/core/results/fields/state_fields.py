@@ -1,0 +1,219 @@
+"""Fields of a state for measures, files and pictures; each is computed once, when it is first used."""
+
+from collections.abc import Callable, Hashable
+from functools import cached_property
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.fibers.fiber_trusses import FiberTrusses, discrete_threads
+from turgor.core.engine.fields import CellFields, cell_fields, nodal_average, nodal_mean_stress
+from turgor.core.engine.percentiles import volume_percentile
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.quality.proximity import FacingWalls, find_facing_walls
+from turgor.core.meshing.refining.region_nodes import RegionNodes, region_nodes
+from turgor.core.meshing.surface import outer_triangles
+from turgor.core.model.fibers import Fibers
+from turgor.core.model.model import DISPLACEMENT, Model
+from turgor.core.solvers.solution import State
+
+Array = NDArray[np.float64]
+Made = TypeVar("Made")
+
+
+class Image(NamedTuple):
+    """A map of the modeled part onto a part of the whole: x → center + turn (x − center); ``flips`` if it mirrors."""
+
+    turn: Array
+    center: Array
+    flips: bool
+
+    def of(self, points: Array) -> Array:
+        """Images (…, 3) of points (…, 3) [m]."""
+        return np.asarray((points - self.center) @ self.turn.T + self.center)
+
+
+#: The map of the modeled part onto itself.
+ITSELF = Image(np.eye(3), np.zeros(3), False)
+
+
+class MirrorPlane(NamedTuple):
+    """A plane on which a half or quarter model is cut: ``points[:, axis] == position`` [m]."""
+
+    axis: int
+    position: float
+
+    def image(self) -> Image:
+        """The map onto the other side."""
+        flip, at = np.eye(3), np.zeros(3)
+        flip[self.axis, self.axis], at[self.axis] = -1.0, self.position
+        return Image(flip, at, True)
+
+
+class MeshFacts:
+    """Facts that the states of one path share: mirror planes, walls that may meet, and threads at rest."""
+
+    def __init__(self, mesh: Mesh) -> None:
+        self.mesh = mesh
+        self._threads: list[tuple[Fibers, FiberTrusses]] = []
+        self._made: dict[Hashable, Any] = {}
+
+    def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
+        """Return what was made under a key, which is made when it is first asked for."""
+        if key not in self._made:
+            self._made[key] = make()
+        found: Made = self._made[key]
+        return found
+
+    @cached_property
+    def mirrors(self) -> tuple[MirrorPlane, ...]:
+        """Mirror planes, one for each face named ``symmetry_*``."""
+        return tuple(MirrorPlane(axis, position) for axis, position in self.mesh.mirror_planes)
+
+    @cached_property
+    def images(self) -> tuple[Image, ...]:
+        """Maps of the modeled part onto all parts of the whole, itself first."""
+        found = [ITSELF]
+        for plane in map(MirrorPlane.image, self.mirrors):  # each moves along one axis of its own
+            found += [Image(plane.turn @ each.turn, each.center + plane.center, not each.flips) for each in found]
+        wedge = self.mesh.wedge
+        if wedge is not None:
+            center = np.array(wedge.center)
+            found += [Image(wedge.turn(k), center, False) for k in range(1, wedge.fold)]
+        return tuple(found)
+
+    @cached_property
+    def walls(self) -> FacingWalls:
+        """Pairs of outer walls that may meet."""
+        return find_facing_walls(self.mesh)
+
+    @cached_property
+    def region_nodes(self) -> RegionNodes:
+        """The nodes of the mesh, doubled where regions meet."""
+        return region_nodes(self.mesh)
+
+    def threads(self, fibers: Fibers) -> FiberTrusses:
+        """Threads of a winding where they lie at rest; found once."""
+        for known, threads in self._threads:
+            if known is fibers:
+                return threads
+        self._threads.append((fibers, discrete_threads(self.mesh, fibers)))
+        return self._threads[-1][1]
+
+    @cached_property
+    def surface(self) -> NDArray[np.int64]:
+        """The whole surface of the mesh, (f, k): sides of cells that no other cell shares."""
+        return outer_triangles(self.mesh)
+
+    def of_whole(self, vector: Array) -> Array:
+        """Mean over the whole actuator of a vector of the modeled part.
+
+        What points along a mirror's normal cancels, and so does what points across the axis of a wedge.
+        """
+        out = np.array(vector, dtype=np.float64)
+        for plane in self.mirrors:
+            out[..., plane.axis] = 0.0
+        return out if self.mesh.wedge is None else self.mesh.wedge.mean(out)
+
+
+class StateFields:
+    """A state with its fields.
+
+    Stresses and stretches at the nodes are averaged over the cells of one region. A node where regions meet has a value
+    for each of them: the first n values belong to the n nodes of the mesh, and ``facts.region_nodes`` says to which
+    node and region each of the d values belongs. With one region d equals n.
+
+    Parameters
+    ----------
+    state : State
+        Equilibrium at one point of the path.
+    facts : MeshFacts
+        What states of the same mesh share; made here if it is not given.
+    """
+
+    def __init__(self, state: State, facts: MeshFacts | None = None) -> None:
+        self.state = state
+        self.facts = facts or MeshFacts(state.model.mesh)
+        self._made: dict[Hashable, Any] = {}
+
+    def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
+        """Return what was made of this state under a key, which is made when it is first asked for."""
+        if key not in self._made:
+            self._made[key] = make()
+        found: Made = self._made[key]
+        return found
+
+    @property
+    def model(self) -> Model:
+        """The question."""
+        return self.state.model
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh of the model."""
+        return self.state.model.mesh
+
+    @property
+    def displacement(self) -> Array:
+        """Displacement of every node, (n, 3) [m]."""
+        return self.state.displacement
+
+    @cached_property
+    def points(self) -> Array:
+        """Current positions of all nodes, (n, 3) [m]."""
+        return self.mesh.points + self.state.displacement
+
+    @cached_property
+    def cells(self) -> CellFields:
+        """Stresses and stretches at the quadrature points of the cells."""
+        return cell_fields(self.model, self.state.displacement, self.state.mean_stress, self.state.memory)
+
+    @cached_property
+    def von_mises(self) -> Array:
+        """Von Mises stress averaged at the nodes of each region, (d,) [Pa]."""
+        return np.maximum(self._averaged(self.cells.von_mises), 0.0)
+
+    @cached_property
+    def stretch(self) -> Array:
+        """Largest principal stretch averaged at the nodes of each region, (d,)."""
+        return self._averaged(self.cells.stretch)
+
+    @cached_property
+    def contact_pressure(self) -> Array:
+        """Contact pressure at the nodes, (n,) [Pa]: that of all contacts together, zero where nothing touches."""
+        total = np.zeros(len(self.mesh.points))
+        for touch in self.state.touches.values():
+            total += touch.pressure
+        return total
+
+    @cached_property
+    def cauchy_stress(self) -> Array:
+        """Cauchy stress averaged at the nodes of each region, (d, 3, 3) [Pa]."""
+        return self._averaged(self.cells.cauchy)
+
+    @cached_property
+    def mean_stress(self) -> Array:
+        """Mean stress at the nodes of each region, (d,) [Pa]: the multiplier, interpolated between its values."""
+        if self.model.formulation == DISPLACEMENT:
+            return self._averaged(self.cells.mean_stress)
+        return nodal_mean_stress(self.model, self.state.mean_stress, self.facts.region_nodes)
+
+    @cached_property
+    def von_mises_p99(self) -> float:
+        """Von Mises stress that 99 % of the volume stay below [Pa]."""
+        return volume_percentile(self.cells, self.cells.von_mises)
+
+    @cached_property
+    def stretch_p99(self) -> float:
+        """Largest principal stretch that 99 % of the volume stay below."""
+        return volume_percentile(self.cells, self.cells.stretch)
+
+    def settle(self) -> None:
+        """Compute what is shown, and drop the fields at the quadrature points, the largest by far."""
+        for name in ("von_mises_p99", "stretch_p99", "von_mises", "stretch", "cauchy_stress"):
+            getattr(self, name)
+        self.__dict__.pop("cells", None)
+
+    def _averaged(self, values: Array) -> Array:
+        return nodal_average(self.mesh, values, self.facts.region_nodes)

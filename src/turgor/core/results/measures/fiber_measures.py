@@ -1,0 +1,15 @@
+"""Measures of fibers: the largest tension of a thread, and how hard a winding holds the body."""
+
+from turgor.core.results.fields.fibers import maximum_tension
+from turgor.core.results.measures.measure import Measure
+from turgor.core.results.measures.winding import winding_force
+
+maximum_fiber_tension = Measure(
+    name="maximum_fiber_tension", unit="N", function=maximum_tension,
+    definition="largest tension of any thread, averaged over the sides of cells around each place",
+)  # fmt: skip
+winding_force_per_length = Measure(
+    name="winding_force_per_length", unit="N/m", function=winding_force,
+    definition="force of the threads around the axis for each current length along it, mean over the wound faces: of "
+    "hoops the tension times threads per length",
+)  # fmt: skip

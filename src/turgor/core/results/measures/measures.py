@@ -1,0 +1,388 @@
+"""Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.boundary import radial_normals
+from turgor.core.engine.cells.element import element_of
+from turgor.core.engine.faces import surfaces
+from turgor.core.geometry.names import measured_faces
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.quality.proximity import smallest_gap as smallest_gap_between
+from turgor.core.model.drive import common_pressure, pressures_at
+from turgor.core.model.model import Model
+from turgor.core.model.supports import Fixed
+from turgor.core.results.drive import stage_column
+from turgor.core.results.fields.path_fields import PathFields
+from turgor.core.results.fields.state_fields import MeshFacts, StateFields
+from turgor.core.results.measures.cavities import enclosed_volume
+from turgor.core.results.measures.contact_measures import (
+    area_on,
+    contact_measures_of,
+    force_on,
+)
+from turgor.core.results.measures.energies import energy_columns, time_column
+from turgor.core.results.measures.field_measures import (
+    OF_ANY_MESH,
+    as_column,
+    in_each_region,
+    in_region,
+    maximum_principal_stretch,
+    maximum_von_mises,
+    principal_stretch_p99,
+    von_mises_p99,
+)
+from turgor.core.results.measures.measure import Measure as Measure
+from turgor.core.results.measures.measure import measures_of
+from turgor.core.results.measures.point_measures import held_points_force, point_measure, point_measures_of
+from turgor.core.results.measures.rotations import face_rotation, twist
+from turgor.core.solvers.pressures import pressures_of, stated_by_loads
+from turgor.core.solvers.procedures.stages import Stages
+from turgor.core.solvers.solution import Solution, State
+from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.registry import Registry
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
+
+Array = NDArray[np.float64]
+
+
+def measure(solution: Solution, *measures: Measure | str) -> Response:
+    """Read measures off every state of a path.
+
+    Parameters
+    ----------
+    solution : Solution
+        The path, complete or not.
+    *measures : Measure or str
+        What to read, such as `bending_angle` or its name; those of `STANDARD_MEASURES` that the part has, if none is
+        given.
+
+    Returns
+    -------
+    Response
+        First the drive: ``load_factor`` and, where a pressure acts, ``pressure``, or ``cavity_1_pressure`` and the like
+        where faces have different ones, and what the procedure prescribed, ``injected_volume`` or
+        ``gas_mass_ratio``, and in a sequence ``stage``, the number of finished stages and the load factor of this one;
+        then the measures. With several cavities, ``cavity_volume`` of all is
+        followed by ``cavity_1_volume`` and so on; with several regions ``von_mises_p99`` is followed by
+        ``body_von_mises_p99`` and so on. The standard measures are followed by those of the procedure
+        and of contact, where there is any. A moving actuator also has its ``time`` and, last, its energies.
+
+    Raises
+    ------
+    TurgorError
+        If a measure is unknown, or needs a face that the mesh does not have.
+    """
+    return Reader(tuple(map(as_measure, measures))).response(solution)
+
+
+@dataclass(slots=True, eq=False)
+class Reader:
+    """Reads measures off the states of a path that grows, each state once.
+
+    Parameters
+    ----------
+    measures : sequence of Measure
+        `STANDARD_MEASURES` if it is empty.
+    """
+
+    measures: Sequence[Measure] = ()
+    _names: tuple[str, ...] = ()
+    _facts: MeshFacts | None = None
+    _rows: dict[int, tuple[Array, list[float]]] = field(default_factory=dict)
+
+    def response(self, solution: Solution, fields: PathFields | None = None) -> Response:
+        """Return the measures of all states, as `measure` does; ``fields`` are those that others read, too."""
+        chosen = chosen_measures(solution, self.measures)
+        names = tuple(each.name for each in chosen)  # the measures of parts are made anew each time
+        if names != self._names:
+            self._names, self._rows = names, {}
+        if self._facts is None or self._facts.mesh is not solution.model.mesh:
+            self._facts = MeshFacts(solution.model.mesh) if fields is None else fields.facts
+        fields = fields or PathFields(solution, self._facts, most=0)
+        alone = [each for each in chosen if each.along is None]
+        for row, state in enumerate(solution.states):
+            if id(state.displacement) not in self._rows:
+                at = fields.at(row)
+                self._rows[id(state.displacement)] = state.displacement, [each(at) for each in alone]
+                fields.leave(row, at)
+        rows = [self._rows[id(state.displacement)][1] for state in solution.states]
+        table = dict(zip((each.name for each in alone), np.array(rows).reshape(len(rows), len(alone)).T, strict=True))
+        path = [StateFields(state, self._facts) for state in solution.states]
+        columns = list(_drive(solution))
+        known = {column.name for column in columns}  # a prescribed volume is a measure, too
+        for each in (each for each in chosen if each.name not in known):
+            values = table[each.name] if each.along is None else each.read(path)
+            columns.append(Column(each.name, each.unit, np.unwrap(values) if each.unwrap else values))
+        known = {column.name for column in columns}
+        columns += [column for column in energy_columns(solution) if column.name not in known]
+        return Response(
+            columns=tuple(columns),
+            source=_source(solution),
+            status=str(solution.status),
+            message=solution.message,
+            stages=tuple(state.stage for state in solution.states) if isinstance(solution.procedure, Stages) else (),
+        )
+
+
+def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Measure, ...]:
+    """Choose what `measure` reads: what is asked for with its parts, or the standard measures."""
+    mesh = solution.model.mesh
+    fitting = fitting_measures(measured_faces(mesh.faces, mesh.cavities))
+    standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
+    own = (*point_measures_of(solution.model), *contact_measures_of(solution))
+    asked = (*fitting, *own) if standard else measures
+    return _with_parts(asked, mesh)
+
+
+def fitting_measures(faces: Collection[str]) -> tuple[Measure, ...]:
+    """Return the standard measures that a part with these faces has.
+
+    Examples
+    --------
+    >>> [each.name for each in fitting_measures(["fixed", "outside"])][:2]
+    ['principal_stretch_p99', 'maximum_principal_stretch']
+    """
+    return tuple(each for each in STANDARD_MEASURES if each.fits(faces))
+
+
+def check_measures(model: Model, measures: Sequence[Measure | str]) -> None:
+    """Try measures on the undeformed state, before the solve: a face may be missing, or the mesh be too coarse.
+
+    Parameters
+    ----------
+    model : Model
+    measures : sequence of Measure or str
+
+    Raises
+    ------
+    TurgorError
+        If one has no value there.
+    """
+    wanted = tuple(map(as_measure, measures))
+    mesh = model.mesh
+    rest = State(
+        model=model, load_factor=0.0, displacement=np.zeros_like(mesh.points),
+        mean_stress=np.zeros(element_of(model).mean_count), nodal_force=np.zeros_like(mesh.points),
+    )  # fmt: skip
+    at, fitting = StateFields(rest), fitting_measures(measured_faces(mesh.faces, mesh.cavities))
+    for each in fitting if wanted == STANDARD_MEASURES else wanted:
+        if each not in OF_ANY_MESH:  # these need no face, and stresses of a whole mesh take seconds
+            each.read([at])
+
+
+def as_measure(given: object) -> Measure:
+    """Return a measure, given itself or by its name.
+
+    Examples
+    --------
+    >>> as_measure("bending_angle") is bending_angle
+    True
+    >>> as_measure(3)
+    Traceback (most recent call last):
+    turgor.TurgorError: 3 is no measure; give one of tg.measures, such as tg.measures.bending_angle, or its name.
+    """
+    if isinstance(given, str):
+        return find_measure(given)
+    if not isinstance(given, Measure):
+        raise TurgorError(
+            f"{given!r} is no measure; give one of tg.measures, such as tg.measures.bending_angle, or its name."
+        )
+    return given
+
+
+def find_measure(name: str) -> Measure:
+    """Return the ready-made measure of a name; an unknown name fails with the near match.
+
+    Examples
+    --------
+    >>> find_measure("bending_angle").unit
+    'deg'
+    """
+    if name in MEASURES:
+        return MEASURES[name]
+    regional = in_region(name)
+    if regional is not None:
+        return regional
+    if name.startswith("cavity_") and name.endswith("_volume"):
+        return volume_of(name.removesuffix("_volume"))
+    of_a_point = point_measure(name)
+    if of_a_point is not None:
+        return of_a_point
+    if name.endswith("_contact_area"):
+        return area_on(name.removesuffix("_contact_area"))
+    if name.endswith("_force"):
+        return force_on(name.removesuffix("_force"))
+    raise unknown("measure", name, MEASURES, MEANT)
+
+
+def volume_of(cavity: str) -> Measure:
+    """Make the measure of the volume of one cavity, by the name of its face.
+
+    Examples
+    --------
+    >>> volume_of("cavity_1").name
+    'cavity_1_volume'
+    """
+    return Measure(
+        name=f"{as_column(cavity)}_volume", unit="mL", function=lambda at: enclosed_volume(at, [cavity]),
+        definition=f"current volume enclosed by the face {cavity}, whole actuator",
+    )  # fmt: skip
+
+
+def _with_parts(chosen: Sequence[Measure], mesh: Mesh) -> tuple[Measure, ...]:
+    """Add the volume of each cavity to that of all, and stress and stretch of each region, where there are several."""
+    out, given = [], {each.name for each in chosen}
+    for each in chosen:
+        parts = in_each_region(each, mesh)
+        if each is cavity_volume and len(mesh.cavities) > 1:
+            parts = [volume_of(cavity) for cavity in mesh.cavities]
+        out += [each, *(part for part in parts if part.name not in given)]
+    return tuple(out)
+
+
+def _drive(solution: Solution) -> tuple[Column, ...]:
+    factors = np.array([state.load_factor for state in solution.states])
+    columns = [Column("load_factor", "", factors), *stage_column(solution), *time_column(solution)]
+    common = common_pressure(solution.model)
+    if not all(state.model is solution.model and stated_by_loads(state) for state in solution.states):
+        found = [pressures_of(state) for state in solution.states]
+        for face in found[0]:
+            name = "pressure" if len(found[0]) == 1 else f"{as_column(face)}_pressure"
+            columns.append(Column(name, "kPa", np.array([at[face] for at in found])))
+    elif common is not None:
+        columns.append(Column("pressure", "kPa", np.array([common.at(factor) for factor in factors])))
+    elif solution.model.pressures:
+        acting = [pressures_at(solution.model, factor) for factor in factors]
+        for face in acting[0]:
+            columns.append(Column(f"{as_column(face)}_pressure", "kPa", np.array([at[face] for at in acting])))
+    for name in solution.states[0].driven:
+        if any(name not in state.driven for state in solution.states):
+            continue  # another stage prescribed something else
+        unit = "mL" if name.startswith("injected_volume") else ""
+        columns.append(Column(as_column(name), unit, np.array([state.driven[name] for state in solution.states])))
+    return tuple(columns)
+
+
+def _source(solution: Solution) -> Source:
+    mesh = solution.model.mesh
+    return Source(text="finite elements", detail=f"{mesh.name}, {len(mesh.cells)} cells, {len(mesh.points)} nodes")
+
+
+def _heading(at: StateFields, face: str, points: Array) -> float:
+    """Direction of a face's vector area in the x-z plane [rad], counted from +x towards −z."""
+    area = at.facts.of_whole(surfaces.vector_area(points, at.mesh.face(face)))
+    if not np.hypot(area[0], area[2]) > 1e-6 * surfaces.area(at.mesh.points, at.mesh.face(face)):
+        raise TurgorError(f"face '{face}' has no normal in the x-z plane, the plane of bending.")
+    return float(np.arctan2(-area[2], area[0]))
+
+
+def _bending_angle(at: StateFields) -> float:
+    turned = [_heading(at, face, at.points) - _heading(at, face, at.mesh.points) for face in ("tip", "fixed")]
+    angle = turned[0] - turned[1]
+    return float(np.arctan2(np.sin(angle), np.cos(angle)))
+
+
+def _tip_vector(at: StateFields) -> Array:
+    """Mean displacement of the face ``tip`` of the whole actuator, weighted by reference area, (3,) [m]."""
+    weights = surfaces.nodal_weights(at.mesh.points, at.mesh.face("tip"))
+    return at.facts.of_whole(weights @ at.displacement / weights.sum())
+
+
+def _twist_angle(at: StateFields) -> float:
+    if at.mesh.symmetry_faces:
+        return 0.0  # the mirror image turns the other way
+    return twist(face_rotation(at, "fixed").T @ face_rotation(at, "tip"))
+
+
+def _cavity_volume(at: StateFields) -> float:
+    if not at.mesh.cavities:
+        raise unknown("face", "cavity", at.mesh.faces)
+    return enclosed_volume(at, at.mesh.cavities)
+
+
+def _reaction(at: StateFields) -> float:
+    """Sum the forces along the directions in which the supports Fixed and Radial hold each node."""
+    held = np.zeros(at.mesh.points.shape, dtype=bool)
+    for support in at.model.supports:
+        if isinstance(support, Fixed) and support.face in at.mesh.faces:
+            nodes = at.mesh.face_nodes(support.face)
+            for direction in support.directions:
+                held[nodes, "xyz".index(direction)] = True
+    nodes, normals = radial_normals(at.model)
+    if not held.any() and not len(nodes):
+        raise TurgorError("the model has no support Fixed or Radial whose force could be summed.")
+    force = np.where(held, at.state.nodal_force, 0.0)
+    across = np.where(held[nodes], 0.0, normals)  # what the normal adds to the directions that are fixed
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
+    force[nodes] += np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across
+    whole = at.facts.of_whole(at.mesh.symmetry_factor * force.sum(axis=0))
+    return float(np.linalg.norm(whole + held_points_force(at)))
+
+
+bending_angle = Measure(
+    name="bending_angle", unit="deg", function=_bending_angle, unwrap=True, faces=("fixed", "tip"),
+    definition="rotation of the face tip (its vector area) against the face fixed in the x-z plane, "
+    "positive towards the base",
+)  # fmt: skip
+tip_displacement = Measure(
+    name="tip_displacement", unit="mm", function=lambda at: float(np.linalg.norm(_tip_vector(at))), faces=("tip",),
+    definition="magnitude of the mean displacement of the face tip",
+)  # fmt: skip
+tip_displacement_x = Measure(
+    name="tip_displacement_x", unit="mm", function=lambda at: float(_tip_vector(at)[0]),
+    definition="mean displacement of the face tip along x",
+)  # fmt: skip
+tip_displacement_y = Measure(
+    name="tip_displacement_y", unit="mm", function=lambda at: float(_tip_vector(at)[1]),
+    definition="mean displacement of the face tip along y",
+)  # fmt: skip
+tip_displacement_z = Measure(
+    name="tip_displacement_z", unit="mm", function=lambda at: float(_tip_vector(at)[2]),
+    definition="mean displacement of the face tip along z",
+)  # fmt: skip
+twist_angle = Measure(
+    name="twist_angle", unit="deg", function=_twist_angle, unwrap=True,
+    definition="rotation of the face tip against the face fixed about its own normal, positive counterclockwise "
+    "seen from the tip; zero where a mirror plane forbids it",
+)  # fmt: skip
+cavity_volume = Measure(
+    name="cavity_volume", unit="mL", function=_cavity_volume, faces=("cavity",),
+    definition="current volume enclosed by the faces cavity*, whole actuator",
+)  # fmt: skip
+reaction = Measure(
+    name="reaction", unit="N", function=_reaction,
+    definition="magnitude of the sum of all forces at the supports Fixed and Radial, whole actuator; zero where only "
+    "the pressure of a closed cavity acts, since that pushes on itself",
+)  # fmt: skip
+smallest_gap = Measure(
+    name="smallest_gap", unit="mm",
+    function=lambda at: float(smallest_gap_between(at.facts.walls, at.displacement)),
+    definition="smallest distance between outer walls that face each other; negative once they have passed through",
+)  # fmt: skip
+#: What a run writes unless it is told otherwise.
+STANDARD_MEASURES: tuple[Measure, ...] = (
+    bending_angle, tip_displacement, cavity_volume, principal_stretch_p99, maximum_principal_stretch, von_mises_p99,
+    maximum_von_mises, reaction,
+)  # fmt: skip
+
+#: Measures by the words that others use for them.
+MEANT: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(("angle", "bend", "bending", "tip_angle"), "bending_angle"),
+        **dict.fromkeys(("twist", "torsion"), "twist_angle"),
+        **dict.fromkeys(("displacement", "deflection", "tip", "u"), "tip_displacement"),
+        **dict.fromkeys(("volume", "v"), "cavity_volume"),
+        **dict.fromkeys(("stress", "mises", "von_mises", "s"), "von_mises_p99"),
+        **dict.fromkeys(("stretch", "strain", "principal_stretch"), "principal_stretch_p99"),
+        **dict.fromkeys(("force", "reaction_force", "rf"), "reaction"),
+    }
+)
+
+#: Every ready-made measure by name: those that the files of this folder define.
+MEASURES: Registry[Measure] = Registry("turgor.core.results.measures", measures_of)

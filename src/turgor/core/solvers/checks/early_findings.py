@@ -1,0 +1,68 @@
+"""Early findings: everything that is known about a model before it is solved, in one call."""
+
+from turgor.core.model.model import Model
+from turgor.core.solvers.checks.contact import check_contact
+from turgor.core.solvers.checks.fibers import check_fibers
+from turgor.core.solvers.checks.materials import constants_in_doubt
+from turgor.core.solvers.checks.obstacles import enclosed_obstacles, overlapping_obstacles
+from turgor.core.solvers.checks.plausibility.check import implausible
+from turgor.core.solvers.checks.plausibility.question import Question
+from turgor.core.solvers.checks.supports import (
+    added_pressures,
+    everything_held,
+    held_cavities,
+    tip_held,
+    unloaded_cavities,
+)
+from turgor.core.solvers.procedures.stages import Stages
+from turgor.core.solvers.solution import Procedure
+from turgor.core.solvers.stage_sequence import questions
+from turgor.foundation.finding import Finding, by_weight
+
+
+def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
+    """Return what is known about a model and a procedure before the solve, the heaviest first.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Static, …, or Stages
+
+    Returns
+    -------
+    tuple of Finding
+        Doubtful constants, unstable laws (M04 to M07), magnitudes outside the range of the field (P01 to P06, L08),
+        supports that hold everything, a cavity or the tip (B09, B27, B28), cavities without a pressure or with several
+        (B03, L10), windings (B04, B05), walls and obstacles that overlap (B07, B08), obstacles in a cavity (B29).
+
+    Raises
+    ------
+    TurgorError
+        If a winding cannot lie on its face, or a stage changes what the model does not have.
+    """
+    asked = _questions(model, procedure)
+    return by_weight(
+        (
+            *constants_in_doubt(model),
+            *(found for question in asked for found in implausible(question)),
+            *everything_held(model),
+            *held_cavities(model),
+            *tip_held(model),
+            *added_pressures(model),
+            *(() if isinstance(procedure, Stages) else unloaded_cavities(model)),
+            *check_fibers(model),
+            *check_contact(model),
+            *overlapping_obstacles(model),
+            *enclosed_obstacles(model),
+        )
+    )
+
+
+def _questions(model: Model, procedure: Procedure) -> tuple[Question, ...]:
+    """One question, or one for each stage."""
+    if not isinstance(procedure, Stages):
+        return (Question(model=model, procedure=procedure),)
+    models = questions(model, procedure)
+    return tuple(
+        Question(model=each, procedure=stage.procedure) for each, stage in zip(models, procedure.stages, strict=True)
+    )

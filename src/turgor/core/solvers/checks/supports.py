@@ -1,0 +1,218 @@
+"""Checks before a solve: rigid motions left free, everything held, cavities without a pressure."""
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.boundary import Held, held_components
+from turgor.core.engine.points.bearing_term import stopped
+from turgor.core.engine.points.point_unknowns import with_carried
+from turgor.core.meshing.bodies.bodies import Body, find_bodies
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.surface import corner_keys, outer_triangles
+from turgor.core.model.model import Model
+from turgor.core.model.supports import Fixed
+from turgor.foundation.errors import CheckError
+from turgor.foundation.finding import Finding, Severity
+from turgor.units import kPa
+
+#: Face at which motion is measured.
+TIP = "tip"
+
+
+def check_supports(model: Model, inertia: bool = False) -> None:
+    """Refuse a model whose supports leave a rigid motion or the mean stress of one of its bodies free (B01).
+
+    With ``inertia`` rigid motions may be free: a body that flies has an acceleration, if no equilibrium.
+    """
+    supports = held_components(model)
+    surface = np.unique(outer_triangles(model.mesh))
+    bodies = find_bodies(model.mesh)
+    for body in bodies:
+        free = 0 if inertia else 6 - _held_motions(model, supports, body)
+        if free and len(bodies) == 1:
+            raise CheckError(
+                f"the supports leave {free} of 6 rigid motions free (B01); fix a face, {_faces_to_hold(body)}."
+                f"{_contact_does_not_hold(model, 1)}"
+            )
+        if free:
+            raise CheckError(
+                f"the supports leave {free} of 6 rigid motions of the body {_named(body)} free (B01); "
+                f"fix one of its faces, {_faces_to_hold(body)}.{_contact_does_not_hold(model, len(bodies))}"
+            )
+        materials = [model.region_materials[name] for name in body.regions]
+        whole = supports.mask[np.intersect1d(surface, body.nodes)].all()
+        if whole and all(material.incompressible for material in materials):
+            raise CheckError(
+                "the supports prescribe the whole surface of an incompressible body (B01), which leaves its mean "
+                "stress undetermined; leave a direction of one face free or give the material a bulk_modulus."
+            )
+
+
+def free_motions(model: Model) -> int:
+    """Count the rigid motions of all bodies that supports leave free.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    int
+    """
+    supports = held_components(model)
+    return sum(6 - _held_motions(model, supports, body) for body in find_bodies(model.mesh))
+
+
+def _held_motions(model: Model, supports: Held, body: Body) -> int:
+    """How many of the six rigid motions of a body its supports hold."""
+    tied, still = supports.ties, supports.mask.ravel().copy()
+    still[tied.followers] = False
+    carriers = [each for each in supports.carriers if np.isin(each.nodes, body.nodes).any()]
+    nodes = np.concatenate([body.nodes, *(each.node + np.arange(4) for each in carriers)])
+    mask = np.zeros_like(supports.mask)
+    mask[nodes] = still.reshape(-1, 3)[nodes]
+    for each in carriers:
+        mask[each.node] |= np.array(each.point.stiffness) > 0
+        mask[each.arrows] |= each.point.rotational_spring > 0
+    # a rigid face moves along with its point; the nodes of a plane section may part
+    follows = np.isin(tied.followers // 3, body.nodes) & (tied.leaders < 3 * len(model.mesh.points))
+    count = mask.sum() + follows.sum() + sum(each.bearing is not None for each in carriers)
+    if not count:
+        return 0
+    arms, goes = _arms(model, supports, body)
+    motions = []
+    for axis in range(3):
+        for motion in (goes[:, None] * np.eye(3)[axis], np.cross(np.eye(3)[axis], arms)):
+            local = supports.frames.to_local(motion)
+            parted = local.ravel()[tied.followers[follows]] - local.ravel()[tied.leaders[follows]]
+            stops = [stopped(each, motion) for each in carriers]
+            motions.append(np.concatenate([local[mask], parted, *stops]))
+    return int(np.linalg.matrix_rank(np.array(motions), tol=1e-6 * max(1.0, np.sqrt(count))))
+
+
+def _arms(model: Model, supports: Held, body: Body) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Arms (n + e, 3) of all nodes in a rotation about the center of a body, over its size, and in a translation."""
+    points = with_carried(model.mesh.points, supports.carriers) - model.mesh.points[body.nodes].mean(axis=0)
+    size = float(np.abs(points[body.nodes]).max())
+    arms, goes = points / size, np.ones(len(points))
+    for each in supports.carriers:
+        arms[each.arrows], goes[each.arrows] = each.radius / size * np.eye(3), 0.0
+    return arms, goes
+
+
+def _named(body: Body) -> str:
+    return " and ".join(f"'{region}'" for region in body.regions)
+
+
+def _faces_to_hold(body: Body) -> str:
+    """Faces that a body can be held at, one that is meant for it first."""
+    faces = [name for name in body.faces if not name.startswith(("cavity", "symmetry_", "cyclic_"))]
+    if not faces:
+        return "which has no name yet"
+    best = next((name for name in faces if name.startswith("fixed")), faces[0])
+    return f"for example '{best}'; its faces are {', '.join(faces)}"
+
+
+def _contact_does_not_hold(model: Model, bodies: int) -> str:
+    """Say that contact is no support, where there is any."""
+    obstacles = [f"'{obstacle.name}'" for obstacle in model.contact.obstacles]
+    others = ["other bodies"] if bodies > 1 else []
+    if not obstacles and not others:
+        return ""
+    return (
+        f" Contact with {', '.join(obstacles + others)} does not count: it pushes only while it touches, "
+        "and a body that it alone should hold has no equilibrium before that; "
+        "the procedures stabilized and dynamic let it find one."
+    )
+
+
+def everything_held(model: Model) -> tuple[Finding, ...]:
+    """Say where the whole surface outside the cavities is held, so that nothing can move (B09)."""
+    mesh = model.mesh
+    fixed = {name for name in mesh.faces for each in model.supports if each == Fixed(name, "xyz")}
+    inner = (*mesh.cavities, *mesh.cut_faces)
+    outside = corner_keys(outer_triangles(mesh), len(mesh.points))
+    left = outside[~np.isin(outside, _sides(mesh, (*inner, *fixed)))]
+    if not fixed or len(left):
+        return ()
+    return (
+        Finding(
+            code="B09",
+            severity=Severity.ERROR,
+            message=f"The supports hold the whole surface ({', '.join(sorted(fixed))}): the actuator cannot move.",
+            advice="Hold the face at which the actuator is clamped, for example fixed, and leave the others free.",
+        ),
+    )
+
+
+def held_cavities(model: Model) -> tuple[Finding, ...]:
+    """Say which cavities are held all over, so that the pressure in them moves nothing (B27)."""
+    mask = held_components(model).mask
+    return tuple(
+        Finding(
+            code="B27",
+            severity=Severity.WARNING,
+            message=f"The supports hold the whole surface of '{name}': pressure in it moves nothing.",
+            advice="Hold the face at which the actuator is clamped, for example fixed, and leave the cavity free.",
+        )
+        for name in model.mesh.cavities
+        if mask[model.mesh.face_nodes(name)].all()
+    )
+
+
+def tip_held(model: Model) -> tuple[Finding, ...]:
+    """Say that the tip is what holds the actuator, so that its own measures are zero throughout (B28)."""
+    held = {getattr(each, "face", "") for each in model.supports} - {*model.mesh.cut_faces}
+    if held != {TIP} or Fixed(TIP, "xyz") not in model.supports:
+        return ()
+    others = [name for name in model.mesh.faces if name not in (TIP, *model.mesh.cavities, *model.mesh.cut_faces)]
+    base = "fixed" if "fixed" in others else "the other end"
+    return (
+        Finding(
+            code="B28",
+            severity=Severity.WARNING,
+            message="Only 'tip' is held, the face at which motion is measured: its displacement is 0 throughout.",
+            advice=f"Clamp {base} instead; or read the measures of a face that moves.",
+        ),
+    )
+
+
+def added_pressures(model: Model) -> tuple[Finding, ...]:
+    """Say on which faces several pressures act, which add up (L10)."""
+    given: dict[str, list[str]] = {}
+    for load in model.pressures:
+        given.setdefault(load.face, []).append(f"{load.pressure / kPa:g} kPa")
+    return tuple(
+        Finding(
+            code="L10",
+            severity=Severity.WARNING,
+            message=f"{len(values)} pressures act on '{face}' ({', '.join(values)}): they add up.",
+            advice="State one pressure for each cavity, with a history where it changes on the way.",
+        )
+        for face, values in given.items()
+        if len(values) > 1
+    )
+
+
+def _sides(mesh: Mesh, faces: Iterable[str]) -> NDArray[np.int64]:
+    """Keys of the sides of some faces."""
+    keys = [corner_keys(mesh.faces[name], len(mesh.points)) for name in faces if len(mesh.faces[name])]
+    return np.concatenate([np.zeros(0, dtype=np.int64), *keys])
+
+
+def unloaded_cavities(model: Model) -> tuple[Finding, ...]:
+    """Say which cavities have no pressure of their own while others have one (B03)."""
+    loaded = {load.face for load in model.pressures}
+    empty = [name for name in model.mesh.cavities if name not in loaded]
+    if not empty or len(empty) == len(model.mesh.cavities):
+        return ()
+    return (
+        Finding(
+            code="B03",
+            severity=Severity.NOTE,
+            message=f"No pressure is stated for {', '.join(empty)}: it stays open to the air, at 0 kPa.",
+            advice=f"Give it one under [loads.{empty[0]}] if it should have any.",
+        ),
+    )

@@ -1,0 +1,124 @@
+"""Constraints that seek the load factor: a weighted volume or an arc length is given."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.chamber_volumes import Chambers
+from turgor.core.engine.system import Evaluation, System
+from turgor.core.solvers.constraints.constraint import Conditions, Place
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LoadFactor:
+    """The load factor.
+
+    Parameters
+    ----------
+    system : System
+        Of a model whose loads all grow in proportion to the load factor, and whose supports stay.
+    """
+
+    system: System
+
+    def load_factor(self, parameter: float, scalars: Array) -> float:
+        """The scalar itself."""
+        return float(scalars[0])
+
+    def pressures(self, scalars: Array) -> Array | None:
+        """None is sought."""
+        return None
+
+    def columns(self, at: Evaluation) -> Array:
+        """Minus the forces of all loads, which are straight in the load factor."""
+        full, none = (self.system.external(at.unknowns, factor) for factor in (1.0, 0.0))
+        return (none - full)[None, :]
+
+    def unstable(self, modes: int | None, stiffness: Array) -> int | None:
+        """Those at given loads, because loads are what was asked for."""
+        return modes
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class WorkTarget:
+    """The volume of all cavities, weighted with their pressures at load factor 1, grows with the parameter from 0 to 1.
+
+    Parameters
+    ----------
+    chambers : Chambers
+    weights : (k,) array
+        Pressures over the largest of them.
+    first, last : float
+        Weighted volume at parameters 0 and 1.
+    """
+
+    chambers: Chambers
+    weights: Array
+    first: float
+    last: float
+
+    def conditions(self, unknowns: Array, parameter: float, scalars: Array) -> Conditions:
+        """Error of the weighted volume relative to its growth."""
+        growth = self.last - self.first
+        volume = float(self.weights @ self.chambers.volumes(unknowns))
+        row = self.weights @ self.chambers.gradients(unknowns) / growth
+        return Conditions(np.array([(volume - self.first) / growth - parameter]), row[None, :], np.zeros((1, 1)))
+
+    def onward(self, last: Place, now: Place) -> "WorkTarget":
+        """The same all along."""
+        return self
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ArcTarget:
+    """The step has a given length along the tangent of the path at its last state (pseudo arc length).
+
+    Parameters
+    ----------
+    system : System
+    size : float
+        Displacement that counts as much as a load factor of 1.
+    parameter, unknowns, scalars
+        The last state; the parameter is the length up to it.
+    along : (size,) array
+        Direction of the displacement there, divided by ``size`` twice; zero on mean stresses.
+    rise : float
+        Direction of the load factor there.
+    """
+
+    system: System
+    size: float
+    parameter: float
+    unknowns: Array
+    scalars: Array
+    along: Array
+    rise: float
+
+    def conditions(self, unknowns: Array, parameter: float, scalars: Array) -> Conditions:
+        """Error of the length along the direction."""
+        length = float(self.along @ (unknowns - self.unknowns) + self.rise * (scalars - self.scalars)[0])
+        error = length - (parameter - self.parameter)
+        return Conditions(np.array([error]), self.along[None, :], np.array([[self.rise]]))
+
+    def onward(self, last: Place, now: Place) -> "ArcTarget":
+        """Go on in the direction of the path, or of the last step where the tangent is singular."""
+        if now.change is not None and now.slope is not None:
+            change, rise = now.change, float(now.slope[0])
+        else:
+            change, rise = now.unknowns - last.unknowns, float((now.scalars - last.scalars)[0])
+        change = displacement_of(self.system, change)
+        norm = float(np.hypot(np.linalg.norm(change) / self.size, rise))
+        along = change / (norm * self.size**2)
+        return replace(
+            self, parameter=now.parameter, unknowns=now.unknowns, scalars=now.scalars, along=along, rise=rise / norm
+        )
+
+
+def displacement_of(system: System, unknowns: Array) -> Array:
+    """The unknowns (size,) without mean stresses."""
+    out = unknowns.copy()
+    out[~system.moving] = 0.0
+    return out

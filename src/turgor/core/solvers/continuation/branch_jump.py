@@ -1,0 +1,48 @@
+"""Branch jump: find steps of load control that may have jumped past a limit point to another branch."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.solvers.continuation.thresholds import JUMP_RATIO, STILL_SHARE
+from turgor.core.solvers.solution import State
+
+Array = NDArray[np.float64]
+
+
+def move_ratio(points: Sequence[tuple[float, Array]]) -> float:
+    """How many times as much a body moved in the last step as in the one before, for the same load.
+
+    Parameters
+    ----------
+    points : sequence of (float, array)
+        Load factors, and the displacement at each.
+
+    Returns
+    -------
+    float
+        0 where there are fewer than three points, the load does not rise, or the last step is nearly zero.
+
+    Examples
+    --------
+    >>> move_ratio([(0.0, np.zeros(3)), (0.5, np.ones(3)), (0.6, np.full(3, 3.0))])
+    10.0
+    """
+    if len(points) < 3:
+        return 0.0
+    (f0, u0), (f1, u1), (f2, u2) = points[-3:]
+    moved, moves = float(np.linalg.norm(u1 - u0)), float(np.linalg.norm(u2 - u1))
+    if not f0 < f1 < f2 or moved == 0 or moves <= STILL_SHARE * float(np.linalg.norm(u2)):
+        return 0.0
+    return round((moves / (f2 - f1)) / (moved / (f1 - f0)), 9)
+
+
+def move_ratio_to(states: Sequence[State], number: int) -> float:
+    """How many times as much a body moved on the way to a state as in the step before, for the same load."""
+    return move_ratio([(state.load_factor, state.displacement) for state in states[max(0, number - 2) : number + 1]])
+
+
+def first_branch_jump(states: Sequence[State]) -> int | None:
+    """Number of the first state that a branch jump led to; None where there is none."""
+    return next((n for n in range(2, len(states)) if move_ratio_to(states, n) > JUMP_RATIO), None)

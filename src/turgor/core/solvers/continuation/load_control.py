@@ -1,0 +1,306 @@
+"""Load control: follow the path of `Static`, with pseudo-transient continuation where no step succeeds."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import inf
+from time import perf_counter
+
+import numpy as np
+
+from turgor.core.engine.system import Evaluation, Stresses
+from turgor.core.model.drive import kinks
+from turgor.core.solvers.checks.distortion import distortion_text
+from turgor.core.solvers.constraints.loads import load_control
+from turgor.core.solvers.continuation.guide import ASTRAY, LONG_BETWEEN_WALLS, Guide
+from turgor.core.solvers.continuation.path_follower import accept, follow, noted
+from turgor.core.solvers.continuation.path_points import (
+    Ending,
+    Judgment,
+    Point,
+    Run,
+    Task,
+    nothing,
+    plain_point,
+    settings_of,
+)
+from turgor.core.solvers.continuation.predictor import BY_LOAD, gentle_share, knows_touch, predicted
+from turgor.core.solvers.continuation.step_acceptance import turns_aside, why_rejected
+from turgor.core.solvers.continuation.step_control import StepControl, in_vain
+from turgor.core.solvers.continuation.tangent_response import others_move, rate_at, response_in_step
+from turgor.core.solvers.continuation.thresholds import (
+    FOLD_SHARE,
+    LONG_FIRST_STEP,
+    RELAXATION_REACH,
+    RELAXATIONS,
+    SHORTER_RELAXATION_REACH,
+)
+from turgor.core.solvers.newton.line_search import evaluate
+from turgor.core.solvers.newton.newton import NewtonResult, Start
+from turgor.core.solvers.newton.pseudo_transient import pseudo_transient
+from turgor.core.solvers.outcomes import Outcome, converged, stuck
+from turgor.core.solvers.problem import Problem
+from turgor.core.solvers.procedures.static import Static
+from turgor.core.solvers.restart import unknowns_of
+from turgor.core.solvers.solution import State, Status
+from turgor.core.solvers.step_reasons import Cause, Reason
+
+
+def follow_load(problem: Problem, procedure: Static) -> Outcome:
+    """Step from load factor 0 to 1; the path so far is in the lists of the problem whatever happens."""
+    return follow(load_run(problem, procedure, patient=True))
+
+
+def load_run(
+    problem: Problem,
+    procedure: Static,
+    patient: bool,
+    stop: Callable[[State], str | None] | None = None,
+    history: list[Point] | None = None,
+) -> Run:
+    """Make a run of load control from the start of a problem.
+
+    Parameters
+    ----------
+    problem : Problem
+    procedure : Static
+    patient : bool
+        Whether pseudo-transient continuation may help where Newton's method finds nothing.
+    stop : callable, optional
+        Asked instead of the listener of the problem.
+    history : list of Point, optional
+        Filled with the last points.
+    """
+    system, turns = problem.system, kinks(problem.system.model)
+    guide = None if problem.guide is None else Guide.of(system, problem.guide)
+    strategy = LoadStrategy(patient, guide=guide)
+    if stop is not None:
+        problem = replace(problem, listeners=replace(problem.listeners, stop=stop))
+    task = Task(
+        problem=problem,
+        procedure=procedure,
+        strategy=strategy,
+        settings=replace(settings_of(procedure), count_anew=True),
+        driven=nothing,
+        finished=_full_load,
+        kinks=turns,
+    )
+    constraint = load_control(system, procedure.duration, problem.history)
+    run = Run(
+        task,
+        constraint,
+        StepControl.of(_stepped(procedure, guide), turns, system.model.sheets_wrinkle),
+        history=[] if history is None else history,
+    )
+    rest = system.evaluate(unknowns_of(system, problem.start), 0.0, history=problem.history)
+    assert rest is not None
+    run.history.append(plain_point(run, rest, (0.0, np.empty(0)), None))
+    run.states.append(run.history[-1].state)
+    goes_on = problem.record is not None and problem.record.goes_on  # its checkpoint has the rate
+    # loads that grow in proportion: all say how the first ones do
+    if guide is None and run.stepping.length >= LONG_FIRST_STEP and not turns and not goes_on:
+        strategy.rate = rate_at(system, problem.tangent, rest)[0]
+        strategy.factored_at_rest = bool(np.isfinite(strategy.rate))
+    return run
+
+
+def _full_load(before: Point, now: Point, run: Run) -> Ending | None:
+    """All of the load acts."""
+    if now.parameter < 1.0:
+        return None
+    return Ending(now.state, _reached)
+
+
+def _reached(run: Run) -> Outcome:
+    """How a run ended that has all of the load; and from where on it went without its guide."""
+    outcome = converged(run.task.system.model, run.states, run.steps)
+    left = run.task.strategy.left if isinstance(run.task.strategy, LoadStrategy) else None
+    if left is None:
+        return outcome
+    without = f" From load factor {left:.3g} on the guide led astray; steps went on without it."
+    return replace(outcome, message=outcome.message + without)
+
+
+def _stepped(procedure: Static, guide: Guide | None) -> Static:
+    """A procedure whose first step is as long as any where a guide says where it leads."""
+    return procedure if guide is None else replace(procedure, first_step=procedure.max_step)
+
+
+@dataclass(slots=True, eq=False)
+class LoadStrategy:
+    """How load control goes from step to step.
+
+    Parameters
+    ----------
+    patient : bool
+        Whether pseudo-transient continuation may help.
+    lost_stability : bool
+        Whether an attempt since the last state had unstable modes.
+    rate : float
+        How far nodes move with the load factor at the last state; infinite where that is not known.
+    factored_at_rest : bool
+        Whether the last factors are those of the state at rest.
+    relaxations : int
+        How often pseudo-transient continuation was tried.
+    guide : Guide or None
+        The path of a similar model.
+    astray : int
+        Attempts from where the guide led to that found no state.
+    left : float or None
+        Load factor from which on the run has gone without its guide.
+    """
+
+    patient: bool
+    lost_stability: bool = False
+    rate: float = inf
+    factored_at_rest: bool = False
+    relaxations: int = 0
+    guide: Guide | None = None
+    astray: int = 0
+    left: float | None = None
+
+    def next_parameter(self, run: Run) -> float:
+        """The parameter to try next: supports move nearly straight on the way, and walls meet gently at its end."""
+        now = run.history[-1].parameter
+        load = run.stepping.next_load(now)
+        while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
+            load = now + 0.5 * (load - now)
+        if run.task.tangent.plain or self._leads(run, load):
+            return load
+        gently = now + gentle_share(run.task.system, run.history, load) * (load - now)
+        return min(load, max(gently, now + run.stepping.min_step))
+
+    def predict(self, run: Run, parameter: float) -> Start:
+        """Extrapolate, compared by the relative residual."""
+        last = run.history[-1]
+        if run.task.tangent.plain:
+            return Start(last.unknowns, last.stresses)
+        led = self._led(run, parameter) if self._leads(run, parameter) else None
+        if led is not None:
+            return self._start(run, led)
+        start = predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
+        begins, self.factored_at_rest = self.factored_at_rest, False
+        return replace(start, fresh=not begins)
+
+    def _leads(self, run: Run, load: float) -> bool:
+        """Whether the guide leads to a load, and no worse than the tangent of the path between walls that touch."""
+        if self.guide is None or not self.guide.leads_to(load):
+            return False
+        last, system = run.history[-1], run.task.system
+        short = self.guide.interpolated and load - last.parameter <= LONG_BETWEEN_WALLS
+        return not (short and knows_touch(system, run.history))
+
+    def _led(self, run: Run, parameter: float) -> Evaluation | None:
+        """The last state moved on as the guide moves; None where that turns a cell inside out."""
+        assert self.guide is not None
+        last, held = run.history[-1], run.task.system.held
+        unknowns = last.unknowns + self.guide.at(parameter) - self.guide.at(last.parameter)
+        unknowns[held] = last.unknowns[held]
+        return evaluate(run.constraint, run.task.tangent, (unknowns, last.scalars), parameter)
+
+    def _start(self, run: Run, led: Evaluation) -> Start:
+        """Start where the guide leads; from another mesh without geometric stiffness in the first update.
+
+        Cells of thin walls that another mesh moved are strained at random. Their stress makes the tangent indefinite,
+        while the material stiffness alone smooths them. Three chambers of 2.2 mm led by 6 mm took 28 iterations to
+        three states of 7.5 kPa each so, and 65 with the stress.
+        """
+        assert self.guide is not None
+        stresses = run.task.system.stresses(led)
+        if self.guide.interpolated:
+            stresses = Stresses.combine([(0.0, stresses)])
+        return Start(led.unknowns, stresses, evaluation=led)
+
+    def _misled(self, run: Run) -> None:
+        """Go on without a guide that has led astray too often."""
+        if self.guide is None:
+            return
+        self.astray += 1
+        if self.astray >= ASTRAY:
+            self.guide, self.left = None, run.history[-1].parameter
+
+    def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:
+        """Reject a state that may lie on another path, unless the step cannot be shorter."""
+        system, now, why, rate, change = run.task.system, run.history[-1].parameter, None, inf, None
+        if result.converged and result.evaluation is not None:
+            change = response_in_step(run.constraint, run.task.tangent, result.evaluation, now)
+            if change is not None and not others_move(system, now, parameter):
+                rate = float(np.linalg.norm(change[system.moving]))
+            if run.stepping.failed(parameter - now) is not None:
+                why = why_rejected(system, run.states, run.history, result, (self.rate, rate))
+        if not result.converged or result.evaluation is None or why is not None:
+            self.lost_stability |= bool(result.unstable_modes)
+            self._misled(run)
+            return Judgment(None, result.reason or why)
+        self.lost_stability, self.rate = False, rate
+        point = plain_point(run, result.evaluation, (parameter, result.scalars), result.unstable_modes)
+        return Judgment(replace(point, change=change), result.reason)
+
+    def rescue(self, run: Run) -> Outcome | None:
+        """Try pseudo-transient continuation where no step succeeds; say how the run ends if that fails too."""
+        model = run.task.system.model
+        ending = stuck(model, run.states, run.steps, self.lost_stability)
+        if in_vain(run.steps) or self.relaxations >= RELAXATIONS:
+            return ending
+        if not self.patient and len(run.states) > 1:  # at rest a film is slack
+            return ending
+        if ending.status is not Status.STEP_TOO_SMALL and not model.sheets_wrinkle:  # films snap from fold to fold
+            return ending
+        if distortion_text(run.states[-1]):  # a cell has collapsed, and nothing beyond it is of the body
+            return ending
+        self.relaxations += 1
+        for share in (1.0, SHORTER_RELAXATION_REACH):
+            found = _pseudo_transient(run, _reach(run, share))
+            if found is not None:
+                self.rate = inf
+                return accept(run, *found)
+        return stuck(model, run.states, run.steps, self.lost_stability) if in_vain(run.steps) else ending
+
+    def accepted(self, run: Run, now: Point) -> None:
+        """Take long steps again after steps that were cut only to locate the loss of stability."""
+        if now.state.unstable_modes and not run.states[-2].unstable_modes:
+            run.stepping = run.stepping.resumed(run.task.procedure.first_step)
+
+    def turn(self, run: Run, now: Point) -> None:
+        """Forget the past, which predicts nothing."""
+        self.rate = inf
+        del run.history[:-1]
+        run.stepping = run.stepping.turned(run.task.procedure.first_step)
+
+
+def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | None:
+    """Find the point at a load against viscous forces; None where that fails or the point is in doubt."""
+    task, system, last = run.task, run.task.system, run.history[-1]
+    began = perf_counter()
+    run.constraint = run.constraint.begun(load)
+    report = task.problem.listeners.reporter(len(run.steps) + 1, load)
+    result = pseudo_transient(run.constraint, task.tangent, last.unknowns, load, task.settings, report)
+    why = why_rejected(system, run.states, run.history, result) if result.converged else None
+    folds = why is not None and system.model.sheets_wrinkle and _folds(run, result, why)
+    found = result.converged and (why is None or folds)
+    snapped = folds and len(run.states) > 1
+    how = Reason(Cause.FOLD_SNAPPED if snapped else Cause.PSEUDO_TRANSIENT) if found else result.reason or why
+    noted(run, result, (load, perf_counter() - began), Judgment(last if found else None, how))
+    if not found or result.evaluation is None:
+        return None
+    return plain_point(run, result.evaluation, (load, result.scalars), result.unstable_modes), result
+
+
+def _folds(run: Run, result: NewtonResult, why: Reason) -> bool:
+    """Whether a film snapped to the next fold, or started from rest with folds that are unstable."""
+    assert result.evaluation is not None
+    if why.cause is Cause.STABILITY_LOST:
+        return len(run.states) == 1
+    if why.cause is not Cause.LONG_MOVE:
+        return False
+    last, moving = run.history[-1].unknowns, run.task.system.moving
+    moved = float(np.linalg.norm((result.evaluation.unknowns - last)[moving]))
+    return moved <= FOLD_SHARE * float(np.linalg.norm(last[moving]))
+
+
+def _reach(run: Run, share: float) -> float:
+    """Load factor for pseudo-transient continuation: a share of the steps taken before they were cut."""
+    factors = [point.parameter for point in run.history]
+    taken = max((b - a for a, b in pairwise(factors)), default=RELAXATION_REACH)
+    now = factors[-1]
+    return min(now + share * min(taken, RELAXATION_REACH), *(target for target in run.stepping.targets if target > now))

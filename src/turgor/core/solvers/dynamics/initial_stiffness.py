@@ -1,0 +1,35 @@
+"""Initial stiffness: the stiffness of an actuator against its load, which sets the viscosity of `Stabilized`."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.linear import SingularTangentError
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.system import Evaluation, System
+from turgor.core.model.drive import extremes
+from turgor.core.solvers.dynamics.thresholds import FREE_STIFFNESS
+
+Array = NDArray[np.float64]
+
+
+def initial_stiffness(system: System, tangent: Tangent, at: Evaluation, mass: Array, free: bool) -> float:
+    """Strain energy over ∫ |u|² dV of the linear response to the largest load: half the stiffness against the load.
+
+    A body with free rigid motions has no such response; the stiffness of a bar of rubber of its size replaces it.
+    """
+    if free:
+        return FREE_STIFFNESS / float(np.ptp(system.points, axis=0).max()) ** 2
+    factor = max(extremes(system.model), key=lambda each: float(np.linalg.norm(system.external(at.unknowns, each))))
+    jump = system.prescribed(factor) - at.unknowns[system.held]
+    try:
+        coupling = tangent.factor(at, None, jump)
+    except SingularTangentError:
+        return float(np.abs(system.tangent_data(at)).max()) / float(np.abs(mass).max())
+    right = system.external(at.unknowns, factor) - coupling
+    right[system.held] = jump
+    answer = tangent.solve(right)
+    answer[~system.moving] = 0.0
+    data = system.tangent_data(at)  # first: contact may change the pattern
+    stretched = float(answer @ system.pattern.product(data, answer))
+    moved = float(answer @ system.layout.base.product(mass, answer))
+    return 0.5 * abs(stretched) / moved if moved > 0 else 1.0

@@ -1,0 +1,64 @@
+"""Newton's method with contact: passes in which partners, friction and penalty are updated until nothing changes."""
+
+from dataclasses import replace
+
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.contact.part import Look
+from turgor.core.engine.system import Evaluation
+from turgor.core.solvers.constraints.constraint import Constraint
+from turgor.core.solvers.newton.convergence import relative_residual
+from turgor.core.solvers.newton.inertia_correction import inertia_corrected
+from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+from turgor.core.solvers.newton.thresholds import CONTACT_PASSES, CONTACT_PATIENCE, SEARCHED_ANEW, WEDGED
+from turgor.core.solvers.step_reasons import Cause, Reason
+
+
+def newton_with_contact(
+    constraint: Constraint, tangent: Tangent, start: Start, parameter: float, settings: NewtonSettings, report: Report
+) -> NewtonResult:
+    """Find equilibrium at a parameter, with contact; iterations of all passes count.
+
+    After each pass the partners of contact are searched for again, and friction and penalty are updated, until nothing
+    changes. The parameters are those of `newton`.
+    """
+
+    def find(constraint: Constraint, start: Start) -> NewtonResult:
+        result = newton(constraint, tangent, start, parameter, settings, report)
+        if result.converged or tangent.plain or len(start.scalars):  # with a border there is no potential to lower
+            return result
+        found = inertia_corrected(constraint, tangent, start.unknowns, parameter, settings, report)
+        iterations = result.iterations + found.iterations
+        return replace(found if found.converged else result, iterations=iterations)
+
+    contact, result = constraint.sought.system.contact, find(constraint, start)
+    if not contact.parts:
+        return result
+    iterations, hardest = result.iterations, result.iterations
+    for number in range(CONTACT_PASSES):
+        at = _searched_anew(constraint, result, parameter)
+        if at is None:
+            break
+        (friction, renewed), stiffened = contact.settled(at.contacts), contact.stiffen(at.contacts)
+        constraint = constraint.with_friction(friction)
+        residual = relative_residual(constraint.sought.system, at)
+        if not stiffened and residual <= SEARCHED_ANEW * settings.tolerance:
+            return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
+        if not (stiffened or renewed) and number >= CONTACT_PATIENCE and residual <= WEDGED:
+            return replace(result, iterations=iterations, hardest=hardest)
+        found = find(constraint, Start(at.unknowns, constraint.sought.system.stresses(at), result.scalars))
+        result = replace(found, reason=result.reason) if found.converged and found.reason is None else found
+        iterations += result.iterations
+        hardest = max(hardest, result.iterations)
+    if result.converged:
+        result = replace(result, converged=False, reason=Reason(Cause.CONTACT_UNSETTLED, CONTACT_PASSES))
+    if result.reason is not None and result.reason.cause is Cause.TOO_MANY_ITERATIONS:
+        result = replace(result, reason=replace(result.reason, value=iterations))  # those of all passes
+    return replace(result, iterations=iterations)
+
+
+def _searched_anew(constraint: Constraint, result: NewtonResult, parameter: float) -> Evaluation | None:
+    """Evaluate a converged state with a new global search for contact; None where Newton's method failed."""
+    last = result.evaluation
+    if not result.converged or last is None:
+        return None
+    return constraint.evaluate(last.unknowns, parameter, result.scalars, last.contacts, Look.ANEW)

@@ -1,0 +1,100 @@
+"""Convergence: relative residuals, so that neither units nor the size of the actuator matter."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from turgor.core.engine.system import Evaluation, System
+from turgor.core.solvers.constraints.constraint import Conditions
+from turgor.core.solvers.newton.thresholds import (
+    KEEP_PARTNERS_AFTER,
+    ROUND_OFF_BELOW,
+    SMALL_FORCE,
+    STAGNATING_BELOW,
+    STAGNATING_UPDATES,
+    UNLOADED,
+)
+
+
+def relative_residual(system: System, at: Evaluation) -> float:
+    """Largest of the unbalanced force relative to external forces and reactions, and the errors of constraints.
+
+    These are the relative volume error, and how far reference points and their arrows are off, in lengths of an edge.
+    """
+    displacement = 3 * system.node_count
+    moving = system.moving[:displacement]
+    held = system.held[:displacement][moving]
+    force = at.residual[:displacement][moving]
+    scale = _force_scale(system, at)
+    bodies = slice(displacement + system.element.mean_count, None)
+    loose = at.residual[bodies][~system.held[bodies]]
+    unbalanced = float(np.hypot(np.linalg.norm(force[~held]), np.linalg.norm(loose))) / scale
+    tied = system.multipliers[~system.held[system.multipliers]]
+    unbalanced = max(unbalanced, float(np.abs(at.residual[tied]).max(initial=0.0)))
+    if not system.element.mean_count:
+        return unbalanced
+    means = slice(displacement, displacement + system.element.mean_count)
+    volume = float(np.linalg.norm(at.residual[means])) / float(np.linalg.norm(system.mean_stress_volumes))
+    return max(unbalanced, volume)
+
+
+def whole_residual(system: System, at: Evaluation, conditions: Conditions) -> float:
+    """Largest of the relative residual and the errors of the conditions; infinite where one is no number."""
+    worst = float(np.abs(conditions.errors).max(initial=0.0))
+    return max(relative_residual(system, at), worst) if np.isfinite(worst) else np.inf
+
+
+def partners_settle(iteration: int, residuals: Sequence[float]) -> bool:
+    """Whether partners of contact are kept: in late updates, or if a small residual did not halve in two updates."""
+    stagnates = len(residuals) > 3 and residuals[-1] < STAGNATING_BELOW and residuals[-1] > 0.5 * residuals[-3]
+    return stagnates or iteration > KEEP_PARTNERS_AFTER
+
+
+def _force_scale(system: System, at: Evaluation) -> float:
+    """Size of the forces that act, with which unbalanced ones are compared."""
+    displacement = 3 * system.node_count
+    moving = system.moving[:displacement]
+    held = system.held[:displacement][moving]
+    return max(
+        float(np.linalg.norm(at.external[:displacement][moving][~held])),
+        float(np.linalg.norm(at.residual[:displacement][moving][held])),
+        at.contact_force,
+        SMALL_FORCE * system.full_force,
+        UNLOADED * np.sqrt(system.node_count),  # an unloaded body: nothing to compare with but round-off
+    )
+
+
+def stagnates(system: System, at: Evaluation, residuals: Sequence[float]) -> bool:
+    """Whether the residual falls no more because it is the round-off of the equations.
+
+    Positions are rounded, and the stiffness makes forces of that; the most that this can leave is estimated.
+    """
+    last = residuals[-STAGNATING_UPDATES:]
+    if len(residuals) <= STAGNATING_UPDATES or max(last) > ROUND_OFF_BELOW:
+        return False
+    if min(last) < 0.5 * min(residuals[:-STAGNATING_UPDATES]):
+        return False
+    return max(last) <= round_off(system, at)
+
+
+def round_off(system: System, at: Evaluation) -> float:
+    """Relative residual that rounded positions may leave: the largest of the stiffness times their last digits."""
+    positions = np.zeros(system.size)
+    count = 3 * system.node_count
+    positions[:count] = np.abs(system.points).ravel()[:count] + np.abs(at.unknowns[:count])
+    size = np.spacing(1.0) * system.pattern.product(np.abs(system.tangent_data(at)), positions)
+    return float(np.linalg.norm(size[:count])) / _force_scale(system, at)
+
+
+def too_slow(residuals: Sequence[float]) -> str:
+    """Say how the residual went, after a colon.
+
+    Examples
+    --------
+    >>> too_slow([1e-2, 0.3]), too_slow([0.3, 1e-2])
+    (': the residual grew from 0.01 to 0.3', ': the residual fell too slowly, from 0.3 to 0.01')
+    """
+    first, last = residuals[0], residuals[-1]
+    if last >= first:
+        return f": the residual grew from {first:.2g} to {last:.2g}"
+    return f": the residual fell too slowly, from {first:.2g} to {last:.2g}"

@@ -1,0 +1,90 @@
+"""Line search: shorten an update of Newton's method until it is allowed.
+
+An update is too long if it turns a cell inside out, presses walls too deep into each other, or if the residual force
+along it reverses where friction acts, or many times over where other points touch than before.
+"""
+
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.contact.part import Look
+from turgor.core.engine.contact.terms import Contacts
+from turgor.core.engine.system import Evaluation, System
+from turgor.core.solvers.constraints.constraint import Constraint
+from turgor.core.solvers.newton.thresholds import (
+    OVERSHOT,
+    OVERSHOT_TOUCHING,
+    SHORTEST_STEP,
+    SHORTEST_TOUCHING_STEP,
+)
+
+Array = NDArray[np.float64]
+
+
+def evaluate(
+    constraint: Constraint,
+    tangent: Tangent,
+    place: tuple[Array, Array],
+    parameter: float,
+    kept: Contacts | None = None,
+) -> Evaluation | None:
+    """Evaluate the residual at unknowns and scalars on the clock; ``kept`` are partners of contact that stay."""
+    start = perf_counter()
+    how = Look.FOLLOW if kept is None else Look.KEEP
+    out = constraint.evaluate(place[0], parameter, place[1], kept, how)
+    tangent.clock.residual += perf_counter() - start
+    return out
+
+
+def line_search(
+    constraint: Constraint,
+    tangent: Tangent,
+    step: tuple[Evaluation, Array, Array, Array],
+    parameter: float,
+    kept: Contacts | None,
+) -> tuple[Evaluation | None, float]:
+    """Shorten an update until it is allowed.
+
+    Parameters
+    ----------
+    constraint : Constraint
+    tangent : Tangent
+        Whose clock runs.
+    step : (Evaluation, (size,) array, (k,) array, (k,) array)
+        Where it begins, the update, the scalars there and their update.
+    parameter : float
+    kept : Contacts or None
+        Partners of contact that stay.
+
+    Returns
+    -------
+    (Evaluation or None, float)
+        The end of the shortened update and its length; None where even the shortest turns a cell inside out.
+    """
+    at, update, scalars, change = step
+    system, length, found, shortest = constraint.sought.system, 1.0, None, SHORTEST_STEP
+    while length >= shortest:
+        place = at.unknowns + length * update, scalars + length * change
+        new = evaluate(constraint, tangent, place, parameter, kept)
+        share = 0.5 if new is None else length_allowed(system, at, new, update)
+        if share == 1:
+            return new, length
+        if new is not None:
+            found, shortest = (new, length), SHORTEST_TOUCHING_STEP
+        length *= share
+    return found or (None, 0.0)
+
+
+def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
+    """Share of an update to take: less than 1 if walls are pressed too deep, or if contact reverses the force."""
+    share, rubs = system.contact.shortening(at.contacts, new.contacts), new.contacts.rubs
+    if share < 1 or not (rubs or not new.contacts.touch_as(at.contacts)):
+        return share
+    free = system.moving & ~system.held
+    along = update[free]
+    before, after = float(at.residual[free] @ along), float(new.residual[free] @ along)
+    most = OVERSHOT if rubs else OVERSHOT_TOUCHING
+    return 0.5 if after * before < 0 and abs(after) > most * abs(before) else 1.0

@@ -1,0 +1,50 @@
+"""ArcLength: the length of the path drives it, so that the load may rise and fall."""
+
+from dataclasses import dataclass, field
+
+from turgor.core.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
+from turgor.foundation.errors import TurgorError
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ArcLength(StepOptions):
+    """Follow the path by its length, so that the load may rise and fall; all loads keep their proportion.
+
+    The length of a step joins the change of the load factor with that of the displacement, scaled so that both are
+    alike in the first step; a body that buckles is measured by its own displacement from then on. The path ends where
+    the load factor reaches 1 or 0, at one of the bounds, or where it goes back the way it came.
+
+    Parameters
+    ----------
+    max_stretch : float [-]
+        Largest principal stretch anywhere at which the path ends, more than 1.
+    max_displacement : float [m], optional
+        Largest displacement of a node at which the path ends.
+    first_step : float [-]
+        Load factor of the first state, in (0, 1].
+    max_step, min_step : float [-]
+        Largest and smallest length of a step.
+    at : tuple of float [-]
+        Load factors at which a state is made wherever the path crosses them, each in (0, 1].
+    tolerance, max_iterations
+        As those of `VolumeControl`.
+    max_steps : int
+        Attempted arcs before the solve stops.
+
+    Examples
+    --------
+    >>> ArcLength(max_stretch=3.0).max_stretch
+    3.0
+    """
+
+    max_stretch: float = 10.0
+    max_displacement: float | None = field(default=None, metadata={"dimension": "length"})
+    max_step: float = 0.5
+
+    def __post_init__(self) -> None:
+        make_numbers(self)
+        if not self.max_stretch > 1:
+            raise TurgorError(f"procedure.max_stretch is {self.max_stretch:g}; a stretch above 1 is needed.")
+        if self.max_displacement is not None and not self.max_displacement > 0:
+            raise TurgorError(f"procedure.max_displacement is {self.max_displacement:g} m; it must be above 0.")
+        check_steps(self, longest=100.0)

@@ -1,0 +1,48 @@
+"""Static: load control from zero to the full load."""
+
+from dataclasses import dataclass, field
+from math import inf
+
+from turgor.core.solvers.procedures.step_options import StepOptions
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Static(StepOptions):
+    """Load control from zero to the full load, with steps that grow, cut back and hit requested loads exactly.
+
+    Parameters
+    ----------
+    first_step : float [-]
+        First increment of the load factor, at the start and after every point of a pressure's history, in (0, 1].
+    max_step : float [-]
+        Largest increment, in (0, 1].
+    min_step : float [-]
+        Smallest increment before the solve stops, in (0, first_step].
+    at : tuple of float [-]
+        Load factors that must be hit exactly besides 1, each in (0, 1].
+    tolerance : float [-]
+        Largest residual force relative to the applied and reaction forces.
+    max_iterations : int
+        Newton iterations before a step is cut back.
+    max_steps : int
+        Attempted steps before the solve stops.
+    duration : float [s], optional
+        Time at load factor 1, for rubber that relaxes: the load factor is time over duration, and histories of loads
+        are over it. Steps are as long as ``max_step`` lets them, which decides the accuracy in time. By default the
+        load grows so slowly that everything has relaxed.
+
+    Examples
+    --------
+    >>> Static(duration=20.0, max_step=0.02).time_of(0.5)
+    10.0
+    """
+
+    duration: float | None = field(default=None, metadata={"dimension": "time"})
+
+    def time_of(self, load_factor: float) -> float | None:
+        """Time at a load factor [s], None where there is no duration."""
+        return None if self.duration is None else load_factor * self.duration
+
+    def time_between(self, before: float, after: float) -> float:
+        """Time from one load factor to another [s]; infinite where there is no duration."""
+        return inf if self.duration is None else (after - before) * self.duration

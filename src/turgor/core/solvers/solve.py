@@ -1,0 +1,301 @@
+"""solve: follow the equilibrium path of a model."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from math import inf
+from pathlib import Path
+from time import perf_counter
+
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.runtime import EngineOptions, use_threads
+from turgor.core.engine.system import System
+from turgor.core.engine.warmup.compiling import compile_kernels
+from turgor.core.engine.warmup.needs import Needs
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.model import Model
+from turgor.core.solvers.checkpoints.record import Question, RunRecord
+from turgor.core.solvers.checks.contact import deep_penetrations, elastic_slips, meeting_walls
+from turgor.core.solvers.checks.early_findings import early_findings
+from turgor.core.solvers.checks.explanations import explained
+from turgor.core.solvers.checks.materials import laws_beyond_their_tests
+from turgor.core.solvers.checks.membranes import compressed_membranes
+from turgor.core.solvers.checks.plate import plate_findings
+from turgor.core.solvers.checks.supports import check_supports
+from turgor.core.solvers.checks.time_steps import too_long_steps
+from turgor.core.solvers.coarse_path import COARSE, check_coarse, iterations_only, led_by, on_coarse_mesh
+from turgor.core.solvers.continuation.guide import check_guide
+from turgor.core.solvers.listeners import Listeners
+from turgor.core.solvers.methods import method_of
+from turgor.core.solvers.path_outcomes import limit_point_findings, unwatched_stability
+from turgor.core.solvers.problem import Problem
+from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.procedures.static import Static
+from turgor.core.solvers.progress.watchers import Progress as Progress
+from turgor.core.solvers.progress.watchers import watched
+from turgor.core.solvers.restart import Restart
+from turgor.core.solvers.solution import Procedure, Solution, SolveError, State, Status, Timing
+from turgor.core.solvers.stage_sequence import solve_stages
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.finding import by_weight, show_warning
+from turgor.foundation.given import one
+
+#: Below this size threads wait for each other longer than they work.
+FEW_UNKNOWNS = 10_000
+
+Stop = Callable[[State], str | None]
+
+
+def solve(
+    model: Model,
+    procedure: Procedure | None = None,
+    *,
+    progress: Progress = None,
+    stop: Stop | None = None,
+    options: EngineOptions | None = None,
+    folder: str | Path | None = None,
+    guide: Solution | None = None,
+    coarse: Mesh | None = None,
+    throw: bool = True,
+) -> Solution:
+    """Follow the equilibrium path of a model from the undeformed state to the full load.
+
+    Parameters
+    ----------
+    model : Model
+        The question.
+    procedure : Static, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
+        How the path is followed; `Static` if it is not given. `Stages` follows several in turn.
+    progress : callable or bool, optional
+        Whether a bar is shown; by default where a terminal or a notebook looks on. Or a function
+        ``progress(iteration, state)``, called after every Newton update (state None), after every accepted step (with
+        its state), and after every rejected one (``iteration.rejected`` says why). The logger ``turgor`` has a record
+        of each accepted step, too.
+    stop : callable
+        ``stop(state)`` ends the run early by returning the reason, a few words.
+    options : EngineOptions
+        Linear solver, threads, where notices go, Newton's method.
+    folder : str or Path, optional
+        Where every accepted state is kept at once. Whatever ends the run, `resume` goes on from the last one, and
+        `load` reads the path so far.
+    guide : Solution, optional
+        The path of a similar model: on a coarser mesh, of another rubber, or of a design that differs a little. Steps
+        of `Static` then start where it leads and go straight to the load factors asked for, at most ``max_step``
+        apart.
+    coarse : Mesh, optional
+        A coarser mesh of the same body. `Static` follows the path on it first, which then guides the steps on the mesh
+        of the model; ``solution.coarse`` is that path, and `measure` estimates the mesh error from it.
+    throw : bool
+        Whether a run that stops early raises `SolveError` (which holds the path so far) or returns the path.
+
+    Returns
+    -------
+    Solution
+        The path with its status, message and advice.
+
+    Raises
+    ------
+    TurgorError
+        If the supports leave a rigid motion free, prescribe the whole surface of an incompressible body, or the folder
+        holds a run already, or the guide or the coarse mesh is of another body or leads another procedure than
+        `Static`.
+    SolveError
+        If the full load was not reached and ``throw`` is set.
+
+    Warns
+    -----
+    FindingWarning
+        For each finding that is a warning or an error, once; those that are known before the solve come before it.
+    """
+    one(model, Model, "model", "a Model is needed, as Model(mesh, materials, supports, loads) makes it")
+    procedure = Static() if procedure is None else procedure
+    one(procedure, Procedure, "procedure", "an object is needed, such as Static()")
+    one(options or EngineOptions(), EngineOptions, "options", "EngineOptions are needed")
+    one(stop, Callable | None, "stop", "a function of a state is needed")  # type: ignore[arg-type]
+    if guide is not None:
+        check_guide(model, procedure, guide)
+    if coarse is not None:
+        if guide is not None:
+            raise TurgorError("guide and coarse are both given; a run follows one of them.")
+        check_coarse(model, procedure, coarse)
+    options = options or EngineOptions()
+    question = Question(model=model, procedure=procedure, options=options, guide=guide, coarse=coarse)
+    record = None if folder is None else RunRecord.create(Path(folder), question)
+    return _followed(question, progress, stop, record, throw)
+
+
+def resume(
+    folder: str | Path,
+    *,
+    progress: Progress = None,
+    stop: Stop | None = None,
+    options: EngineOptions | None = None,
+    throw: bool = True,
+) -> Solution:
+    """Go on with a solve that was ended from outside, from its last accepted state.
+
+    The answers are those of a run that was not ended. A run that had ended by itself is returned as it is.
+
+    Parameters
+    ----------
+    folder : str or Path
+        That of `solve`.
+    progress, stop, options, throw
+        As those of `solve`; the options of the run by default.
+
+    Returns
+    -------
+    Solution
+
+    Raises
+    ------
+    TurgorError
+        If the folder holds no run.
+    SolveError
+        If the full load was not reached and ``throw`` is set.
+    """
+    record = RunRecord.open(Path(folder))
+    question = record.question if options is None else replace(record.question, options=options)
+    return _followed(question, progress, stop, record, throw)
+
+
+def _followed(
+    question: Question, progress: Progress, stop: Stop | None, record: RunRecord | None, throw: bool
+) -> Solution:
+    """Follow a question for a script: with a bar where somebody looks on, and its findings as warnings."""
+    with watched(progress) as watcher:
+        options = question.options
+        if options.notify is None and watcher.notify is not None:
+            question = replace(question, options=replace(options, notify=watcher.notify))
+        return follow_question(question, Listeners(watcher.progress, stop, show_warning), record, throw)
+
+
+def follow_question(question: Question, listeners: Listeners, record: RunRecord | None, throw: bool) -> Solution:
+    """Solve what a run was asked, from its beginning or from where its record ends.
+
+    Parameters
+    ----------
+    question : Question
+    listeners : Listeners
+    record : RunRecord or None
+    throw : bool
+        As that of `solve`.
+
+    Returns
+    -------
+    Solution
+    """
+    model, procedure = question.model, question.procedure
+    solution = None if record is None else record.solution()
+    if solution is not None:
+        listeners.tell(solution.findings)
+    else:
+        early = early_findings(model, procedure)
+        listeners.tell(early)
+        led = _led(question, listeners, record)
+        if led is not None and led.status is Status.INTERRUPTED:
+            return replace(led, message=f"{led.message} These states are on the coarse mesh, whose path leads the run.")
+        question = replace(question, guide=question.guide if led is None or len(led.states) < 2 else led)
+        one = partial(_solved, question, record)
+        if isinstance(procedure, Stages):
+            solution = solve_stages(model, procedure, listeners, one)
+        else:
+            solution, _ = one(model, procedure, listeners, None)
+        beyond = laws_beyond_their_tests(model, solution.states)
+        plates = plate_findings(model, solution.states)
+        listeners.tell(each for each in by_weight((*beyond, *plates, *solution.findings)) if each not in early)
+        solution = replace(solution, findings=by_weight((*early, *beyond, *plates, *solution.findings)))
+        solution = explained(solution)
+        solution = solution if led is None else led_by(led, solution)
+        if record is not None and solution.status is not Status.INTERRUPTED:
+            record.finish(solution)
+    if throw and not solution.complete:
+        raise SolveError(solution)
+    return solution
+
+
+def _led(question: Question, listeners: Listeners, record: RunRecord | None) -> Solution | None:
+    """Follow the path on the coarse mesh of a question; None where it has none."""
+    if question.coarse is None:
+        return None
+    first = on_coarse_mesh(question)
+    if question.options.notify is not None:
+        question.options.notify(f"following the path on a coarse mesh of {question.coarse.unknown_count:,} unknowns")
+    inner = None if record is None else record.inner(COARSE, first)
+    return follow_question(first, iterations_only(listeners), inner, throw=False)
+
+
+def _solved(
+    question: Question,
+    record: RunRecord | None,
+    model: Model,
+    procedure: OneProcedure,
+    listeners: Listeners,
+    restart: Restart | None,
+) -> tuple[Solution, Restart]:
+    """Follow one procedure from rest, or from the restart of a former stage; return its own restart, too."""
+    options, method = question.options, method_of(procedure)
+    start = perf_counter()
+    stage, model = (None, model) if record is None else record.stage(model)
+    check_supports(model, inertia=method.may_be_free(model))
+    threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
+    with use_threads(threads):
+        compiling = compile_kernels(options.notify, Needs.of(model))
+        setup = perf_counter()
+        system = System(model, method.controlled(model, procedure))
+        history = system.history(step=inf)  # slow enough to relax, unless the procedure knows its time
+        tangent = Tangent(system, options.linear_solver, threads, options.iteration)
+        setup = perf_counter() - setup
+        if restart is not None:
+            restart.restore(system)
+            history = restart.history(system)
+        problem = Problem(
+            system=system,
+            tangent=tangent,
+            listeners=listeners,
+            restart=restart,
+            history=history,
+            record=None if stage is None else stage.of(system),
+            guide=question.guide,
+        )
+        outcome = method.follow(problem, procedure)
+    timing = _timing(tangent, compiling, setup, start)
+    findings = (
+        *meeting_walls(model, problem.states),
+        *deep_penetrations(problem.states),
+        *compressed_membranes(model, problem.states),
+        *elastic_slips(system, problem.states),
+        *limit_point_findings(problem.limits, method.limit_points),
+        *unwatched_stability(tangent.iterative, system.size),
+        *method.findings(problem.states),
+        *too_long_steps(model, procedure, problem.states),
+    )
+    solution = Solution(
+        model=model,
+        procedure=procedure,
+        states=tuple(problem.states),
+        status=outcome.status,
+        message=outcome.message,
+        advice=outcome.advice,
+        steps=tuple(problem.steps),
+        findings=findings,
+        timing=timing,
+        limit_points=tuple(problem.limits),
+    )
+    return solution, Restart.of(system, problem.states[-1])
+
+
+def _timing(tangent: Tangent, compiling: float, setup: float, start: float) -> Timing:
+    """Where the time since ``start`` went."""
+    clock = tangent.clock
+    return Timing(
+        compile=compiling,
+        setup=setup,
+        assembly=clock.assembly,
+        residual=clock.residual,
+        factorization=clock.factorization,
+        solve=clock.solve,
+        total=perf_counter() - start,
+        factorizations=clock.factorizations,
+        linear_solver=tangent.name,
+    )

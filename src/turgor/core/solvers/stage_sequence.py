@@ -1,0 +1,192 @@
+"""Stage sequence: solve the stages of a sequence one after the other and make one solution of them."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+from turgor.core.model.continued_model import continued, movable, with_loads
+from turgor.core.model.drive import pressures_at
+from turgor.core.model.loads import Pressure
+from turgor.core.model.model import Model
+from turgor.core.solvers.listeners import Listeners
+from turgor.core.solvers.methods import method_of
+from turgor.core.solvers.pressures import pressures_of
+from turgor.core.solvers.procedures.gas_mass import GasMass
+from turgor.core.solvers.procedures.stages import OneProcedure, Stage, Stages
+from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.restart import Restart
+from turgor.core.solvers.solution import Iteration, Solution, State, Status, Timing
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.finding import Finding
+
+T = TypeVar("T")
+
+#: Findings that hold in all later stages; one of each is enough.
+LASTING = ("B02",)
+
+#: Solves one procedure from rest or from a restart, and returns the restart of the next one.
+Follow = Callable[[Model, OneProcedure, Listeners, Restart | None], tuple[Solution, Restart]]
+
+
+def solve_stages(model: Model, procedure: Stages, listeners: Listeners, follow: Follow) -> Solution:
+    """Solve the stages of a sequence until one of them stops early."""
+    found: list[Solution] = []
+    restart: Restart | None = None
+    first = _movable(model, procedure)
+    for stage in procedure.stages:
+        try:
+            last = None if restart is None else _End.of(restart.state)
+            question = _question(first, stage, last)
+            solution, restart = follow(question, stage.procedure, _within(stage, listeners), restart)
+        except TurgorError as error:
+            raise TurgorError(f"stage '{stage.name}': {error}") from None
+        found.append(solution)
+        if not solution.complete:
+            break
+    return together(model, procedure, found)
+
+
+def questions(model: Model, procedure: Stages) -> tuple[Model, ...]:
+    """Return the model of each stage as far as it is known before any is solved.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Stages
+
+    Returns
+    -------
+    tuple of Model
+        Pressures that a stage seeks are missing in later ones.
+
+    Raises
+    ------
+    TurgorError
+        If a stage changes what the model does not have, or seeks a pressure that it states.
+    """
+    found: list[Model] = []
+    first, last = _movable(model, procedure), None
+    for stage in procedure.stages:
+        try:
+            question = _question(first, stage, last)
+            method_of(stage.procedure).controlled(question, stage.procedure)
+        except TurgorError as error:
+            raise TurgorError(f"stage '{stage.name}': {error}") from None
+        found.append(question)
+        last = _End(question, 1.0, pressures_at(question, 1.0))
+    return tuple(found)
+
+
+@dataclass(frozen=True, slots=True)
+class _End:
+    """How a stage ended: its model, its load factor, and the pressures."""
+
+    model: Model
+    load_factor: float
+    pressures: dict[str, float]
+
+    @staticmethod
+    def of(state: State) -> "_End":
+        return _End(state.model, state.load_factor, pressures_of(state))
+
+
+def _movable(model: Model, procedure: Stages) -> Model:
+    """The model in which faces that later stages move have a displacement of zero at first."""
+    return movable(model, [each for stage in procedure.stages for each in stage.displacements])
+
+
+def _question(model: Model, stage: Stage, last: _End | None) -> Model:
+    """The model of a stage."""
+    if last is None:
+        return with_loads(model, stage.loads, stage.displacements, stage.moves)
+    pressures = dict(last.pressures)
+    if isinstance(stage.procedure, VolumeControl | GasMass):
+        # here, as in `turgor.core.solvers.methods`: few procedures fill cavities
+        from turgor.core.solvers.continuation.scalar_control.cavity_control import asked_cavities
+
+        stated = {load.face for load in stage.loads if isinstance(load, Pressure)}
+        for name in asked_cavities(last.model, stage.procedure):
+            if name not in stated:
+                pressures.pop(name, None)  # it is sought from here on
+    acting = (last.load_factor, pressures)
+    return continued(last.model, acting, stage.loads, stage.displacements, stage.moves)
+
+
+def _within(stage: Stage, listeners: Listeners) -> Listeners:
+    """Tell listeners the stage too."""
+    progress, stop = listeners.progress, listeners.stop
+
+    def tell(iteration: Iteration, state: State | None) -> None:
+        if progress is not None:
+            progress(iteration, None if state is None else replace(state, stage=stage.name))
+
+    def ask(state: State) -> str | None:
+        return None if stop is None else stop(replace(state, stage=stage.name))
+
+    return Listeners(tell, ask, stage=stage.name, logged=listeners.logged)
+
+
+def together(model: Model, procedure: Stages, found: Sequence[Solution]) -> Solution:
+    """Make one solution of those of the stages; the first state of each but the first is the last of the former.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Stages
+    found : sequence of Solution
+        Of the first stages.
+
+    Returns
+    -------
+    Solution
+    """
+    states: list[State] = []
+    limits = []
+    for stage, solution in zip(procedure.stages, found, strict=False):
+        skipped = 1 if states else 0
+        limits += [replace(limit, state=limit.state + len(states) - skipped) for limit in solution.limit_points]
+        passed = max((state.time for state in states if state.time is not None), default=0.0)
+        states += [_placed(state, stage, passed) for state in solution.states[skipped:]]
+    faces = dict.fromkeys(face for state in states for face in pressures_of(state))
+    acting = [{**dict.fromkeys(faces, 0.0), **pressures_of(state)} for state in states]
+    return Solution(
+        model=model,
+        procedure=procedure,
+        states=tuple(replace(state, pressures=each) for state, each in zip(states, acting, strict=True)),
+        status=_status(found),
+        message=" ".join(f"{s.name}: {each.message}" for s, each in zip(procedure.stages, found, strict=False)),
+        advice=" ".join(_once(each.advice for each in found if each.advice)),
+        steps=tuple(
+            replace(step, stage=stage.name)
+            for stage, each in zip(procedure.stages, found, strict=False)
+            for step in each.steps
+        ),
+        findings=_findings(procedure, found),
+        timing=Timing.together([each.timing for each in found]),
+        limit_points=tuple(limits),
+    )
+
+
+def _findings(procedure: Stages, found: Sequence[Solution]) -> tuple[Finding, ...]:
+    """What the checks of each stage noticed, with its name; what they notice again is left out."""
+    named: dict[tuple[str, str], Finding] = {}
+    for stage, solution in zip(procedure.stages, found, strict=False):
+        for each in solution.findings:
+            what = each.code if each.code in LASTING else each.message
+            named.setdefault((each.code, what), replace(each, message=f"Stage '{stage.name}': {each.message}"))
+    return tuple(named.values())
+
+
+def _placed(state: State, stage: Stage, passed: float) -> State:
+    """A state with its stage, and its time counted from the first stage that knows one."""
+    return replace(state, stage=stage.name, time=None if state.time is None else passed + state.time)
+
+
+def _status(found: Sequence[Solution]) -> Status:
+    if not found[-1].complete or all(each.converged for each in found):
+        return found[-1].status
+    return Status.FOLLOWED
+
+
+def _once(values: Iterable[T]) -> list[T]:
+    return list(dict.fromkeys(values))

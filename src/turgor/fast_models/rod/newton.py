@@ -1,0 +1,125 @@
+"""Newton's method for rods at one load factor, with the forces of contact."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.fast_models.rod.state import RodState
+from turgor.fast_models.rod.system import Evaluation, RodSystem
+from turgor.foundation.errors import TurgorError
+
+Array = NDArray[np.float64]
+
+#: Iterations after which a step is given up.
+MOST_ITERATIONS = 25
+
+#: How often an update is halved when an element would turn too far.
+MOST_HALVINGS = 4
+
+#: Largest motion of an update, over the length and in rad, with which the state is converged: the next is its square.
+SMALL_UPDATE = 1e-6
+
+#: Update after the first one at which Newton's method is given up, over the length and in rad, and the first update
+#: that the next attempt aims at.
+LARGE_UPDATE, GOOD_UPDATE = 1.5, 2.0
+
+#: Largest penetration, over the length of the longest rod, of points that press.
+DEPTH = 1e-8
+
+
+class NotConverged(Exception):
+    """Newton's method ended without an equilibrium; `share` is how much of the step to try next."""
+
+    def __init__(self, why: str, share: float = 0.5) -> None:
+        super().__init__(why)
+        self.share = share
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Converged:
+    """An equilibrium, its last evaluation, and the iterations that it took."""
+
+    state: RodState
+    evaluation: Evaluation
+    iterations: int
+
+
+def equilibrium(system: RodSystem, state: RodState) -> Converged:
+    """Find the equilibrium at the load factor of a state.
+
+    Forces of contact are unknowns. A point presses from when it is inside a plane until its force would pull
+    (primal-dual active set). A penalty removes what is left of its penetration in the next iteration (augmented
+    Lagrangian). In the end the penetration is zero, and so the result does not depend on the penalty.
+
+    Raises
+    ------
+    NotConverged
+        If there is none within the limits.
+    """
+    at, first = _evaluated(system, state), 0.0
+    for iteration in range(1, MOST_ITERATIONS + 1):
+        try:
+            (twists,) = system.band.factor(at.blocks, at.own).solve(-at.residual)
+        except FloatingPointError:
+            raise NotConverged("singular") from None
+        if not np.isfinite(twists).all():
+            raise NotConverged("not finite")
+        size = update_size(system, twists)
+        first = size if iteration == 1 else first
+        if iteration > 1 and size > LARGE_UPDATE:
+            raise NotConverged("diverges", float(np.clip(GOOD_UPDATE / first, 0.1, 0.5)))
+        state, at = moved(system, state, at, twists)
+        if size < SMALL_UPDATE and touches_well(system, state, at):
+            return Converged(state, at, iteration)
+    raise NotConverged("iterations")
+
+
+def touches_well(system: RodSystem, state: RodState, at: Evaluation) -> bool:
+    """Return whether the points that press lie on their planes, and no others are inside."""
+    if not system.model.planes:
+        return True
+    missed = np.where(at.touches, np.abs(system.penetration(state)), 0.0)
+    return bool(missed.max(initial=0) <= DEPTH * system.size)
+
+
+def update_size(system: RodSystem, twists: Array) -> float:
+    """Return how far nodes move at most, over the length and in rad."""
+    return float(max(np.abs(twists[:, :3]).max() / system.size, np.abs(twists[:, 3:]).max()))
+
+
+def moved(system: RodSystem, state: RodState, at: Evaluation, twists: Array) -> tuple[RodState, Evaluation]:
+    """Move a state by twists of the nodes (n, 6), less where an element would turn too far.
+
+    Raises
+    ------
+    NotConverged
+        If it does even after halving.
+    """
+    ends = (system.layout.to_end @ twists[system.layout.ends][..., None])[..., 0]
+    force = at.elements.new_force(ends[:, 0], ends[:, 1])
+    for halving in range(MOST_HALVINGS + 1):
+        share = 0.5**halving
+        found = state.moved(share * twists, share * force)
+        if system.model.planes:
+            found = replace(found, contact=new_contact(system, at, share * twists))
+        try:
+            return found, system.evaluate(found)
+        except TurgorError:
+            continue
+    raise NotConverged("turned too far")
+
+
+def new_contact(system: RodSystem, at: Evaluation, twists: Array) -> Array:
+    """Return the forces of contact after the nodes moved by twists (n, 6), (k, p)."""
+    change = np.einsum("kpi,pi->kp", at.contact_rows, twists[system.touching[0]])
+    return np.where(at.touches, at.contact - system.penalty * change, 0.0)
+
+
+def _evaluated(system: RodSystem, state: RodState) -> Evaluation:
+    try:
+        return system.evaluate(state)
+    except TurgorError as error:
+        if "table" in str(error):
+            raise
+        raise NotConverged("turned too far") from None

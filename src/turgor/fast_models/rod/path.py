@@ -1,0 +1,228 @@
+"""Equilibria of rods along a path of load factors."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.fast_models.rod.band import Factors
+from turgor.fast_models.rod.model import RodModel
+from turgor.fast_models.rod.newton import Converged, NotConverged, equilibrium, moved
+from turgor.fast_models.rod.solution import RodError, RodSolution
+from turgor.fast_models.rod.stability import is_stable
+from turgor.fast_models.rod.state import RodState
+from turgor.fast_models.rod.system import Evaluation, RodSystem
+from turgor.foundation.errors import TurgorError
+
+Array = NDArray[np.float64]
+
+#: Shortest step of the load factor, and of an arc.
+SHORTEST = 1e-4
+
+#: Growth of the step of the load factor after one that converged.
+GROWTH = 4.0
+
+#: Iterations that a step along an arc aims at, and takes at most.
+WANTED_ITERATIONS, MOST_ITERATIONS = 4, 12
+
+#: Change of the load factor by which the rate of the loads is found.
+RATE_STEP = 1e-6
+
+#: Updates below this end a step along an arc: over the length, and in rad.
+SMALL_UPDATE = 1e-7
+
+
+def static(model: RodModel, at: int | Iterable[float] = 1) -> RodSolution:
+    """Find the equilibria of rods under growing loads.
+
+    Newton's method takes the whole way to the next load factor in one step where it can, and shorter ones where not.
+
+    Parameters
+    ----------
+    model : RodModel
+    at : int or sequence of floats
+        How many even steps of the load factor from 0 to 1 to keep, or which load factors; rest is kept before them.
+
+    Returns
+    -------
+    RodSolution
+
+    Raises
+    ------
+    RodError
+        If there is no equilibrium further on; its `solution` holds the path so far.
+    TurgorError
+        If `at` is not rising from above 0.
+
+    Examples
+    --------
+    >>> from turgor.fast_models.rod.loads import PlateForce
+    >>> from turgor.fast_models.rod.model import Rod
+    >>> from turgor.fast_models.rod.sections.section import RodSection
+    >>> rod = Rod(section=RodSection.from_moduli(EA=1e4, GA=1e4, EI=1.0, GJ=1.0), length=1.0)
+    >>> roll = RodModel(rods=[rod], loads=[PlateForce(moment=(0, 2 * np.pi, 0))])
+    >>> print(abs(static(roll).tip[-1]).max() < 1e-12)  # the tip is back at the base
+    True
+    """
+    factors = _factors(at)
+    system = RodSystem(model)
+    states, count = [system.start()], 0
+    here, step = states[0], factors[0]
+    for factor in factors:
+        while here.load_factor < factor:
+            last = here.load_factor + step >= factor - 1e-12
+            target = factor if last else here.load_factor + step
+            try:
+                found = equilibrium(system, replace(here, load_factor=target))
+            except NotConverged as failed:
+                step = failed.share * min(step, target - here.load_factor)
+                if step < SHORTEST:
+                    raise _stuck(system, states, here, count) from None
+                continue
+            here, count, step = found.state, count + found.iterations, max(step, GROWTH * (target - here.load_factor))
+        states.append(here)
+    return solution_of(system, states, f"All {len(factors)} load factors were reached.", count)
+
+
+def arc_length(
+    model: RodModel,
+    *,
+    step: float = 0.05,
+    until: float = 1.0,
+    most_steps: int = 400,
+    stop: Callable[[RodState], bool] | None = None,
+) -> RodSolution:
+    """Follow equilibria of rods along their path, also where the loads must fall (Riks's method).
+
+    Parameters
+    ----------
+    model : RodModel
+        Its loads must grow in proportion to the load factor.
+    step : float
+        First length of a step: root mean square of motions over the length and rotations [rad], with the load factor.
+    until : float
+        Load factor at which the path ends.
+    most_steps : int
+    stop : callable, optional
+        ``stop(state)`` ends the path where it is true.
+
+    Returns
+    -------
+    RodSolution
+
+    Raises
+    ------
+    RodError
+        If a step fails, or the load factor is not reached; its `solution` holds the path so far.
+    """
+    if not 0 < step < np.inf:
+        raise TurgorError(f"step of the arc is {step:g}; it must be more than 0.")
+    system = RodSystem(model)
+    states, count, longest = [system.start()], 0, 4 * step
+    along: tuple[Array, float] | None = None
+    while len(states) <= most_steps:
+        here = states[-1]
+        try:
+            direction = _direction(system, here, along)
+            found = _arc_step(system, here, direction, step)
+        except NotConverged:
+            step /= 2
+            if step < SHORTEST:
+                raise _stuck(system, states, here, count) from None
+            continue
+        if found.state.load_factor >= until:
+            found = equilibrium(system, replace(found.state, load_factor=until))
+            return solution_of(system, [*states, found.state], f"The path reached the load factor {until:g}.", count)
+        states.append(found.state)
+        count, along = count + found.iterations, direction
+        if stop is not None and stop(found.state):
+            return solution_of(system, states, "The path was stopped.", count)
+        step = min(longest, step * (WANTED_ITERATIONS / found.iterations) ** 0.5)
+    message = f"{most_steps} steps were taken, and the load factor is {states[-1].load_factor:.4g}; allow more steps."
+    raise RodError(message, solution_of(system, states, message, count, "not_reached"))
+
+
+def solution_of(
+    system: RodSystem, states: list[RodState], message: str, iterations: int, status: str = "converged"
+) -> RodSolution:
+    """Make the solution of the states of a path."""
+    stable = tuple(is_stable(system, state) for state in states)
+    lost = [state.load_factor for state, good in zip(states, stable, strict=True) if good is False]
+    if lost:
+        message += f" From the load factor {lost[0]:.4g} on, a state is unstable: a small push takes it elsewhere."
+    return RodSolution(
+        model=system.model, states=tuple(states), status=status, message=message, iterations=iterations, stable=stable
+    )
+
+
+def _factors(at: int | Iterable[float]) -> list[float]:
+    if isinstance(at, int):
+        if at < 1:
+            raise TurgorError(f"at is {at}; at least 1 step is needed.")
+        return list(np.linspace(0, 1, at + 1)[1:])
+    found = [float(each) for each in at]
+    if not found or not all(a < b for a, b in zip([0.0, *found[:-1]], found, strict=True)):
+        raise TurgorError(f"at is {at}; load factors must rise from above 0.")
+    return found
+
+
+def _stuck(system: RodSystem, states: list[RodState], here: RodState, count: int) -> RodError:
+    """Say that there is no equilibrium further on."""
+    kept = states if states[-1] is here else [*states, here]
+    message = (
+        f"No equilibrium was found beyond the load factor {here.load_factor:.4g}: the rods may snap there, or an "
+        "element may turn too far. Follow the path by arc_length, or take more elements."
+    )
+    return RodError(message, solution_of(system, kept, message, count, "not_converged"))
+
+
+def _direction(system: RodSystem, here: RodState, before: tuple[Array, float] | None) -> tuple[Array, float]:
+    """Return the unit tangent of the path: twists of the nodes and rate of the load factor."""
+    twists = _rate(system, here)
+    size = np.sqrt(_dot(system, twists, twists) + 1)
+    sign = 1.0
+    if before is not None and _dot(system, twists, before[0]) + before[1] < 0:
+        sign = -1.0
+    return sign * twists / size, sign / size
+
+
+def _rate(system: RodSystem, here: RodState) -> Array:
+    """Return how the nodes move by the load factor."""
+    at = system.evaluate(here)
+    change = RATE_STEP if here.load_factor <= 0 else -RATE_STEP
+    other = system.evaluate(replace(here, load_factor=here.load_factor + change))
+    (twists,) = _factored(system, at).solve(-(other.residual - at.residual) / change)
+    return twists
+
+
+def _factored(system: RodSystem, at: Evaluation) -> Factors:
+    try:
+        return system.band.factor(at.blocks, at.own)
+    except FloatingPointError:
+        raise NotConverged("singular") from None
+
+
+def _arc_step(system: RodSystem, here: RodState, direction: tuple[Array, float], step: float) -> Converged:
+    """Go a step along the tangent and correct it at right angles."""
+    twists, rate = direction
+    at = system.evaluate(here)
+    state = replace(here, load_factor=here.load_factor + step * rate)
+    state, at = moved(system, state, at, step * twists)
+    for iteration in range(1, MOST_ITERATIONS + 1):
+        change = -RATE_STEP if state.load_factor > 0 else RATE_STEP
+        other = system.evaluate(replace(state, load_factor=state.load_factor + change))
+        by_load = (other.residual - at.residual) / change
+        to_zero, by_factor = _factored(system, at).solve(-at.residual, -by_load)
+        more = -_dot(system, twists, to_zero) / (_dot(system, twists, by_factor) + rate)
+        update = to_zero + more * by_factor
+        state, at = moved(system, replace(state, load_factor=state.load_factor + more), at, update)
+        if np.sqrt(_dot(system, update, update)) + abs(more) < SMALL_UPDATE:
+            return Converged(state, at, iteration)
+    raise NotConverged("iterations")
+
+
+def _dot(system: RodSystem, a: Array, b: Array) -> float:
+    """Scalar product of motions: mean over the nodes, shifts over the length."""
+    shifts = np.einsum("ni,ni->", a[:, :3], b[:, :3]) / system.size**2
+    return float(shifts + np.einsum("ni,ni->", a[:, 3:], b[:, 3:])) / len(a)

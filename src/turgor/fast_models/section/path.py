@@ -1,0 +1,128 @@
+"""Path: a section followed through pressures, forces and prescribed strains, with steps that grow and cut back."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.linear import SingularTangentError
+from turgor.fast_models.section.equations import Equations, Linearized, Question, Unknowns
+
+Array = NDArray[np.float64]
+
+#: Scaled residual that is small enough.
+TOLERANCE = 1e-8
+
+#: Iterations of Newton's method before a step is cut, and how many a good step takes.
+MOST_ITERATIONS, GOOD_ITERATIONS = 25, 8
+
+#: Smallest step, as a share of the way between two points of the path, and how steps grow.
+SMALLEST_STEP, GROWTH = 1e-4, 2.0
+
+#: An update of positions that is too large to come from a good start, as a share of the size of the section.
+LARGEST_UPDATE = 1.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Point:
+    """A state of equilibrium on a path.
+
+    Parameters
+    ----------
+    question : Question
+    unknowns : Unknowns
+    equations : Linearized
+        At that state.
+    iterations : int
+        Of Newton's method.
+    """
+
+    question: Question
+    unknowns: Unknowns
+    equations: Linearized
+    iterations: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Path:
+    """Points at the wanted places, as far as the path goes.
+
+    Parameters
+    ----------
+    points : tuple of Point
+    reached : float
+        Where it ended: 2.5 is halfway between the wanted points 2 and 3, counted from 0.
+    """
+
+    points: tuple[Point, ...]
+    reached: float
+
+
+def follow(equations: Equations, wanted: Sequence[Question]) -> Path:
+    """Take a section from rest through the wanted points, in order."""
+    free = np.isnan(wanted[0].volumes)
+    start = Question(
+        pressures=np.zeros_like(wanted[0].pressures),
+        volumes=np.where(free, np.nan, equations.volumes(equations.rest)),
+        held=np.where(np.isnan(wanted[0].held), np.nan, [1.0, 0.0, 0.0, 0.0]),
+        forces=np.zeros(4),
+    )
+    points: list[Point] = []
+    known: list[tuple[float, Unknowns]] = [(0.0, equations.rest)]
+    step, at = 1.0, 0.0
+    for number, question in enumerate(wanted):
+        found, at = None, 0.0
+        while at < 1.0:
+            to = min(1.0, at + step)
+            asked = start.towards(question, to) if to < 1.0 else question
+            found = newton(equations, predicted(known, number + to), asked)
+            if found is None:
+                step = (to - at) / 4
+                if step < SMALLEST_STEP:
+                    return Path(points=tuple(points), reached=number + at)
+                continue
+            if found.iterations <= GOOD_ITERATIONS:
+                step = max(step, min(1.0, GROWTH * (to - at)))
+            known, at = [*known[-2:], (number + to, found.unknowns)], to
+        assert found is not None
+        points.append(found)
+        start = question
+    return Path(points=tuple(points), reached=float(len(wanted)))
+
+
+def predicted(known: Sequence[tuple[float, Unknowns]], to: float) -> Unknowns:
+    """Where the path goes on from its last three states: along the parabola through them."""
+    (b, last) = known[-1]
+    if len(known) == 1:
+        return last
+    (a, before) = known[-2]
+    straight = before.towards(last, (to - a) / (b - a))
+    if len(known) == 2:
+        return straight
+    (c, first) = known[-3]
+    curved = first.towards(before, (to - c) / (a - c))
+    return curved.towards(straight, (to - c) / (b - c))
+
+
+def newton(equations: Equations, start: Unknowns, question: Question) -> Point | None:
+    """Solve the equations at a point; None where Newton's method does not converge."""
+    given = np.where(np.isnan(question.volumes), question.pressures, start.pressures)
+    at, largest = replace(start, pressures=given), LARGEST_UPDATE * float(np.ptp(equations.plane.points, axis=0).max())
+    for iteration in range(MOST_ITERATIONS + 1):
+        found = equations.linearized(at, question)
+        if found is None or not np.isfinite(found.residual).all():
+            return None
+        held = ~np.isnan(question.held)
+        missed = np.abs(at.strains - question.held)[held].max(initial=0.0)
+        missed = max(missed, np.abs(found.missed).max(initial=0.0))
+        if iteration and equations.size_of(found, question.held) < TOLERANCE and missed < TOLERANCE:
+            return Point(question=question, unknowns=at, equations=found, iterations=iteration)
+        try:
+            new = equations.update(at, found, question.held)
+        except (SingularTangentError, np.linalg.LinAlgError):
+            return None
+        if not np.abs(new.y - at.y).max() < largest:
+            return None
+        at = new
+    return None

@@ -1,0 +1,103 @@
+"""Errors: facts as fields, one sentence of cause, one of advice."""
+
+from collections.abc import Iterable, Mapping
+from difflib import get_close_matches
+from pathlib import Path
+from types import MappingProxyType
+
+
+class TurgorError(ValueError):
+    """Any mistake in what turgor was given; its text is meant to be read by the user.
+
+    Parameters
+    ----------
+    sentence : str
+    python, command : str
+        How to mend it in Python, and on the command line or in a job file, where these differ.
+
+    Examples
+    --------
+    >>> error = TurgorError("The file has no header line.", python="Give columns=(...).", command="Add one.")
+    >>> str(error), error.on_command_line
+    ('The file has no header line. Give columns=(...).', 'The file has no header line. Add one.')
+    """
+
+    __module__ = "turgor"  # a traceback names the public class
+
+    def __init__(self, sentence: str = "", *, python: str = "", command: str = "") -> None:
+        super().__init__(f"{sentence} {python}".rstrip())
+        self.on_command_line = f"{sentence} {command}".rstrip()
+
+
+class CheckError(TurgorError):
+    """A check found an error for which no solve is begun, such as a model that nothing holds."""
+
+
+class NotSolved(TurgorError):
+    """A computation that ended before it was complete; its ``solution`` holds the path so far."""
+
+    #: Whether the user ended it.
+    interrupted = False
+
+
+class NotHere(TurgorError):
+    """Something that this machine lacks, such as a package or a file: elsewhere or later the same call may work."""
+
+
+def near_match(word: str, known: Iterable[str]) -> str:
+    """Return ``"; did you mean 'x'?"`` for the nearest known word, or an empty string.
+
+    Examples
+    --------
+    >>> near_match("cavty", ["cavity", "fixed"])
+    "; did you mean 'cavity'?"
+    >>> near_match("zzz", ["cavity", "fixed"])
+    ''
+    """
+    matches = get_close_matches(word, list(known), n=1)
+    return f"; did you mean '{matches[0]}'?" if matches else ""
+
+
+#: How alike the names of two files are, between 0 and 1, so that one may be meant by the other.
+ALIKE = 0.75
+
+
+def near_file(file: Path, there: Iterable[str]) -> str:
+    """Return ``"; did you mean 'finger.toml'?"`` for a file of nearly the same name, or a period.
+
+    Endings do not count: files of one kind have the same.
+
+    Examples
+    --------
+    >>> near_file(Path("fingr.toml"), ["finger.toml"]), near_file(Path("nofile.toml"), ["fine.toml"])
+    ("; did you mean 'finger.toml'?", '.')
+    """
+    names = {Path(name).stem: name for name in there}
+    matches = get_close_matches(file.stem, names, n=1, cutoff=ALIKE)
+    return f"; did you mean '{names[matches[0]]}'?" if matches else "."
+
+
+def unknown(kind: str, word: str, known: Iterable[str], meant: Mapping[str, str] = MappingProxyType({})) -> TurgorError:
+    """Build the error for an unknown name: the name, the near match, the known names.
+
+    Parameters
+    ----------
+    kind : str
+    word : str
+        The name that is unknown.
+    known : iterable of str
+    meant : mapping of str to str
+        Known names by the words that others use for them, in lower case.
+
+    Examples
+    --------
+    >>> print(unknown("face", "cavty", ["cavity", "fixed"]))
+    unknown face 'cavty'; did you mean 'cavity'? Known: cavity, fixed.
+    >>> print(unknown("procedure", "Riks", ["arc_length", "static"], {"riks": "arc_length"}))
+    unknown procedure 'Riks'; did you mean 'arc_length'? Known: arc_length, static.
+    """
+    names = sorted(known)
+    other = meant.get(word.strip().lower().replace("-", "_").replace(" ", "_"))
+    hint = f"; did you mean '{other}'?" if other in names else near_match(word, names)
+    end = "." if not hint else ""
+    return TurgorError(f"unknown {kind} '{word}'{hint}{end} Known: {', '.join(names)}.")

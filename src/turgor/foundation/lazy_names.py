@@ -1,0 +1,86 @@
+"""Public names that are imported on first use.
+
+A module lists its names as imports under ``if TYPE_CHECKING``, one line each. Type checkers and editors follow these
+lines; they do not run. `names_in` reads the same lines as where to import each name from.
+"""
+
+import re
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+_LINE = re.compile(r"^    from (\S+) import (\w+) as \2$", re.MULTILINE)
+
+
+def names_in(file: str) -> dict[str, str]:
+    """Read the public names of a module: for each of them the module that defines it.
+
+    Parameters
+    ----------
+    file : str
+        ``__file__`` of the module.
+
+    Returns
+    -------
+    dict of str to str
+    """
+    return {name: source for source, name in _LINE.findall(Path(file).read_text("utf-8"))}
+
+
+def found(name: str, names: dict[str, str], held: dict[str, Any]) -> Any:
+    """Import a public name and keep it in its module, so that the next use finds it at once.
+
+    Parameters
+    ----------
+    name : str
+    names : dict of str to str
+        What `names_in` gave.
+    held : dict of str to object
+        ``globals()`` of the module.
+
+    Returns
+    -------
+    object
+
+    Raises
+    ------
+    AttributeError
+        If there is no such name.
+    """
+    if name not in names:
+        raise AttributeError(f"module '{held['__name__']}' has no attribute '{name}'")
+    source = names[name]
+    module = import_module(source)
+    # a namespace is a module of the package, which has no such name before it is imported
+    inside = source == held["__name__"] or not hasattr(module, name)
+    held[name] = import_module(f"{source}.{name}") if inside else getattr(module, name)
+    return held[name]
+
+
+def public(
+    file: str, held: dict[str, Any], otherwise: Callable[[str], Any] | None = None
+) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """Make ``__getattr__``, ``__dir__`` and ``__all__`` of a module that lists its public names.
+
+    Parameters
+    ----------
+    file : str
+        ``__file__`` of the module.
+    held : dict of str to object
+        Its ``globals()``.
+    otherwise : callable, optional
+        ``otherwise(name)`` gives other names, or raises an AttributeError.
+
+    Returns
+    -------
+    tuple
+    """
+    names = names_in(file)
+
+    def get(name: str) -> Any:
+        if otherwise is None or name in names or name.startswith("_"):
+            return found(name, names, held)
+        return otherwise(name)
+
+    return get, lambda: sorted({*held, *names}), sorted(names)

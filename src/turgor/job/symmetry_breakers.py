@@ -1,0 +1,97 @@
+"""What a job file says that breaks the symmetry of a CAD part, for ``symmetry = "automatic"``.
+
+A reason comes with the axes across which it forbids mirror planes, and those about which it forbids wedges.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from turgor.core.geometry.cad.cad_file import CadFile
+from turgor.core.geometry.cad.symmetry.requested import AXES, WantedSymmetry
+from turgor.core.model.fibers import DISCRETE
+
+#: Axes across which it breaks mirror planes, axes about which it breaks wedges, and the words for it.
+Reason = tuple[str, str, str]
+
+#: Keys of a procedure or setup that hold a direction.
+_DIRECTIONS = ("direction", "pull")
+
+
+def with_broken_planes(actuator: Any, content: Mapping[str, Any]) -> Any:
+    """Tell a CAD part which mirror planes and wedges its loads forbid.
+
+    Parameters
+    ----------
+    actuator : Actuator or None
+        Returned as it is, unless it is a `CadFile` whose symmetry is automatic.
+    content : mapping
+        Sections of the job file. What is malformed in them is passed over; their readers report it.
+    """
+    if not isinstance(actuator, CadFile) or not actuator.wanted_symmetry.automatic:
+        return actuator
+    planes: dict[str, str] = {}
+    turns: dict[str, str] = {}
+    for across, about, reason in _reasons(content):
+        for axis in across:
+            planes.setdefault(axis, reason)
+        for axis in about:
+            turns.setdefault(axis, reason)
+    return replace(actuator, symmetry=WantedSymmetry(actuator.wanted_symmetry.planes, planes, turns))
+
+
+def _reasons(content: Mapping[str, Any]) -> Iterator[Reason]:
+    """What is broken, with the reason."""
+    stages = content.get("stages")
+    for stage in (content, *(stages if isinstance(stages, list) else ())):
+        if isinstance(stage, Mapping):
+            yield from _of_loads(_table(stage, "loads"))
+            yield from _of_procedure(_table(stage, "procedure"))
+    for name in _table(content, "points"):
+        yield AXES, AXES, f"point '{name}' is not known to stay in the plane or on the axis"
+    for name in _table(content, "obstacles"):
+        yield AXES, AXES, f"obstacle '{name}' is not known to be the same on both sides"
+    for name, fibers in _table(content, "fibers").items():
+        hand = fibers.get("hand") if isinstance(fibers, Mapping) else None
+        if isinstance(hand, str) and hand.lower() in ("right", "left"):
+            yield AXES, "", f"fibers on '{name}' wind in one hand"
+        if isinstance(fibers, Mapping) and fibers.get("form") == DISCRETE:
+            yield "", AXES, f"single threads on '{name}' do not end as they begin"
+
+
+def _along(axes: Sequence[str], reason: str) -> Iterator[Reason]:
+    """What a vector breaks: mirror planes across its components, and wedges about the other axes."""
+    for axis in axes:
+        yield axis, AXES.replace(axis, ""), reason.format(axis)
+
+
+def _of_loads(loads: Mapping[str, Any]) -> Iterator[Reason]:
+    for key, where in (("point_forces", "at a point"), ("line_forces", "along an edge")):
+        if loads.get(key):
+            yield AXES, AXES, f"a force acts {where}"
+    gravity = loads.get("gravity")
+    down = gravity.get("direction") if isinstance(gravity, Mapping) else gravity
+    if isinstance(down, str):
+        yield from _along([axis for axis in AXES if axis in down], "gravity acts along {}")
+    for name, load in loads.items():
+        if not isinstance(load, Mapping) or name == "gravity":
+            continue
+        if "hangs" in load:
+            along = down if isinstance(down, str) else "-z"
+            yield from _along([axis for axis in AXES if axis in along], f"a weight on '{name}' acts along {{}}")
+        force = load.get("force")
+        if isinstance(force, list) and len(force) == 3:
+            acting = [axis for axis, part in zip(AXES, force, strict=True) if part]
+            yield from _along(acting, f"a force on '{name}' acts along {{}}")
+
+
+def _of_procedure(procedure: Mapping[str, Any]) -> Iterator[Reason]:
+    for key in _DIRECTIONS:
+        value = procedure.get(key)
+        if isinstance(value, str):
+            yield from _along([axis for axis in AXES if axis in value], f"procedure.{key} is along {{}}")
+
+
+def _table(content: Mapping[str, Any], key: str) -> Mapping[str, Any]:
+    value = content.get(key)
+    return value if isinstance(value, Mapping) else {}

@@ -1,3 +1,0 @@
-"""Suppress what compiled code writes to the terminal; the CAD kernel and the mesh generator share this."""
-
-from turgor.geometry.quiet import captured_output as captured_output

@@ -1,0 +1,14 @@
+"""Bodies beside the actuator: simple solids, and meshes placed, mirrored and put together."""
+
+from typing import TYPE_CHECKING
+
+from turgor.foundation.lazy_names import public
+
+if TYPE_CHECKING:
+    from turgor.core.geometry.solids import Block as Block
+    from turgor.core.geometry.solids import RoundBar as RoundBar
+    from turgor.core.meshing.bodies.combine import together as together
+    from turgor.core.meshing.bodies.placing import mirrored as mirrored
+    from turgor.core.meshing.bodies.placing import placed as placed
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

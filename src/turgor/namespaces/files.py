@@ -1,0 +1,20 @@
+"""Meshes and models from and for other programs."""
+
+from typing import TYPE_CHECKING
+
+from turgor.foundation.lazy_names import public
+
+if TYPE_CHECKING:
+    from turgor.core.meshing.exchange import MeshFile as MeshFile
+    from turgor.core.meshing.exchange import mesh_surfaces as mesh_surfaces
+    from turgor.core.meshing.exchange import read_mesh as read_mesh
+    from turgor.core.meshing.exchange.formats.write_stl import write_stl as write_stl
+    from turgor.core.meshing.exchange.numbered import ByNodes as ByNodes
+    from turgor.core.meshing.exchange.numbered import BySides as BySides
+    from turgor.core.model.write_inp import compressible as compressible
+    from turgor.core.model.write_inp import write_inp as write_inp
+    from turgor.core.results.files.modes_vtu import write_modes as write_modes
+    from turgor.core.results.files.response_csv import read_response as read_response
+    from turgor.core.results.files.vtu import write_series as write_series
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

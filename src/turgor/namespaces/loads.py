@@ -1,0 +1,19 @@
+"""Loads: what drives an actuator."""
+
+from typing import TYPE_CHECKING
+
+from turgor.foundation.lazy_names import public
+
+if TYPE_CHECKING:
+    from turgor.core.model.history import over_time as over_time
+    from turgor.core.model.loads import BodyForce as BodyForce
+    from turgor.core.model.loads import Force as Force
+    from turgor.core.model.loads import Gravity as Gravity
+    from turgor.core.model.loads import Hanging as Hanging
+    from turgor.core.model.loads import LineForce as LineForce
+    from turgor.core.model.loads import Moment as Moment
+    from turgor.core.model.loads import PointForce as PointForce
+    from turgor.core.model.loads import Pressure as Pressure
+    from turgor.core.model.loads import Traction as Traction
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -1,0 +1,18 @@
+"""Supports: what holds an actuator, and where it is moved."""
+
+from typing import TYPE_CHECKING
+
+from turgor.foundation.lazy_names import public
+
+if TYPE_CHECKING:
+    from turgor.core.model.points import Hinge as Hinge
+    from turgor.core.model.points import ReferencePoint as ReferencePoint
+    from turgor.core.model.points import Rotation as Rotation
+    from turgor.core.model.supports import Displacement as Displacement
+    from turgor.core.model.supports import Fixed as Fixed
+    from turgor.core.model.supports import PlaneSection as PlaneSection
+    from turgor.core.model.supports import Radial as Radial
+    from turgor.core.model.supports import Shift as Shift
+    from turgor.core.model.supports import Symmetry as Symmetry
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

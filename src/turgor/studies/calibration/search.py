@@ -1,0 +1,190 @@
+"""Search: bounded least squares with few runs; Broyden updates stand in for derivatives that cost runs."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares, lsq_linear
+
+from turgor.studies.calibration.objective import Objective, known_columns
+
+Array = NDArray[np.float64]
+
+#: The search ends where one more step would gain less than a fifth of a standard error: this share of the variance of
+#: the differences, in half the sum of squares …
+LEAST_GAIN = 0.02
+#: … where the differences count as no smaller than this share of an assumed spread: 0.1 % of the measured range, which
+#: neither rigs nor meshes resolve …
+RESOLVED = 0.05
+#: … or would move every coordinate by less than this: 0.02 % of a positive parameter.
+SMALLEST_STEP = 2e-4
+
+#: Relative gain at which the search between two fresh Jacobians ends.
+RELATIVE_GAIN = 1e-3
+
+#: Runs that change next to nothing, the first point included, after which it ends as well: a fresh Jacobian knows more.
+MOST_IDLE = 2
+
+#: What changes next to nothing may be higher by this many of the least gains.
+IDLE_GAINS = 20
+
+#: Fresh Jacobians at most.
+MOST_ROUNDS = 12
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Found:
+    """Where a search ended.
+
+    Parameters
+    ----------
+    at : (n,) array
+        Coordinates.
+    residuals : (m,) array
+    jacobian : (m, n) array
+        At this point: by slopes of the responses, else by finite differences.
+    converged : bool
+        False where the runs were used up.
+    """
+
+    at: Array
+    residuals: Array
+    jacobian: Array
+    converged: bool
+
+
+class _SpentError(Exception):
+    """All runs are used up."""
+
+
+class _IdleError(Exception):
+    """The last runs gained next to nothing, or no further one would."""
+
+
+def search(objective: Objective, start: Array, most: int) -> Found:
+    """Minimize half the sum of squares within the bounds.
+
+    Each round begins with a Jacobian, by finite differences where the responses have no slopes. It goes on with one run
+    an iteration and ends where these find no lower point: slopes are fresh at every point, Broyden updates stand in for
+    differences. The last round confirms with its Jacobian that no step is left, which the standard errors need as well.
+
+    Parameters
+    ----------
+    objective : Objective
+    start : (n,) array
+        Coordinates.
+    most : int
+        Runs at most; those of a last Jacobian may come on top.
+
+    Returns
+    -------
+    Found
+    """
+    at, residuals = start, objective.residuals(start)
+    jacobian = objective.jacobian(at)
+    for _ in range(MOST_ROUNDS):
+        if _no_step_left(objective, at, residuals, jacobian):
+            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
+        to = _one_round(objective, at, jacobian, most)
+        if to is None:
+            break
+        if np.array_equal(to, at):
+            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
+        before, at, residuals = residuals, to, objective.residuals(to)
+        jacobian = objective.jacobian(at)
+        if _cost(before) - _cost(residuals) < _least_gain(objective, residuals):  # rough, as meshes that change are
+            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
+        if len(objective.evaluations.ended) >= most:
+            break
+    done = _no_step_left(objective, at, residuals, jacobian)
+    return Found(at=at, residuals=residuals, jacobian=jacobian, converged=done)
+
+
+def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> Array | None:
+    """Return the lowest point that a Jacobian which follows leads to; None where no run is left."""
+    low, high = objective.limits
+    here = objective.residuals(at)
+    best: dict[str, Any] = {"at": at, "cost": _cost(here), "idle": 0}
+
+    def residuals(to: Array) -> Array:
+        if len(objective.evaluations.ended) >= most:
+            raise _SpentError
+        found = objective.residuals(to)
+        gain = best["cost"] - _cost(found)
+        if gain > 0:
+            best.update(at=to.copy(), cost=_cost(found))
+        least = _least_gain(objective, here)
+        best["idle"] += -IDLE_GAINS * least < gain < least
+        if best["idle"] > MOST_IDLE:
+            raise _IdleError
+        return found
+
+    spent = False
+    try:
+        begun = at
+        full = at + _linear_step(objective, at, objective.residuals(at), jacobian)
+        if np.any((full <= low) | (full >= high)):  # the search within the bounds only comes close to them
+            residuals(np.clip(full, low, high))
+            begun = best["at"]
+        follow = _Following(objective, at, jacobian)
+        least_squares(
+            residuals, np.clip(begun, low, high), jac=follow, bounds=(low, high),
+            ftol=RELATIVE_GAIN, xtol=SMALLEST_STEP, gtol=None, max_nfev=8 + 2 * len(at),
+        )  # fmt: skip
+    except _IdleError:
+        pass
+    except _SpentError:
+        spent = True
+    return None if spent and best["at"] is at else np.asarray(best["at"])
+
+
+class _Following:
+    """A Jacobian that follows the search: exact where it costs no runs, updated by secants elsewhere (Broyden)."""
+
+    def __init__(self, objective: Objective, at: Array, jacobian: Array) -> None:
+        self.objective, self.at, self.jacobian = objective, at.copy(), jacobian.copy()
+
+    def __call__(self, to: Array) -> Array:
+        step = to - self.at
+        if not np.any(step):
+            return self.jacobian
+        exact = self.objective.known_jacobian(to)
+        known = known_columns(exact)
+        here = self.objective.residuals(to)
+        if known.all() and _no_step_left(self.objective, to, here, exact):
+            raise _IdleError
+        mean = (exact[:, known] + self.jacobian[:, known]) / 2
+        missed = here - self.objective.residuals(self.at) - mean @ step[known]
+        missed -= self.jacobian[:, ~known] @ step[~known]
+        length = float(step[~known] @ step[~known])
+        if length > 0:
+            self.jacobian[:, ~known] += np.outer(missed, step[~known]) / length
+        self.jacobian[:, known] = exact[:, known]
+        self.at = to.copy()
+        return self.jacobian
+
+
+def _no_step_left(objective: Objective, at: Array, residuals: Array, jacobian: Array) -> bool:
+    """Whether the best step of the linear problem within the bounds gains next to nothing."""
+    step = _linear_step(objective, at, residuals, jacobian)
+    gain = _cost(residuals) - _cost(residuals + jacobian @ step)
+    return bool(gain < _least_gain(objective, residuals) or np.abs(step).max() < SMALLEST_STEP)
+
+
+def _least_gain(objective: Objective, residuals: Array) -> float:
+    """Gain that is not worth a step: small against the scatter of the differences, or their known spread."""
+    freedom = max(len(residuals) - len(objective.parameters), 1)
+    variance = 2 * _cost(residuals) / freedom
+    return LEAST_GAIN * max(variance, RESOLVED**2 if objective.assumed else 1.0)
+
+
+def _linear_step(objective: Objective, at: Array, residuals: Array, jacobian: Array) -> Array:
+    """Best step of the linear problem within the bounds."""
+    low, high = objective.limits
+    here = np.clip(at, low, high)
+    return np.asarray(lsq_linear(jacobian, -residuals, bounds=(low - here - 1e-12, high - here + 1e-12)).x)
+
+
+def _cost(residuals: Array) -> float:
+    return 0.5 * float(residuals @ residuals)

@@ -1,0 +1,202 @@
+"""Several objectives: the front of designs that no other one beats, searched with NSGA-II and computed."""
+
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.studies.optimization.problem import Candidate, Problem
+from turgor.studies.optimization.search import Ending, Search
+from turgor.studies.optimization.searches.starts import spread
+from turgor.studies.optimization.searches.surfaces import surfaces_through
+from turgor.studies.study.optional_parts import needed
+
+Array = NDArray[np.float64]
+
+#: Designs of a generation, and generations on surfaces.
+POPULATION, GENERATIONS = 60, 80
+
+#: Designs of a generation where the function itself is called.
+FEW = 24
+
+#: Share of the runs that the first surfaces are laid through, at least 2 n + 2 of them.
+FIRST_SHARE = 0.4
+
+#: Designs that are computed between two searches on surfaces.
+BATCH = 4
+
+#: The search ends where what the surfaces promised was computed to be on the front within this share of its range, …
+FRONT_ERROR = 0.02
+#: … so many times in a row, and no promised design is farther than this from a computed one, in the same ranges.
+QUIET, GAP = 2, 0.15
+
+
+def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
+    """Search for the front on surfaces, and compute what they promise.
+
+    Parameters
+    ----------
+    problem : Problem
+    start : (n,) array
+        Shares of the ranges.
+    search : Search
+
+    Returns
+    -------
+    Ending
+    """
+    first = max(2 * len(start) + 2, round(FIRST_SHARE * problem.most))
+    problem.compute([start, *spread(problem, first - 1, search.seed)])
+    quiet = 0
+    while problem.left > 0 and quiet < QUIET:
+        known = problem.known
+        if len(known) < len(start) + 1:
+            return Ending.FAILED if not known else Ending.BUDGET
+        surfaces = surfaces_through(np.array([each.at for each in known]), np.array([each.readings for each in known]))
+        points = _nondominated(problem, surfaces, (POPULATION, GENERATIONS), search.seed)
+        chosen, gap = _apart(problem, points, surfaces, min(BATCH, problem.left))
+        if not chosen:
+            quiet += 1
+            break
+        before = len(problem.candidates)
+        found = [each for each in problem.compute(chosen) if each.known]
+        if len(problem.candidates) == before:
+            break
+        quiet = quiet + 1 if gap < GAP and _as_promised(problem, found, surfaces) else 0
+    return _ended(problem, quiet > 0)
+
+
+def evolution(problem: Problem, start: Array, search: Search) -> Ending:
+    """Search for the front with NSGA-II, each design of a generation computed.
+
+    Parameters
+    ----------
+    problem : Problem
+    start : (n,) array
+    search : Search
+
+    Returns
+    -------
+    Ending
+    """
+    problem.compute([start])
+    size = min(FEW, max(problem.left, 2))
+
+    def readings(points: Array) -> Array:
+        if problem.left > 0:
+            problem.compute(list(points))
+        known = {each.row.ended.run.key: each.readings for each in problem.candidates}
+        keys = [problem.computation.run(problem.values(point)).key for point in points]
+        missing = np.full(len(problem.candidates[0].readings), np.nan)
+        return np.array([known.get(key, missing) for key in keys])
+
+    _nondominated(problem, readings, (size, max(problem.left // size, 1)), search.seed)
+    return Ending.BUDGET if _front(problem) else _ended(problem, False)
+
+
+def front_of(problem: Problem) -> list[Candidate]:
+    """Return the candidates that keep the limits and that no other one beats, in the order of the first objective."""
+    return sorted(_front(problem), key=lambda each: each.score.objectives)
+
+
+def best_of_front(problem: Problem, front: Sequence[Candidate]) -> Candidate:
+    """Return the design whose worst objective is best, within the ranges of the front."""
+    values = np.array([each.score.objectives for each in front])
+    ranges = np.ptp(values, axis=0)
+    shares = (values - values.min(axis=0)) / np.where(ranges > 0, ranges, 1.0)
+    return front[int(np.argmin(shares.max(axis=1)))]
+
+
+def _front(problem: Problem) -> list[Candidate]:
+    kept = [each for each in problem.known if each.score.kept]
+    values = np.array([each.score.objectives for each in kept]).reshape(len(kept), -1)
+    return [each for each, here in zip(kept, values, strict=True) if not _beaten(here, values)]
+
+
+def _beaten(here: Array, others: Array) -> bool:
+    return bool(np.any((others <= here).all(axis=1) & (others < here).any(axis=1)))
+
+
+def _nondominated(
+    problem: Problem, readings: Callable[[Array], Array], effort: tuple[int, int], seed: int
+) -> list[Array]:
+    """Run NSGA-II on what gives readings of designs, and return the front."""
+    nsga2 = needed("pymoo.algorithms.moo.nsga2", "a search for several objectives").NSGA2
+    minimize = needed("pymoo.optimize", "a search for several objectives").minimize
+    size, generations = effort
+    ended = minimize(
+        _asked(problem, readings), nsga2(pop_size=size, eliminate_duplicates=True), ("n_gen", generations),
+        seed=seed + 1, verbose=False,
+    )  # fmt: skip
+    return [] if ended.X is None else [problem.snapped(point) for point in np.atleast_2d(ended.X)]
+
+
+def _asked(problem: Problem, readings: Callable[[Array], Array]) -> Any:
+    """Return the problem as pymoo takes it: objectives, and violations that must not be above 0."""
+    base = import_module("pymoo.core.problem").Problem
+    count, size = len(problem.objectives), len(problem.factors)
+
+    def _evaluate(self: Any, x: Array, out: dict[str, Array], *_: Any, **__: Any) -> None:
+        found = [problem.score(each) for each in readings(np.array([problem.snapped(point) for point in x]))]
+        broken = np.array([problem.margins(point).min(initial=0.0) < -1e-9 for point in x])
+        values = np.array([each.objectives if each.known else (1e9,) * count for each in found])
+        violated = np.array([each.violation - 1.0 if each.known else 1e9 for each in found])
+        out["F"], out["G"] = values, np.column_stack([violated, broken.astype(float)])
+
+    kind = type("Asked", (base,), {"_evaluate": _evaluate})
+    return kind(n_var=size, n_obj=count, n_ieq_constr=2, xl=np.zeros(size), xu=np.ones(size))
+
+
+def _apart(problem: Problem, points: Sequence[Array], surfaces: Any, count: int) -> tuple[list[Array], float]:
+    """Choose designs of a promised front that are far from what was computed, and say how far the farthest is."""
+    promised = np.array([problem.score(surfaces(point)).objectives for point in points]).reshape(len(points), -1)
+    if not len(points):
+        return [], 0.0
+    ranges = np.ptp(promised, axis=0)
+    ranges = np.where(ranges > 0, ranges, 1.0)
+    # what passes a limit is not on the front, and does not stand in for a design that is
+    taken = [np.array(each.score.objectives) / ranges for each in problem.known if each.score.kept]
+    chosen: list[Array] = []
+    farthest = 0.0
+    broken = [bool(problem.broken(point)) or _beside_a_failure(problem, point) for point in points]
+    for _ in range(count):
+        gaps = [
+            -1.0 if wrong else min((float(np.linalg.norm(each / ranges - other)) for other in taken), default=1.0)
+            for each, wrong in zip(promised, broken, strict=True)
+        ]
+        place = int(np.argmax(gaps))
+        farthest = max(farthest, gaps[place])
+        if gaps[place] <= 1e-3:
+            break
+        chosen.append(points[place])
+        taken.append(promised[place] / ranges)
+    return chosen, farthest
+
+
+def _beside_a_failure(problem: Problem, point: Array) -> bool:
+    """Whether the nearest candidate gave no value: what surfaces promise there is worth no further run."""
+    return not min(problem.candidates, key=lambda each: float(np.linalg.norm(each.at - point))).known
+
+
+def _as_promised(problem: Problem, found: Sequence[Candidate], surfaces: Any) -> bool:
+    """Whether what was computed is what the surfaces, laid before, promised."""
+    front = np.array([each.score.objectives for each in _front(problem)])
+    if not len(found) or len(front) < 2:
+        return False
+    ranges = np.ptp(front, axis=0)
+    ranges = np.where(ranges > 0, ranges, 1.0)
+    errors = [
+        np.abs(np.array(each.score.objectives) - np.array(problem.score(surfaces(each.at)).objectives)) / ranges
+        for each in found
+    ]
+    return bool(np.max(errors) < FRONT_ERROR)
+
+
+def _ended(problem: Problem, quiet: bool) -> Ending:
+    if not problem.known:
+        return Ending.FAILED
+    if not _front(problem):
+        return Ending.INFEASIBLE if problem.left <= 0 or quiet else Ending.BUDGET
+    return Ending.CONVERGED if quiet else Ending.BUDGET

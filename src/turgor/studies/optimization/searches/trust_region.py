@@ -1,0 +1,202 @@
+"""Search in a trust region: surfaces through all candidates say where to go, as far as they are right.
+
+The method is that of Wild, Regis and Shoemaker (ORBIT, SIAM J. Sci. Comput. 30, 2008), with a surface for each reading
+instead of one for the objective, as it is usual for least squares: what a goal makes of a reading is known.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.studies.optimization.goals import MET
+from turgor.studies.optimization.problem import Candidate, Problem
+from turgor.studies.optimization.search import Ending, Search
+from turgor.studies.optimization.searches.step import Box, best_step, merit
+from turgor.studies.optimization.searches.surfaces import Surfaces, surfaces_through
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+#: Width of the first region, and of the widest, in shares of the ranges.
+FIRST_RADIUS, WIDEST = 0.2, 0.5
+
+#: Shares of the promised gain below which a region shrinks and above which it grows.
+POOR, GOOD = 0.1, 0.7
+
+#: Points span the region where the least singular value of their directions is at least this, …
+SPANNED = 0.1
+#: … counting those within so many radii.
+NEAR = 2.0
+
+#: Slopes are given to the surfaces as points at this share of the radius beside each candidate.
+SLOPE_STEP = 0.05
+
+#: A step below the precision ends the search where the region is at most so many times the precision.
+LAST_REGION = 5.0
+
+#: A promised gain below this share of the merit is none.
+LEAST_GAIN = 1e-6
+
+#: A step below the precision counts where it promises at least this: of an objective over its scale, and of the misfits
+#: in tolerances.
+WORTH, WORTH_OF_MISFITS = 1e-4, 0.1
+
+#: Points tried where the start gives no response.
+OTHER_STARTS = 8
+
+
+def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
+    """Search for the one objective, or for what meets the targets, under limits and rules.
+
+    Parameters
+    ----------
+    problem : Problem
+    start : (n,) array
+        Shares of the ranges.
+    search : Search
+
+    Returns
+    -------
+    Ending
+    """
+    begun = _begun(problem, start, search)
+    if begun is None:
+        return Ending.FAILED if problem.left <= 0 or not problem.known else Ending.BUDGET
+    problem.compute(_around(problem, begun))
+    center, radius = _lowest(problem), FIRST_RADIUS
+    while problem.left > 0:
+        if _all_met(problem, center):
+            return Ending.CONVERGED
+        surfaces = _surfaces(problem, SLOPE_STEP * radius)
+        box = Box(center=center.at, radius=radius)
+        to = best_step(problem, surfaces, box, search.seed + len(problem.candidates))
+        step = float(np.abs(to - center.at).max())
+        missing = _missing_direction(problem, center, radius)
+        if _is_idle(problem, surfaces, center, to, search.precision):
+            if missing is None and radius <= LAST_REGION * search.precision:
+                return _ended(problem, center)
+            center, radius = _narrowed(problem, center, radius, missing, search)
+            continue
+        promised = merit(problem, center.score) - merit(problem, problem.score(surfaces(to)))
+        (there,) = problem.compute([to]) or [center]
+        gained = merit(problem, center.score) - merit(problem, there.score)
+        share = gained / promised if np.isfinite(gained) else -1.0
+        if share < POOR and missing is not None and problem.left > 0:
+            problem.compute([missing])
+        elif share < POOR:
+            radius = max(radius / 4, min(radius, step) / 2)
+        elif share > GOOD and step > 0.9 * radius:
+            radius = min(2 * radius, WIDEST)
+        center = _lowest(problem)
+        if radius < search.precision:
+            return _ended(problem, center)
+    return Ending.CONVERGED if _all_met(problem, center) else Ending.BUDGET
+
+
+def _begun(problem: Problem, start: Array, search: Search) -> Candidate | None:
+    """Compute the start, or other points until one gives a response."""
+    draws = np.random.default_rng(search.seed).uniform(0, 1, size=(OTHER_STARTS, len(start)))
+    near = [start + (other - start) / 2 for other in draws]
+    for point in (start, *near):
+        if not problem.broken(point):
+            for each in problem.compute([point]):
+                if each.known:
+                    return each
+        if problem.left <= 0:
+            return None
+    return None
+
+
+def _around(problem: Problem, begun: Candidate) -> list[Array]:
+    """Return a point beside the start along each factor without slopes, on the side with more room within the rules."""
+    found, center = [], begun.at
+    for direction in np.eye(len(center))[~begun.sloped]:
+        reach = max(FIRST_RADIUS, float(problem.levels @ direction))
+        sides = (1.0, -1.0) if direction @ center <= 0.5 else (-1.0, 1.0)
+        points = [problem.snapped(center + share * side * reach * direction) for share in (1.0, 0.5) for side in sides]
+        kept = [point for point in points if np.any(point != center) and not problem.broken(point)]
+        found.extend(kept[:1])
+    return found
+
+
+def _surfaces(problem: Problem, step: float) -> Surfaces:
+    """Return surfaces through the candidates, and, where slopes are known, through points beside them."""
+    points, values = [], []
+    for each in problem.known:
+        points.append(each.at)
+        values.append(each.readings)
+        points.extend(each.at + step * np.eye(len(each.at))[each.sloped])
+        values.extend(each.readings + step * each.slopes.T[each.sloped])
+    return surfaces_through(np.array(points), np.array(values))
+
+
+def _lowest(problem: Problem) -> Candidate:
+    return min(problem.known, key=lambda each: merit(problem, each.score))
+
+
+def _all_met(problem: Problem, center: Candidate) -> bool:
+    """Whether there are only targets and limits, and all are met."""
+    return not problem.objectives and center.score.kept and _worst_misfit(problem, center) <= 1.0
+
+
+def _worst_misfit(problem: Problem, candidate: Candidate) -> float:
+    lengths = [0.0]
+    for goal, part in zip(problem.goals, problem.parts(candidate.readings), strict=True):
+        if isinstance(goal, MET):
+            divisor, wanted = goal.linear()
+            lengths.append(float(np.linalg.norm((part - wanted) / divisor)))
+    return max(lengths)
+
+
+def _is_idle(problem: Problem, surfaces: Surfaces, center: Candidate, to: Array, precision: float) -> bool:
+    """Whether a step is too small, or promises nothing."""
+    here = merit(problem, center.score)
+    gain = here - merit(problem, problem.score(surfaces(to)))
+    worth = WORTH if problem.objectives else WORTH_OF_MISFITS
+    small = bool(np.abs(to - center.at).max() < precision)
+    return (small and gain < worth) or gain < LEAST_GAIN * max(abs(here), LEAST_GAIN)
+
+
+def _narrowed(
+    problem: Problem, center: Candidate, radius: float, missing: Array | None, search: Search
+) -> tuple[Candidate, float]:
+    """Where no step promises anything: learn more of the region, or look at a smaller one."""
+    if missing is not None:
+        before = len(problem.candidates)
+        problem.compute([missing])
+        if len(problem.candidates) > before:
+            return _lowest(problem), radius
+    return center, max(radius / 4, LAST_REGION * search.precision) if radius > LAST_REGION * search.precision else (
+        radius / 2
+    )
+
+
+def _missing_direction(problem: Problem, candidate: Candidate, radius: float) -> Array | None:
+    """Return a point in the direction that no candidate in the region lies in; None where they or slopes span it."""
+    center, moving = candidate.at, (problem.levels <= NEAR * radius) & ~candidate.sloped
+    if not moving.any():
+        return None
+    away = np.array([each.at - center for each in problem.known]) / radius
+    near = away[np.abs(away).max(axis=1) <= NEAR][:, moving]
+    _, sizes, directions = np.linalg.svd(near, full_matrices=True)
+    if len(sizes) == moving.sum() and sizes[-1] >= SPANNED:
+        return None
+    return _toward(problem, center, radius, moving, directions[-1])
+
+
+def _toward(problem: Problem, center: Array, radius: float, moving: Flags, direction: Array) -> Array | None:
+    step = np.zeros(len(center))
+    step[moving] = direction / np.abs(direction).max()
+    points = [problem.snapped(center + side * radius * step) for side in (1.0, -1.0)]
+    tried = [each.at for each in problem.candidates]
+    kept = [
+        point
+        for point in points
+        if not problem.broken(point) and min(np.abs(point - each).max() for each in tried) > SPANNED * radius
+    ]
+    return max(kept, key=lambda point: float(np.abs(point - center).max()), default=None)
+
+
+def _ended(problem: Problem, center: Candidate) -> Ending:
+    """What it means that no step is left."""
+    met = center.score.kept and (bool(problem.objectives) or _worst_misfit(problem, center) <= 1.0)
+    return Ending.CONVERGED if met else Ending.INFEASIBLE

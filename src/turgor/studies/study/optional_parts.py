@@ -1,0 +1,37 @@
+"""Optional packages: imported when they are needed, with a sentence where they are missing."""
+
+from importlib import import_module
+from typing import Any
+
+from turgor.foundation.errors import NotHere
+
+#: Packages that are installed by another name than they are imported by.
+_NAMES = {"sklearn": "scikit-learn"}
+
+
+def needed(module: str, asked: str) -> Any:
+    """Import a module of an optional package.
+
+    Parameters
+    ----------
+    module : str
+    asked : str
+        What needs it, for the message.
+
+    Returns
+    -------
+    module
+
+    Raises
+    ------
+    TurgorError
+        If it is not installed.
+    """
+    try:
+        return import_module(module)
+    except ImportError:
+        package = module.split(".")[0]
+        name = _NAMES.get(package, package)
+        raise NotHere(
+            f'{asked} needs {name}, which is not installed; install it with: pip install "turgor[studies]"'
+        ) from None

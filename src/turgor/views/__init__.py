@@ -1,0 +1,1 @@
+"""Views: pictures, plots, the viewer, the report and notebooks."""

@@ -1,0 +1,296 @@
+"""Rendering of a view: the skin of an actuator with threads, obstacles and contact patches."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib.colors import Colormap
+from numpy.typing import NDArray
+
+from turgor.foundation.display import brief
+from turgor.units import deg
+from turgor.views.pictures.colors import (
+    CONTACT_PRESSURE,
+    DIVERGING,
+    FIBER_TENSION,
+    VON_MISES,
+    Field,
+    color_map,
+    field_of,
+    plain_rubber,
+)
+from turgor.views.pictures.overlays.contact_patches import draw_patches, laid_over, values_seen
+from turgor.views.pictures.overlays.fiber_lines import Thread, draw_threads, visible_threads
+from turgor.views.pictures.overlays.obstacle_skin import draw_obstacles
+from turgor.views.pictures.raycast import Camera, Hits, Raster, Scene, camera
+from turgor.views.pictures.shading import (
+    DEEP_SHADOW,
+    DEPTH_JUMP,
+    GHOST,
+    INK,
+    SHADOW,
+    Bytes,
+    Look,
+    Mask,
+    draw_lines,
+    find_lines,
+    paint,
+    reduced,
+)
+from turgor.views.pictures.skin import Skin
+
+Array = NDArray[np.float64]
+
+#: Samples along each side of a pixel (supersampling).
+SAMPLES = 2
+
+#: Rows of pixels that are rendered together.
+BAND = 96
+
+#: Azimuth of the camera, and azimuth for contact pressure: the walls between chambers are visible more from the side.
+FRONT, ASIDE = 20 * deg, 40 * deg
+
+#: Margin around the actuator in pixels.
+MARGIN = 50
+
+#: Walls closer to each other than this share of the size of the actuator count as touching in pictures.
+THIN = 0.02
+
+#: Reach of the ambient occlusion, as a share of the size of the actuator.
+SKY_REACH = 0.12
+
+#: Opacity of a transparent actuator in front of its cavities.
+VEIL = 0.3
+
+#: Margin around the actuator in which obstacles are shown, as a share of its size.
+AROUND = 0.3
+
+
+#: A picture is at least this share of its width wide, however slender the actuator is, so that its legend has room.
+NARROWEST = 0.6
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class View:
+    """Direction, scale and colors that several pictures share, so that they can be compared.
+
+    Parameters
+    ----------
+    azimuth, elevation : float [rad]
+        Direction of the camera: angle about z, zero for a view along +y, and angle above the horizon.
+    left, right : float [m]
+        Horizontal limits of all pictures; top and bottom follow the actuator.
+    limit : float [SI]
+        Value at the upper end of the colors.
+    width : int
+        Width of the pictures in pixels; less where the actuator is taller than wide.
+    height : float [m]
+        Height of the tallest picture; no picture is taller than ``width``.
+    color_by : str or Field
+        ``"von_mises"``, another one of `turgor.views.pictures.colors.FIELDS`, or ``"contact_pressure"``, which is
+        visible through the actuator.
+    extents : mapping of str to (2, 3) array [m]
+        Smallest and largest coordinates of the actuator, and of faces that obstacles are meant for. Infinite obstacles
+        end a little beyond these.
+    """
+
+    azimuth: float = FRONT
+    elevation: float = 18 * deg
+    left: float
+    right: float
+    limit: float
+    width: int = 1600
+    height: float = 0.0
+    color_by: str | Field = VON_MISES
+    extents: Mapping[str, Array] = field(default_factory=dict, compare=False)
+
+    __repr__ = brief
+
+    @property
+    def eye(self) -> Camera:
+        """The camera."""
+        return camera(self.azimuth, self.elevation)
+
+    @property
+    def pixel(self) -> float:
+        """Side length of a pixel [m]."""
+        return max(self.right - self.left, self.height) / (self.width - 2 * MARGIN)
+
+    @property
+    def columns(self) -> int:
+        """Width of every picture in pixels: as wide as what it shows, with a margin."""
+        needed = round((self.right - self.left) / self.pixel) + 2 * MARGIN
+        return min(max(needed, round(NARROWEST * self.width)), self.width)
+
+    @property
+    def edge(self) -> float:
+        """Horizontal coordinate of the left edge of every picture [m]."""
+        return (self.left + self.right) / 2 - self.columns / 2 * self.pixel
+
+    @property
+    def field(self) -> Field:
+        """The field that the colors show."""
+        return field_of(self.color_by)
+
+    @property
+    def floor(self) -> float:
+        """Value at the lower end of the colors [SI]."""
+        shown = self.field
+        return 2 * shown.floor - self.limit if shown.colors == DIVERGING else shown.floor
+
+
+def frame(skins: Sequence[Skin], obstacles: Skin | None, eye: Camera) -> tuple[Array, Array]:
+    """Return the lower left and upper right corner of a picture that shows all skins and the obstacles near them."""
+    flat = np.concatenate([eye.project(skin.points)[:, :2] for skin in skins])
+    low, high = flat.min(axis=0), flat.max(axis=0)
+    if obstacles is not None:
+        around = AROUND * float((high - low).max())
+        beside = eye.project(obstacles.points)[:, :2]
+        low = np.minimum(low, np.maximum(beside.min(axis=0), low - around))
+        high = np.maximum(high, np.minimum(beside.max(axis=0), high + around))
+    return low, high
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Beside:
+    """Threads, obstacles and contact patches that a picture shows besides the actuator, and what is seen through it.
+
+    Parameters
+    ----------
+    threads : sequence of ((k, 3) array [m], (k,) array)
+        Points along each thread, and the value that its color shows.
+    obstacles : Skin or None
+        Gray bodies.
+    patches : tuple of Skin
+        Parts of the surface in contact, visible through the actuator; see
+        `turgor.views.pictures.overlays.contact_patches`.
+    inside : Skin or None
+        Walls of cavities, visible through the actuator.
+    edges : bool
+        Whether the edges of cells are drawn on the actuator.
+    """
+
+    threads: Sequence[Thread] = ()
+    obstacles: Skin | None = None
+    patches: tuple[Skin, ...] = ()
+    inside: Skin | None = None
+    edges: bool = False
+
+
+def render(
+    skins: list[Skin], view: View, colors: Colormap | None = None, beside: Beside | None = None
+) -> NDArray[np.uint8]:
+    """Render a view as an image, (h, w, 3): the first skin, outlines of the others behind it, threads and obstacles.
+
+    Parameters
+    ----------
+    skins : list of Skin
+        The actuator, then the states whose outlines are drawn behind the actuator.
+    view : View
+        Direction, scale and colors.
+    colors : Colormap, optional
+        Colors of the first skin, which then mean no value; by default those of the field of the view.
+    beside : Beside, optional
+        Threads, obstacles and contact patches.
+    """
+    beside = beside or Beside()
+    low, high = frame(skins, beside.obstacles, view.eye)
+    rows = int(np.ceil((high[1] - low[1]) / view.pixel)) + MARGIN
+    raster = Raster(
+        left=view.edge, top=float(high[1] + low[1] + rows * view.pixel) / 2,
+        step=view.pixel / SAMPLES, rows=rows * SAMPLES, columns=view.columns * SAMPLES,
+    )  # fmt: skip
+    layers = _Layers(skins, view, colors, beside, raster)
+    image = np.empty((rows, view.columns, 3), dtype=np.uint8)
+    for start in range(0, rows, BAND):  # rendered in bands to save memory; lines need the rows next to a band
+        first, last = max(start - 2, 0), min(start + BAND + 2, rows)
+        samples = slice(first * SAMPLES, last * SAMPLES)
+        drawn = reduced(layers.draw(raster.band(samples.start, samples.stop), samples), SAMPLES)
+        image[start : start + BAND] = drawn[start - first : start - first + BAND]
+    return image
+
+
+class _Layer(NamedTuple):
+    """A skin in front of the camera, the samples that it may cover, and its light."""
+
+    scene: Scene
+    near: NDArray[np.bool_]
+    look: Look | None = None
+
+    def hits(self, band: Raster, rows: slice) -> Hits:
+        return self.scene.look(band, self.near[rows])
+
+
+class _Layers:
+    """All that a picture shows, in front of the camera of a view."""
+
+    def __init__(self, skins: list[Skin], view: View, colors: Colormap | None, beside: Beside, raster: Raster) -> None:
+        reach = SKY_REACH * float(np.ptp(skins[0].points, axis=0).max())
+
+        def layer(skin: Skin, lit: Colormap | None = None, shadow: float = SHADOW) -> _Layer:
+            scene = Scene(skin, view.eye)
+            sky = None if lit is None else scene.openness(reach)
+            look = None if lit is None or sky is None else Look(lit, view.limit, sky, view.floor, shadow)
+            return _Layer(scene, scene.near(raster), look)
+
+        self._view, self._beside = view, beside
+        plain = colors or (plain_rubber() if beside.inside is not None else None)
+        self._front = layer(skins[0], plain or view.field.color_map(), SHADOW if plain is None else DEEP_SHADOW)
+        self._ghosts = [layer(skin) for skin in skins[1:]]
+        self._inside = None if beside.inside is None else layer(beside.inside, view.field.color_map())
+        self._obstacles = None if beside.obstacles is None else layer(beside.obstacles)
+        self._patches = [layer(skin) for skin in beside.patches]
+        side = skins[0].side
+        self._cells = replace(skins[0], patch=side) if beside.edges and side is not None else None
+
+    def draw(self, band: Raster, rows: slice) -> Bytes:
+        """Draw a band of the picture, (h, w, 3)."""
+        front, hits = self._front.scene, self._front.hits(band, rows)
+        image, lines = self._painted(hits, band, rows)
+        free = hits.triangle < 0
+        for scene, near, _ in self._ghosts:
+            coarse = find_lines(scene.skin, scene.look(band.coarser(SAMPLES), near[rows][::SAMPLES, ::SAMPLES]))
+            outline, inner = (mask.repeat(SAMPLES, axis=0).repeat(SAMPLES, axis=1) & free for mask in coarse)
+            draw_lines(image, (outline, inner), GHOST, 0.0)  # one pixel wide already
+        draw_lines(image, lines, INK, 0.9 * SAMPLES)
+        tense = self._view.color_by == FIBER_TENSION
+        found = visible_threads(front, hits, band, self._beside.threads)
+        draw_threads(image, found, (2.4 if tense else 1.6) * SAMPLES, self._of_tension if tense else None)
+        distance = np.where(free, np.inf, front.distance(hits))
+        if self._obstacles is not None:
+            scene, seen = self._obstacles.scene, self._obstacles.hits(band, rows)
+            nearer = (seen.triangle >= 0) & (scene.distance(seen) < distance)
+            draw_obstacles(image, scene.skin, seen, nearer, self._view.eye, 0.8 * SAMPLES)
+        if self._patches:
+            self._draw_patches(image, band, rows, distance)
+        return image
+
+    def _painted(self, hits: Hits, band: Raster, rows: slice) -> tuple[Bytes, tuple[Mask, Mask]]:
+        """The actuator, with what is seen through it, and its lines."""
+        front, look = self._front.scene, self._front.look
+        assert look is not None
+        image, lines = paint(front.skin, hits, front.eye, look), find_lines(front.skin, hits)
+        if self._cells is not None:
+            draw_lines(image, (lines[0], find_lines(self._cells, hits)[1]), INK, 0.45 * SAMPLES, 0.45)
+        if self._inside is None or self._inside.look is None:
+            return image, lines
+        scene, seen = self._inside.scene, self._inside.hits(band, rows)
+        within = paint(scene.skin, seen, scene.eye, self._inside.look)
+        draw_lines(within, find_lines(scene.skin, seen), INK, 0.6 * SAMPLES, 0.5)
+        veil = np.where(hits.triangle >= 0, np.where(seen.triangle >= 0, VEIL, 1.0), 0.0)[..., None]
+        return (within * (1 - veil) + image * veil + 0.5).astype(np.uint8), lines
+
+    def _of_tension(self, values: Array) -> Array:
+        return np.asarray(self._view.field.color_map()(0.15 + 0.85 * values / self._view.limit)[:, :3] * 255)
+
+    def _draw_patches(self, image: Bytes, band: Raster, rows: slice, distance: Array) -> None:
+        """Blend patches into a band; ``distance`` (h, w) [m] is that of the actuator, infinite where there is none."""
+        value, place = np.zeros(distance.shape), np.full(distance.shape, np.inf)
+        size = self._patches[0].scene.size
+        for scene, near, _ in self._patches:
+            hits = scene.look(band, near[rows])
+            seen = values_seen(scene.skin, hits, self._view.limit)
+            value, place = laid_over((value, place), (seen, scene.distance(hits)), THIN * size)
+        behind = place > distance + DEPTH_JUMP * size
+        draw_patches(image, value, behind, color_map(CONTACT_PRESSURE), self._view.limit)

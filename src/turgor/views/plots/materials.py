@@ -1,0 +1,201 @@
+"""Plots of library materials: the curves of all records of one rubber on one pair of axes, with a measured test."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from turgor.core.materials.experiments.material_test import MaterialTest
+from turgor.core.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
+from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.library.doubt_checks import STIFFEST_RUBBER
+from turgor.core.materials.library.doubts import find_doubts
+from turgor.core.materials.library.record import Record
+from turgor.core.materials.library.record_files import records
+from turgor.core.materials.library.records import find_record
+from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.finding import Severity
+from turgor.views.plots.figures import PlotFigure, check_ending, write_figure
+from turgor.views.plots.styling import INK, style_axes
+
+Array = NDArray[np.float64]
+
+#: Modes that have a panel, in this order.
+MODES = ("uniaxial", "planar", "equibiaxial")
+
+#: Largest stretch that is drawn by default; stiff parts, which are linear elastic, are drawn to 1 % strain.
+REACH, STIFF_REACH = 4.0, 1.01
+
+
+def plot_records(axes: Axes, chosen: Sequence[Record], stretch: Array, mode: str = "uniaxial") -> Axes:
+    """Plot nominal stress over stretch for each record that has a law: solid where it was fitted, dashed beyond.
+
+    Where the fitted range is unknown, or covers all stretches, the whole line is solid and thinner.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Where to draw.
+    chosen : sequence of Record
+        What to draw; records without a law appear in the legend only.
+    stretch : (n,) array [-]
+        Stretches of the curves.
+    mode : str
+        ``"uniaxial"``, ``"planar"`` or ``"equibiaxial"``.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes that were given.
+
+    Examples
+    --------
+    >>> axes = plot_records(Figure().add_subplot(), records("smooth-sil-950"), np.linspace(1, 2, 5))
+    >>> len(axes.lines)
+    3
+    """
+    if mode not in MODES:
+        raise unknown("mode of a curve", mode, MODES)
+    colors = matplotlib.colormaps["tab10"].colors  # type: ignore[attr-defined]
+    for number, record in enumerate(chosen):
+        color, label = colors[number % len(colors)], _label(record)
+        stress = curve(record, stretch, mode)
+        if stress is None:
+            axes.plot([], [], " ", label=f"{label}: no law")
+            continue
+        fitted = _fitted(record, stretch)
+        if fitted.all():
+            axes.plot(stretch, stress, "-", color=color, lw=1.4, label=label)
+            continue
+        axes.plot(stretch, stress, "--", color=color, lw=1.2)
+        axes.plot(stretch[fitted], stress[fitted], "-", color=color, lw=2.4, label=label)
+    axes.set_xlabel(f"stretch, {mode} [-]", color=INK)
+    return style_axes(axes)
+
+
+def curve(record: Record, stretch: Array, mode: str = "uniaxial") -> Array | None:
+    """Return the nominal stress of a record, (n,) [MPa]; None where no law can have its constants.
+
+    Parameters
+    ----------
+    record : Record
+        A rubber, or a stiff part at small strains, whose stress is E (stretch − 1).
+    stretch : (n,) array [-]
+        Positive stretches.
+    mode : str
+        ``"uniaxial"``, ``"planar"`` or ``"equibiaxial"``; a linear elastic record has a curve in the first only.
+
+    Examples
+    --------
+    >>> curve(find_record("smooth-sil-950", "neo-hooke-connolly-2017"), np.array([1.0, 2.0]))
+    array([0.  , 1.19])
+    """
+    try:
+        law = record.build_law()
+    except TurgorError:
+        return None
+    if isinstance(law, Hooke):
+        return law.E * (stretch - 1) / 1e6 if mode == "uniaxial" else np.full_like(stretch, np.nan)
+    return np.asarray(nominal_stress(law, DEFORMATIONS[mode](stretch))[..., 0, 0] / 1e6)
+
+
+def material_figure(
+    name: str,
+    *,
+    record: str | None = None,
+    tests: Sequence[MaterialTest] = (),
+    stretch: tuple[float, float] | None = None,
+) -> Figure:
+    """Draw the curves of every record of a library material, or of one record, with measured tests of one mode.
+
+    Parameters
+    ----------
+    name : str
+        Material of the library, or path of a file of your own.
+    record : str, optional
+        One record; by default all.
+    tests : sequence of MaterialTest
+        Measured tests to compare with; they set the mode.
+    stretch : (float, float), optional
+        Smallest and largest stretch to show; by default the range of the tests, up to 4.
+    """
+    chosen = records(name) if record is None else (find_record(name, record),)
+    modes = {test.mode for test in tests} or {"uniaxial"}
+    if len(modes) > 1:
+        raise TurgorError(f"the tests are {' and '.join(sorted(modes))}; plot tests of one mode at a time.")
+    (mode,) = modes
+    across = _stretches(chosen, tests) if stretch is None else _between(*stretch)
+    figure = PlotFigure(figsize=(8.4, 5.0))
+    axes = plot_records(figure.add_subplot(), chosen, across, mode)
+    for test in tests:
+        seen = (test.stretch >= across[0]) & (test.stretch <= across[-1])
+        every = max(1, int(seen.sum()) // 60)
+        points = test.stretch[seen][::every], test.nominal_stress[seen][::every] / 1e6
+        axes.plot(*points, "o", color=INK, ms=3.5, mfc="none", label=f"measured: {test.name}")
+    axes.set_ylabel("nominal stress [MPa]", color=INK)
+    axes.set_xlim(across[0], across[-1])
+    axes.set_ylim(*_limits(chosen, across, mode, tests))
+    axes.set_title(f"{chosen[0].material_name}: constants of its records", loc="left", color=INK, fontsize=12)
+    axes.legend(frameon=False, fontsize=8, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    return figure
+
+
+def write_material_plot(
+    path: str | Path,
+    name: str,
+    *,
+    record: str | None = None,
+    tests: Sequence[MaterialTest] = (),
+    stretch: tuple[float, float] | None = None,
+) -> None:
+    """Write `material_figure` as PNG or SVG, by the ending of the path."""
+    check_ending(path, "plot")
+    write_figure(path, material_figure(name, record=record, tests=tests, stretch=stretch), dpi=160)
+
+
+def _stretches(chosen: Sequence[Record], tests: Sequence[MaterialTest]) -> Array:
+    if tests:
+        low = min(1.0, *(float(test.stretch.min()) for test in tests))
+        return _between(low, min(REACH, max(float(test.stretch.max()) for test in tests)))
+    return _between(1.0, STIFF_REACH if all(_stiff(record) for record in chosen) else REACH)
+
+
+def _between(low: float, high: float) -> Array:
+    if not 0 < low < high:
+        raise TurgorError(f"stretches from {low:g} to {high:g}; two rising numbers above 0 are needed.")
+    return np.linspace(low, high, 300)
+
+
+def _stiff(record: Record) -> bool:
+    return record.law == "hooke" and record.constants["E"] > STIFFEST_RUBBER
+
+
+def _limits(chosen: Sequence[Record], stretch: Array, mode: str, tests: Sequence[MaterialTest]) -> tuple[float, float]:
+    """Lower and upper stress [MPa] such that the tests and most curves are visible; curves far above are cut off."""
+    curves = [stress for record in chosen if (stress := curve(record, stretch, mode)) is not None]
+    tops = [float(np.nanmax(stress)) for stress in curves if np.isfinite(stress).any()]
+    if tests:
+        seen = [test.nominal_stress[(test.stretch >= stretch[0]) & (test.stretch <= stretch[-1])] for test in tests]
+        measured = np.concatenate([*seen, np.zeros(1)]) / 1e6
+        top, bottom = 2.5 * float(measured.max()), float(measured.min())
+    else:
+        top, bottom = min(2.5 * float(np.median(tops or [1.0])), 1.05 * max(tops or [1.0])), 0.0
+    top = top if top > 0 else 1.0
+    lowest = min((float(np.nanmin(stress)) for stress in curves if np.isfinite(stress).any()), default=0.0)
+    return min(bottom, max(lowest, -0.1 * top)), top
+
+
+def _fitted(record: Record, stretch: Array) -> NDArray[np.bool_]:
+    if record.stretch_range is None:
+        return np.ones(stretch.shape, dtype=bool)
+    low, high = record.stretch_range
+    return np.asarray((stretch >= low) & (stretch <= high))
+
+
+def _label(record: Record) -> str:
+    codes = sorted({doubt.code for doubt in find_doubts(record) if doubt.severity is Severity.WARNING})
+    return f"{record.name} ({', '.join(codes)})" if codes else record.name

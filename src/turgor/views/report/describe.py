@@ -1,0 +1,334 @@
+"""Describe: models in words and rows for a report."""
+
+import inspect
+import re
+from dataclasses import dataclass, fields
+from math import isinf
+from typing import Any
+
+import numpy as np
+
+from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.library.record_history import describe_history
+from turgor.core.materials.material import Material
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.quality.cell_quality import MeshQuality
+from turgor.core.model.drive import rises
+from turgor.core.model.fibers import Fibers
+from turgor.core.model.loads import (
+    RAMP,
+    BodyForce,
+    Force,
+    Gravity,
+    Hanging,
+    History,
+    LineForce,
+    Load,
+    Moment,
+    PointForce,
+    Pressure,
+    Traction,
+)
+from turgor.core.model.model import Model
+from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, Plate, Shape, Sphere, Vector
+from turgor.core.model.points import Hinge, ReferencePoint, Rotation
+from turgor.core.model.sheets import Sheet, Shell
+from turgor.core.model.supports import Displacement, Fixed, PlaneSection, Radial
+from turgor.core.setups.blocked_tip import HeldTip
+from turgor.units import GPa, MPa, deg, kPa, mm, mN
+from turgor.views.report.describe_points import point_text, rig_text
+from turgor.views.report.references import law_source
+
+Rows = list[tuple[str, str]]
+
+
+@dataclass(frozen=True, slots=True)
+class MaterialText:
+    """A material in words: where it is used, its name, its law, its values, its source and what is doubtful.
+
+    ``made_of`` is the material itself; None for threads.
+    """
+
+    where: str
+    name: str
+    law: str
+    values: Rows
+    source: str
+    doubts: tuple[str, ...]
+    made_of: Material | None = None
+
+
+def loads(model: Model) -> list[str]:
+    """Say what drives a model at load factor 1, a sentence for each load."""
+    return [load_text(load) for load in model.loads] or ["None."]
+
+
+def load_text(load: Load) -> str:
+    """A load at load factor 1 in a sentence."""
+    match load:
+        case Pressure(face):
+            return f"Gauge pressure {load.at(1.0) / kPa:g} kPa on {face}, following the surface{_way(load)}."
+        case Traction(face, vector):
+            shown = ", ".join(f"{component / kPa:g}" for component in vector)
+            return f"Traction ({shown}) kPa on {face}, fixed in direction{_shares(load.history)}."
+        case Force(face, vector):
+            shown = ", ".join(f"{part:.6g}" for part in vector)
+            way = "turning with the point" if load.follower else "fixed in direction"
+            return f"Force ({shown}) N on {face}, {way}{_shares(load.history)}."
+        case Moment() | Hanging() | PointForce() | LineForce():
+            return f"{rig_text(load)}{_shares(load.history)}."
+        case Gravity(direction, acceleration, history):
+            return f"Gravity {acceleration:g} m/s² along ({_listed(direction)}){_shares(history)}."
+        case BodyForce():
+            return f"Force per volume, given as a function of position{_shares(load.history)}."
+
+
+def _shares(history: History) -> str:
+    """How a dead load gets to its last value, unless it just grows."""
+    return "" if history == RAMP else f", its share over the load factor: {history_text(history)}"
+
+
+def _way(load: Pressure) -> str:
+    """How a pressure gets to its last value, unless it just grows."""
+    if rises(load):
+        return ""
+    if isinstance(load.history, str):
+        return f", of {load.pressure / kPa:g} kPa times {load.history}"
+    return ", after " + ", ".join(
+        f"{load.at(factor) / kPa:g} kPa at load factor {factor:g}" for factor, _ in load.history[:-1]
+    )
+
+
+def history_text(history: History) -> str:
+    """A history in words."""
+    if isinstance(history, str):
+        return history
+    return ", ".join(f"{share:g} at {factor:g}" for factor, share in history)
+
+
+def supports(model: Model) -> list[str]:
+    """Say what holds a model, a sentence for each support."""
+    said = []
+    for support in model.supports:
+        match support:
+            case HeldTip(face, directions, push):
+                said.append(f"{face} held in {', '.join(directions)}; {_push(push)}.")
+            case Fixed(face, directions):
+                said.append(f"{face} held in {', '.join(directions)}.")
+            case Displacement(face, _, directions):
+                said.append(f"{'The whole surface' if face == '*' else face} moved in {', '.join(directions)}.")
+            case Radial(face, axis):
+                said.append(f"{face} held radially, around the axis {axis}.")
+            case PlaneSection(face):
+                said.append(f"{face} stays plane and is free to move along its normal.")
+            case ReferencePoint() | Rotation() | Hinge():
+                said.append(point_text(support))
+            case _:
+                said.append(f"{support.face} is a mirror plane.")
+    return said
+
+
+def contact(model: Model) -> list[str]:
+    """Say what may touch what, a sentence for the actuator itself and one for each obstacle."""
+    own, said = model.contact.for_mesh(model.mesh), []
+    if own is not None:
+        said.append(f"The actuator touches itself {_friction(own.friction)}.")
+    elif model.contact.self_contact is None:
+        said.append("Walls of the actuator do not stop each other: self-contact is off.")
+    return said + [_obstacle(obstacle) for obstacle in model.contact.obstacles]
+
+
+def _obstacle(obstacle: Obstacle) -> str:
+    """Shape, place, friction and motion of an obstacle."""
+    said = [_shape(obstacle.shape), _friction(obstacle.friction)]
+    if obstacle.face is not None:
+        said.append(f"touches {obstacle.face} only")
+    if obstacle.path:
+        way = obstacle.path if any(obstacle.path[0][1]) else obstacle.path[1:]
+        said.append("moved by " + ", ".join(f"{in_mm(to)} at load factor {factor:g}" for factor, to in way))
+    if obstacle.spring is not None:
+        said.append(f"held by a spring of {obstacle.spring:g} N/m")
+    if isinstance(obstacle, Plate) and isinstance(obstacle.shape, Plane):
+        x, y, z = obstacle.shape.normal
+        said.append(_push((-x, -y, -z)))
+    return f"{obstacle.name}: {'; '.join(said)}."
+
+
+def _push(direction: Vector) -> str:
+    """The direction in which a tip is blocked, which is that of a positive blocked force."""
+    axis = int(np.abs(direction).argmax())
+    along = f"{'+' if direction[axis] > 0 else '-'}{'xyz'[axis]}" if max(map(abs, direction)) > 1 - 1e-9 else ""
+    return f"the blocked force is positive along {along or f'({_listed(direction)})'}"
+
+
+def _shape(shape: Shape) -> str:
+    match shape:
+        case Plane(point=point, normal=normal):
+            return f"plane through {in_mm(point)} with the normal ({_listed(normal)})"
+        case Sphere(center=center, radius=radius):
+            return f"sphere of radius {radius / mm:g} mm around {in_mm(center)}"
+        case Cylinder(center=center, axis=axis, radius=radius, length=length):
+            long = "endless cylinder" if length is None else f"cylinder {length / mm:g} mm long"
+            return f"{long} of radius {radius / mm:g} mm around {in_mm(center)} along ({_listed(axis)})"
+        case Box(center=center, size=size, rounding=rounding):
+            edges = f", its edges rounded by {rounding / mm:g} mm" if rounding else ""
+            return f"box of {' × '.join(f'{length / mm:g}' for length in size)} mm around {in_mm(center)}{edges}"
+        case _:
+            return f"{len(shape.triangles):,} triangles of {shape.name}"
+
+
+def _friction(friction: float) -> str:
+    return f"with friction {friction:g}" if friction else "without friction"
+
+
+def in_mm(vector: Vector) -> str:
+    """A place or a way in millimeters."""
+    x, y, z = vector
+    return f"({_listed((x / mm, y / mm, z / mm))}) mm"
+
+
+def _listed(vector: Vector) -> str:
+    return ", ".join(f"{value:.4g}" for value in vector)
+
+
+def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:
+    """Counts of a mesh and, where it was measured, its quality."""
+    share = {1: "whole actuator", 2: "half, mirrored", 4: "quarter, mirrored"}.get(of.symmetry_factor, "part, mirrored")
+    if of.wedge is not None:
+        share = f"wedge of 1/{of.wedge.fold} about {of.wedge.axis}"
+    rows = [
+        ("cells", f"{len(of.cells):,} {of.cell_type.name.replace('hedron', 'hedra')} ({share})"),
+        ("nodes", f"{len(of.points):,}"),
+        ("unknowns", f"{of.unknown_count:,} displacements and mean stresses"),
+        ("regions", ", ".join(f"{name} {len(cells):,}" for name, cells in of.regions.items())),
+    ]
+    if quality is not None:
+        rows += [
+            (
+                "edges",
+                f"{quality.min_edge / mm:.2g} to {quality.max_edge / mm:.2g} mm, mean {quality.mean_edge / mm:.2g} mm",
+            ),
+            ("shape", f"mean {quality.mean_shape:.2f}, worst {quality.min_shape:.2f} (1 is regular, 0 is flat)"),
+            ("curvature", f"worst Jacobian ratio {quality.min_jacobian_ratio:.2f} (1 is straight, 0 is folded)"),
+        ]
+    return rows
+
+
+def materials(model: Model) -> list[MaterialText]:
+    """Put the materials of a model into words; regions of the same material share one text."""
+    shared: list[tuple[Material | Sheet, list[str]]] = []
+    for name, used in model.materials.items():
+        names = next((names for known, names in shared if known == used), None)
+        if names is None:
+            shared.append((used, [name]))
+        else:
+            names.append(name)
+    return [*(material(names, used) for used, names in shared), *(_fibers(each) for each in model.reinforcements)]
+
+
+def _fibers(fibers: Fibers) -> MaterialText:
+    """Threads: their modulus, diameter and how they are wound."""
+    winding, law = fibers.winding, fibers.material.law
+    values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(law)))]
+    values.append(("diameter", f"{fibers.diameter / mm:.4g} mm"))
+    units = {"angle_from_axis": deg, "angle_from_circumference": deg, "pitch": mm, "spacing": mm}
+    for name in ("angle_from_axis", "angle_from_circumference", "turns", "pitch", "spacing", "starts"):
+        value = getattr(winding, name)
+        if value is not None:
+            unit = {deg: "°", mm: " mm"}.get(units.get(name, 1.0), "")
+            values.append((name.replace("_", " "), f"{value / units.get(name, 1.0):.4g}{unit}"))
+    hand = "both hands" if winding.hand == "both" else f"{winding.hand}-handed"
+    straight = winding.angle_from_axis == 0 or winding.angle_from_circumference == 0
+    values += [] if straight else [("helix", hand)]
+    if fibers.compression:
+        values.append(("in compression", f"{100 * fibers.compression:g} % of the stiffness"))
+    if fibers.bending:
+        values.append(("bending", "resisted"))
+    where = f"{fibers.name.replace('_', ' ')} ({fibers.form} fibers)"
+    source = fibers.material.source
+    return MaterialText(
+        where, fibers.material.name, "Threads, stiff along themselves.", values, str(source), source.doubts
+    )
+
+
+def material(names: list[str], used: Material | Sheet) -> MaterialText:
+    """Put a material into words.
+
+    Parameters
+    ----------
+    names : list of str
+        Where it is used.
+    used : Material, Shell or Membrane
+
+    Returns
+    -------
+    MaterialText
+    """
+    held = used.material if isinstance(used, Sheet) else used
+    where = ", ".join(name.replace("_", " ") for name in names)
+    values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(held.law)))]
+    if isinstance(used, Sheet):
+        where += f" ({type(used).__name__.lower()})"
+        values.append(("thickness", f"{used.thickness / mm:g} mm"))
+        if isinstance(used, Shell):
+            values.append(("bending stiffness", f"{used.bending_stiffness / (mN * mm):.3g} mN mm"))
+        if used.wrinkles:
+            values.append(("in compression", f"{100 * used.compression:g} % of the stiffness: it wrinkles"))
+    else:
+        kappa = "infinite: fully incompressible" if isinf(held.bulk_modulus) else _modulus(held.bulk_modulus)
+        stiff = isinstance(held.law, Hooke)
+        values += [] if stiff else [("shear modulus", _modulus(held.law.shear_modulus)), ("bulk modulus", kappa)]
+    if held.density is not None:
+        values.append(("density", f"{held.density:g} kg/m³"))
+    if held.stretch_range is not None:
+        values.append(("fitted to stretches", f"{held.stretch_range[0]:g} to {held.stretch_range[1]:g}"))
+    values += describe_history(held.viscoelasticity, held.stress_softening)
+    formula = (inspect.getdoc(type(held.law)) or type(held.law).__name__).splitlines()[0]
+    values += [("law published in", law_source(held.law))] if law_source(held.law) else []
+    return MaterialText(where, held.name, formula, values, str(held.source), held.source.doubts, held)
+
+
+def coefficients(law: Any) -> Rows:
+    """Coefficients of a law with the units that its documentation states.
+
+    Examples
+    --------
+    >>> from turgor.core.materials.laws.laws import Hooke
+    >>> coefficients(Hooke(E=6.5e9, nu=0.2))
+    [('E', '6.5 GPa'), ('nu', '0.2')]
+    >>> from turgor.core.materials.laws.laws import GeneralizedRivlin, Ogden
+    >>> coefficients(Ogden(mu=(2e5,), alpha=(1.5,)))
+    [('mu_1', '0.2 MPa'), ('alpha_1', '1.5')]
+    >>> coefficients(GeneralizedRivlin(coefficients=((1, 0, 1e5), (0, 1, 2e4))))
+    [('C10', '0.1 MPa'), ('C01', '0.02 MPa')]
+    """
+    stated: dict[str, str] = {}
+    for names, unit in re.findall(
+        r"^\s*(\w+(?:, \w+)*) : (?:tuple of )?float(?: \[(.*?)\])?$", inspect.getdoc(type(law)) or "", re.M
+    ):
+        stated |= dict.fromkeys(names.split(", "), unit)
+    rows = []
+    for each in fields(law):
+        for name, value in _terms(each.name, getattr(law, each.name)):
+            pascal = stated.get(each.name) == "Pa" or name.startswith("C")
+            rows.append((name, _modulus(value) if pascal else f"{value:g}"))
+    return rows
+
+
+def _terms(name: str, value: Any) -> list[tuple[str, float]]:
+    """Name and number of each term of a coefficient, which may be one number, a series, or terms with exponents."""
+    if not isinstance(value, tuple):
+        return [(name, value)]
+    if name != "coefficients":
+        return [(f"{name}_{n}", each) for n, each in enumerate(value, 1)]
+    if isinstance(value[0], tuple):
+        return [(f"C{i}{j}", each) for i, j, each in value]
+    return [(f"C{n}0", each) for n, each in enumerate(value, 1)]
+
+
+def _modulus(value: float) -> str:
+    if value == 0:
+        return "0"
+    if abs(value) >= GPa:
+        return f"{value / GPa:g} GPa"
+    return f"{value / MPa:g} MPa" if abs(value) >= 0.01 * MPa else f"{value / kPa:g} kPa"

@@ -1,0 +1,80 @@
+"""Describe: procedures in rows for a report, and what each stage of a sequence changes."""
+
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from typing import Any
+
+from turgor.core.model.loads import RAMP, Load
+from turgor.core.model.supports import Displacement, Shift
+from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.procedures.step_options import fields_in_order
+from turgor.core.solvers.solution import Procedure, Status
+from turgor.units import kPa, mL, mm
+from turgor.views.report.describe import Rows, history_text, in_mm, load_text
+
+
+def procedure(of: Procedure) -> Rows:
+    """Say how the path was followed: the fields of a procedure, or what each stage of a sequence changed."""
+    if not isinstance(of, Stages):
+        return fields_of(of)
+    rows = []
+    for stage in of.stages:
+        said = [_with_settings(stage.procedure), *(_changed(load) for load in stage.loads)]
+        said += [_moved(each) for each in stage.displacements]
+        said += [f"{name} moves to {in_mm(place)} from where it was at first" for name, place in stage.moves.items()]
+        rows.append((stage.name, "; ".join(said)))
+    return rows
+
+
+def ending(status: Status) -> str:
+    """Say how a solve ended. "Converged" could be read as converged in the mesh, which a single solve cannot show.
+
+    Examples
+    --------
+    >>> ending(Status.CONVERGED), ending(Status.LIMIT_POINT)
+    ('solved to the end', 'limit point')
+    """
+    return "solved to the end" if status is Status.CONVERGED else str(status).replace("_", " ")
+
+
+def _with_settings(of: OneProcedure) -> str:
+    """Name of a procedure with what is not as by default."""
+    usual = {each.name: each.default for each in fields(of)}
+    stated = {name.replace(" ", "_"): text for name, text in fields_of(of)}
+    changed = [f"{name.replace('_', ' ')} {text}" for name, text in stated.items() if getattr(of, name) != usual[name]]
+    return f"{type(of).__name__} ({', '.join(changed)})" if changed else type(of).__name__
+
+
+def _changed(load: Load) -> str:
+    """What a load becomes in a stage, and how it gets there unless evenly."""
+    way = "" if load.history == RAMP else f", its share of the way over the load factor: {history_text(load.history)}"
+    return f"{load_text(replace(load, history=RAMP)).rstrip('.')}{way}"
+
+
+def _moved(each: Displacement) -> str:
+    """Where a face is moved."""
+    if isinstance(each.value, Shift):
+        return f"{each.face} moves to {in_mm(each.value.vector)} from where it was at first"
+    return f"{each.face} is moved in {', '.join(each.directions)}"
+
+
+def fields_of(value: Any) -> Rows:
+    """Fields of a dataclass as rows, empty ones left out."""
+    rows = []
+    for each in fields_in_order(type(value)):
+        content = getattr(value, each.name)
+        if each.init and content not in ((), None, ""):
+            rows.append((each.name.replace("_", " "), _content(content, each.metadata.get("dimension", ""))))
+    return rows
+
+
+def _content(value: Any, dimension: str) -> str:
+    """A field in words, in the unit of its dimension where it states one."""
+    if isinstance(value, Mapping):
+        return ", ".join(f"{name} {_content(each, dimension)}" for name, each in value.items())
+    if isinstance(value, tuple):
+        return ", ".join(map(str, value))
+    scale, unit = {"volume": (mL, " mL"), "pressure": (kPa, " kPa"), "length": (mm, " mm"), "time": (1.0, " s")}.get(
+        dimension, (1.0, "")
+    )
+    return f"{value / scale:g}{unit}" if isinstance(value, float) else str(value)

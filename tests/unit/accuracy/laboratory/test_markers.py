@@ -1,0 +1,97 @@
+"""Angles of marker tracks, on an arc whose angles are known."""
+
+import numpy as np
+import pytest
+
+from turgor.accuracy.laboratory.markers import Tracks, read_tracks
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import Column
+from turgor.foundation.source import Source
+
+LENGTH = 0.1
+TURN = np.radians(np.linspace(0, 170, 18))
+
+
+def arc(share: float, depth: float = 0.0) -> np.ndarray:
+    """A point at a share of the length of an arc that bends downwards, at every frame."""
+    theta = np.maximum(TURN * share, 1e-12)
+    radius = LENGTH * share / theta
+    flat = np.column_stack([radius * np.sin(theta), -radius * (1 - np.cos(theta))])
+    return np.column_stack([flat[:, 0], np.full(len(TURN), depth), flat[:, 1]])
+
+
+def tracks(points: dict[str, np.ndarray]) -> Tracks:
+    time = Column("time", "s", np.arange(len(TURN), dtype=float))
+    return Tracks(drive=time, points=points, source=Source(text="a camera"))
+
+
+@pytest.fixture
+def finger() -> Tracks:
+    normal = np.column_stack([np.sin(TURN), np.zeros(len(TURN)), np.cos(TURN)])
+    tip = arc(1.0)
+    return tracks({"base": arc(0.0), "middle": arc(0.5), "tip": tip, "above": tip + 5e-3 * normal})
+
+
+def test_the_three_angles_of_an_arc(finger: Tracks) -> None:
+    np.testing.assert_allclose(finger.angle("tangent", "tip", "above")["bending_angle"], TURN, atol=1e-9)
+    np.testing.assert_allclose(finger.angle("chord", "base", "tip")["bending_angle"], TURN / 2, atol=1e-9)
+    np.testing.assert_allclose(
+        finger.angle("three_point", "base", "middle", "tip")["bending_angle"], TURN / 2, atol=1e-9
+    )
+
+
+def test_more_than_half_a_turn_is_followed() -> None:
+    turn = np.radians(np.linspace(0, 400, 41))
+    pin = np.column_stack([np.cos(turn), np.sin(turn)])
+    found = Tracks(
+        drive=Column("time", "s", np.arange(41.0)), source=Source(text="a camera"),
+        points={"a": np.zeros((41, 2)), "b": pin},
+    ).angle("tangent", "a", "b")  # fmt: skip
+    np.testing.assert_allclose(found["bending_angle"], turn, atol=1e-9)
+
+
+def test_the_motion_of_the_clamp_is_taken_out(finger: Tracks) -> None:
+    rng = np.random.default_rng(1)
+    turned = {name: np.empty_like(track) for name, track in finger.points.items()}
+    feet = {f"foot{n}": np.tile(rng.normal(size=3), (len(TURN), 1)) for n in range(3)}
+    still = {**finger.points, **feet}
+    turned = {name: np.empty_like(track) for name, track in still.items()}
+    for n in range(len(TURN)):
+        angle, shift = 0.02 * n, rng.normal(size=3)
+        turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+        first = np.eye(3) if n == 0 else turn
+        for name, track in still.items():
+            turned[name][n] = first @ track[n] + (shift if n else 0)
+    found = tracks(turned).relative_to("foot0", "foot1", "foot2")
+    np.testing.assert_allclose(found.of("tip"), still["tip"], atol=1e-12)
+    with pytest.raises(TurgorError, match="needs 3 markers on the fixed body, not 2"):
+        tracks(turned).relative_to("foot0", "foot1")
+
+
+def test_displacement(finger: Tracks) -> None:
+    found = finger.displacement("tip")["tip_displacement"]
+    assert found[-1] == pytest.approx(np.linalg.norm(arc(1.0)[-1] - arc(1.0)[0]))
+
+
+def test_bad_questions(finger: Tracks) -> None:
+    with pytest.raises(TurgorError, match="unknown definition of an angle 'cord'; did you mean 'chord'"):
+        finger.angle("cord", "base", "tip")
+    with pytest.raises(TurgorError, match="a chord angle needs 2 markers, not 1"):
+        finger.angle("chord", "tip")
+    with pytest.raises(TurgorError, match="unknown marker 'tipp'; did you mean 'tip'"):
+        finger.angle("chord", "base", "tipp")
+
+
+def test_reading(tmp_path) -> None:
+    file = tmp_path / "video.csv"
+    file.write_text("frame,tip_x (mm),tip_y (mm),base_x (mm),base_y (mm)\n0,100,0,0,0\n1,98,5,0,0\n", encoding="utf-8")
+    found = read_tracks(file)
+    assert list(found.points) == ["tip", "base"]
+    np.testing.assert_allclose(found.of("tip")[1], [0.098, 0.005])
+    assert found.drive.name == "frame"
+    file.write_text("frame,tip_x,tip_y\n0,100,0\n1,98,5\n", encoding="utf-8")
+    with pytest.raises(TurgorError, match="in no unit of length; scale pixels first"):
+        read_tracks(file)
+    file.write_text("frame,tip\n0,100\n1,98\n", encoding="utf-8")
+    with pytest.raises(TurgorError, match="has no pair of columns"):
+        read_tracks(file)

@@ -1,0 +1,59 @@
+"""Branches of a drive, and the mean and spread of repeated runs."""
+
+import numpy as np
+import pytest
+
+from turgor.accuracy.laboratory.runs import average_runs, branches, interpolated, loading, unloading
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
+
+
+def run(pressure, angle, text: str = "a test") -> Response:
+    columns = Column("pressure", "kPa", np.asarray(pressure, float)), Column("angle", "deg", np.asarray(angle, float))
+    return Response(columns=columns, source=Source(text=text))
+
+
+def test_noise_makes_no_branch() -> None:
+    time = np.linspace(0, 1, 400)
+    drive = 1 - np.abs(2 * time - 1) + 0.01 * np.random.default_rng(3).standard_normal(400)
+    found = branches(drive)
+    assert len(found) == 2
+    assert drive[found[0][1]] == drive.max()
+
+
+def test_loading_and_unloading_share_no_row_but_the_turn() -> None:
+    pressure = [0, 1, 2, 3, 2, 1, 0, 1, 2]
+    cycle = run(pressure, range(9))
+    np.testing.assert_allclose(loading(cycle)["angle"], [0, 1, 2, 3, 6, 7, 8])
+    np.testing.assert_allclose(unloading(cycle)["angle"], [3, 4, 5, 6])
+    with pytest.raises(TurgorError, match="never falls"):
+        unloading(run([0, 1, 2], [0, 1, 2]))
+
+
+def test_mean_and_spread_of_lines() -> None:
+    rng = np.random.default_rng(0)
+    slopes = np.array([1.0, 2.0, 4.0])
+    runs = []
+    for slope in slopes:
+        at = np.sort(rng.uniform(0, 10, 50))
+        runs.append(run(at, slope * at))
+    mean = average_runs(runs, rows=5)
+    np.testing.assert_allclose(mean["angle"], slopes.mean() * mean["pressure"], rtol=1e-12)
+    np.testing.assert_allclose(mean["angle_spread"], slopes.std(ddof=1) * mean["pressure"], rtol=1e-12)
+    assert mean["pressure"][0] == max(each["pressure"].min() for each in runs)
+
+
+def test_runs_that_cannot_be_averaged() -> None:
+    with pytest.raises(TurgorError, match="two runs or more"):
+        average_runs([run([0, 1], [0, 1])])
+    with pytest.raises(TurgorError, match="share no range"):
+        average_runs([run([0, 1], [0, 1]), run([2, 3], [0, 1])])
+    with pytest.raises(TurgorError, match="goes up and down; take loading"):
+        average_runs([run([0, 2, 0], [0, 1, 0]), run([0, 1], [0, 1])])
+
+
+def test_equal_readings_of_the_drive_are_averaged() -> None:
+    found = interpolated(run([0, 1, 1, 2], [0, 1, 3, 4]), "pressure", "angle", np.array([0.5, 1.0, 3.0]))
+    np.testing.assert_allclose(found[:2], [1.0, 2.0])
+    assert np.isnan(found[2])

@@ -1,0 +1,89 @@
+"""Loops on several threads: every pass is made once, and results do not depend on the number of threads."""
+
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+from turgor.core.engine.cells import spectral
+from turgor.core.engine.compiled import LEAST, over
+from turgor.core.engine.runtime import use_threads
+from turgor.core.engine.warmup import compiling
+from turgor.core.engine.warmup.needs import Needs
+from turgor.core.materials.laws.laws import Hooke, NeoHooke, Ogden
+from turgor.core.materials.material import Material
+from turgor.core.model.model import Model
+from turgor.core.model.sheets import Membrane
+from turgor.core.model.supports import Fixed
+
+
+@pytest.mark.parametrize("count", [0, 1, LEAST - 1, 2 * LEAST, 10 * LEAST + 7])
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_every_pass_is_made_once(count, threads):
+    made, ran = np.zeros(count, dtype=int), set()
+
+    def loop(begin, end, out):
+        out[begin:end] += 1
+        ran.add(threading.get_ident())
+
+    with use_threads(threads):
+        over(count, loop, made)
+    assert (made == 1).all()
+    if threads == 1 or count < 2 * LEAST:
+        assert ran <= {threading.get_ident()}
+    else:
+        assert threading.get_ident() not in ran
+
+
+def test_an_error_in_a_thread_is_not_lost():
+    def loop(begin, end):
+        raise ValueError("bad range")
+
+    with use_threads(2), pytest.raises(ValueError, match="bad range"):
+        over(10 * LEAST, loop)
+
+
+def test_results_do_not_depend_on_threads():
+    F = np.eye(3) + 0.3 * np.random.default_rng(1).standard_normal((5 * LEAST, 2, 3, 3))
+    found = []
+    for threads in (1, 2):
+        with use_threads(threads):
+            found.append(spectral.principal_stretches(F))
+    for one, two in zip(*found, strict=True):
+        np.testing.assert_array_equal(one, two)
+
+
+def test_few_models_need_the_loops_of_stretches_and_sheets(results_body):
+    paper = Membrane(material=Material(name="paper", law=Hooke(E=1e9, nu=0.2)), thickness=1e-4)
+
+    def model(law, **faces):
+        rubber = Material(name="rubber", law=law)
+        return Model(results_body, dict.fromkeys(results_body.regions, rubber) | faces, [Fixed("fixed")], [])
+
+    def few(needs):
+        return needs.stretches, needs.sheets
+
+    assert few(Needs.of(model(NeoHooke(C10=1e5)))) == (False, False)
+    assert few(Needs.of(model(Ogden(mu=(1e5,), alpha=(3.0,))))) == (True, False)
+    assert few(Needs.of(model(NeoHooke(C10=1e5), outside=paper))) == (False, True)
+
+
+@pytest.mark.parametrize(("told", "terminal"), [(True, True), (False, True), (False, False)])
+def test_a_compilation_that_takes_long_is_told(told, terminal, monkeypatch, capsys):
+    heard: list[str] = []
+    monkeypatch.setattr(compiling, "QUIET_SECONDS", 0.01)
+    monkeypatch.setattr(compiling, "touch_tangent", lambda *_: time.sleep(0.3))
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: terminal)
+    compiling.compile_kernels(heard.append if told else None, Needs())
+    said = "compiling the element kernels (once per machine and kind of cell, up to half a minute)"
+    assert heard == ([said] if told else [])
+    assert capsys.readouterr().err == (f"turgor: {said}\n" if terminal and not told else "")
+
+
+@pytest.fixture
+def results_body():
+    import results_cases
+
+    return results_cases.body()

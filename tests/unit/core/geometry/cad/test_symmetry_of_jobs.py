@@ -1,0 +1,115 @@
+"""``symmetry = "automatic"`` of a CAD part in a job uses the planes that the loads allow."""
+
+import pytest
+from netgen.occ import Cylinder, Pnt, X
+
+import wedge_cases
+from turgor.foundation.errors import TurgorError
+from turgor.job.prepare import prepare
+from turgor.job.read import read_job
+
+JOB = """
+[actuator]
+type = "cad_file"
+file = "tube.step"
+symmetry = "automatic"
+
+[actuator.faces]
+fixed = {{ normal = "-x" }}
+tip = {{ normal = "+x" }}
+
+[materials]
+body = {{ law = "neo_hooke", C10 = "0.1 MPa", density = "1070 kg/m³" }}
+
+[loads]
+pressure = "5 kPa"
+{more}
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("tube")
+    tube = Cylinder(Pnt(0, 0, 0), X, r=8, h=30) - Cylinder(Pnt(3, 0, 0), X, r=6, h=24)
+    tube.WriteStep(str(folder / "tube.step"))
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("more", "planes", "reason"),
+    [
+        ("", "yz", ""),
+        ('gravity = "-z"', "y", "gravity acts along z"),
+        ('[loads.tip]\nforce = [0, "0.1 N", 0]', "z", "a force on 'tip' acts along y"),
+        ('[loads.tip]\nhangs = "5 g"', "y", "a weight on 'tip' acts along z"),
+        ('point_forces = [{ at = [0, "8 mm", 0], force = ["1 N", 0, 0] }]', "", "a force acts at a point"),
+        ('[points.plate]\nface = "tip"\nforce = ["1 N", 0, 0]', "", "point 'plate'"),
+        ('[obstacles.floor]\nshape = "plane"\npoint = [0, 0, "-9 mm"]\nnormal = "+z"', "", "obstacle 'floor'"),
+    ],
+)
+def test_planes_are_those_that_the_loads_allow(folder, more, planes, reason):
+    path = folder / "job.toml"
+    path.write_text(JOB.format(more=more), encoding="utf-8")
+    job = read_job(path)
+    _, part = job.built
+    assert [face for face in part.faces if face.startswith("symmetry_")] == [f"symmetry_{axis}" for axis in planes]
+    told = part.findings[-1]
+    assert told.code == "D07"
+    assert reason in told.message
+
+
+@pytest.mark.parametrize(
+    ("more", "wedge", "reason"),
+    [
+        ("", True, "A wedge of 1/6 of the part about x is modeled"),
+        ('gravity = "-x"', True, "A wedge of 1/6"),
+        ('gravity = "-z"', False, "Half of the part is modeled, cut at the mirror plane y"),
+        ('point_forces = [{ at = [0, "8 mm", 0], force = ["1 N", 0, 0] }]', False, "The whole part is modeled"),
+    ],
+)
+def test_a_wedge_is_used_where_loads_allow_it(folder, more, wedge, reason):
+    wedge_cases.lobed().WriteStep(str(folder / "lobed.step"))
+    path = folder / "wedge.toml"
+    path.write_text(JOB.format(more=more).replace("tube.step", "lobed.step"), encoding="utf-8")
+    _, part = read_job(path).built
+    assert (part.wedge is not None) == wedge
+    assert reason in part.findings[-1].message
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        ('gravity = "-z"', "'-z' is not the same in all sectors of the wedge about x"),
+        (
+            '[loads.tip]\nforce = [0, "0.1 N", 0]',
+            "the force along y is not the same in all sectors of the wedge",
+        ),
+    ],
+)
+def test_loads_that_break_a_wedge_are_refused(folder, more, said):
+    path = folder / "broken.toml"
+    path.write_text(JOB.format(more=more).replace('"automatic"', '"wedge 6"'), encoding="utf-8")
+    with pytest.raises(TurgorError, match=said):
+        read_job(path)
+
+
+FIXED = '[supports]\nfixed = "xy"'
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        ("", True),
+        (FIXED, False),
+        ('[mesh]\ncells = "axisymmetric"', False),
+    ],
+)
+def test_an_axisymmetric_mesh_is_recommended_where_all_is_the_same_around(folder, more, told):
+    path = folder / "job.toml"
+    path.write_text(JOB.format(more=more), encoding="utf-8")
+    _, findings = prepare(read_job(path))
+    found = [each for each in findings if each.code == "G13"]
+    assert bool(found) == told
+    if told:
+        assert 'cells = "axisymmetric"' in found[0].advice
+        assert "body of revolution about x" in found[0].message

@@ -1,0 +1,93 @@
+"""The CAD shape of a slow PneuNet has the volumes, faces and names that its dimensions say."""
+
+from math import pi
+
+import pytest
+from tube_cases import areas, assert_meshes, assert_shape
+
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
+from turgor.foundation.errors import TurgorError
+from turgor.units import mm
+
+FACES = {"cavity", "fixed", "outside", "strain_limiting_layer", "tip"}
+
+
+@pytest.mark.parametrize(
+    ("chambers", "length", "width", "height", "wall"), [(11, 110, 20, 15, 3), (3, 40, 12, 9, 1), (1, 25, 30, 12, 99)]
+)
+@pytest.mark.parametrize("symmetric", [True, False])
+def test_volumes_computed_by_hand(chambers, length, width, height, wall, symmetric):
+    actuator = SlowPneuNet(
+        chambers=chambers, length=length * mm, width=width * mm, height=height * mm, wall=wall * mm,
+        symmetric=symmetric,
+    )  # fmt: skip
+    inside = length - 4 - (chambers - 1) * wall
+    cavity = inside * (width - 4) * (height - 5) + (chambers - 1) * wall * 3 * 2
+    share = 2 if symmetric else 1
+    assert_shape(
+        actuator, solid=(length * width * height - cavity) / share, cavities={"cavity": cavity / share},
+        regions={"body", "base"}, faces=FACES | ({"symmetry_y"} if symmetric else set()),
+    )  # fmt: skip
+
+
+def test_it_is_the_fast_one_with_its_gaps_filled():
+    slow, fast = SlowPneuNet(), FastPneuNet()
+    assert slow.cavity_volumes["cavity"] == pytest.approx(fast.cavity_volume)
+    assert slow.solid_volume - fast.solid_volume == pytest.approx(10 * 1 * (20 * 12 - 5 * 3) / 2 * mm**3)
+
+
+def test_an_end_block_is_held_all_around_and_an_inlet_opens_the_cavity_at_its_end():
+    actuator = SlowPneuNet(chambers=2, length=30 * mm, clamp_length=10 * mm, inlet_diameter=3 * mm, symmetric=False)
+    duct = pi / 4 * 9
+    found = areas(actuator.build())
+    assert found["fixed"] == pytest.approx(20 * 15 - duct + 2 * 10 * (20 + 15), rel=1e-6)
+    assert found["tip"] == pytest.approx(20 * 15)
+    assert found["strain_limiting_layer"] == pytest.approx(20 * 40)
+    closed = SlowPneuNet(chambers=2, length=30 * mm, symmetric=False)
+    assert actuator.cavity_volumes["cavity"] - closed.cavity_volumes["cavity"] == pytest.approx(duct * 12 * mm**3)
+    walls = areas(closed.build())["cavity"] - duct + pi * 3 * 12
+    assert found["cavity"] == pytest.approx(walls, rel=1e-6)
+    assert actuator.solid_volume == pytest.approx(closed.solid_volume + (20 * 15 * 10 - duct * 12) * mm**3)
+
+
+@pytest.mark.parametrize("options", [{}, {"clamp_length": 8 * mm, "inlet_diameter": 3 * mm}])
+def test_it_meshes_coarsely(options):
+    assert_meshes(SlowPneuNet(chambers=2, length=25 * mm, **options), size=4 * mm)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ({"wall": 11 * mm}, "wall is 11 mm; allowed is 0.01 mm to 10.987 mm, so that 11 chambers fit in 110 mm."),
+        ({"end_wall": 41 * mm}, "end_wall is 41 mm; allowed is 0.01 mm to 39.945 mm, so that 11 chambers fit"),
+        ({"side_wall": 10 * mm}, "side_wall is 10 mm; allowed is 0.01 mm to 9.995 mm, less than half the width of 20"),
+        ({"top_wall": 12 * mm}, "top_wall is 12 mm; allowed is 0.01 mm to 11.99 mm, so that a cavity remains"),
+        ({"base": 15 * mm}, "base is 15 mm; allowed is 0.01 mm to 14.97 mm"),
+        ({"floor": 14 * mm}, "floor is 14 mm; allowed is 0.01 mm to 13.48 mm"),
+        ({"channel_width": 16 * mm}, "channel_width is 16 mm; allowed is 0.01 mm to 15.99 mm, less than the cavity"),
+        ({"channel_height": 10 * mm}, "channel_height is 10 mm; allowed is 0.01 mm to 9.99 mm, less than the cavity"),
+        ({"inlet_diameter": 10 * mm}, "inlet_diameter is 10 mm; allowed is 0 mm to 9.99 mm, less than the chamber"),
+        ({"clamp_length": -1 * mm}, "clamp_length is -1 mm; allowed is 0 mm to 2000 mm."),
+        ({"chambers": 0}, "chambers is 0; allowed is a whole number from 1 to 100."),
+        ({"length": 110}, "length is 110000 mm; allowed is 1 mm to 2000 mm; is the unit right[?]"),
+        ({"symmetric": 1}, "symmetric is 1; allowed is True or False."),
+        ({"chambers": 1, "channel_width": 0}, "channel_width is 0 mm; allowed is 0.01 mm"),
+    ],
+)
+def test_an_impossible_dimension_is_refused(wrong, message):
+    with pytest.raises(TurgorError, match=message):
+        SlowPneuNet(**wrong)
+
+
+@pytest.mark.parametrize(
+    ("dimensions", "cavity"),
+    [
+        ({"wall": 10.987 * mm, "end_wall": 0.01 * mm}, 0.11 * 16 * 10 + 109.87 * 3 * 2),
+        ({"side_wall": 9.995 * mm, "chambers": 1}, 106 * 0.01 * 10),
+        ({"end_wall": 39.945 * mm}, 0.11 * 16 * 10 + 30 * 3 * 2),
+    ],
+)
+def test_limits_that_errors_name_are_themselves_allowed(dimensions, cavity):
+    geometry = SlowPneuNet(**dimensions).build()
+    assert geometry.cavity_volumes["cavity"] == pytest.approx(cavity / 2 * mm**3)

@@ -1,0 +1,216 @@
+"""Reading tests: what real tables look like, and how each mistake in one is answered."""
+
+import numpy as np
+import pytest
+
+from turgor.core.materials.experiments.material_test import MaterialTest
+from turgor.core.materials.experiments.read_tests import read_test, read_tests
+from turgor.core.materials.experiments.specimen import Specimen
+from turgor.core.materials.laws.laws import MooneyRivlin, NeoHooke
+from turgor.foundation.errors import TurgorError
+from turgor.units import mm
+
+STRIP = Specimen(length=50 * mm, width=5 * mm, thickness=3 * mm)
+
+
+@pytest.fixture
+def file(tmp_path):
+    def write(text, name="strip_uniaxial.csv"):
+        path = tmp_path / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    return write
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "stretch_-,engineering_stress_MPa\n1,0\n1.5,0.1\n2,0.2\n",
+        "Stretch;Nominal stress (kPa)\n1,0;0\n1,5;100\n2,0;200\n",
+        "stretch\tnominal stress [N/mm²]\n1,0\t0\n1,5\t0,1\n2\t0,2\n",
+        "# a machine\n# old\nTime (s);Engineering Strain;Engineering Stress (MPa);;\n0;0;0;;\n1;0.5;0.1;;\n2;1;0.2;;\n",
+        "Strain;Nominal stress\n(%);(MPa)\n0;0\n50;0.1\n100;0.2\n",
+        "True Strain,True Stress (MPa)\n0,0\n0.4054651081,0.15\n0.6931471806,0.4\n",
+        "grip_length_mm,force_N\n50,0\n75,1.5\n100,3\n",
+        "Extension (mm) ; Load (kN)\r\n0;0\r\n25;0.0015\r\n50;0.003\r\n",
+        "# Time (s)  Length (mm)   Force (N)\n00:06:57.69\t5.0E+1\t0\n00:06:57.86\t7.5E+1\t1.5E+0\n00:06:58\t100\t3\n",
+        "\ufeffstretch;nominal stress (Pa)\n1;0\n1.5;1e5\n2;2e5\n\n",
+    ],
+)
+def test_the_same_strip_in_many_tables(file, text):
+    test = read_test(file(text), specimen=STRIP)
+    assert test.stretch == pytest.approx([1.0, 1.5, 2.0])
+    assert test.nominal_stress == pytest.approx([0.0, 0.1e6, 0.2e6])
+    assert "3 rows" in test.edits[0].text
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("", "is empty"),
+        ("\n\n \n", "is empty"),
+        ("stretch,nominal_stress_MPa\n", "no rows of numbers"),
+        ("stretch,nominal_stress_MPa\n1,0\n", "one point; a test needs at least two"),
+        ("stretch,nominal_stress_MPa\n1,0\n1.5,x\n2,0.2\n", "line 3: 'x' in column 'nominal_stress_MPa'"),
+        ("stretch,nominal_stress_MPa\n1,0\n1.5,1e999\n2,0.2\n", "line 3: '1e999' in column"),
+        ("stretch,nominal_stress_MPa\n1,0\n\n1.5,1_0\n2,0.2\n", "line 4: '1_0' in column"),
+        ("stretch,nominal_stress_MPa\n1,0\n2,0.2\n1.5,0.1\n3,0.3\n", "turns round at row 3 .* cyclic=True"),
+        ("stretch,nominal_stress_MPa\n1,0\n-1.5,0.1\n", "more than 0"),
+        ("strain,nominal_stress_MPa\n0,0\n-1.5,0.1\n", "more than 0"),
+        ("stretch,nominal stress\n1,0\n2,0.2\n", "states no unit"),
+        ("stretch,nominal stress (MPA)\n1,0\n2,0.2\n", "unknown unit of a stress 'MPA'; did you mean 'MPa'"),
+        ("stretch,stress (MPa)\n1,0\n2,0.2\n", 'stress_measure="nominal" or stress_measure="cauchy"'),
+        ("a,b\n1,0\n2,0.2\n", "no column of stretch, strain, length or extension"),
+        ("stretch,temperature\n1,0\n2,0.2\n", "no such column of stress or force"),
+        ("1,0\n2,0.2\n", "no header line. Name its columns"),
+        ("stretch,nominal a (MPa),nominal b (MPa)\n1,0,0\n2,1,1\n", "no such column of stress"),
+        ("stretch,nominal stress a (MPa),nominal stress b (MPa)\n1,0,0\n2,1,1\n", "say which with columns"),
+    ],
+)
+def test_bad_tables_are_answered_with_a_sentence(file, text, sentence):
+    with pytest.raises(TurgorError, match=sentence) as error:
+        read_test(file(text))
+    assert "strip_uniaxial" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("header", "column", "example"),
+    [
+        ("Clock,stretch,nominal stress (MPa)", "Clock", "s"),
+        ("Time (s),stretch,nominal stress", "nominal stress", "MPa"),
+        ("Time (s),stretch,force", "force", "N"),
+        ("Time (s),grip length,nominal stress (MPa)", "grip length", "mm"),
+    ],
+)
+def test_the_example_of_a_missing_unit_is_a_unit_of_the_column(file, header, column, example):
+    stated = {"time": "Clock"} if column == "Clock" else {}
+    with pytest.raises(TurgorError, match=rf"for example '{column} \({example}\)'"):
+        read_test(file(f"{header}\n0,1,0\n1,2,0.2\n"), columns=stated, specimen=STRIP)
+
+
+def test_forces_need_the_specimen(file):
+    path = file("length_mm,force_N\n50,0\n100,3\n")
+    with pytest.raises(TurgorError, match="specimen=Specimen"):
+        read_test(path)
+
+
+@pytest.mark.parametrize(
+    ("sizes", "sentence"),
+    [
+        ({"length": 0.05, "area": 0.0}, "area is 0 m²"),
+        ({"length": 0.0, "area": 1e-5}, "length is 0 m"),
+        ({"length": 0.05, "width": -1e-3, "thickness": 1e-3}, "width is -0.001 m"),
+        ({"length": 0.05}, "either its area, or its width and its thickness"),
+        ({"length": 0.05, "area": 1e-5, "width": 1e-3, "thickness": 1e-3}, "either its area"),
+    ],
+)
+def test_specimens_without_a_section_are_refused(sizes, sentence):
+    with pytest.raises(TurgorError, match=sentence):
+        Specimen(**sizes)
+
+
+def test_a_missing_file_is_a_sentence(tmp_path):
+    with pytest.raises(TurgorError, match="cannot be read"):
+        read_test(tmp_path / "nowhere_uniaxial.csv")
+
+
+def test_stress_measure_is_asked_for_and_cauchy_is_converted(file):
+    path = file("stretch,stress (MPa)\n1,0\n2,0.2\n")
+    assert read_test(path, stress_measure="nominal").nominal_stress[1] == pytest.approx(0.2e6)
+    assert read_test(path, stress_measure="cauchy").nominal_stress[1] == pytest.approx(0.1e6)
+    with pytest.raises(TurgorError, match="unknown stress_measure 'true'"):
+        read_test(path, stress_measure="true")
+
+
+def test_a_file_with_both_measures_gives_the_same_by_either(file):
+    path = file("strain,True Stress (MPa),Engineering Stress (MPa)\n0,0,0\n1,0.4,0.2\n")
+    nominal, cauchy = (read_test(path, stress_measure=measure).nominal_stress for measure in ("nominal", "cauchy"))
+    assert nominal == pytest.approx(cauchy)
+
+
+def test_mode_comes_from_the_name_or_is_asked_for(file):
+    text = "stretch,nominal_stress_MPa\n1,0\n2,0.2\n"
+    assert read_test(file(text, "pure_shear.csv")).mode == "planar"
+    assert read_test(file(text, "Equibiaxial 3.csv")).mode == "equibiaxial"
+    with pytest.raises(TurgorError, match="Give mode, one of uniaxial, equibiaxial"):
+        read_test(file(text, "test7.csv"))
+    with pytest.raises(TurgorError, match="did you mean 'planar'"):
+        read_test(file(text), mode="planr")
+
+
+def test_columns_can_be_named(file):
+    path = file("0.2,2\n0.3,3\n")
+    test = read_test(path, columns=("nominal_stress_MPa", "stretch"))
+    assert (test.stretch[1], test.nominal_stress[1]) == (3.0, pytest.approx(0.3e6))
+    with pytest.raises(TurgorError, match="has 2 columns, and 1 names were given"):
+        read_test(path, columns=("stretch",))
+    path = file("channel 1 (mm);channel 2 (N)\n50;0\n100;3\n")
+    test = read_test(path, specimen=STRIP, columns={"length": "channel 1 (mm)", "force": "channel 2 (N)"})
+    assert test.nominal_stress[1] == pytest.approx(0.2e6)
+    with pytest.raises(TurgorError, match="unknown column 'channel 3"):
+        read_test(path, specimen=STRIP, columns={"length": "channel 3 (mm)"})
+    with pytest.raises(TurgorError, match="unknown role of a column 'lenght'"):
+        read_test(path, specimen=STRIP, columns={"lenght": "channel 1 (mm)"})
+
+
+def test_replicates_by_a_column_or_side_by_side(file):
+    long = file("specimen,stretch,nominal_stress_MPa\nA,1,0\nA,2,0.2\nB,1,0\nB,1.5,0.1\nB,2,0.3\n")
+    tests = read_tests(long)
+    assert [test.name for test in tests] == ["strip_uniaxial A", "strip_uniaxial B"]
+    assert [len(test.stretch) for test in tests] == [2, 3]
+    wide = file(
+        "Strain;Eng. stress (MPa);Strain;Eng. stress (MPa)\n0;0;0;0\n1;0,2;0,5;0,1\n;;1;0,3\n", "w_uniaxial.csv"
+    )
+    tests = read_tests(wide)
+    assert [list(test.nominal_stress) for test in tests] == [
+        [0, pytest.approx(2e5)],
+        [0, pytest.approx(1e5), pytest.approx(3e5)],
+    ]
+    with pytest.raises(TurgorError, match=r"holds 2 specimens .* read_tests"):
+        read_test(long)
+
+
+def test_biaxial_fields_and_differences(file):
+    law = MooneyRivlin(C10=0.2e6, C01=0.02e6)
+    path = file(
+        "stretch_1_-,stretch_2_-,nominal_stress_1_MPa,nominal_stress_2_MPa\n1.5,1,0.3,0.1\n1.5,1.5,0.4,0.4\n",
+        "biaxial.csv",
+    )
+    test = read_test(path)
+    assert list(test.measured / 1e6) == pytest.approx([0.3, 0.4, 0.1, 0.4])
+    both = test.predicted(law)
+    assert both[1] == pytest.approx(both[3]), "equal stretches, equal stresses"
+    path = file("stretch_1,stretch_2,cauchy_stress_difference_1_minus_2_MPa\n1.5,1,0.3\n1.5,1.5,0\n", "biaxial_d.csv")
+    test = read_test(path)
+    assert test.predicted(law)[0] * 1.5 == pytest.approx(both[0] * 1.5 - both[2] * 1.0)
+    assert test.predicted(law)[1] == pytest.approx(0, abs=1e-6)
+
+
+def test_simple_shear(file):
+    test = read_test(file("shear strain,nominal stress (kPa)\n-0.5,-120\n0,0\n0.5,120\n", "simple_shear.csv"))
+    assert test.predicted(NeoHooke(C10=0.12e6)) == pytest.approx(test.measured)
+
+
+@pytest.mark.parametrize(
+    ("values", "sentence"),
+    [
+        ({"mode": "shear"}, "unknown mode 'shear'"),
+        ({"stretch": [1.0, 2.0, 3.0]}, "wrong shape"),
+        ({"nominal_stress": [0.0, np.nan]}, "nominal_stress of point 2 is nan"),
+        ({"stretch": [0.0, 1.0]}, "stretch of point 1 is 0"),
+        ({"stretch_2": [1.0, 1.0]}, "stretch_2 belongs to biaxial tests only"),
+        ({"mode": "biaxial"}, "is biaxial and has no stretch_2"),
+    ],
+)
+def test_a_test_checks_itself(values, sentence):
+    with pytest.raises(TurgorError, match=sentence):
+        MaterialTest(
+            **({"mode": "uniaxial", "stretch": [1.0, 2.0], "nominal_stress": [0.0, 1.0], "name": "t"} | values)
+        )
+
+
+def test_numbers_of_a_test_cannot_be_changed():
+    test = MaterialTest(mode="uniaxial", stretch=[1.0, 2.0], nominal_stress=[0.0, 1.0], name="t")
+    with pytest.raises(ValueError, match="read-only"):
+        test.stretch[0] = 2.0

@@ -1,0 +1,177 @@
+"""Sections of sweeps: quadrilaterals that follow every outline, without gaps, folds or degenerate corners."""
+
+from math import pi
+
+import numpy as np
+import pytest
+
+from turgor.core.geometry.extrusion import Layer
+from turgor.core.geometry.shapes.sections import Outline, disc, half_disc, polygon, rectangle, ring_sector
+from turgor.core.meshing.sweeping.general import general_section
+from turgor.core.meshing.sweeping.grid import grid_section
+from turgor.core.meshing.sweeping.pairing import corner_sines, paired
+from turgor.core.meshing.sweeping.polar import core_section, polar_section
+from turgor.core.meshing.sweeping.section import Fineness, SectionMesh, divided, divided_turn, inside, names_at
+from turgor.units import mm
+
+FINE = Fineness(size=2 * mm)
+
+#: Reference coordinates of the nine nodes, as (first, second) in halves.
+NODES = ((0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1), (1, 1))
+
+
+def lagrange(t: float) -> tuple[np.ndarray, np.ndarray]:
+    """Values and derivatives of the three quadratics on 0, 1/2, 1."""
+    return np.array([(2 * t - 1) * (t - 1), 4 * t * (1 - t), t * (2 * t - 1)]), np.array(
+        [4 * t - 3, 4 - 8 * t, 4 * t - 1]
+    )
+
+
+def jacobians(mesh: SectionMesh, points: np.ndarray) -> np.ndarray:
+    """Jacobian determinants (q, p²) of the quadrilaterals at a lattice of reference points."""
+    rows = []
+    for s in points:
+        for t in points:
+            (Na, da), (Nb, db) = lagrange(s), lagrange(t)
+            gradient = np.array([[da[i] * Nb[j], Na[i] * db[j]] for i, j in NODES])
+            rows.append(np.linalg.det(np.einsum("qad,ae->qde", mesh.points[mesh.quads], gradient)))
+    return np.stack(rows, axis=1)
+
+
+def measured_area(mesh: SectionMesh) -> float:
+    x, w = np.polynomial.legendre.leggauss(3)
+    return float(jacobians(mesh, (x + 1) / 2).sum(axis=0) @ np.outer(w / 2, w / 2).ravel())
+
+
+def check_sound(mesh: SectionMesh, area: float, tolerance: float) -> None:
+    """All cells counterclockwise everywhere, their areas add up, and no edge belongs to three of them."""
+    assert jacobians(mesh, np.linspace(0, 1, 5)).min() > 0
+    assert measured_area(mesh) == pytest.approx(area, rel=tolerance)
+    edges = np.sort(np.concatenate([mesh.quads[:, [i, (i + 1) % 4]] for i in range(4)]), axis=1)
+    assert np.unique(edges, axis=0, return_counts=True)[1].max() == 2
+
+
+def test_a_point_on_the_line_between_two_corners_is_inside() -> None:
+    assert inside(disc(1.0), np.array([[0.0, 0.5], [0.5, 0.0], [0.0, 0.0], [0.0, 1.5]])).tolist() == [True] * 3 + [
+        False
+    ]
+
+
+@pytest.mark.parametrize(
+    "outline",
+    [
+        disc(2.0, (0.3, -0.2)),
+        half_disc(2.0),
+        ring_sector(1.0, 2.0, -2.5, 2.5),
+        polygon([(0, 0), (2, 0), (0.5, 0.5), (0, 2)]),
+    ],
+)
+def test_inside_covers_the_area_of_the_outline(outline: Outline) -> None:
+    x = np.linspace(-2.5, 2.5, 400)
+    points = np.stack([grid.ravel() for grid in np.meshgrid(x, x)], axis=1)
+    assert inside(outline, points).mean() * 5**2 == pytest.approx(outline.area, rel=0.01)
+
+
+def test_later_fills_lie_over_earlier_ones() -> None:
+    layer = Layer(start=0, end=1, fill=(("body", disc(3.0)), ("cavity", disc(2.0)), (None, disc(1.0))))
+    assert names_at([layer], np.array([[2.5, 0], [1.5, 0], [0.5, 0], [4.0, 0]])).tolist() == [
+        ["body", "cavity", None, None]
+    ]
+
+
+def test_lines_are_divided_with_a_node_in_each_middle() -> None:
+    wanted = [
+        *(0.0, 0.25, 0.5, 0.75, 1.0),
+        *(1 + 1 / 3, 1 + 2 / 3, 2.5, 3 + 1 / 3, 4 + 1 / 6, 5.0),  # beside the line at 1 a third of the size
+    ]
+    assert np.allclose(divided(np.array([0.0, 1.0, 5.0]), Fineness(size=2.0, wall_cells=2)), wanted)
+    around = divided_turn(np.array([0.0, pi]), 1.0, Fineness(size=10.0))
+    assert len(around) == 2 * 7 + 1  # two cells along a radius: 2 π, rounded up
+    assert len(divided_turn(np.array([0.0, pi]), 1.0, Fineness(size=10.0), multiple=4)) == 2 * 8 + 1
+
+
+def test_cells_grow_away_from_feature_lines_where_edges_ask_for_short_ones() -> None:
+    fine = Fineness(size=3.0, edge=0.2)
+    ticks = divided(np.array([0.0, 10.0, 11.0]), fine)[::2]
+    assert np.allclose(ticks, [0, 3, 6, 9, 9.8, 10, 10.2, 11])  # free ends need none
+    inner = divided(np.array([0.0, 1.0, 9.0, 10.0]), fine)[::2]
+    lengths = np.diff(inner)
+    assert inner[[0, -1]].tolist() == [0, 10] and np.allclose(lengths, lengths[::-1])
+    assert np.isclose(lengths.min(), 0.2) and lengths.max() <= 3 + 1e-12
+    assert (lengths[1:] / lengths[:-1]).max() <= 4 + 1e-9
+
+
+def test_a_grid_follows_all_edges_of_its_rectangles() -> None:
+    mesh = grid_section([rectangle((0, 10 * mm), (0, 4 * mm)), rectangle((3 * mm, 4 * mm), (1 * mm, 3 * mm))], FINE)
+    assert mesh is not None
+    check_sound(mesh, 40 * mm**2, 1e-12)
+    assert {0, 3, 4, 10} <= set(np.round(mesh.points[:, 0] / mm, 9))
+    assert len(mesh.quads) == (3 + 1 + 4) * 3  # 3 mm: 0.67 mm beside the inner rectangle and twice 1.17 mm
+
+
+def test_a_grid_follows_slanted_walls_and_tapering_sides() -> None:
+    slanted = polygon([(2 * mm, 0), (3 * mm, 0), (4 * mm, 4 * mm), (3 * mm, 4 * mm)])
+    for turn in (1, -1):
+        outlines = [rectangle((0, 10 * mm), (0, 4 * mm)), slanted]
+        if turn < 0:
+            outlines = [Outline(corners=tuple((y, x) for x, y in o.corners[::-1]), arcs=o.arcs) for o in outlines]
+        mesh = grid_section(outlines, FINE)
+        assert mesh is not None
+        check_sound(mesh, 40 * mm**2, 1e-12)
+        assert inside(outlines[1], mesh.points[mesh.quads[:, 8]]).sum() == 2  # one column of two cells
+
+
+def test_crossing_lines_are_no_grid() -> None:
+    crossing = [
+        rectangle((0, 10), (0, 4)),
+        polygon([(2, 0), (4, 0), (5, 4), (4, 4)]),
+        polygon([(5, 0), (6, 0), (6, 4), (4.5, 4)]),
+    ]
+    assert grid_section(crossing, Fineness(size=2.0)) is None
+    assert grid_section([disc(1.0)], Fineness(size=2.0)) is None
+
+
+def test_a_disc_has_a_core_without_collapsed_cells() -> None:
+    layers = [Layer(start=0, end=1, fill=(("body", disc(6 * mm)),))]
+    mesh = polar_section(layers, [disc(6 * mm), disc(5 * mm)], FINE)
+    assert mesh is not None
+    check_sound(mesh, pi * 36 * mm**2, 2e-5)
+    assert corner_sines(mesh.points, mesh.quads[:, :4]).min() > 0.8
+    quarter = core_section(5 * mm, 2, FINE, quadrants=(0,))
+    check_sound(quarter, pi * 25 * mm**2 / 4, 2e-4)
+    assert quarter.points.min() > -1e-15
+
+
+def test_a_ring_needs_no_core() -> None:
+    layers = [Layer(start=0, end=1, fill=(("body", disc(6 * mm)), ("cavity", disc(5 * mm))))]
+    mesh = polar_section(layers, [disc(6 * mm), disc(5 * mm)], FINE)
+    assert mesh is not None
+    solid = np.array([name == "body" for name in names_at(layers, mesh.centers)[0]])
+    kept = SectionMesh(points=mesh.points, quads=mesh.quads[solid])
+    check_sound(kept, pi * 11 * mm**2, 1e-4)
+
+
+def test_eccentric_circles_are_not_polar() -> None:
+    layers = [Layer(start=0, end=1, fill=(("body", disc(6 * mm)),))]
+    assert polar_section(layers, [disc(6 * mm), disc(3 * mm, (1 * mm, 0))], FINE) is None
+    assert polar_section(layers, [disc(6 * mm), ring_sector(2 * mm, 5 * mm, 0.1, 1.0)], FINE) is None
+
+
+@pytest.mark.parametrize("size", [1 * mm, 2 * mm, 5 * mm])
+def test_any_outlines_are_followed_by_sound_cells(size: float) -> None:
+    outlines = [disc(10 * mm), disc(5 * mm, (1 * mm, 0)), rectangle((-8 * mm, 2 * mm), (-1 * mm, 0))]
+    mesh = general_section(outlines, Fineness(size=size))
+    check_sound(mesh, pi * 100 * mm**2, 1e-4)
+    assert corner_sines(mesh.points, mesh.quads[:, :4]).min() > 0.05
+    rim = np.hypot(*mesh.points.T)
+    on_rim = rim[rim > 9.9 * mm]  # nodes near the rim lie on it
+    assert on_rim == pytest.approx(10 * mm, rel=1e-9)
+
+
+def test_triangles_are_paired_unless_an_edge_must_stay() -> None:
+    points = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
+    triangles = np.array([[0, 1, 2], [0, 2, 3]])
+    alone, quads = paired(points, triangles, np.array([[2, 0]]))
+    assert (len(alone), len(quads)) == (2, 0)
+    flat = points * [1, 0.2] + points[:, 1:] * [1, 0]  # a parallelogram of 11° makes no good cell
+    assert len(paired(flat, triangles, np.zeros((0, 2), dtype=int))[1]) == 0

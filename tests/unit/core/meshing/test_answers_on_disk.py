@@ -1,0 +1,119 @@
+"""Answers about a mesh: asked once in a process, kept beside the mesh, and found with it by the next one."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import turgor
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.meshing.generate import mesh_with
+from turgor.core.meshing.quality import checks, overlaps
+from turgor.core.meshing.quality import self_contact as meeting
+from turgor.core.meshing.quality.checks import check_mesh
+from turgor.core.meshing.quality.overlaps import overlap_at_rest
+from turgor.core.meshing.quality.quality_cache import answers_of
+from turgor.core.meshing.quality.self_contact import may_meet
+from turgor.core.meshing.settings import MeshSettings
+from turgor.job import families
+from turgor.job.families import keep, mesh_on_disk
+
+FINGER = FastPneuNet(chambers=2, length=20e-3)
+SETTINGS = MeshSettings(size=5e-3, cells="tetrahedra")
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder of caches."""
+    monkeypatch.setenv("TURGOR_CACHE", str(tmp_path))
+    monkeypatch.setenv("TURGOR_CACHE_MB", "100")
+    return tmp_path / "families"
+
+
+@pytest.fixture
+def made():
+    """Geometry and mesh, of which nobody has asked anything."""
+    geometry = FINGER.build()
+    return geometry, mesh_with(geometry, SETTINGS)
+
+
+def forbid(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let every question fail that is really asked."""
+
+    def asked(*_):
+        raise AssertionError("asked again")
+
+    monkeypatch.setattr(checks, "check_surface", asked)
+    monkeypatch.setattr(meeting, "find_bodies", asked)
+    monkeypatch.setattr(overlaps, "find_overlaps", asked)
+
+
+def test_a_question_is_asked_once_in_a_process(made, monkeypatch):
+    mesh = made[1]
+    first = check_mesh(mesh), may_meet(mesh), overlap_at_rest(mesh)
+    forbid(monkeypatch)
+    assert (check_mesh(mesh), may_meet(mesh), overlap_at_rest(mesh)) == first
+    with pytest.raises(AssertionError, match="asked again"):
+        check_mesh(mesh_with(made[0], SETTINGS))
+
+
+def test_answers_are_found_with_the_mesh(made, monkeypatch):
+    geometry, mesh = made
+    first = check_mesh(mesh), may_meet(mesh), overlap_at_rest(mesh)
+    assert "G01" in [each.code for each in first[0]]
+    assert first[1:] == (True, None)
+    keep(FINGER, geometry, SETTINGS, mesh)
+    forbid(monkeypatch)
+    found = mesh_on_disk(FINGER, SETTINGS)
+    assert answers_of(found).known == answers_of(mesh).known
+    assert (check_mesh(found), may_meet(found), overlap_at_rest(found)) == first
+
+
+def test_a_job_that_asks_for_more_adds_it(made, monkeypatch):
+    geometry, mesh = made
+    may_meet(mesh)
+    keep(FINGER, geometry, SETTINGS, mesh)
+    second = mesh_on_disk(FINGER, SETTINGS)
+    first = check_mesh(second)
+    keep(FINGER, geometry, SETTINGS, second)
+    forbid(monkeypatch)
+    third = mesh_on_disk(FINGER, SETTINGS)
+    assert (may_meet(third), check_mesh(third)) == (True, first)
+    with pytest.raises(AssertionError, match="asked again"):
+        overlap_at_rest(third)
+
+
+def test_an_entry_that_holds_as_much_is_not_written_again(made, folder):
+    geometry, mesh = made
+    may_meet(mesh)
+    keep(FINGER, geometry, SETTINGS, mesh)
+    found = mesh_on_disk(FINGER, SETTINGS)
+    before = {file.name: file.stat().st_mtime_ns for file in folder.iterdir()}
+    assert len(before) == 3
+    keep(FINGER, geometry, SETTINGS, found)
+    assert {file.name: file.stat().st_mtime_ns for file in folder.iterdir()} == before
+
+
+def test_a_damaged_entry_is_asked_anew(made, folder):
+    geometry, mesh = made
+    first = check_mesh(mesh)
+    keep(FINGER, geometry, SETTINGS, mesh)
+    file = families._file((FINGER, SETTINGS, families.ANSWERS))
+    file.write_bytes(b"no archive")
+    found = mesh_on_disk(FINGER, SETTINGS)
+    assert answers_of(found).known == {}
+    assert check_mesh(found) == first
+    keep(FINGER, geometry, SETTINGS, found)
+    assert len(answers_of(mesh_on_disk(FINGER, SETTINGS)).known) == 1
+
+
+def test_questions_lie_where_their_sources_are_in_the_names_of_entries():
+    """An entry is true as long as `core.geometry` and `core.meshing` stay the same, so nothing else may answer."""
+    root = Path(turgor.__file__).parent
+    asking = {
+        file.relative_to(root).parts[0]
+        for file in root.rglob("*.py")
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(node, ast.FunctionDef) and "asked_once" in [ast.unparse(each) for each in node.decorator_list]
+    }
+    assert asking == {"meshing"}

@@ -1,0 +1,187 @@
+"""Reference points that cannot be, and what cannot act on them: refused with a sentence; those that can, described."""
+
+import numpy as np
+import pytest
+from turgor.loads import Force, Hanging, Moment
+from turgor.measures import of_point
+from turgor.supports import Hinge, PlaneSection, ReferencePoint, Rotation
+
+import rig
+import turgor as tg
+from turgor.core.engine.points.motion import PointMotion
+from turgor.core.engine.system import System
+from turgor.core.model.write_inp import write_inp
+from turgor.core.results.measures.measures import find_measure
+from turgor.core.solvers.checks.supports import check_supports, free_motions
+from turgor.core.solvers.solution import State
+from turgor.foundation.errors import TurgorError
+from turgor.views.report import describe
+
+PLATE = ReferencePoint("plate", "x1")
+
+
+@pytest.mark.parametrize(
+    ("values", "said"),
+    [
+        ({"name": "my plate"}, "letters, digits and underscores"),
+        ({"coupling": "rigd"}, "unknown coupling of the reference point 'plate' 'rigd'; did you mean 'rigid'?"),
+        ({"mass": -1.0}, "mass is -1.0; allowed is 0 or more"),
+        ({"spring": (1.0, -2.0, 0.0)}, "spring is"),
+        ({"inertia": (3.0, 1.0, 1.0)}, "none is larger than the sum of the other two"),
+        ({"at": (0.0, 1.0)}, "at is (0.0, 1.0); three numbers are needed"),
+    ],
+)
+def test_a_point_out_of_range_is_refused(values, said):
+    with pytest.raises(TurgorError) as error:
+        ReferencePoint(**{"name": "plate", "face": "x1", **values})
+    assert said in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("point", "supports", "loads", "said"),
+    [
+        (ReferencePoint("plate", "x2"), (), (), "unknown face 'x2'"),
+        (ReferencePoint("y0", "x1"), (), (), "a face has this name"),
+        (PLATE, (PLATE,), (), "two reference points are called 'plate'"),
+        (PLATE, (Rotation("plat"),), (), "unknown reference point 'plat'; did you mean 'plate'?"),
+        (PLATE, (Rotation("plate"), Hinge("plate")), (), "prescribed twice"),
+        (PLATE, (tg.Fixed("plate", "xy"), tg.Fixed("plate", "y")), (), "two supports prescribe one direction"),
+        (PLATE, (), (Moment("plte", (0, 0, 1)),), "did you mean 'plate'?"),
+        (PLATE, (), (Hanging("x1", 1.0),), "unknown reference point of a hanging load 'x1'"),
+        (PLATE, (), (Force("x1", (0, 0, 1), follower=True),), "only a force on a reference point can follow"),
+    ],
+)
+def test_what_does_not_fit_the_model_is_refused(point, supports, loads, said):
+    with pytest.raises(TurgorError) as error:
+        rig.rig(point, supports, loads)
+    assert said in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("point", "supports", "said"),
+    [
+        (PLATE, (tg.Fixed("y0"),), "nodes of its rigid face 'x1' are held by another support"),
+        (PLATE, (PlaneSection("x1"),), "nodes of its rigid face 'x1' are held by another support"),
+        (PLATE, (ReferencePoint("again", "x1"),), "their rigid faces share nodes"),
+    ],
+)
+def test_a_rigid_face_is_held_by_its_point_alone(point, supports, said):
+    with pytest.raises(TurgorError) as error:
+        System(rig.rig(point, supports))
+    assert said in str(error.value)
+    System(rig.rig(ReferencePoint("plate", "x1", coupling="averaging"), supports))
+
+
+@pytest.mark.parametrize("load", [Moment("plate", (1.0, 0, 0)), Hanging("plate", 1.0, (0, 1, 0))])
+def test_what_has_no_mirror_image_is_refused(load):
+    with pytest.raises(TurgorError, match="symmetric = false"):
+        rig.rig(PLATE, loads=[load], mesh=rig.bar(half=True))
+    with pytest.raises(TurgorError, match="symmetric = false"):
+        System(rig.rig(PLATE, [Rotation("plate", 1.0, (1, 0, 0))], mesh=rig.bar(half=True)))
+    with pytest.raises(TurgorError, match="put the point there"):
+        System(rig.rig(ReferencePoint("plate", "x1", at=(0.04, 0.001, 0.0)), mesh=rig.bar(half=True)))
+
+
+@pytest.mark.parametrize(
+    ("holds", "free"),
+    [
+        ((), 6),
+        ((tg.Fixed("plate"),), 3),
+        ((tg.Fixed("plate"), Hinge("plate", "y")), 1),
+        ((tg.Fixed("plate"), Hinge("plate", (1, 2, 3))), 1),
+        ((tg.Fixed("plate"), Rotation("plate", 1.0, (1, 2, 3), tilts=True)), 2),
+        ((Rotation("plate"),), 3),
+        ((tg.Fixed("plate"), Rotation("plate")), 0),
+    ],
+)
+@pytest.mark.parametrize("coupling", ["rigid", "averaging"])
+def test_a_point_holds_the_motions_that_it_holds(holds, free, coupling):
+    point = ReferencePoint("plate", "x1", coupling=coupling)
+    mesh = rig.bar()
+    model = tg.Model(mesh, rig.rig(point).materials, [point, *holds], [])
+    assert free_motions(model) == free
+    sprung = ReferencePoint("plate", "x1", coupling=coupling, spring=1.0, rotational_spring=1.0)
+    check_supports(tg.Model(mesh, model.materials, [sprung], []))
+
+
+@pytest.mark.parametrize("axis", ["w", (0, 0, 0), (1, 2)])
+def test_a_hinge_needs_an_axis(axis):
+    with pytest.raises(TurgorError, match="hinge of 'plate': axis is"):
+        Hinge("plate", axis)
+
+
+def test_a_hinge_between_mirror_planes_turns_about_their_normal_or_not_at_all():
+    still, turns = (
+        System(rig.rig(PLATE, [Hinge("plate", axis)], mesh=rig.bar(half=True))) for axis in ((1, 1, 0), (0, 2, 0))
+    )
+    free = [int((~s.held[3 * s.carriers[0].arrows[:, None] + np.arange(3)]).sum()) for s in (still, turns)]
+    assert free == [0, 4]
+    with pytest.raises(TurgorError, match="it can turn about y only"):
+        System(rig.rig(PLATE, [Rotation("plate", 1.0, (1, 1, 0), tilts=True)], mesh=rig.bar(half=True)))
+
+
+def test_it_is_described_and_measured():
+    supports = [tg.Fixed("plate", "x"), Hinge("plate", "y")]
+    model = rig.rig(PLATE, supports, [Moment("plate", (0, 0.02, 0)), Hanging("plate", 0.1)], bulk_modulus=5e6)
+    said = " ".join([*describe.supports(model), *describe.loads(model)])
+    assert "x1 moves rigidly with the reference point plate." in said
+    assert "plate may turn about y only." in said
+    assert "Moment (0, 0.02, 0) N m on plate, its axis fixed in space." in said
+    assert "Weight of 0.1 kg hanging from plate" in said
+    assert find_measure("plate_reaction_moment_y").unit == "Nm"
+    with pytest.raises(TurgorError, match="unknown measure of a reference point 'rotaton'; did you mean 'rotation'"):
+        of_point("plate", "rotaton", "x")
+
+
+@pytest.mark.parametrize(
+    ("point", "supports", "loads", "said"),
+    [
+        (ReferencePoint("plate", "x1", coupling="averaging"), (), (), "cannot be held or moved"),
+        (ReferencePoint("plate", "x1", rotational_spring=1.0), (), (), "its rotational spring has no form"),
+        (ReferencePoint("plate", "x1", mass=1.0, center=(0, 0, 0)), (), (), "a center of mass beside the point"),
+        (PLATE, (Hinge("plate", (1, 1, 0)),), (), "its axis is (1.0, 1.0, 0.0); .inp files have hinges about"),
+        (PLATE, (Rotation("plate", 1.0, tilts=True),), (), "tilts, which .inp files cannot say"),
+        (PLATE, (), (Moment("plate", (0, 1, 0), follower=True),), "follows its point has no form"),
+    ],
+)
+def test_what_has_no_form_in_inp_files_is_refused(tmp_path, point, supports, loads, said):
+    model = rig.rig(point, supports, loads, bulk_modulus=5e6)
+    with pytest.raises(TurgorError) as error:
+        write_inp(model, tmp_path / "model.inp")
+    assert said in str(error.value)
+
+
+def test_an_inp_file_of_abaqus_has_couplings(tmp_path):
+    file = tmp_path / "model.inp"
+    point = ReferencePoint("plate", "x1", coupling="averaging", mass=0.1, spring=(20.0, 0, 0))
+    write_inp(rig.rig(point, [tg.Fixed("plate", "x")], [Moment("plate", (0, 0.02, 0))]), file, program="abaqus")
+    text = file.read_text()
+    node = len(rig.bar().points) + 1
+    assert f"*NODE\n{node}, 40, " in text
+    assert f"*COUPLING, CONSTRAINT NAME=tie_plate, REF NODE={node}, SURFACE=x1\n*DISTRIBUTING\n1, 6\n" in text
+    assert f"*BOUNDARY\n{node}, 1\n" in text
+    assert f"*CLOAD, AMPLITUDE=ramp\n{node}, 5, 20\n" in text  # N mm
+    assert "*SPRING, ELSET=spring_plate_x\n1\n0.02\n" in text  # N/mm
+
+
+def test_its_rotation_is_read_as_vector_and_twist():
+    turn = Rotation("plate", 1.5 * np.pi, (0, 0, 1))
+    motion = PointMotion(
+        displacement=np.array([1e-3, 0, 0]), rotation=turn.matrix(1.0), force=np.array([0, 2.0, 0]),
+        moment=np.array([0, 0, 3.0]), multipliers=np.zeros((2, 3)),
+    )  # fmt: skip
+    model = rig.rig(PLATE)
+    nothing = np.zeros_like(model.mesh.points)
+    state = State(
+        model=model, load_factor=1.0, displacement=nothing, mean_stress=np.zeros(0), nodal_force=nothing,
+        points={"plate": motion},
+    )  # fmt: skip
+    assert of_point("plate", "displacement", "x")(state) == 1e-3
+    assert of_point("plate", "rotation", "z")(state) == pytest.approx(-0.5 * np.pi)  # the shorter way
+    assert of_point("plate", "twist", "z")(state) == pytest.approx(-0.5 * np.pi)
+    assert of_point("plate", "twist", "z").unwrap
+    assert of_point("plate", "twist", "x")(state) == pytest.approx(0.0)
+    assert of_point("plate", "reaction", "y")(state) == 2.0
+    assert of_point("plate", "reaction_moment", "z")(state) == 3.0
+    with pytest.raises(TurgorError, match="did you mean 'plate'"):
+        of_point("plat", "rotation", "z")(state)

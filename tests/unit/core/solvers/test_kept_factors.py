@@ -1,0 +1,29 @@
+"""Factors of an earlier iterate are used again, but not once an update has changed which points touch."""
+
+import pytest
+
+import contact_cases
+import turgor as tg
+from turgor.core.solvers.newton import newton
+from turgor.units import mm
+
+#: Residuals as large as this, and growing as much, would keep the factors.
+ALWAYS = 1e9
+
+
+def test_new_factors_are_made_where_an_update_has_changed_which_points_touch(monkeypatch: pytest.MonkeyPatch) -> None:
+    ball = tg.obstacles.Sphere(center=(5 * mm, 5 * mm, 9 * mm), radius=4 * mm)
+    model = contact_cases.standing(contact_cases.block((6, 6, 2)), contact_cases.pushed(ball, (0.0, 0.0, -0.6)))
+    choose, seen = newton._choose_factors, []
+
+    def noted(run, now, last, update):  # type: ignore[no-untyped-def]
+        choose(run, now, last, update)
+        if now.lengths[-1] == 1 and not now.jump.any():
+            seen.append((now.at.contacts.touch_as(last.contacts), now.fresh))
+
+    monkeypatch.setattr(newton, "_choose_factors", noted)
+    monkeypatch.setattr(newton, "KEEP_FACTORS_BELOW", ALWAYS)
+    monkeypatch.setattr(newton, "KEEP_FACTORS_CONTRACTION", ALWAYS)
+    tg.solve(model, tg.Static(first_step=0.25, max_step=0.25))
+    assert {fresh for same, fresh in seen if not same} == {True}
+    assert {fresh for same, fresh in seen if same} == {False}

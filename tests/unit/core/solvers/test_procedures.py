@@ -1,0 +1,228 @@
+"""Setups: what stops the tip, how an object is pulled, and what cannot be asked."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import results_cases as cases
+
+from turgor.core.model.contact import Contact
+from turgor.core.model.loads import Gravity, Pressure, Traction
+from turgor.core.model.model import Model
+from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, Sphere
+from turgor.core.model.supports import Fixed
+from turgor.core.setups.blocked_tip import NEAR_TIP, HeldTip, Plate, blocked_force, first_direction
+from turgor.core.setups.grasped_object import Grasped, grasp
+from turgor.core.setups.setup_values import HOLDS, BlockedForce, Grasp
+from turgor.core.setups.with_setup import with_setup
+from turgor.foundation.errors import TurgorError
+from turgor.units import kPa, mm
+
+BAR = Cylinder(center=(30 * mm, 0, -12 * mm), axis=(0, 1, 0), radius=6 * mm)
+
+
+def model(*obstacles: Obstacle, half: bool = False, loads: tuple = (Pressure("cavity", 20 * kPa),)) -> Model:
+    """The box with a cavity below its middle, so that it bends."""
+    mesh = cases.body(half=half)
+    rubber = {"body": cases.RUBBER, "base": cases.RUBBER}
+    return Model(mesh, rubber, [Fixed("fixed")], loads, contact=Contact(obstacles=obstacles))
+
+
+def bar(**changes) -> Obstacle:
+    return replace(Obstacle(name="object", shape=BAR, friction=0.5), **changes)
+
+
+def only(obstacles: tuple[Obstacle, ...], name: str) -> Obstacle:
+    (found,) = (each for each in obstacles if each.name == name)
+    return found
+
+
+def test_without_a_setup_the_model_is_what_it_was():
+    question = model()
+    assert with_setup(question, None) is question
+
+
+def test_a_setup_of_a_job_is_the_function():
+    question = model(bar())
+    assert with_setup(question, BlockedForce(direction="-z")).contact == blocked_force(question, direction="-z").contact
+    made = with_setup(question, Grasp(pull_distance=8 * mm))
+    assert made.contact == grasp(question, pull_distance=8 * mm).contact
+    assert made.loads == grasp(question, pull_distance=8 * mm).loads
+
+
+@pytest.mark.parametrize("half", [False, True])
+def test_the_plate_stands_below_the_tip(half):
+    question = model(half=half)
+    amended = blocked_force(question, direction="-z", distance=2 * mm, friction=0.3)
+    plate = only(amended.contact.obstacles, "plate")
+    assert isinstance(plate, Plate)
+    assert plate.shape == Plane(point=(0, 0, -2 * mm), normal=(0, 0, 1))
+    assert (plate.friction, plate.face) == (0.3, NEAR_TIP)
+    assert amended.contact.automatic, "self-contact stays as it was"
+    assert (amended.supports, amended.loads) == (question.supports, question.loads)
+
+
+def test_only_the_surface_near_the_tip_touches_the_plate():
+    mesh = blocked_force(model(half=True), direction="-z").mesh
+    sides = mesh.face(NEAR_TIP)
+    middles = mesh.points[sides[:, :3]].mean(axis=1)
+    assert middles[:, 0].min() > 0.7 * cases.LENGTH
+    assert {tuple(side) for side in mesh.face("tip").tolist()} <= {tuple(side) for side in sides.tolist()}
+    inner = np.concatenate([mesh.face("cavity"), mesh.face("symmetry_y")])
+    assert not {tuple(side) for side in inner.tolist()} & {tuple(side) for side in sides.tolist()}
+    area = cases.WIDTH / 2 * cases.HEIGHT + cases.LENGTH / 4 * (cases.WIDTH + cases.HEIGHT)
+    corners = mesh.points[sides[:, :3]]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
+    assert np.linalg.norm(normals, axis=1).sum() == pytest.approx(area)
+
+
+def test_a_plate_before_the_tip_stops_what_extends():
+    plate = only(blocked_force(model(), direction="+x").contact.obstacles, "plate")
+    assert plate.shape == Plane(point=(cases.LENGTH, 0, 0), normal=(-1, 0, 0))
+
+
+def test_a_held_tip_needs_no_contact():
+    question = model()
+    amended = blocked_force(question, hold="xz", direction="-z")
+    assert amended.contact.obstacles == ()
+    assert amended.mesh is question.mesh
+    assert amended.supports[-1] == HeldTip("tip", "xz", (0.0, 0.0, -1.0))
+
+
+@pytest.mark.parametrize(
+    ("pull", "axes", "expected"),
+    [((1, 0, 0), "xyz", "+x"), ((-1, 0, 0), "xyz", "-x"), ((1, 0, -1), "xyz", "-z"), ((1, 0, -1), "xy", "+x")],
+)
+def test_the_free_tip_sets_out_where_its_load_moves_it_most(pull, axes, expected):
+    """A beam bends more than it stretches; the direction is sought among the axes that count."""
+    assert first_direction(model(loads=(Traction("tip", pull),)), "tip", axes) == expected
+
+
+def test_the_directions_of_a_hold_have_one_order():
+    assert BlockedForce(hold="zx") == BlockedForce(hold="xz")
+
+
+def test_the_free_direction_needs_a_load():
+    with pytest.raises(TurgorError, match=r"'free', but the face 'tip' does not set out along x or y or z"):
+        blocked_force(model(loads=()))
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"hold": "plat"}, "unknown hold 'plat'; did you mean 'plate'?"),
+        ({"hold": "xx"}, "unknown hold 'xx'"),
+        ({"direction": "z"}, "unknown direction 'z'"),
+        ({"distance": -1 * mm}, "blocked_force: distance is -1 mm; the plate stands 0 mm or more before the tip"),
+        ({"hold": "z", "distance": 1 * mm}, "blocked_force: distance belongs to the plate; hold is 'z'"),
+        ({"hold": "z", "friction": 0.1}, "blocked_force: friction belongs to the plate; hold is 'z'"),
+        ({"hold": "z", "direction": "+x"}, "blocked_force: direction is '\\+x', but the tip is held along z only"),
+        ({"friction": 3.0}, "blocked_force: friction is 3"),
+    ],
+)
+def test_what_cannot_block_is_refused(changes, message):
+    with pytest.raises(TurgorError, match=message):
+        BlockedForce(**changes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "half", "message"),
+    [
+        ({"face": "tipp"}, False, "unknown face 'tipp'; did you mean 'tip'?"),
+        ({"direction": "-x"}, False, "the plate would stand behind the tip.*hold = 'x'"),
+        ({"direction": "+y"}, True, "blocked_force: direction is '\\+y', across the mirror plane of a half model"),
+        ({"face": "cavity", "direction": "-z"}, False, "the face 'cavity' looks nowhere"),
+    ],
+)
+def test_what_cannot_be_blocked_is_refused(changes, half, message):
+    with pytest.raises(TurgorError, match=message):
+        blocked_force(model(half=half), **changes)
+
+
+def test_a_model_with_a_plate_of_its_own_is_refused():
+    own = Obstacle(name="plate", shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)))
+    with pytest.raises(TurgorError, match="blocked_force adds an obstacle 'plate', but the model has one"):
+        blocked_force(model(own), direction="-z")
+
+
+def test_the_holds_are_the_plate_and_every_choice_of_axes():
+    assert HOLDS == ("plate", "x", "y", "z", "xy", "xz", "yz", "xyz")
+
+
+def test_a_grasp_closes_then_pulls():
+    floor = Obstacle(name="floor", shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)))
+    amended = grasp(model(floor, bar(), half=True), pull_distance=8 * mm, closing=0.4)
+    (load,) = amended.pressures
+    assert [load.at(factor) for factor in (0.2, 0.4, 0.7, 1.0)] == [10 * kPa, 20 * kPa, 20 * kPa, 20 * kPa]
+    grasped = only(amended.contact.obstacles, "object")
+    assert isinstance(grasped, Grasped)
+    assert (grasped.shape, grasped.friction, grasped.fingers, grasped.pull) == (BAR, 0.5, 2, (1.0, 0.0, 0.0))
+    moved = [grasped.displacement(factor)[0] for factor in (0.0, 0.4, 0.7, 1.0)]
+    assert moved == pytest.approx([0, 0, 4 * mm, 8 * mm])
+    between = only(amended.contact.obstacles, "between_fingers")
+    assert between.friction == 0
+    assert between.shape.point == BAR.center
+    assert between.shape.normal == pytest.approx((0, 0, 1))
+    assert only(amended.contact.obstacles, "floor") is floor
+
+
+@pytest.mark.parametrize("half", [False, True])
+def test_three_fingers_stand_a_third_of_a_turn_apart(half):
+    """The planes between a finger and the next ones are 60 degrees from its own plane; a half meets one of them."""
+    ball = bar(shape=Sphere(center=(30 * mm, 0, -40 * mm), radius=6 * mm))
+    amended = grasp(model(ball, half=half), pull_distance=8 * mm, fingers=3)
+    normals = [each.shape.normal for each in amended.contact.obstacles if each.name.startswith("between_fingers")]
+    expected = [(0, -0.5, 3**0.5 / 2), (0, 0.5, 3**0.5 / 2)][: 1 if half else 2]
+    assert np.array(normals) == pytest.approx(np.array(expected))
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"pull_distance": 0.0}, "grasp: pull_distance is 0 mm; allowed is more than 0"),
+        ({"pull": "+z"}, "grasp: pull is '\\+z', towards a finger"),
+        ({"pull": "x"}, "unknown pull 'x'"),
+        ({"fingers": 1}, "grasp: fingers is 1; allowed is 2 to 12"),
+        ({"fingers": 3, "pull": "+y"}, "3 fingers stand around the line along x and would not be pulled alike"),
+        ({"closing": 1.0}, "grasp: closing is 1; it lies between 0 and 1"),
+    ],
+)
+def test_what_cannot_grasp_is_refused(changes, message):
+    with pytest.raises(TurgorError, match=message):
+        Grasp(**{"pull_distance": 8 * mm} | changes)
+
+
+RISEN = Pressure("cavity", 20 * kPa, history=((0, 0), (0.2, 1), (1, 1)))
+LYING = RigidSurface(points=np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0.2]]), triangles=np.array([[0, 1, 2]]))
+
+
+@pytest.mark.parametrize(
+    ("question", "changes", "message"),
+    [
+        (model(), {}, "a grasp needs an obstacle 'object' to grasp; the model has no obstacles"),
+        (model(bar()), {"object": "objct"}, "unknown obstacle 'objct'; did you mean 'object'?"),
+        (model(bar(spring=10.0)), {}, "leave its spring out"),
+        (model(bar(path=((0, (0, 0, 0)), (1, (0, 0, 1 * mm))))), {}, "leave its path out"),
+        (model(bar(shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)))), {}, "it is a plane, which has no far side"),
+        (model(bar()), {"fingers": 3}, "3 fingers stand around the line along x, and so must the cylinder's axis"),
+        (model(bar(shape=replace(BAR, axis=(1, 0, 1)))), {}, "the cylinder is inclined to the mid-plane"),
+        (model(bar(), loads=()), {}, "a grasp needs a pressure that closes the finger"),
+        (model(bar(), loads=(RISEN,)), {}, "pressure on 'cavity' has a history of its own"),
+        (model(bar(), half=True), {"pull": "+y"}, "grasp: pull is '\\+y', across the mirror plane"),
+        (model(bar(shape=LYING)), {}, "the finger reaches 100 mm across the mirror plane"),
+        (model(bar(shape=Box(center=(0, 0, 4 * mm), size=(1, 1, 1)))), {}, "the finger reaches 4 mm across the mirror"),
+    ],
+)
+def test_what_cannot_be_grasped_is_refused(question, changes, message):
+    with pytest.raises(TurgorError, match=message):
+        grasp(question, **{"pull_distance": 8 * mm} | changes)
+
+
+def test_weight_does_not_stop_growing_and_is_refused():
+    heavy = replace(cases.RUBBER, density=1100.0)
+    materials = {"body": heavy, "base": heavy}
+    contact = Contact(obstacles=[bar()])
+    loads = [Pressure("cavity", 1e3), Gravity()]
+    question = Model(cases.body(), materials, [Fixed("fixed")], loads, contact=contact)
+    with pytest.raises(TurgorError, match="a grasp cannot hold Gravity, which grows with the load factor"):
+        grasp(question, pull_distance=8 * mm)

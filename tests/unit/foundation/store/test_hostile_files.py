@@ -1,0 +1,128 @@
+"""Files of strangers: damaged, encrypted, nested or enormous ones get a sentence before memory is taken."""
+
+import io
+import json
+import struct
+import zlib
+from base64 import b64encode
+from contextlib import suppress
+from pathlib import Path
+from zipfile import ZIP_DEFLATED, ZipFile
+
+import numpy as np
+import pytest
+
+import turgor as tg
+from turgor.core.geometry.cad.stl import read_stl
+from turgor.core.meshing.exchange.formats.vtu import read_vtu
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
+
+HEAD = {"format": "turgor", "version": 1, "written_by": "turgor 0.1.0", "kind": "Response"}
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    return tmp_path / "a.turgor"
+
+
+@pytest.fixture
+def saved(file: Path) -> bytes:
+    values = np.linspace(0, 1, 200)
+    Response(columns=(Column("pressure", "kPa", values),), source=Source(text="a test")).save(file)
+    return file.read_bytes()
+
+
+def archive(file: Path, content: str, arrays: bytes = b"", compressed: bool = False) -> None:
+    with ZipFile(file, "w", ZIP_DEFLATED if compressed else 0) as made:
+        made.writestr("content.json", content)
+        if arrays:
+            made.writestr("arrays/a0.npy", arrays)
+
+
+def test_missing_bytes_are_told(file, saved):
+    random = np.random.default_rng(0)
+    for _ in range(60):
+        start, length = int(random.integers(len(saved))), int(random.integers(1, 400))
+        file.write_bytes(saved[:start] + saved[start + length :])
+        with pytest.raises(TurgorError):
+            tg.load(file)
+
+
+def test_damaged_bytes_are_told_or_harmless(file, saved):
+    random = np.random.default_rng(1)
+    for _ in range(200):
+        damaged = bytearray(saved)
+        for place in random.integers(len(saved), size=3):
+            damaged[place] = random.integers(256)
+        file.write_bytes(bytes(damaged))
+        with suppress(TurgorError):
+            tg.load(file)
+
+
+@pytest.mark.parametrize("nested", [900, 100_000])
+def test_nested_content_is_told(file, nested):
+    archive(file, json.dumps(HEAD)[:-1] + f', "content": {"[" * nested}{"]" * nested}}}')
+    with pytest.raises(TurgorError, match="is damaged"):
+        tg.load(file)
+
+
+def test_what_unpacks_to_gigabytes_is_refused(file, monkeypatch):
+    archive(file, json.dumps(HEAD | {"content": " " * 300_000_000}), compressed=True)
+    assert file.stat().st_size < 1_000_000
+    with pytest.raises(TurgorError, match="at most 200 MB are read; set the environment variable TURGOR_UNPACKED_MB"):
+        tg.load(file)
+
+
+def test_a_header_that_asks_for_more_than_follows_is_refused(file):
+    header = io.BytesIO()
+    np.lib.format.write_array_header_1_0(header, {"descr": "<f8", "fortran_order": False, "shape": (10**15,)})
+    archive(file, json.dumps(HEAD | {"content": {"array": "a0"}}), header.getvalue() + bytes(80))
+    with pytest.raises(TurgorError, match="needs 8000000000000000 bytes, and 80 are there"):
+        tg.load(file)
+
+
+def test_an_encrypted_file_is_told(file, saved):
+    marked = bytearray(saved)
+    for place in range(len(marked) - 4):
+        if marked[place : place + 4] == b"PK\x03\x04":
+            marked[place + 6] |= 1
+        elif marked[place : place + 4] == b"PK\x01\x02":
+            marked[place + 8] |= 1
+    file.write_bytes(bytes(marked))
+    with pytest.raises(TurgorError, match="encrypted"):
+        tg.load(file)
+
+
+def test_a_newer_version_is_told_once(file):
+    archive(file, json.dumps(HEAD | {"version": 2, "written_by": "turgor 9.0", "content": None}))
+    with pytest.raises(TurgorError) as raised:
+        tg.load(file)
+    assert str(raised.value).startswith(f"'{file}' was written by turgor 9.0 in version 2 of the format")
+
+
+def test_a_vtu_file_that_unpacks_to_gigabytes_is_refused(tmp_path):
+    block = zlib.compress(bytes(10_000_000))
+    header = struct.pack("<6I", 3, 1_500_000_000, 0, *(3 * [len(block)]))
+    data = (b64encode(header) + b64encode(3 * block)).decode()
+    (tmp_path / "bomb.vtu").write_text(
+        '<VTKFile type="UnstructuredGrid" byte_order="LittleEndian" header_type="UInt32" '
+        'compressor="vtkZLibDataCompressor"><UnstructuredGrid><Piece NumberOfPoints="4" NumberOfCells="1"><Points>'
+        f'<DataArray type="Float64" NumberOfComponents="3" format="binary">{data}</DataArray></Points>'
+        '<Cells><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2 3</DataArray>'
+        '<DataArray type="Int32" Name="offsets" format="ascii">4</DataArray>'
+        '<DataArray type="UInt8" Name="types" format="ascii">10</DataArray></Cells>'
+        "</Piece></UnstructuredGrid></VTKFile>"
+    )
+    with pytest.raises(TurgorError, match=r"bomb\.vtu' unpacks from .* to 4\.5e\+03 MB"):
+        read_vtu(tmp_path / "bomb.vtu")
+
+
+def test_a_text_stl_with_no_number_is_told(tmp_path):
+    facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+    lost = facet.replace("vertex 0 0 0", "vertex nan 0 0").replace("vertex 1 0 0", "vertex nan 0 0")
+    lost = lost.replace("vertex 0 1 0", "vertex 0 nan 0")
+    (tmp_path / "part.stl").write_text(f"solid part\n{facet}{lost}endsolid\n")
+    with pytest.raises(TurgorError, match="has corners that are not finite numbers"):
+        read_stl(tmp_path / "part.stl")

@@ -1,0 +1,173 @@
+"""Propagation of uncertainty: bands, sentences, runs, and what is refused."""
+
+import numpy as np
+import pytest
+
+import calibration_cases as cases
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
+from turgor.studies.study.computation import Computation
+from turgor.studies.study.evaluations import Evaluations
+from turgor.studies.uncertainty.figure import uncertainty_figure
+from turgor.studies.uncertainty.propagate import propagate
+from turgor.studies.uncertainty.spread import Alternatives, Spread
+from turgor.units import kPa, mm
+
+RUBBER = Spread(name="C10", mean=0.12e6, deviation=6e3, label="rubber")
+WALL = Spread(name="wall", mean=5 * mm, deviation=0.1 * mm)
+
+
+def product(a: float, b: float = 1.0, error: float = 0.0) -> Response:
+    """y = a b x, with a mesh error."""
+    if a < 0.5:
+        raise TurgorError("a is below 0.5.")
+    x = np.array([0.0, 1e3, 2e3])
+    columns = [Column("pressure", "kPa", x), Column("force", "N", a * b * x / 1e3)]
+    if error:
+        columns.append(Column("force_mesh_error", "N", error * x / 1e3))
+    return Response(columns=tuple(columns), source=Source(text="a product"))
+
+
+def square(a: float) -> Response:
+    """y = a² x."""
+    x = np.array([0.0, 1e3])
+    return Response(
+        columns=(Column("pressure", "kPa", x), Column("force", "N", a**2 * x / 1e3)), source=Source(text="a²")
+    )
+
+
+def two_lengths(top: float) -> Response:
+    """A path that goes as far as it is told."""
+    x = np.linspace(0.0, top, 5)
+    return Response(columns=(Column("pressure", "kPa", x), Column("force", "N", x)), source=Source(text="a path"))
+
+
+A, B = Spread(name="a", mean=2.0, deviation=0.1), Spread(name="b", mean=3.0, deviation=0.3)
+
+
+def test_a_product_of_two_numbers():
+    """Variance of a product: b² sa² + a² sb² + sa² sb²."""
+    linear = propagate(product, [A, B]).band("force")
+    assert linear.nominal == pytest.approx([0, 6, 12])
+    assert linear.parts["a"][-1] == pytest.approx(2 * 3 * 0.1)
+    assert linear.parts["b"][-1] == pytest.approx(2 * 2 * 0.3)
+    assert linear.deviation[-1] == pytest.approx(2 * np.hypot(0.3, 0.6))
+    assert linear.shares()["b"] == pytest.approx(0.8)
+    assert linear.high[-1] - linear.mean[-1] == pytest.approx(1.96 * linear.deviation[-1], rel=1e-4)
+    full = propagate(product, [A, B], method="interactions")
+    assert full.band("force").together[-1] == pytest.approx(2 * 0.1 * 0.3)
+    assert full.band("force").deviation[-1] == pytest.approx(2 * np.sqrt(0.09 + 0.36 + 0.0009))
+    assert full.residual["force"] == pytest.approx(0, abs=1e-7)  # arguments have nine digits
+    assert propagate(product, [A, B]).residual["force"] > 0.01
+
+
+def test_the_square_of_a_number():
+    """Mean μ² + σ², variance 4 μ² σ² + 2 σ⁴; 95 % of a² lie between the squares where a does not change its sign."""
+    band = propagate(square, [Spread(name="a", mean=1.0, deviation=0.3)], method="quadratic").band("force")
+    assert band.mean[-1] == pytest.approx(1.09)
+    assert band.deviation[-1] == pytest.approx(np.sqrt(4 * 0.09 + 2 * 0.0081))
+    assert band.high[-1] == pytest.approx((1 + 1.96 * 0.3) ** 2, rel=0.03)
+    assert band.low[-1] == pytest.approx((1 - 1.96 * 0.3) ** 2, rel=0.1)
+
+
+def test_numbers_of_runs_are_told():
+    for method, runs in (("linear", 6), ("quadratic", 7), ("interactions", 8)):
+        found = propagate(product, [A, B], method=method)
+        assert found.runs == runs
+        assert f"{runs} runs." in found.checked()
+    runs = Evaluations()
+    propagate(product, [A, B], evaluations=runs)
+    assert propagate(product, [A, B], evaluations=runs).runs == 0
+
+
+def test_the_sentence_tells_mesh_and_inputs():
+    asked = Computation(function=product, nominal={"error": 0.05})
+    found = propagate(asked, [Spread(name="a", mean=2.0, deviation=0.1, label="rubber"), B])
+    assert found.sentence() == "force at 2 kPa: 12 N ± 0.1 N (mesh) ± 1.2 N (b) ± 0.6 N (rubber)"
+    assert found.sentence(at=1e3) == "force at 1 kPa: 6 N ± 0.05 N (mesh) ± 0.6 N (b) ± 0.3 N (rubber)"
+    table = found.to_response()
+    assert table["force_spread"][-1] == pytest.approx(np.hypot(0.6, 1.2))
+    assert table["force_spread_from_rubber"][-1] == pytest.approx(0.6)
+    assert table["force_mesh_error"][-1] == pytest.approx(0.1)
+    assert len(uncertainty_figure(found).axes) == 2
+
+
+def test_a_spread_of_the_pressure_takes_no_run():
+    asked = Computation(function=product, values={"a": 2.0})
+    found = propagate(asked, [Spread(name="pressure", deviation=100.0)])
+    assert found.runs == 1
+    assert found.band("force").deviation == pytest.approx(np.full(3, 0.2))  # 2 N/kPa of 0.1 kPa
+
+
+def test_sets_of_constants_stay_together():
+    """Constants of one fit are anti-correlated: varied alone, they would give a far wider band."""
+    sets = ({"a": 2.0, "b": 3.0}, {"a": 1.5, "b": 4.0}, {"a": 3.0, "b": 2.1})
+    found = propagate(product, [Alternatives(sets=sets, label="fits")])
+    ends = 2 * np.array([6.0, 6.0, 6.3])
+    assert found.runs == 3
+    assert found.band("force").deviation[-1] == pytest.approx(ends.std(ddof=1))
+    assert found.band("force").mean[-1] == pytest.approx(ends.mean())
+    both = propagate(product, [Alternatives(sets=({"a": 2.0}, {"a": 2.2}), label="fits"), B], method="quadratic")
+    assert both.band("force").parts["fits"][-1] == pytest.approx(2 * 3 * 0.2 / np.sqrt(2))
+    assert both.band("force").low[-1] < both.band("force").mean[-1] < both.band("force").high[-1]
+
+
+def test_replicates_give_mean_and_deviation():
+    values = (1.9, 2.0, 2.1, 2.4)
+    spread = Spread(name="a", replicates=values)
+    assert spread.standard == pytest.approx((np.mean(values), np.std(values, ddof=1)))
+
+
+def test_spreads_of_one_label_are_told_as_one():
+    found = propagate(
+        product,
+        [Spread(name="a", mean=2, deviation=0.1, label="x"), Spread(name="b", mean=3, deviation=0.3, label="x")],
+    )
+    assert list(found.band("force").parts) == ["x"]
+    assert found.band("force").parts["x"][-1] == pytest.approx(np.hypot(0.6, 1.2))
+
+
+def test_a_run_that_fails_leaves_the_other_side():
+    found = propagate(product, [Spread(name="a", mean=0.55, deviation=0.1)])
+    assert found.band("force").deviation[-1] == pytest.approx(0.2)
+    assert any("a run failed (a 0.45): a is below 0.5." in note for note in found.notes)
+    with pytest.raises(TurgorError, match=r"the nominal run failed \(a 0.3\): a is below 0.5"):
+        propagate(product, [Spread(name="a", mean=0.3, deviation=0.1)])
+
+
+def test_bands_end_where_the_first_run_ends():
+    found = propagate(two_lengths, [Spread(name="top", mean=10 * kPa, deviation=1 * kPa)])
+    assert found.drive.values[-1] == pytest.approx(9 * kPa)
+    assert any("The bands end at 9 kPa" in note for note in found.notes)
+
+
+def test_a_curve_that_bends_is_said():
+    found = propagate(cases.thick_sphere, [Spread(name="C10", mean=0.12e6, deviation=0.03e6)])
+    assert "take a method with more terms" in found.summary() or found.residual["inner_stretch"] > 0.1
+
+
+def test_mistakes_are_answered():
+    with pytest.raises(TurgorError, match="unknown number with a spread 'wal'; did you mean 'wall'"):
+        propagate(cases.thick_sphere, [Spread(name="wal", mean=1.0, deviation=0.1)])
+    with pytest.raises(TurgorError, match="unknown method 'quadatic'; did you mean 'quadratic'"):
+        propagate(product, [A], method="quadatic")
+    with pytest.raises(TurgorError, match="'a' has two spreads"):
+        propagate(product, [A, A])
+    with pytest.raises(TurgorError, match="nothing has a spread"):
+        propagate(product, [])
+    with pytest.raises(TurgorError, match="spread 'a' has no mean"):
+        propagate(product, [Spread(name="a", deviation=1.0)])
+    with pytest.raises(TurgorError, match="has the deviation 0; allowed is above 0"):
+        Spread(name="a", mean=1.0, deviation=0)
+    with pytest.raises(TurgorError, match="give two replicates or more"):
+        Spread(name="a", replicates=(1.0,))
+    with pytest.raises(TurgorError, match="'fits' has 1 sets of numbers; two or more"):
+        Alternatives(sets=({"a": 1.0},), label="fits")
+    with pytest.raises(TurgorError, match="have different names"):
+        Alternatives(sets=({"a": 1.0}, {"b": 1.0}), label="fits")
+    found = propagate(product, [A])
+    with pytest.raises(TurgorError, match="unknown column with a band 'forse'; did you mean 'force'"):
+        found.sentence("forse")
+    with pytest.raises(TurgorError, match="the bands go from 0 to 2000"):
+        found.sentence(at=5e3)
