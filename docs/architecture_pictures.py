@@ -16,41 +16,16 @@ from matplotlib.path import Path as MarkerPath
 
 IMAGES = Path(__file__).parent / "images"
 
-#: The rooms in the first picture, each a folder of the package; `setups` is drawn where there is one.
-PACKAGE = Path(__file__).parents[1] / "src" / "turgor"
-SETUPS = ("setups",) if (PACKAGE / "setups").is_dir() else ()
+#: The rooms in the first picture, each a folder of the package.
 ROOMS = (
-    "materials",
-    "geometry",
-    "meshing",
-    "model",
-    "formulas",
-    "rod",
-    "engine",
-    "solvers",
-    *SETUPS,
-    "section",
-    "results",
-    "gradients",
-    "adaptivity",
-    "laboratory",
-    "job",
-    "study",
-    "calibration",
-    "uncertainty",
-    "sensitivity",
-    "surrogates",
-    "optimization",
-    "guidelines",
-    "cli",
-)
+    "core.materials", "core.geometry", "core.meshing", "core.model", "core.engine", "core.solvers", "core.setups",
+    "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views", "accuracy.gradients",
+    "accuracy.adaptivity", "accuracy.laboratory", "job", "studies.study", "studies.calibration", "studies.uncertainty",
+    "studies.sensitivity", "studies.surrogates", "studies.optimization", "guidelines", "cli",
+)  # fmt: skip
 
 #: The files on which all rooms stand.
-FOUNDATION = tuple(
-    name
-    for name in ("units", "errors", "source", "finding", "response", "registry")
-    if (PACKAGE / f"{name}.py").exists()
-)
+FOUNDATION = ("units", "errors", "source", "finding", "response", "registry")
 
 #: What does the work in each box of the second picture.
 PARTS = (
@@ -215,7 +190,7 @@ def rooms() -> Figure:
     label(axes, geometry.x, low - 6.9, "from STEP, BREP, STL\nto STEP, STL")
     label(axes, mesh.x + 0.6, low + 7, "from gmsh, Abaqus, VTK\nto VTU, STL")
     label(axes, model.x, middle - 6.2, "to Abaqus, CalculiX")
-    if SETUPS:
+    if "core.setups" in ROOMS:
         setups = Box(x=50, y=54.6, width=19, height=6, lines="blocked force, grasp", room="setups", color=AMBER)
         setups.draw(axes)
         arrow(axes, setups.at("bottom"), model.at("top"))

@@ -6,17 +6,18 @@ reads a file or prints an error does not wait for the engine. A new public name 
 namespace, in the order that `ruff` keeps.
 """
 
-import warnings
 from importlib import import_module
 from importlib.metadata import version
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from turgor.foundation.display import Shown
-from turgor.foundation.lazy_names import names_in, public
+from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
     from turgor import guidelines as guidelines
     from turgor import studies as studies
+    from turgor import units as units
     from turgor.accuracy.adaptivity.measure import measure as measure
     from turgor.accuracy.adaptivity.mesh_to import mesh_to as mesh_to
     from turgor.accuracy.gradients.gradient import gradient as gradient
@@ -89,14 +90,8 @@ if TYPE_CHECKING:
     from turgor.views.pictures.picture import picture as picture
     from turgor.views.report.solution_report import report as report
 
-#: Names of the release before that have another name now.
-_RENAMED = {"Step": "Edit", "TestError": "FitResidual"}
-
-#: Names of the release before that something else does now.
-_INSTEAD = {
-    "BlockedForce": "solve(setups.blocked_force(model, ...))",
-    "Grasp": "solve(setups.grasp(model, ...), Static(max_step=0.1))",
-}
+# So that ``from turgor.namespaces.loads import Gravity`` finds a namespace, too.
+__path__.append(str(Path(__file__).parent / "namespaces"))
 
 __version__ = version("turgor")
 
@@ -109,19 +104,5 @@ def _drawing(name: str) -> Any:
 Shown.drawing = _drawing
 
 
-def _moved(name: str) -> Any:
-    """Return the units, or a name that stood here in the release before, with a warning that says where it is now."""
-    if name == "units":  # not a namespace: scripts import from it, so that they read as 3 * mm
-        return import_module("turgor.units")
-    now = _RENAMED.get(name, name)
-    for each in sorted(key for key, source in names_in(__file__).items() if source == __name__):
-        namespace = import_module(f"turgor.{each}")
-        if now in namespace.__all__:
-            warnings.warn(f"turgor.{name} is turgor.{each}.{now} now.", DeprecationWarning, stacklevel=3)
-            return getattr(namespace, now)
-    hint = f"; write {_INSTEAD[name]}" if name in _INSTEAD else ""
-    raise AttributeError(f"module 'turgor' has no attribute '{name}'{hint}")
-
-
 if not TYPE_CHECKING:
-    __getattr__, __dir__, __all__ = public(__file__, globals(), _moved)
+    __getattr__, __dir__, __all__ = public(__file__, globals())

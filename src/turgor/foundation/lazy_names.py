@@ -10,7 +10,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-_LINE = re.compile(r"^    from (\S+) import (\w+) as \2$", re.MULTILINE)
+_LINE = re.compile(r"^    from (\S+) import (?:\(\s*)?(\w+) as \2,?$", re.MULTILINE)
 
 
 def names_in(file: str) -> dict[str, str]:

@@ -15,6 +15,7 @@ from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSur
 from turgor.core.model.supports import Fixed
 from turgor.core.results.drive import pressures_in
 from turgor.core.results.fields.contact import contact_results, drawn_obstacles, extents_of, place_of
+from turgor.core.results.fields.obstacle_shapes import outline
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.vtu import write_series, write_state
 from turgor.core.results.measures.measures import measure
@@ -24,7 +25,6 @@ from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.units import kPa, mm
 from turgor.views.pictures import framing
-from turgor.views.pictures.obstacle_shapes import outline
 from turgor.views.pictures.overlays.contact_patches import laid_over
 from turgor.views.pictures.overlays.obstacle_skin import obstacle_skin
 from turgor.views.pictures.state_picture import shared_view, write_picture

@@ -15,12 +15,12 @@ from turgor.core.model.fibers import Fibers, Winding
 from turgor.core.results.fields.fibers import fiber_results
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.vtu import write_series
+from turgor.core.results.files.vtu_overlays import threads_text
 from turgor.core.results.measures.measures import find_measure
 from turgor.core.solvers.solution import State
 from turgor.foundation.errors import TurgorError
 from turgor.units import deg, kPa, mm
 from turgor.views.pictures.state_picture import shared_view, write_picture
-from turgor.views.vtu_overlays import threads_text
 
 KEVLAR = tg.Material(name="kevlar", law=Hooke(E=31067e6, nu=0.36))
 RADIUS = 8.35 * mm

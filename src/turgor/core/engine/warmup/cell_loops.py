@@ -15,7 +15,7 @@ from turgor.core.meshing.cells import cell_type
 Array = np.ndarray
 
 
-def touch_pattern() -> None:
+def compile_pattern() -> None:
     """Call the loops of the sparsity pattern."""
     pattern = build_pattern(np.arange(3)[None], 3)
     cell_places(pattern, np.arange(3)[None])
@@ -23,25 +23,25 @@ def touch_pattern() -> None:
     scatter_add(np.zeros(1), np.zeros(1, dtype=np.int32), np.ones(1))
 
 
-def touch_tangent(nodes: int, mixed: bool) -> None:
+def compile_tangent(nodes: int, mixed: bool) -> None:
     """Call the loop of the tangents of cells."""
     loops, u, p, laws = _cell(nodes, mixed)
     kernels.tangent(loops, u, p, laws, np.zeros((1, 1, 6)), False)
 
 
-def touch_updates(nodes: int, mixed: bool) -> None:
+def compile_updates(nodes: int, mixed: bool) -> None:
     """Call the loop that takes the stress in cells to a new iterate."""
     loops, u, p, laws = _cell(nodes, mixed)
     kernels.extrapolated_stress(loops, u, p, u, p, laws)
 
 
-def touch_residual(nodes: int, mixed: bool) -> None:
+def compile_residual(nodes: int, mixed: bool) -> None:
     """Call the loop of the residuals of cells."""
     loops, u, p, laws = _cell(nodes, mixed)
     kernels.residual(loops, u, p, laws)
 
 
-def touch_geometry(nodes: int, mixed: bool) -> None:
+def compile_geometry(nodes: int, mixed: bool) -> None:
     """Call the loops of cells at rest and of their invariants."""
     points, cells = _one_cell(nodes)
     r = reference_cell(nodes, _degree(nodes, mixed))
@@ -49,7 +49,7 @@ def touch_geometry(nodes: int, mixed: bool) -> None:
     kernels_geometry.kinematics((0,) * nodes, cells, np.zeros((nodes, 3)), r.dN, Jinv)
 
 
-def touch_gradients(nodes: int, mixed: bool) -> None:
+def compile_gradients(nodes: int, mixed: bool) -> None:
     """Call the loop of deformation gradients, which laws in stretches and results need."""
     loops, u, _, _ = _cell(nodes, mixed)
     kernels_geometry.deformation_gradients(loops.shape, loops.nodes, u, loops.dN, loops.Jinv)
@@ -70,7 +70,7 @@ def _cell(nodes: int, mixed: bool) -> tuple[kernels.Cells, Array, Array, kernels
     return loops, np.zeros((nodes, 3)), np.zeros(len(modes)), laws
 
 
-def touch_stretches(nodes: int, mixed: bool) -> None:
+def compile_stretches(nodes: int, mixed: bool) -> None:
     """Call the loops of laws in stretches and of rubber that remembers."""
     F = np.tile(np.eye(3), (1, len(reference_cell(nodes, _degree(nodes, mixed)).weights), 1, 1))
     bar, directions, scale = spectral.principal_stretches(F)
@@ -78,7 +78,7 @@ def touch_stretches(nodes: int, mixed: bool) -> None:
     spectral.spectral_response(bar, directions, scale, one[:3], one)
 
 
-def touch_pressure(nodes: int) -> None:
+def compile_pressure(nodes: int) -> None:
     """Call the loops of follower pressure on the sides of cells."""
     points, sides = _one_cell(nodes)[0], _one_side(nodes)
     r = side_tables(sides.shape[1])
@@ -86,7 +86,7 @@ def touch_pressure(nodes: int) -> None:
     surfaces.pressure_tangents(points, sides, r.N, r.dN, r.weights)
 
 
-def touch_sheets(nodes: int) -> None:
+def compile_sheets(nodes: int) -> None:
     """Call the loops of membranes on the sides of cells."""
     points, sides = _one_cell(nodes)[0], _one_side(nodes)
     gradients, areas = membranes.surface_gradients(points, sides)

@@ -23,17 +23,17 @@ from time import perf_counter
 from filelock import FileLock, Timeout
 
 from turgor.core.engine.warmup.cell_loops import (
-    touch_geometry,
-    touch_gradients,
-    touch_pattern,
-    touch_pressure,
-    touch_residual,
-    touch_sheets,
-    touch_stretches,
-    touch_tangent,
-    touch_updates,
+    compile_geometry,
+    compile_gradients,
+    compile_pattern,
+    compile_pressure,
+    compile_residual,
+    compile_sheets,
+    compile_stretches,
+    compile_tangent,
+    compile_updates,
 )
-from turgor.core.engine.warmup.contact_loops import touch_press, touch_search
+from turgor.core.engine.warmup.contact_loops import compile_press, compile_search
 from turgor.core.engine.warmup.needs import Needs
 from turgor.foundation.kernel_cache import FIRST, at_work, kept, tell
 
@@ -131,31 +131,31 @@ def _groups(needs: Needs) -> Sequence[Group]:
     between, so that the two end at about the same time.
     """
     kind, cell = f"{needs.nodes}-{needs.mixed}", (needs.nodes, needs.mixed)
-    gradients = Group(f"gradients-{kind}", partial(touch_gradients, *cell), soon=needs.stretches)
+    gradients = Group(f"gradients-{kind}", partial(compile_gradients, *cell), soon=needs.stretches)
     groups = [
-        Group(f"tangent-{kind}", partial(touch_tangent, *cell)),
-        Group(f"updates-{kind}", partial(touch_updates, *cell)),
+        Group(f"tangent-{kind}", partial(compile_tangent, *cell)),
+        Group(f"updates-{kind}", partial(compile_updates, *cell)),
     ]
     if needs.stretches:
-        groups += [Group(f"stretches-{kind}", partial(touch_stretches, *cell)), gradients]
+        groups += [Group(f"stretches-{kind}", partial(compile_stretches, *cell)), gradients]
     groups += [
-        Group(f"residual-{kind}", partial(touch_residual, *cell)),
-        Group(f"geometry-{kind}", partial(touch_geometry, *cell)),
-        Group(FIRST, touch_pattern),
+        Group(f"residual-{kind}", partial(compile_residual, *cell)),
+        Group(f"geometry-{kind}", partial(compile_geometry, *cell)),
+        Group(FIRST, compile_pattern),
     ]
     if needs.sheets:
-        groups.append(Group("sheets", partial(touch_sheets, needs.nodes)))
+        groups.append(Group("sheets", partial(compile_sheets, needs.nodes)))
     groups.append(_pressure())
     if needs.sides:
-        groups.append(Group("search", partial(touch_search, needs.sides)))
-        groups.append(Group("press", partial(touch_press, needs.sides), soon=False))
+        groups.append(Group("search", partial(compile_search, needs.sides)))
+        groups.append(Group("press", partial(compile_press, needs.sides), soon=False))
     if not needs.stretches:
         groups.append(gradients)
     return groups
 
 
 def _pressure() -> Group:
-    return Group("pressure", partial(touch_pressure, Needs().nodes))
+    return Group("pressure", partial(compile_pressure, Needs().nodes))
 
 
 def _alone(group: Group, patience: float) -> bool:

@@ -15,7 +15,7 @@ from turgor.core.meshing.cells import side_type
 INSIDE = 0.05
 
 
-def touch_search(nodes: int) -> None:
+def compile_search(nodes: int) -> None:
     """Call the loops that look for what points may touch, which a model needs from its first step on."""
     points, part = _pressed(nodes)
     found = part.look(points, np.zeros(3))
@@ -23,7 +23,7 @@ def touch_search(nodes: int) -> None:
     part.passed(points, found, found)
 
 
-def touch_press(nodes: int) -> None:
+def compile_press(nodes: int) -> None:
     """Call the loops that a model needs once walls meet, after those that look for it."""
     points, part = _pressed(nodes)
     found = part.look(points, np.zeros(3))

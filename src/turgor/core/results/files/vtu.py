@@ -18,11 +18,11 @@ from turgor.core.results.drive import stage_column
 from turgor.core.results.fields.contact import extents_of
 from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.fields.state_fields import StateFields
+from turgor.core.results.files.vtu_overlays import obstacles_text, threads_text
 from turgor.core.results.files.vtu_xml import VtuArray, numbered, opening, section
 from turgor.core.solvers.solution import Solution, State
 from turgor.foundation.errors import TurgorError
 from turgor.units import kPa
-from turgor.views.vtu_overlays import obstacles_text, threads_text
 
 #: Rows and columns of the six components of a symmetric tensor, in VTK's order.
 SYMMETRIC = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))

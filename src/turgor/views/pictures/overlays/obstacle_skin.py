@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.results.fields.contact import drawn_obstacles, place_of
+from turgor.core.results.fields.obstacle_shapes import outline
 from turgor.core.results.fields.state_fields import ITSELF, MeshFacts, MirrorPlane, StateFields
-from turgor.views.pictures.obstacle_shapes import outline
 from turgor.views.pictures.raycast import Camera, Hits
 from turgor.views.pictures.shading import Bytes, draw_lines, find_lines
 from turgor.views.pictures.skin import EDGE_ANGLE, Skin, with_images

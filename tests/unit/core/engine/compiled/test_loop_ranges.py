@@ -74,7 +74,7 @@ def test_few_models_need_the_loops_of_stretches_and_sheets(results_body):
 def test_a_compilation_that_takes_long_is_told(told, terminal, monkeypatch, capsys):
     heard: list[str] = []
     monkeypatch.setattr(compiling, "QUIET_SECONDS", 0.01)
-    monkeypatch.setattr(compiling, "touch_tangent", lambda *_: time.sleep(0.3))
+    monkeypatch.setattr(compiling, "compile_tangent", lambda *_: time.sleep(0.3))
     monkeypatch.setattr(sys.stderr, "isatty", lambda: terminal)
     compiling.compile_kernels(heard.append if told else None, Needs())
     said = "compiling the element kernels (once per machine and kind of cell, up to half a minute)"

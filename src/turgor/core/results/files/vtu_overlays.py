@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from turgor.core.results.fields.contact import contact_force, drawn_obstacles, place_of
 from turgor.core.results.fields.fibers import fiber_results
+from turgor.core.results.fields.obstacle_shapes import outline
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.vtu_xml import VtuArray, numbered, simple_grid
-from turgor.views.pictures.obstacle_shapes import outline
 
 
 def threads_text(at: StateFields) -> str:
