@@ -60,11 +60,17 @@ def settle() -> None:
     only spin as they start. What the user has set stays; MKL, which factors tangents, has variables of its own.
     """
     warnings.simplefilter("ignore", FindingWarning)  # commands print findings themselves
+    warnings.formatwarning = _as_sentence
     gc.set_threshold(*PATIENT)
     load_late()
     os.environ.setdefault(*NO_PLUGINS)
     if not any(name in os.environ for name in BLAS_THREADS):
         os.environ[BLAS_THREADS[0]] = "1"
+
+
+def _as_sentence(message: Warning | str, category: type[Warning], *where: object) -> str:
+    """Write a warning of turgor as its sentence, and one of a library with its class."""
+    return f"turgor: {message}\n" if category is UserWarning else f"{category.__name__}: {message}\n"
 
 
 #: Words that are typed for options.
