@@ -68,7 +68,9 @@ def settle() -> None:
         os.environ[BLAS_THREADS[0]] = "1"
 
 
-def _as_sentence(message: Warning | str, category: type[Warning], *where: object) -> str:
+def _as_sentence(
+    message: Warning | str, category: type[Warning], filename: str, lineno: int, line: str | None = None
+) -> str:
     """Write a warning of turgor as its sentence, and one of a library with its class."""
     return f"turgor: {message}\n" if category is UserWarning else f"{category.__name__}: {message}\n"
 
