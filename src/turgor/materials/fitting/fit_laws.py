@@ -13,7 +13,15 @@ from turgor.materials.experiments.material_test import Array, MaterialTest
 from turgor.materials.fitting.checks import covered_range, fit_findings
 from turgor.materials.fitting.constrained import solve_constrained
 from turgor.materials.fitting.law_specs import law_spec, shape_bounds
-from turgor.materials.fitting.points import FitPoints, ModeRanges, modulus_row, off_zero, stability_rows, within
+from turgor.materials.fitting.points import (
+    FitPoints,
+    ModeRanges,
+    different,
+    modulus_row,
+    off_zero,
+    stability_rows,
+    within,
+)
 from turgor.materials.fitting.result import Fit, FitResidual
 from turgor.materials.fitting.uncertainty import Uncertainty, uncertainty_of
 from turgor.materials.laws.homogeneous import equibiaxial, planar, uniaxial
@@ -100,9 +108,9 @@ def _used(
     used = tuple(part for part in (within(test, stretch) for test in tests) if part is not None)
     if not used and stretch is not None:
         raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")
-    points = sum(len(test.measured) for test in used)
-    if points <= len(spec.names):
-        raise TurgorError(f"{spec.name} has {len(spec.names)} parameters; {points} points cannot determine them.")
+    there, least = different(used), len(spec.names) + 1
+    if there < least:
+        raise TurgorError(f"{spec.name} needs stresses at {least} different stretches or more; the tests have {there}.")
     return used
 
 
