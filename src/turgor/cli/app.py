@@ -11,6 +11,7 @@ import signal
 import sys
 import warnings
 from collections.abc import Sequence
+from io import TextIOWrapper
 from typing import NoReturn
 
 import typer
@@ -53,18 +54,29 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def settle() -> None:
     """Set what a process of our own needs before it loads anything heavy.
 
-    That is: few searches for garbage, one thread of OpenBLAS, no plugins, no warnings for findings, and no code that
-    nobody uses.
+    That is: few searches for garbage, one thread of OpenBLAS, no plugins, no warnings for findings, no code that
+    nobody uses, and a question mark for a letter that the output cannot hold.
 
     The engine and what fits surrogates limit OpenBLAS to one thread; other products are small. Further threads would
     only spin as they start. What the user has set stays; MKL, which factors tangents, has variables of its own.
     """
     warnings.simplefilter("ignore", FindingWarning)  # commands print findings themselves
+    warnings.formatwarning = _as_sentence
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):  # none where there is no console
+            stream.reconfigure(errors="replace")
     gc.set_threshold(*PATIENT)
     load_late()
     os.environ.setdefault(*NO_PLUGINS)
     if not any(name in os.environ for name in BLAS_THREADS):
         os.environ[BLAS_THREADS[0]] = "1"
+
+
+def _as_sentence(
+    message: Warning | str, category: type[Warning], filename: str, lineno: int, line: str | None = None
+) -> str:
+    """Write a warning of turgor as its sentence, and one of a library with its class."""
+    return f"turgor: {message}\n" if category is UserWarning else f"{category.__name__}: {message}\n"
 
 
 #: Words that are typed for options.

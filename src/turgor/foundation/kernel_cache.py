@@ -9,6 +9,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import warnings
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import cache
@@ -44,7 +45,7 @@ def folder() -> Path | None:
 
     numba loads what it finds there as code, so a folder that others could write into is not used. Others know the name
     of the one below the folder for temporary files. It serves if it is this user's alone; else a new one with a random
-    name serves this process and those that it starts.
+    name serves this process and those that it starts. A warning says where loops go that nobody wanted there.
 
     Returns
     -------
@@ -52,7 +53,7 @@ def folder() -> Path | None:
         None where numba should look by itself.
     """
     stated = os.environ.get(VARIABLE)
-    if stated and writable(Path(stated)):
+    if stated and caches.private(Path(stated).resolve()):
         return Path(stated)
     if os.environ.get(caches.FOLDER):
         own = caches.cache_folder("compiled")
@@ -63,6 +64,13 @@ def folder() -> Path | None:
     shared = Path(tempfile.gettempdir()) / f"turgor-compiled-{os.getuid() if hasattr(os, 'getuid') else 'user'}"
     other = shared if caches.private(shared) else Path(tempfile.mkdtemp(prefix="turgor-compiled-"))
     os.environ[VARIABLE] = str(other)
+    chosen = os.environ.get(caches.FOLDER)
+    others = f"'{chosen}' cannot" if chosen else "neither the folder of turgor nor the cache of the user can"
+    warnings.warn(
+        f"compiled code goes to {other}, because {others} be written by this user alone; set {caches.FOLDER} to choose "
+        "another folder.",
+        stacklevel=2,
+    )
     return other
 
 

@@ -9,6 +9,7 @@ import json
 import os
 import platform
 import sys
+import warnings
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
@@ -163,7 +164,8 @@ def _found(*asked: object) -> object:
     try:
         content = read_archive(file)
         found: object = Decoder(content.arrays, _nothing_elsewhere).decode(content.tree)
-    except _DAMAGE:
+    except _DAMAGE as error:
+        warnings.warn(f"a damaged mesh in the cache is made again ({type(error).__name__}).", stacklevel=2)
         with suppress(OSError):
             file.unlink()
         return None

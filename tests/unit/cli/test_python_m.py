@@ -52,3 +52,22 @@ def test_a_call_from_python_leaves_the_process_as_it_is():
     script += "main(['--version']); print((gc.get_threshold(), dict(os.environ)) == before, gc.get_freeze_count())"
     said = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert said.stdout.splitlines()[-1] == "True 0"
+
+
+@pytest.mark.parametrize(
+    ("encoding", "arguments"), [("ascii", "fit strip.csv --mode uniaxial --laws neo-hooke"), ("latin-1", "materials")]
+)
+def test_letters_that_the_output_cannot_hold_are_question_marks(tmp_path, encoding, arguments):
+    """``turgor fit`` writes R², and ``turgor materials`` a dash between pages."""
+    (tmp_path / "strip.csv").write_text("stretch,nominal_stress_MPa\n1,0\n1.5,0.2\n2,0.35\n")
+    environment = os.environ | {"PYTHONIOENCODING": encoding}
+    command = [sys.executable, "-m", "turgor", *arguments.split()]
+    said = subprocess.run(command, capture_output=True, check=False, cwd=tmp_path, env=environment)
+    assert (said.returncode, said.stderr) == (0, b"")
+    assert b"?" in said.stdout
+
+
+def test_a_warning_is_a_sentence():
+    program = "import warnings; from turgor.cli.app import settle; settle(); warnings.warn('damaged', stacklevel=1)"
+    said = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert said.stderr == "turgor: damaged\n"

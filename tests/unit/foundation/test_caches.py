@@ -43,6 +43,38 @@ def test_a_link_is_not_used(tmp_path):
     assert not private(tmp_path / "cache")
 
 
+@posix
+@pytest.mark.parametrize(("mode", "used"), [(0o777, False), (0o1777, True), (0o700, True)])
+def test_a_folder_that_others_can_rename_is_not_used(tmp_path, mode, used):
+    """Who may rename it can put one of his own in its place after it was checked; not so where it is sticky."""
+    (tmp_path / "all").mkdir()
+    (tmp_path / "all").chmod(mode)
+    assert private(tmp_path / "all" / "cache") is used
+    assert private(tmp_path / "all" / "more" / "cache") is used
+
+
+@root
+def test_a_folder_that_a_group_can_rename_is_not_used(tmp_path):
+    for group, used in ((4321, False), (0, True)):  # of others, and of this user alone
+        os.chown(tmp_path, 0, group)
+        tmp_path.chmod(0o770)
+        assert private(tmp_path / "cache") is used
+
+
+@posix
+@pytest.mark.parametrize("variable", ["NUMBA_CACHE_DIR", "TURGOR_CACHE"])
+def test_a_stated_folder_that_others_can_write_is_not_used(tmp_path, monkeypatch, variable):
+    """A process that this one started, or a later one, finds the name in its environment."""
+    (tmp_path / "all").mkdir()
+    (tmp_path / "all").chmod(0o777)
+    monkeypatch.setattr(loops.tempfile, "tempdir", str(tmp_path))
+    for name in ("NUMBA_CACHE_DIR", "TURGOR_CACHE"):
+        monkeypatch.setenv(name, str(tmp_path / "all" / "mine") if name == variable else "")
+    monkeypatch.setattr(loops, "usual", lambda: 2 * (Path("/dev/null/none"),))
+    with pytest.warns(UserWarning, match="compiled code goes to"):
+        assert loops.folder() == tmp_path / f"turgor-compiled-{os.getuid()}"
+
+
 @root
 def test_loops_of_another_user_are_not_loaded(tmp_path, monkeypatch):
     """Neither package nor cache can be written, and somebody else has made the folder whose name can be predicted."""
@@ -54,7 +86,8 @@ def test_loops_of_another_user_are_not_loaded(tmp_path, monkeypatch):
     planted = tmp_path / f"turgor-compiled-{os.getuid()}"
     planted.mkdir()
     os.chown(planted, 4321, 4321)
-    used = loops.folder()
+    with pytest.warns(UserWarning, match="compiled code goes to"):
+        used = loops.folder()
     assert used is not None
     assert used != planted
     assert used.stat().st_uid == os.getuid()

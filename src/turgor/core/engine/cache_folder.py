@@ -9,11 +9,10 @@ import numba
 from numba.core.caching import Cache
 
 from turgor.foundation.kernel_cache import VARIABLE, folder
-from turgor.foundation.store.caches import FOLDER
 
 
 def keep_compiled_loops() -> Path | None:
-    """See to it that compiled loops can be kept, and say in one sentence where, if nobody chose that folder.
+    """See to it that compiled loops can be kept.
 
     numba keeps them beside its sources, or else in the user's cache folder, and fails where it can write neither, as
     in a container with a read-only home.
@@ -23,18 +22,10 @@ def keep_compiled_loops() -> Path | None:
     Path or None
         The folder; None where numba looks by itself.
     """
-    stated = os.environ.get(VARIABLE)
     place = folder()
     Cache.load_overload = _load_or_drop
-    if place is None:
-        return None
-    numba.config.CACHE_DIR = os.environ[VARIABLE] = str(place)
-    if str(place) != stated and not os.environ.get(FOLDER):
-        warnings.warn(
-            f"compiled code goes to {place}, because neither the folder of turgor nor the cache of the user can be "
-            f"written by this user alone; set {FOLDER} to choose another folder.",
-            stacklevel=2,
-        )
+    if place is not None:
+        numba.config.CACHE_DIR = os.environ[VARIABLE] = str(place)
     return place
 
 

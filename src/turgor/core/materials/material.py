@@ -1,5 +1,6 @@
 """Material: a law with its bulk response, density, fitted range and source."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from math import inf
 from typing import TYPE_CHECKING, get_args
@@ -9,7 +10,7 @@ from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.materials.laws.laws import Hooke, Law
 from turgor.foundation.display import Shown
 from turgor.foundation.errors import TurgorError
-from turgor.foundation.given import Quantity, number, one
+from turgor.foundation.given import Quantity, number, one, shown
 from turgor.foundation.source import Source
 
 #: Classes of rubbers' laws.
@@ -94,6 +95,8 @@ class Material(Shown):
             raise TurgorError(
                 f"material '{self.name}' is linear elastic; viscoelasticity and stress_softening are for rubbers."
             )
+        if self.stretch_range is not None:
+            object.__setattr__(self, "stretch_range", _range(self.stretch_range, f"{said}: stretch_range"))
         if self.bending_stiffness is not None:
             bending = number(self.bending_stiffness, f"{said}: bending_stiffness", "bending stiffness")
             object.__setattr__(self, "bending_stiffness", bending)
@@ -121,3 +124,14 @@ class Material(Shown):
     def incompressible(self) -> bool:
         """Whether the material keeps its volume exactly."""
         return self.bulk_modulus == inf
+
+
+def _range(given: object, what: str) -> tuple[float, float]:
+    """Return two stretches that were given, the smaller one first."""
+    needed = f"{what} is {shown(given)}; two stretches above 0 are needed, the smaller one first"
+    if isinstance(given, str) or not isinstance(given, Iterable) or len(found := list(given)) != 2:
+        raise TurgorError(f"{needed}.")
+    low, high = (number(each, what) for each in found)
+    if not 0 < low <= high:
+        raise TurgorError(f"{needed}.")
+    return low, high

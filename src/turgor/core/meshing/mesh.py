@@ -81,6 +81,11 @@ class Mesh(Shown):
         corners = self.cell_type.corners
         if self.cells.min() < 0 or self.cells.max() >= len(self.points):
             raise TurgorError(f"mesh '{self.name}': a cell names a node outside 0..{len(self.points) - 1}.")
+        if not np.isfinite(self.points).all():
+            node = int(np.argmin(np.isfinite(self.points).all(axis=1)))
+            raise TurgorError(
+                f"mesh '{self.name}': node {node} lies at {self.points[node].tolist()}, which is no place."
+            )
         vertices = np.unique(self.cells[:, :corners])
         if vertices[-1] != len(vertices) - 1 or self.cells[:, corners:].min() < len(vertices):
             raise TurgorError(f"mesh '{self.name}': vertices must be numbered first and mid-side nodes after them.")

@@ -38,6 +38,7 @@ def whole(file: Path) -> Iterator[Path]:
         return
     part = file.with_name(f"{file.name}.{os.getpid()}.part")
     try:
+        part.unlink(missing_ok=True)  # others may have put a link there, in a folder that they can write
         yield part
         with part.open("rb+") as written:  # on disk before it has the name: a power failure leaves no empty file
             os.fsync(written.fileno())

@@ -34,7 +34,8 @@ def private(folder: Path) -> bool:
     """Make a folder, and return whether it belongs to this user and nobody else can write into it.
 
     What a process reads from a cache it trusts, and compiled loops are code. So a folder of another user, or a link, is
-    not used, and a folder of this user that others could write into is closed to them.
+    not used, and a folder of this user that others could write into is closed to them. Nor is one that others could
+    replace by their own after it was checked, because they may rename what lies in a folder above it.
 
     Parameters
     ----------
@@ -58,6 +59,27 @@ def private(folder: Path) -> bool:
                 return False
             if about.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
                 folder.chmod(0o700)
+            if any(map(_others_rename, {*folder.absolute().parents, *folder.resolve().parents})):
+                return False
         return os.access(folder, os.W_OK | os.X_OK)
     except OSError:
+        return False
+
+
+def _others_rename(folder: Path) -> bool:
+    """Whether others may rename what lies in a folder: they may write there, and it is not sticky as ``/tmp`` is."""
+    about = folder.stat()
+    if about.st_mode & stat.S_ISVTX:
+        return False
+    return bool(about.st_mode & stat.S_IWOTH or (about.st_mode & stat.S_IWGRP and not _own_group(about.st_gid)))
+
+
+def _own_group(number: int) -> bool:
+    """Whether a group is that of this user alone, which is named like the user."""
+    import grp  # not on Windows
+    import pwd
+
+    try:
+        return grp.getgrgid(number).gr_name == pwd.getpwuid(os.getuid()).pw_name
+    except KeyError:
         return False

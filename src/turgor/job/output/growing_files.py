@@ -61,6 +61,8 @@ class GrowingFiles:
     def go_on(self) -> None:
         """Go on with the files of a run that was ended; a lock file that is damaged or missing is written again."""
         self._begun = True
+        if (self.folder / LOG).is_symlink():  # lines are appended to it: they would follow the link
+            (self.folder / LOG).unlink()
         if read_lock(self.folder / LOCK) is None:
             self.lock()
             self.say(f"'{LOCK}' was damaged or missing, and is written again")

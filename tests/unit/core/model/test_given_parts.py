@@ -1,5 +1,7 @@
 """What scripts plausibly give to the public names: the plain forms are taken, the others are answered in a sentence."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import solver_cases
@@ -55,6 +57,18 @@ def test_plain_values_of_other_names():
     assert tg.mesh(FINGER, size="5 mm").unknown_count == tg.mesh(FINGER.build(), size=5 * mm).unknown_count
 
 
+def ranged(stretches):
+    """A rubber that was fitted to some stretches."""
+    return tg.Material(name="x", law=tg.laws.NeoHooke(C10=1e5), stretch_range=stretches)
+
+
+def lost_node():
+    """A mesh with a node that is nowhere."""
+    points = MESH.points.copy()
+    points[2, 0] = np.nan
+    return replace(MESH, points=points)
+
+
 REFUSED = {
     "pressure on 'cavity' is an array of shape (2,); a finite number in Pa is needed, or a text with its unit such as "
     "'60 kPa'": lambda: tg.Pressure("cavity", np.array([1, 2]) * kPa),
@@ -69,6 +83,10 @@ REFUSED = {
     "NeoHooke: C10 is an array of shape (2,)": lambda: tg.laws.NeoHooke(C10=np.ones(2)),
     "NeoHooke: C10: '0.11' needs a unit": lambda: tg.laws.NeoHooke(C10="0.11"),
     "Ogden: mu 1 is None; a number in Pa": lambda: tg.laws.Ogden(mu=[None], alpha=[2.0]),
+    "material 'x': stretch_range is 2.0; two stretches above 0": lambda: ranged(2.0),
+    "material 'x': stretch_range is (2, 1); two stretches": lambda: ranged((2, 1)),
+    "material 'x': stretch_range is 'a'; a finite number is needed": lambda: ranged((1, "a")),
+    "node 2 lies at [nan, ": lost_node,
     "material 'x': law is 100000.0; a law is needed": lambda: tg.Material(name="x", law=1e5),
     "membrane is 100000.0; a Material is needed": lambda: tg.Membrane(1e5, 0.1 * mm),
     "support of 'fixed': directions is 'ab'": lambda: tg.Fixed("fixed", "ab"),

@@ -2,6 +2,7 @@
 
 import io
 import json
+import os
 import struct
 import zlib
 from base64 import b64encode
@@ -18,6 +19,7 @@ from turgor.core.meshing.exchange.formats.vtu import read_vtu
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
+from turgor.foundation.store.atomic_files import write_whole
 
 HEAD = {"format": "turgor", "version": 1, "written_by": "turgor 0.1.0", "kind": "Response"}
 
@@ -81,6 +83,48 @@ def test_a_header_that_asks_for_more_than_follows_is_refused(file):
     archive(file, json.dumps(HEAD | {"content": {"array": "a0"}}), header.getvalue() + bytes(80))
     with pytest.raises(TurgorError, match="needs 8000000000000000 bytes, and 80 are there"):
         tg.load(file)
+
+
+def test_another_limit_can_be_stated(file, monkeypatch):
+    archive(file, json.dumps(HEAD | {"content": " " * 3_000_000}), compressed=True)
+    monkeypatch.setenv("TURGOR_UNPACKED_MB", "2")
+    with pytest.raises(TurgorError, match="at most 2 MB are read"):
+        tg.load(file)
+
+
+@pytest.mark.parametrize(
+    "name", ["os:system", "subprocess:Popen", "pty:spawn", "turgor.foundation.kernel_cache:subprocess.Popen"]
+)
+def test_only_classes_of_turgor_are_made(file, name):
+    """A file names classes; those of others count where the program has loaded them, and are never called."""
+    called: list[object] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("subprocess.Popen.__init__", lambda *given, **_: called.append(given))
+        archive(file, json.dumps(HEAD | {"content": {"object": name, "fields": {"args": ["touch", "PWNED"]}}}))
+        with pytest.raises(TurgorError):
+            tg.load(file)
+    assert not called
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_a_link_with_the_name_of_a_part_is_not_followed(tmp_path):
+    """Who can write into the folder knows the name of the part that a process writes."""
+    (tmp_path / "theirs").write_text("theirs")
+    (tmp_path / f"a.txt.{os.getpid()}.part").symlink_to(tmp_path / "theirs")
+    write_whole(tmp_path / "a.txt", "mine")
+    assert (tmp_path / "theirs").read_text() == "theirs"
+    assert (tmp_path / "a.txt").read_text() == "mine"
+
+
+def test_a_file_is_on_disk_before_it_has_its_name(tmp_path, monkeypatch):
+    done = []
+    monkeypatch.setattr("turgor.foundation.store.atomic_files.os.fsync", lambda number: done.append("written"))
+    real = os.replace
+    monkeypatch.setattr(
+        "turgor.foundation.store.atomic_files.os.replace", lambda *paths: (done.append("named"), real(*paths))
+    )
+    write_whole(tmp_path / "a.txt", "mine")
+    assert done == ["written", "named"]
 
 
 def test_an_encrypted_file_is_told(file, saved):

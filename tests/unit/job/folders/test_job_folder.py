@@ -5,9 +5,10 @@ from pathlib import Path
 
 import pytest
 
+from turgor.cli import main
 from turgor.core.results.files.response_csv import read_response
 from turgor.foundation.errors import TurgorError
-from turgor.job.output.manifest import MANIFEST, PREVIOUS, listed, own_files, set_aside
+from turgor.job.output.manifest import MANIFEST, PREVIOUS, listed, own_files, remove, set_aside
 from turgor.job.postprocess import report_folder
 from turgor.job.read import read_job
 from turgor.job.run import run_job
@@ -87,6 +88,54 @@ def test_files_of_a_user_stay(file, tmp_path, how):
     assert str(folder) in str(raised.value)
     assert {path: path.read_text() for path in mine} == mine
     assert not (folder / MANIFEST).exists()
+
+
+def test_resume_needs_a_run(file, tmp_path):
+    (tmp_path / "lab").mkdir()
+    (tmp_path / "lab" / "notes.txt").write_text("mine")
+    with pytest.raises(TurgorError, match="holds files, and none of a run that could go on"):
+        run(file, tmp_path / "lab", resume=True)
+    assert [each.name for each in (tmp_path / "lab").iterdir()] == ["notes.txt"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+@pytest.mark.parametrize("how", ["resume", "force"])
+def test_a_link_in_the_place_of_a_file_is_replaced(file, tmp_path, how):
+    """What it points to stays, and is no file of a run that could be removed or written."""
+    folder = tmp_path / "out"
+    killed_after(1, file, folder)
+    mine = tmp_path / "thesis.docx"
+    mine.write_text("mine")
+    for name in ("response.csv", "steps.csv", "run.log"):
+        (folder / name).unlink()
+        (folder / name).symlink_to(mine)
+    run(file, folder, **{how: True})
+    assert mine.read_text() == "mine"
+    assert not any(each.is_symlink() for each in folder.iterdir())
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_files_behind_links_are_no_files_of_a_run(tmp_path):
+    for name in ("path", "vtu"):
+        (tmp_path / "theirs").mkdir(exist_ok=True)
+        (tmp_path / name).symlink_to(tmp_path / "theirs")
+    for name in ("index.json", "model-1.turgor", "state_0000.vtu"):
+        (tmp_path / "theirs" / name).write_text("theirs")
+    (tmp_path / MANIFEST).write_text('{"files": ["path", "vtu/state_0000.vtu"]}')
+    assert own_files(tmp_path) == [tmp_path / "path"]  # the link itself
+    remove(tmp_path, own_files(tmp_path))
+    assert len(list((tmp_path / "theirs").iterdir())) == 3
+
+
+def test_measure_replaces_no_file_without_force(file, tmp_path, capsys):
+    run(file, tmp_path / "out")
+    (tmp_path / "thesis.csv").write_text("mine")
+    command = ["measure", str(tmp_path / "out"), "--output", str(tmp_path / "thesis.csv")]
+    assert main(command) == 1
+    assert "which exists; name another file, or replace it with --force" in capsys.readouterr().err
+    assert (tmp_path / "thesis.csv").read_text() == "mine"
+    assert main([*command, "--force"]) == 0
+    assert (tmp_path / "thesis.csv").read_text() != "mine"
 
 
 def test_force_replaces_results_and_leaves_the_rest(file, tmp_path):

@@ -79,6 +79,16 @@ def test_one_rubber_harder_than_another(tmp_path):
     assert soft > 3 * hard > 0
 
 
+def test_a_study_finds_its_runs_whatever_the_job_is_called(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "tube.toml").write_text(JOB, encoding="utf-8")
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "renamed.toml").write_text(JOB, encoding="utf-8")
+    files = ("tube.toml", tmp_path / "tube.toml", tmp_path / "other" / "renamed.toml")
+    found = [job_file(read_job(file), tmp_path / f"study-{number}") for number, file in enumerate(files)]
+    assert len({each.values["digest"] for each in found}) == 1
+
+
 SCRIPT = """
 import os
 import signal

@@ -12,7 +12,15 @@ from turgor.core.materials.experiments.material_test import Array, MaterialTest
 from turgor.core.materials.fitting.checks import covered_range, fit_findings
 from turgor.core.materials.fitting.constrained import solve_constrained
 from turgor.core.materials.fitting.law_specs import law_spec, shape_bounds
-from turgor.core.materials.fitting.points import FitPoints, ModeRanges, modulus_row, off_zero, stability_rows, within
+from turgor.core.materials.fitting.points import (
+    FitPoints,
+    ModeRanges,
+    different,
+    modulus_row,
+    off_zero,
+    stability_rows,
+    within,
+)
 from turgor.core.materials.fitting.result import Fit, FitResidual
 from turgor.core.materials.fitting.uncertainty import Uncertainty, uncertainty_of
 from turgor.core.materials.laws.homogeneous import equibiaxial, planar, uniaxial
@@ -100,9 +108,9 @@ def _used(
     used = tuple(part for part in (within(test, stretch) for test in tests) if part is not None)
     if not used and stretch is not None:
         raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")
-    points = sum(len(test.measured) for test in used)
-    if points <= len(spec.names):
-        raise TurgorError(f"{spec.name} has {len(spec.names)} parameters; {points} points cannot determine them.")
+    there, least = different(used), len(spec.names) + 1
+    if there < least:
+        raise TurgorError(f"{spec.name} needs stresses at {least} different stretches or more; the tests have {there}.")
     return used
 
 

@@ -25,6 +25,9 @@ LEAST_EXPONENT = 0.05
 STABILITY_POINTS = 240
 BEYOND = 1.005
 
+#: Stretches that are equal to so many decimals count as one.
+DECIMALS = 3
+
 
 class FitPoints:
     """Deformations, measured nominal stresses and weights of all tests in one row each.
@@ -163,3 +166,14 @@ def _pull(F: Array, law: Any) -> Array:
 def _single(spec: LawSpec, shape: float) -> Any:
     """One term of a law with shape parameters, with a positive shear modulus."""
     return spec.make([np.sign(shape) if spec.sign == "shape" else 1.0], [shape])
+
+
+def different(tests: Sequence[MaterialTest]) -> int:
+    """Count the measured stresses at different stretches: fifty at one stretch say no more than one of them."""
+    places: set[tuple[object, ...]] = set()
+    for test in tests:
+        second = test.stretch if test.stretch_2 is None else test.stretch_2
+        axes = range(len(test.measured) // len(test.stretch))
+        for place in np.round(np.stack([test.stretch, second], axis=-1), DECIMALS).tolist():
+            places.update((test.mode, *place, axis) for axis in axes)
+    return len(places)

@@ -11,6 +11,7 @@ import hashlib
 import inspect
 import json
 import operator
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -146,8 +147,11 @@ def cached_formulas(law_type: type, requested: object, derive: Callable[[], Call
     file = folder / f"{hashlib.sha256(key.encode()).hexdigest()[:24]}.json"
     try:
         return Formulas.read(file.read_text("utf-8"))
-    except (OSError, ValueError):  # not there, or damaged
-        found = formulas_of(derive())
+    except FileNotFoundError:
+        pass
+    except (OSError, ValueError) as error:
+        warnings.warn(f"a damaged law in the cache is derived again ({type(error).__name__}).", stacklevel=2)
+    found = formulas_of(derive())
     with suppress(OSError):  # nothing can be cached, and the formulas serve all the same
         write_whole(file, found.text)
     return found

@@ -1,6 +1,7 @@
 """Derived formulas are cached as data, by what they were derived from; nothing from disk is executed."""
 
 import json
+import warnings
 
 import numpy as np
 import pytest
@@ -65,8 +66,11 @@ def test_a_damaged_file_is_derived_again_and_mended(derived, tmp_path, text):
     cached_formulas(Yeoh, "a", derive)
     (file,) = (tmp_path / "laws").iterdir()
     file.write_bytes(text)
-    assert cached_formulas(Yeoh, "a", derive)(1.0, 2.0) == [0.0, 2.0]
-    cached_formulas(Yeoh, "a", derive)
+    with pytest.warns(UserWarning, match="a damaged law in the cache is derived again"):
+        assert cached_formulas(Yeoh, "a", derive)(1.0, 2.0) == [0.0, 2.0]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        cached_formulas(Yeoh, "a", derive)
     assert len(times) == 2
 
 
