@@ -187,7 +187,8 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     """
     model, procedure = question.model, question.procedure
     solution = None if record is None else record.solution()
-    if solution is not None:
+    if record is not None and solution is not None:
+        record.finish_again()
         listeners.tell(solution.findings)
     else:
         early = early_findings(model, procedure)

@@ -1,6 +1,7 @@
 """Run record: a folder in which a solve keeps its question and every accepted state, and from which it goes on."""
 
 import json
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -14,12 +15,16 @@ from turgor.model.model import Model
 from turgor.solvers.checkpoints.so_far import LoopSoFar, PathSoFar
 from turgor.solvers.solution import Procedure, Solution
 from turgor.store.folder import Store, write_index
+from turgor.store.saved import ENDING
 
 #: The file that names the present archives.
 INDEX = "index.json"
 
 #: Archives that stay: the question, that of each stage, and the solution.
 QUESTION, STAGE_MODEL, SOLUTION = "question", "model", "solution"
+
+#: Archives that later ones replace.
+_GOES = re.compile(r"(model|state|path|loop)(-\d+)+")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -93,7 +98,9 @@ class RunRecord:
             raise TurgorError(f"'{folder}' holds no path of a run.") from None
         except (ValueError, LookupError, TypeError):
             raise TurgorError(f"'{folder / INDEX}' is damaged.") from None
-        return RunRecord(Store(folder), stages, _written=written)
+        record = RunRecord(Store(folder), stages, _written=written)
+        record.store.found(file.stem for file in folder.glob(f"*{ENDING}") if _GOES.fullmatch(file.stem))
+        return record
 
     @property
     def question(self) -> Question:
@@ -130,6 +137,14 @@ class RunRecord:
         self.store.keep(SOLUTION, solution, "Solution")
         self.stages = []
         self._point()
+
+    def finish_again(self) -> None:
+        """Remove what a process left that was killed after it had kept the whole solution."""
+        if self.stages:
+            self.stages = []
+            self._point()
+        else:
+            self.store.forget([QUESTION, SOLUTION])
 
     def solution(self) -> Solution | None:
         """Return the solution; None where the run has not ended."""
