@@ -142,12 +142,12 @@ class Case:
 ONE = ("--threads", "1")
 CASES: Mapping[str, Case] = {
     "run": Case(command=("run", "pull.toml", *ONE), share=4),
-    "run, pictures": Case(command=("run", "tube.toml", *ONE), share=2),
+    "run, pictures": Case(command=("run", "tube.toml", *ONE)),
     "run, cold caches": Case(command=("run", "pull.toml", *ONE), cold=True),
     "run --force": Case(command=("run", "pull.toml", *ONE), before=("run", "softer.toml", *ONE), share=3),
     "sweep": Case(command=("sweep", "walls.toml"), share=2),
     "sweep, 2 processes": Case(command=("sweep", "walls.toml", "--processes", "2"), workers=True, share=2),
-    "optimize": Case(command=("optimize", "lean.toml"), share=2),
+    "optimize": Case(command=("optimize", "lean.toml")),
     "calibrate": Case(command=("calibrate", "tube.toml", "rig.csv", "--free", "materials.body.C10"), share=2),
 }
 

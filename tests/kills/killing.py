@@ -17,7 +17,7 @@ from kill_cases import FILES, Case, Kept, going_on, outcome
 STRUCK = Path(__file__).with_name("struck.py")
 
 #: Time [s] in which all processes of a command that was killed have ended, and time after which a command hangs.
-GONE, HANGS = 10.0, 300.0
+GONE, HANGS = 60.0, 300.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -191,7 +191,7 @@ def chain(bench: Bench, name: str, case: Case, chance: random.Random) -> list[tu
     before = outcome(results) if case.before else None
     kills: list[tuple[Moment, float]] = []
     options = case.first
-    for _ in range(chance.choice([1, 1, 2, 3, 5])):
+    for _ in range(chance.choice([1, 2, 3, 5, 8])):
         moment = drawn(case, lasts, operations, chance)
         kept = Kept.of(case, results, options)
         struck, said = killed(bench, case, results, caches, moment, options)

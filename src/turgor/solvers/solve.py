@@ -186,9 +186,8 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     Solution
     """
     model, procedure = question.model, question.procedure
-    solution = None if record is None else record.solution()
-    if record is not None and solution is not None:
-        record.finish_again()
+    solution = None if record is None else record.finished()
+    if solution is not None:
         listeners.tell(solution.findings)
     else:
         early = early_findings(model, procedure)

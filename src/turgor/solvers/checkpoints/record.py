@@ -138,17 +138,19 @@ class RunRecord:
         self.stages = []
         self._point()
 
-    def finish_again(self) -> None:
-        """Remove what a process left that was killed after it had kept the whole solution."""
-        if self.stages:
-            self.stages = []
-            self._point()
-        else:
-            self.store.forget([QUESTION, SOLUTION])
-
     def solution(self) -> Solution | None:
         """Return the solution; None where the run has not ended."""
         return self.store.read(SOLUTION) if self.ended else None
+
+    def finished(self) -> Solution | None:
+        """Return the solution, and remove what a process left that was killed after it had kept it; None without one."""
+        solution = self.solution()
+        if self.stages and solution is not None:
+            self.stages = []
+            self._point()
+        elif solution is not None:
+            self.store.forget([QUESTION, SOLUTION])
+        return solution
 
     def paths(self) -> list[PathSoFar]:
         """Return what each stage has found so far."""
