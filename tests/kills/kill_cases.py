@@ -154,9 +154,7 @@ CASES: Mapping[str, Case] = {
 
 def outcome(folder: Path) -> dict[str, object]:
     """Return what a folder of results holds, file by file, without times."""
-    return {
-        file.relative_to(folder).as_posix(): _content(file) for file in sorted(folder.rglob("*")) if file.is_file()
-    }
+    return {file.relative_to(folder).as_posix(): _content(file) for file in sorted(folder.rglob("*")) if file.is_file()}
 
 
 def _content(file: Path) -> object:

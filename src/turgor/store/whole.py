@@ -2,14 +2,13 @@
 
 import errno
 import os
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-try:
+if sys.platform != "win32":
     import fcntl
-except ImportError:  # Windows
-    fcntl = None  # type: ignore[assignment]
 
 #: Ending of what is written beside a file before it takes its place.
 PART = ".turgor-part"
@@ -68,7 +67,7 @@ def _part(file: Path) -> tuple[Path, int | None]:
     has it, and where the system has no such locks, the name has the number of the process.
     """
     part, own = file.with_name(f"{file.name}{PART}"), file.with_name(f"{file.name}.{os.getpid()}{PART}")
-    if fcntl is None:
+    if sys.platform == "win32":
         return own, None
     try:
         lock = os.open(part, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o666)

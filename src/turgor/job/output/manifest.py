@@ -116,7 +116,8 @@ def _of_a_run(file: Path, known: frozenset[str]) -> bool:
 def own_files(folder: Path) -> list[Path]:
     """Return the files of a folder that turgor wrote, also in part: those of the manifest, then those of the paths."""
     names = listed(folder)
-    files = [folder / f"{name}{end}" for name in sorted(names) for end in ("", PART) if not _behind_a_link(folder, name)]
+    own = [f"{name}{ending}" for name in sorted(names) for ending in ("", PART)]
+    files = [folder / name for name in own if not _behind_a_link(folder, name)]
     found = [file for file in files if file.is_symlink() or file.is_file()]
     return [*found, *_of_path(folder / PATH_FOLDER)] if PATH_FOLDER in names else found
 

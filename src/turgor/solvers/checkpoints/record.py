@@ -143,7 +143,7 @@ class RunRecord:
         return self.store.read(SOLUTION) if self.ended else None
 
     def finished(self) -> Solution | None:
-        """Return the solution, and remove what a process left that was killed after it had kept it; None without one."""
+        """Return the solution, if there is one, and remove what a process left that was killed after it had kept it."""
         solution = self.solution()
         if self.stages and solution is not None:
             self.stages = []
