@@ -57,6 +57,6 @@ def test_two_runs_while_the_caches_are_emptied(number, folder):
     while any(run.poll() is None for run in runs):
         said, _ = started(folder, "cache", "--clear").communicate(timeout=60)
         cleared += int(said.split()[-3])
-        time.sleep(0.2)
+        time.sleep(1.0)
     assert len(responses(folder, runs)) == 1
     assert cleared > 0, "nothing was there to be removed"
