@@ -12,8 +12,8 @@ from study_cases import PICTURE, breaks, dies, line, refuses
 
 from turgor.errors import TurgorError
 from turgor.study.files.kept import keep, kept
-from turgor.study.running.ended import compute
 from turgor.study.run_all import run_all
+from turgor.study.running.ended import compute
 from turgor.study.runs import Computed, Run
 
 
