@@ -14,7 +14,7 @@ RUN := $(VENV)/run.stamp
 DEV := $(VENV)/dev.stamp
 DOCS := $(VENV)/docs.stamp
 
-.PHONY: help setup demo test slow lint format verification actuators gallery reference docs dist bench robustness fuzz truth guidelines measured fast lock clean
+.PHONY: help setup demo test slow lint format verification actuators gallery reference docs dist bench robustness fuzz kills truth guidelines measured fast lock clean
 
 help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
@@ -31,6 +31,7 @@ help:
 	@echo "make bench         run the benchmarks; writes benchmarks/results"
 	@echo "make robustness    run the hard cases (some minutes); writes benchmarks/robustness.md"
 	@echo "make fuzz          thousands of damaged files (half an hour of one core); make test tries some hundred"
+	@echo "make kills         commands killed at 200 random moments, and runs at once on cold caches (half an hour of one core)"
 	@echo "make truth         run the truth set (an hour or two of one core); renews docs/truth.md. It installs NGSolve into"
 	@echo "                   .venv, whose wheel carries UMFPACK (GPL): for development only"
 	@echo "make guidelines    run the guidelines of the literature (an hour of two cores); renews docs/guidelines.md"
@@ -85,6 +86,9 @@ robustness: $(RUN)
 
 fuzz: $(DEV)
 	TURGOR_FUZZ=5000 $(BIN)/python -m pytest tests/fuzz -n auto
+
+kills: $(DEV)
+	TURGOR_KILLS=200 $(BIN)/python -m pytest tests/kills -m "slow or not slow" --log-cli-level=INFO
 
 truth: $(RUN) requirements/truth.lock
 	$(PIP) install -r requirements/truth.lock

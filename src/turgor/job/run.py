@@ -24,7 +24,7 @@ from turgor.job.meshes import keep_mesh_of
 from turgor.job.output.folder import claimed, default_folder
 from turgor.job.output.growing_files import GrowingFiles
 from turgor.job.output.identity import check_same_job
-from turgor.job.output.manifest import bring_back, drop_previous, set_aside
+from turgor.job.output.manifest import MOVING, bring_back, drop_previous, set_aside
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
@@ -137,7 +137,7 @@ def _written(files: GrowingFiles, solution: Solution, response: Response, findin
 def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRecord:
     """Open the record of a run that goes on, or prepare a job and begin one."""
     folder = files.folder / PATH_FOLDER
-    if resume and (folder / INDEX).exists():
+    if resume and (folder / INDEX).exists() and not (files.folder / MOVING).exists():  # else a new run was to begin
         record = RunRecord.open(folder)
         files.job = _settled(files.job, record.question.model)
         check_same_job(files.job, files.folder)

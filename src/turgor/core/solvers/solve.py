@@ -186,7 +186,7 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     Solution
     """
     model, procedure = question.model, question.procedure
-    solution = None if record is None else record.solution()
+    solution = None if record is None else record.finished()
     if solution is not None:
         listeners.tell(solution.findings)
     else:

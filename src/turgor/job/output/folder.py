@@ -10,7 +10,8 @@ from filelock import FileLock, Timeout
 from turgor.core.solvers.checkpoints.record import INDEX, SOLUTION
 from turgor.core.solvers.load import PATH_FOLDER
 from turgor.foundation.errors import TurgorError
-from turgor.job.output.manifest import listed, own_files, refuse_foreign, remove
+from turgor.foundation.store.atomic_files import PART
+from turgor.job.output.manifest import MANIFEST, listed, own_files, refuse_foreign, remove
 
 RESPONSE = "response.csv"
 STEPS = "steps.csv"
@@ -106,7 +107,7 @@ def _locked(file: Path) -> Iterator[None]:
 
 def _check_empty(folder: Path, force: bool, resume: bool) -> None:
     """Refuse a folder that holds files, unless these may be replaced or are those of the run that goes on."""
-    if force or all(each.name == IN_USE for each in folder.iterdir()):
+    if force or all(each.name in {IN_USE, f"{MANIFEST}{PART}"} for each in folder.iterdir()):
         return
     if resume and not listed(folder):
         raise TurgorError(

@@ -12,7 +12,7 @@ from turgor.core.solvers.checkpoints.record import INDEX, SOLUTION
 from turgor.core.solvers.coarse_path import COARSE
 from turgor.core.solvers.load import PATH_FOLDER
 from turgor.foundation.errors import TurgorError
-from turgor.foundation.store.atomic_files import write_whole
+from turgor.foundation.store.atomic_files import PART, write_whole
 from turgor.foundation.store.saved_objects import ENDING
 
 #: The list, in the folder.
@@ -26,7 +26,7 @@ MOVING = ".previous"
 
 #: Files of a path: the index and the archives, also parts of them that a killed process left.
 _OF_A_PATH = re.compile(
-    rf"({re.escape(INDEX)}|(question|solution|(model|state|path|loop)(-\d+)+)\.turgor)(\.\d+\.part)?"
+    rf"({re.escape(INDEX)}|(question|solution|(model|state|path|loop)(-\d+)+)\.turgor)((\.\d+)?{re.escape(PART)})?"
 )
 
 
@@ -114,9 +114,10 @@ def _of_a_run(file: Path, known: frozenset[str]) -> bool:
 
 
 def own_files(folder: Path) -> list[Path]:
-    """Return the files of a folder that turgor wrote: those of the manifest, then those of the paths in it."""
+    """Return the files of a folder that turgor wrote, also in part: those of the manifest, then those of the paths."""
     names = listed(folder)
-    files = [folder / name for name in sorted(names) if not _behind_a_link(folder, name)]
+    own = [f"{name}{ending}" for name in sorted(names) for ending in ("", PART)]
+    files = [folder / name for name in own if not _behind_a_link(folder, name)]
     found = [file for file in files if file.is_symlink() or file.is_file()]
     return [*found, *_of_path(folder / PATH_FOLDER)] if PATH_FOLDER in names else found
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Self
 
 from turgor.studies.study.files.run_files import forget
+from turgor.studies.study.running.claims import drop_lock
 from turgor.studies.study.running.executors import Executor, Here
 from turgor.studies.study.running.run_outcome import Ended, ended_before
 from turgor.studies.study.running.workers import Workers
@@ -66,6 +67,7 @@ class Evaluations:
         before = ended_before(run, self.folder) if self.folder is not None else None
         if before is None or self.folder is None:
             return False
+        drop_lock(run.key, self.folder)
         if self.retry and (before.problem or before.early):
             forget(run, self.folder)
             return False

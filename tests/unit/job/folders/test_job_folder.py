@@ -7,6 +7,7 @@ import pytest
 
 from turgor.cli import main
 from turgor.core.results.files.response_csv import read_response
+from turgor.core.solvers.checkpoints.record import INDEX
 from turgor.foundation.errors import TurgorError
 from turgor.job.output.manifest import MANIFEST, PREVIOUS, listed, own_files, remove, set_aside
 from turgor.job.postprocess import report_folder
@@ -183,6 +184,29 @@ def test_a_move_that_was_killed_goes_on(file, tmp_path, monkeypatch):
     set_aside(folder)
     assert {path.relative_to(folder / PREVIOUS): path.read_bytes() for path in own_files(folder / PREVIOUS)} == before
     assert own_files(folder) == []
+
+
+def test_a_resumed_run_whose_move_was_killed_begins(file, tmp_path, monkeypatch):
+    """The index of the earlier path is still there, and not all that it names."""
+    folder = tmp_path / "out"
+    run(file, folder)
+    before = (folder / "response.csv").read_bytes()
+    real = os.replace
+
+    def killed(source, target):
+        if source.name == INDEX:
+            raise Killed
+        real(source, target)
+
+    monkeypatch.setattr("turgor.job.output.manifest._of_path", lambda folder: sorted(folder.iterdir(), reverse=True))
+    monkeypatch.setattr("turgor.job.output.manifest.os.replace", killed)
+    with pytest.raises(Killed):
+        run(file, folder, force=True)
+    monkeypatch.undo()
+    assert [each.name for each in (folder / "path").iterdir()] == [INDEX]
+    run(file, folder, resume=True)
+    assert (folder / "response.csv").read_bytes() == before
+    assert not (folder / PREVIOUS).exists()
 
 
 def test_complete_results_replace_older_ones_that_wait(file, tmp_path):

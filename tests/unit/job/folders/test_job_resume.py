@@ -17,6 +17,9 @@ import turgor as tg
 from turgor.core.engine.fields import cell_fields
 from turgor.core.results.files.response_csv import read_response
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.store.atomic_files import PART
+from turgor.foundation.store.folder import Store
+from turgor.job.output.manifest import MANIFEST, list_files
 from turgor.job.postprocess import measure_folder, report_folder
 from turgor.job.read import read_job
 from turgor.job.run import run_job
@@ -243,25 +246,44 @@ def test_a_full_disk_names_the_file_and_keeps_what_is_there(file, tmp_path):
     assert (tmp_path / "run" / "job.lock.toml").exists()
 
 
-@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
-@pytest.mark.parametrize("count", [1, pytest.param(50, marks=pytest.mark.slow)])
-def test_killed_at_any_moment_it_ends_equal(count, file, whole, tmp_path):
-    """Each run is killed (SIGKILL) after a time drawn by chance, as often as it takes, then resumed to its end."""
-    chance = np.random.default_rng(count)
-    process = _start(file, tmp_path / "timed")
-    began = time.monotonic()
-    process.communicate()
-    lasts = time.monotonic() - began
-    for number in range(count):
+@pytest.mark.parametrize("at_end", [False, True])
+def test_archives_of_a_killed_run_do_not_stay(at_end, file, whole, tmp_path, monkeypatch):
+    """A run is killed between its index and the removal of what the index names no more, on its way and at its end."""
+    calls, forget = [], Store.forget
+
+    def killed(store, present):
+        calls.append(present)
+        if len(calls) > 4 and (len(present) == 2) is at_end:
+            raise Killed
+        forget(store, present)
+
+    monkeypatch.setattr(Store, "forget", killed)
+    with pytest.raises(Killed):
+        run_job(read_job(file), tmp_path / "run", threads=1)
+    monkeypatch.undo()
+    (tmp_path / "run" / "path" / "mine.turgor").write_text("not of turgor")
+    run_job(read_job(file), tmp_path / "run", resume=True, threads=1)
+    there = {each.name for each in (tmp_path / "run" / "path").iterdir()}
+    assert there == {"mine.turgor"} | {each.name for each in (whole.folder / "path").iterdir()}
+
+
+def test_a_run_that_was_killed_at_its_first_file_begins(file, whole, tmp_path):
+    for number, options in enumerate(({}, {"resume": True})):
         folder = tmp_path / str(number)
-        process = _start(file, folder)
-        time.sleep(float(chance.uniform(0.4, 1.0)) * lasts)
-        process.kill()
-        process.communicate()
-        process = _start(file, folder, "--resume")
-        said, _ = process.communicate()
-        assert process.returncode == 0, said
-        assert (folder / "response.csv").read_bytes() == (whole.folder / "response.csv").read_bytes()
+        folder.mkdir()
+        (folder / f"{MANIFEST}{PART}").write_text("{")
+        run_job(read_job(file), folder, threads=1, **options)
+        assert {each.name for each in folder.iterdir()} == {each.name for each in whole.folder.iterdir()}
+
+
+def test_files_in_part_of_a_killed_run_are_replaced_too(file, tmp_path):
+    cut(file, tmp_path / "run", 2)
+    for name in ("vtu/state_0001.vtu", "response.png", "path/state-0-000099.turgor"):
+        (tmp_path / "run" / name).parent.mkdir(exist_ok=True)
+        (tmp_path / "run" / f"{name}{PART}").write_text("half")
+    list_files(tmp_path / "run", ("vtu/state_0001.vtu", "response.png"))
+    run_job(read_job(file), tmp_path / "run", force=True, threads=1)
+    assert not list((tmp_path / "run").rglob(f"*{PART}"))
 
 
 def test_a_disk_that_fills_up_on_the_way_keeps_the_states_before(file, whole, tmp_path, monkeypatch):

@@ -1,6 +1,7 @@
 """Run record: a folder in which a solve keeps its question and every accepted state, and from which it goes on."""
 
 import json
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -14,12 +15,16 @@ from turgor.core.solvers.solution import Procedure, Solution
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
 from turgor.foundation.store.folder import Store, write_index
+from turgor.foundation.store.saved_objects import ENDING
 
 #: The file that names the present archives.
 INDEX = "index.json"
 
 #: Archives that stay: the question, that of each stage, and the solution.
 QUESTION, STAGE_MODEL, SOLUTION = "question", "model", "solution"
+
+#: Archives that later ones replace.
+_GOES = re.compile(r"(model|state|path|loop)(-\d+)+")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -93,7 +98,9 @@ class RunRecord:
             raise TurgorError(f"'{folder}' holds no path of a run.") from None
         except (ValueError, LookupError, TypeError):
             raise TurgorError(f"'{folder / INDEX}' is damaged.") from None
-        return RunRecord(Store(folder), stages, _written=written)
+        record = RunRecord(Store(folder), stages, _written=written)
+        record.store.found(file.stem for file in folder.glob(f"*{ENDING}") if _GOES.fullmatch(file.stem))
+        return record
 
     @property
     def question(self) -> Question:
@@ -134,6 +141,16 @@ class RunRecord:
     def solution(self) -> Solution | None:
         """Return the solution; None where the run has not ended."""
         return self.store.read(SOLUTION) if self.ended else None
+
+    def finished(self) -> Solution | None:
+        """Return the solution, if there is one, and remove what a process left that was killed after it had kept it."""
+        solution = self.solution()
+        if self.stages and solution is not None:
+            self.stages = []
+            self._point()
+        elif solution is not None:
+            self.store.forget([QUESTION, SOLUTION])
+        return solution
 
     def paths(self) -> list[PathSoFar]:
         """Return what each stage has found so far."""

@@ -75,6 +75,14 @@ class Claims:
         _unlocked(self._held.pop(run.key, None))
 
 
+def drop_lock(key: str, folder: Path) -> None:
+    """Remove the file of the lock of a run that has ended, which a killed process left."""
+    file = folder / f"{key}.lock"
+    if file.exists():
+        with suppress(Timeout):  # the process that has computed it is about to remove it
+            _unlocked(_locked(file))
+
+
 def _locked(file: Path) -> BaseFileLock | None:
     """Lock a file at once, or raise a `Timeout`; None where the file system has no locks."""
     file.parent.mkdir(parents=True, exist_ok=True)

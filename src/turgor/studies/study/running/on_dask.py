@@ -127,6 +127,4 @@ def _kept(run: Run, future: Any, folder: Path | None) -> Ended:
         told = f"{type(error).__name__}: {error}".strip(": ")
         return Ended(run=run, found=None, problem=f"the Dask worker could not compute it: {told}")
     ended: Ended = future.result()
-    ended = replace(ended, run=run)
-    keep_ended(ended, folder)
-    return ended
+    return keep_ended(replace(ended, run=run), folder)

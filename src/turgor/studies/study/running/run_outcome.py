@@ -60,14 +60,12 @@ def compute(run: Run, folder: Path | None = None) -> Ended:
         With the sentence that says why, where the run failed.
     """
     try:
-        ended = _called(run)
-        keep_ended(ended, folder)
+        return keep_ended(_called(run), folder)
     except OSError as error:
         if error.errno not in _NO_ROOM:
             raise
         where = f"'{error.filename}'" if error.filename else "its files"
         return Ended(run=run, found=None, problem=f"{where} cannot be written: {error.strerror}; make room and go on.")
-    return ended
 
 
 def _called(run: Run) -> Ended:
@@ -86,7 +84,7 @@ def _called(run: Run) -> Ended:
     return Ended(run=run, found=replace(computed, seconds=computed.seconds or process_time() - begun))
 
 
-def keep_ended(ended: Ended, folder: Path | None) -> None:
+def keep_ended(ended: Ended, folder: Path | None) -> Ended:
     """Keep what a run found, or why it failed where that is final.
 
     Parameters
@@ -94,11 +92,19 @@ def keep_ended(ended: Ended, folder: Path | None) -> None:
     ended : Ended
     folder : Path or None
         None keeps nothing.
+
+    Returns
+    -------
+    Ended
+        With what a later call reads. A table may differ from it in the last bit, and an analysis that goes on after it
+        was killed must find what it finds at once.
     """
     if folder is not None and ended.found is not None:
         keep(ended.run, ended.found, folder)
-    elif folder is not None and ended.final:
+        return replace(ended, found=kept(ended.run, folder) or ended.found)
+    if folder is not None and ended.final:
         keep_problem(ended.run, ended.problem, folder)
+    return ended
 
 
 def ended_before(run: Run, folder: Path) -> Ended | None:

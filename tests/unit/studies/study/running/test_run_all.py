@@ -13,6 +13,7 @@ from study_cases import PICTURE, breaks, dies, line, refuses
 from turgor.foundation.errors import TurgorError
 from turgor.studies.study.files.run_files import keep, kept
 from turgor.studies.study.run_all import run_all
+from turgor.studies.study.running.run_outcome import compute
 from turgor.studies.study.runs import Computed, Run
 
 
@@ -31,6 +32,17 @@ def test_what_is_kept_is_read_again(tmp_path):
         np.testing.assert_allclose(read.response.column(name), found.response.column(name), rtol=1e-15)
     assert (read.picture, read.seconds, read.response.message) == (PICTURE, 1.25, "ended")
     assert str(read.response.source) == "a line"
+
+
+def test_what_is_computed_is_what_a_later_call_reads(tmp_path):
+    """To the last bit, which a table does not always keep: an analysis that goes on finds what it finds at once."""
+    run = Run(name="third", function=line, values={"slope": 1.01e-5})
+    ended = compute(run, tmp_path)
+    read = kept(run, tmp_path)
+    assert ended.found is not None and read is not None
+    for name in read.response.names:
+        assert np.array_equal(read.response.column(name), ended.found.response.column(name))
+    assert read.seconds == ended.found.seconds
 
 
 def test_notes_are_written_last(tmp_path):
@@ -102,6 +114,7 @@ from pathlib import Path
 
 from study_cases import line
 from turgor.studies.study.run_all import run_all
+from turgor.studies.study.running.run_outcome import compute
 from turgor.studies.study.runs import Run
 
 

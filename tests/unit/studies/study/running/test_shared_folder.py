@@ -9,6 +9,7 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from filelock import FileLock
 from study_cases import fails, waits
 
 import turgor as tg
@@ -95,6 +96,20 @@ def test_a_lock_that_a_killed_process_left_behind_locks_nothing(tmp_path):
         (tmp_path / "runs" / f"{run.key}.lock").touch()
     ended = tg.studies.kept_in(tmp_path / "runs").of(runs)
     assert [each.problem for each in ended] == ["", ""]
+    assert not list((tmp_path / "runs").glob("*.lock"))
+
+
+def test_the_lock_of_a_run_that_has_ended_goes(tmp_path):
+    """A process that is killed between the end of a run and its unlocking leaves the file of the lock."""
+    (tmp_path / "gate").touch()
+    runs = gated(tmp_path)[:2]
+    tg.studies.kept_in(tmp_path / "runs").of(runs)
+    for run in runs:
+        (tmp_path / "runs" / f"{run.key}.lock").touch()
+    with FileLock(tmp_path / "runs" / f"{runs[0].key}.lock"):  # the process is still there
+        assert all(each.again for each in tg.studies.kept_in(tmp_path / "runs").of(runs))
+        assert [each.stem for each in (tmp_path / "runs").glob("*.lock")] == [runs[0].key]
+    tg.studies.kept_in(tmp_path / "runs").of(runs)
     assert not list((tmp_path / "runs").glob("*.lock"))
 
 
