@@ -20,7 +20,7 @@ help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
 	@echo "make test          all tests but the slow ones, and the examples in the docstrings"
 	@echo "make slow          the slow tests"
-	@echo "make lint          ruff and mypy"
+	@echo "make lint          ruff, mypy and spelling"
 	@echo "make format        let ruff format and tidy the code"
 	@echo "make verification  all verification tests (half an hour of one core); renews docs/verification.md"
 	@echo "make actuators     write docs/actuators from the families, with their pictures (some minutes)"
@@ -55,6 +55,7 @@ lint: $(DEV)
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
+	$(BIN)/typos
 
 format: $(DEV)
 	$(BIN)/ruff check --fix

@@ -121,6 +121,18 @@ def test_dependencies_are_those_that_are_imported():
     assert imported - {"turgor", *INSIDE, *sys.stdlib_module_names} == declared
 
 
+def test_the_conda_recipe_asks_for_the_same_packages():
+    recipe = read("release/conda/recipe.yaml").split("  run:\n")[1].split("tests:")[0]
+    asked = {line.strip("- ").replace(" ", "") for line in recipe.splitlines()}
+    other = {"netgen-mesher": "netgen", "matplotlib": "matplotlib-base"}
+    names = {
+        other.get(name, name) + rest
+        for name, rest in (re.match(r"([\w-]+)(.*)", each).groups() for each in PROJECT["dependencies"])
+    }
+    assert asked == {*names, f"python{PROJECT['requires-python']}"}
+    assert f'version: "{PROJECT["version"]}"' in read("release/conda/recipe.yaml")
+
+
 @pytest.mark.parametrize("lock", ["run", "dev", "docs", "fast"])
 def test_lock_pins_what_the_project_asks_for(lock):
     lines = read(f"requirements/{lock}.lock").splitlines()
