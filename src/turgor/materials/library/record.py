@@ -158,7 +158,7 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
     """
     where = f"{library}: records.{name}"
     entry = table(content["records"][name], where, RECORD_KEYS, ("law", "parameters", "convention"))
-    numbers = tuple(entry.get("references", ()))
+    numbers = _reference_numbers(entry, where, references)
     texts = (*(references[n] for n in numbers), *_texts(entry, "cited_by", where))
     if "source" in entry:
         texts = (_text(entry, "source", where), *texts)
@@ -195,6 +195,16 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         form=_form(entry, where),
         bending_stiffness=_optional(entry, "bending_stiffness", "bending stiffness", where),
     )
+
+
+def _reference_numbers(entry: Mapping[str, Any], where: str, known: Mapping[int, str]) -> tuple[int, ...]:
+    numbers = entry.get("references", [])
+    if not isinstance(numbers, list) or not all(type(each) is int and each in known for each in numbers):
+        raise TurgorError(
+            f"{where}: 'references' is {numbers!r}; a list of numbers of references is needed, such as [{min(known)}]; "
+            "state other sources as 'source'."
+        )
+    return tuple(numbers)
 
 
 def _part(entry: Mapping[str, Any], key: str, where: str, read: Any) -> Any:
