@@ -21,18 +21,24 @@ CASES = (*fuzz_jobs.CASES, *fuzz_tables.CASES, *fuzz_stored.CASES, *fuzz_meshes.
 ALL = 10_000
 
 
+def say(*lines: str) -> None:
+    """Write lines at once, for those who wait."""
+    sys.stdout.writelines(f"{line}\n".replace("\\n", "\n") for line in lines)
+    sys.stdout.flush()
+
+
 def main(total: int, kinds: list[str]) -> int:
     """Try files and return how many failed."""
     assert sum(case.share for case in CASES) == ALL
     failures: list[str] = []
-    print(HEAD, flush=True)
+    say(HEAD)
     with TemporaryDirectory(prefix="turgor-fuzz-") as folder:
         for case in CASES:
             if not kinds or any(kind in case.name for kind in kinds):
                 tally = try_all(case, list(range(max(1, case.share * total // ALL))), Path(folder) / "files")
-                print(tally.row(), flush=True)
+                say(tally.row())
                 failures += tally.failures
-    print("\n".join(failure.replace("\\n", "\n") for failure in failures))
+    say(*failures)
     return len(failures)
 
 
@@ -41,7 +47,7 @@ def one(name: str, number: int) -> int:
     case = next(case for case in CASES if name in case.name)
     with TemporaryDirectory(prefix="turgor-fuzz-") as folder:
         tally = try_all(case, [number], Path(folder) / "files")
-    print(tally.row(), *(failure.replace("\\n", "\n") for failure in tally.failures), sep="\n")
+    say(tally.row(), *tally.failures)
     return len(tally.failures)
 
 

@@ -2,7 +2,7 @@
 
 import random
 import tomllib
-from functools import cache, partial
+from functools import cache
 from importlib.resources import files
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -10,7 +10,7 @@ from typing import Any
 
 import tomlkit
 from mutants import changed_bytes, changed_table, changed_text
-from trials import Case
+from trials import Case, apart
 
 from turgor.job.job import Job
 from turgor.job.output.folder import LOCK
@@ -195,9 +195,15 @@ JUNK_CELLS = (
 
 @cache
 def base() -> Job:
-    """The job that studies vary."""
+    """The job that studies vary; read after a fork, because the CAD kernel builds its shape."""
     with TemporaryDirectory() as folder:
         return read_job(_written(Path(folder) / "job.toml", FULL))
+
+
+@cache
+def lock() -> str:
+    """The lock file of that job."""
+    return str(apart(lambda: lock_text(base(), {})))
 
 
 @cache
@@ -246,13 +252,9 @@ def read_again(file: Path) -> None:
 
 
 def damaged_lock(chance: random.Random, folder: Path) -> Path:
-    text = lock_text(base(), {})
-    content = text.encode()
-    if chance.random() < 0.3:
-        content = content[: chance.randrange(len(content))]
-    else:
-        content = damaged_toml(text, chance)
-    (folder / LOCK).write_bytes(content)
+    whole = lock().encode()
+    cut = chance.random() < 0.3
+    (folder / LOCK).write_bytes(whole[: chance.randrange(len(whole))] if cut else damaged_toml(lock(), chance))
     return folder / LOCK
 
 

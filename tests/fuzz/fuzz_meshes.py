@@ -10,9 +10,10 @@ import exchange_cases as cases
 import numpy as np
 from mutants import changed_bytes, changed_lines
 from netgen.occ import Box, Pnt
-from trials import Case
+from trials import Case, apart
 
 from turgor.geometry.cad.facets import find_facets
+from turgor.geometry.cad.files import reading
 from turgor.geometry.cad.read import read_here
 from turgor.meshing.chosen import chosen_settings
 from turgor.meshing.exchange.formats.stl import read_stl, stl_bytes
@@ -86,6 +87,10 @@ def use_surface(file: Path) -> None:
 @cache
 def box() -> np.ndarray:
     """Triangles of a box with a cavity."""
+    return np.asarray(apart(_box))
+
+
+def _box() -> np.ndarray:
     shape = Box(Pnt(0, 0, 0), Pnt(20, 10, 10)) - Box(Pnt(2, 2, 2), Pnt(18, 8, 8))
     return np.asarray(find_facets(shape, list(dict.fromkeys(shape.faces))).corners())
 
@@ -130,9 +135,14 @@ def use_shape(file: Path) -> None:
     check_face_sizes(again, dict.fromkeys(again.faces, chosen.size), chosen.size or 0.0)
 
 
+def longest(file: Path) -> float:
+    """Seconds after which `read_cad` stops its child process."""
+    return reading(file).limit
+
+
 CASES = (
     Case(name="meshes", share=1300, damage=damaged_mesh, read=use_mesh),
-    Case(name="surfaces of obstacles (STL)", share=300, damage=damaged_surface, read=use_surface),
-    Case(name="STL", share=500, damage=damaged_stl, read=use_shape, kernel=True),
-    Case(name="STEP", share=500, damage=damaged_step, read=use_shape, kernel=True),
+    Case(name="surfaces of obstacles", share=300, damage=damaged_surface, read=use_surface),
+    Case(name="STL", share=500, damage=damaged_stl, read=use_shape, longest=longest),
+    Case(name="STEP", share=500, damage=damaged_step, read=use_shape, longest=longest),
 )

@@ -7,7 +7,6 @@ import numpy as np
 from mutants import changed_bytes, changed_text
 from trials import Case
 
-from turgor.errors import TurgorError
 from turgor.laboratory.markers import read_tracks
 from turgor.laboratory.read_experiment import read_experiment
 from turgor.materials.experiments.handling import remove_tail, thin

@@ -4,7 +4,9 @@ A warm process forks one for a batch of files. If that one dies or does not end,
 which it happened. The same number of a case makes the same file, so each failure can be repeated.
 """
 
+import faulthandler
 import os
+import pickle
 import random
 import select
 import shutil
@@ -16,6 +18,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 from mutants import check_sentence
 
@@ -25,7 +28,7 @@ from turgor.errors import TurgorError
 MEMORY, SECONDS = 2_000_000_000, 60.0
 
 #: Files of a process.
-BATCH = 50
+BATCH = 250
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,15 +44,16 @@ class Case:
         Writes a damaged file into a folder and returns its path.
     read : callable
         Reads it and uses what was read.
-    kernel : bool
-        Whether turgor reads it in a child process of its own, whose death it reports in a sentence.
+    longest : callable, optional
+        Of a file that turgor reads in a child process of its own, whose death it reports in a sentence: seconds after
+        which it stops that process.
     """
 
     name: str
     share: int
     damage: Callable[[random.Random, Path], Path]
     read: Callable[[Path], None]
-    kernel: bool = False
+    longest: Callable[[Path], float] | None = None
 
 
 @dataclass(kw_only=True)
@@ -78,9 +82,28 @@ class Tally:
 
 
 HEAD = (
-    "| files | tried | refused | accepted | CAD process died | failed | slowest | most memory | all |\n"
+    "| files | tried | refused | accepted | CAD process died or was stopped | failed | slowest | most memory | all |\n"
     "|---|---|---|---|---|---|---|---|---|"
 )
+
+
+def apart(make: Callable[[], Any]) -> Any:
+    """Return what a function makes, in a process of its own: the threads of the CAD kernel do not survive a fork."""
+    ours, theirs = os.pipe()
+    child = os.fork()
+    if child == 0:
+        try:
+            with os.fdopen(theirs, "wb") as pipe:
+                pickle.dump(make(), pipe)
+        except BaseException:
+            traceback.print_exc()
+        finally:
+            os._exit(0)
+    os.close(theirs)
+    with os.fdopen(ours, "rb") as pipe:
+        made = pickle.load(pipe)
+    os.waitpid(child, 0)
+    return made
 
 
 def try_all(case: Case, numbers: list[int], folder: Path) -> Tally:
@@ -102,11 +125,11 @@ def _batch(case: Case, numbers: list[int], folder: Path, tally: Tally) -> int:
     if child == 0:
         _serve(case, numbers, folder, theirs)
     os.close(theirs)
-    done, begun = 0, time.perf_counter()
-    for line in _lines(ours, 2 * SECONDS):
+    done, begun, limit = 0, time.perf_counter(), 0.0
+    for line in _lines(ours, SECONDS + 5):
         what, _, rest = line.partition(" ")
         if what == "begun":
-            begun = time.perf_counter()
+            begun, limit = time.perf_counter(), float(rest)
             continue
         _count(tally, what, rest, numbers[done], time.perf_counter() - begun)
         done += 1
@@ -116,8 +139,8 @@ def _batch(case: Case, numbers: list[int], folder: Path, tally: Tally) -> int:
     if done < len(numbers):
         signaled = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
         spent = time.perf_counter() - begun
-        if case.kernel and signaled not in (0, signal.SIGKILL):
-            _count(tally, "died", "", numbers[done], spent)
+        if case.longest and (signaled not in (0, signal.SIGKILL) or limit <= SECONDS):
+            _count(tally, "died", "", numbers[done], min(spent, limit))
         else:
             how = "does not end" if signaled == signal.SIGKILL else f"ends the process (status {status})"
             _count(tally, "failed", how, numbers[done], spent)
@@ -160,14 +183,15 @@ def _serve(case: Case, numbers: list[int], folder: Path, pipe: int) -> None:
         os.write(pipe, (text.replace("\n", "\\n")[:50_000] + "\n").encode())
 
     _limit_memory()
-    if case.kernel:  # what it says when it dies is no matter
+    if case.longest:  # what it says when it dies is no matter
         os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
     try:
         for number in numbers:
             place = folder / str(number)
             place.mkdir()
             file = case.damage(random.Random(f"{case.name} {number}"), place)
-            say("begun")
+            say(f"begun {case.longest(file) if case.longest else 0}")
+            faulthandler.dump_traceback_later(SECONDS - 5)
             what = _tried(case, file)
             memory = f"{_held('VmHWM') / 1e6:.0f}"
             shutil.rmtree(place, ignore_errors=True)
@@ -189,7 +213,7 @@ def _tried(case: Case, file: Path) -> str:
             return f"failed no sentence: {str(error)[:300]} … {str(error)[-300:]}"
         return "refused"
     except Exception as error:
-        if case.kernel and not isinstance(error, AssertionError):
+        if case.longest and not isinstance(error, AssertionError):
             return "refused"  # `in_child` makes it a sentence
         return f"failed {traceback.format_exc()[-3000:]}"
     return "accepted"

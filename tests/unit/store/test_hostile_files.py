@@ -14,7 +14,10 @@ import pytest
 
 import turgor as tg
 from turgor.errors import TurgorError
+from turgor.geometry.cad.files import reading
 from turgor.geometry.cad.stl import read_stl
+from turgor.geometry.cad.surface.repair import repaired
+from turgor.meshing.exchange.formats.abaqus import read_abaqus
 from turgor.meshing.exchange.formats.vtu import read_vtu
 from turgor.response import Column, Response
 from turgor.source import Source
@@ -83,6 +86,25 @@ def test_a_header_that_asks_for_more_than_follows_is_refused(file):
         tg.load(file)
 
 
+def test_a_damaged_header_of_an_array_is_told(file):
+    header = io.BytesIO()
+    np.lib.format.write_array_header_1_0(header, {"descr": "<f8", "fortran_order": False, "shape": (2,)})
+    damaged = header.getvalue().replace(b"           ", b"           \xb3,g", 1)[: len(header.getvalue())]
+    archive(file, json.dumps(HEAD | {"content": {"array": "a0"}}), damaged + bytes(16))
+    with pytest.raises(TurgorError, match="is damaged"):
+        tg.load(file)
+
+
+@pytest.mark.parametrize(("old", "new"), [('"kPa"', '["kPa"]'), ('"kPa"', '"kPx"'), ('{"array": "a0"}', '"a0"')])
+def test_values_of_another_kind_are_told(file, saved, old, new):
+    with ZipFile(file) as made:
+        content, array = made.read("content.json").decode(), made.read("arrays/a0.npy")
+    assert old in content
+    archive(file, content.replace(old, new), array)
+    with pytest.raises(TurgorError, match=r"cannot be loaded: .* another kind|is damaged"):
+        tg.load(file)
+
+
 def test_an_encrypted_file_is_told(file, saved):
     marked = bytearray(saved)
     for place in range(len(marked) - 4):
@@ -117,6 +139,30 @@ def test_a_vtu_file_that_unpacks_to_gigabytes_is_refused(tmp_path):
     )
     with pytest.raises(TurgorError, match=r"bomb\.vtu' unpacks from .* to 4\.5e\+03 MB"):
         read_vtu(tmp_path / "bomb.vtu")
+
+
+def test_a_soup_of_triangles_is_refused():
+    """It took minutes, because each shell was compared with each other one."""
+    with pytest.raises(TurgorError, match="has 300 shells that are not joined to each other; at most 200 can be read"):
+        repaired(np.random.default_rng(0).random((300, 3, 3)), "soup.stl")
+
+
+def test_reading_of_a_small_shape_ends_within_a_minute(tmp_path):
+    for ending in ("step", "brep", "stl"):
+        (tmp_path / f"part.{ending}").write_bytes(bytes(10_000))
+        assert reading(tmp_path / f"part.{ending}").limit <= 60
+    (tmp_path / "part.stl").write_bytes(bytes(1_000_000))
+    assert reading(tmp_path / "part.stl").limit > 300
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [("/dev/zero", "'/dev/zero', which is no file"), ("deck.inp", "'deck.inp', which includes 'deck.inp' in turn")],
+)
+def test_what_a_mesh_file_includes_is_a_file_and_not_itself(tmp_path, name, said):
+    (tmp_path / "deck.inp").write_text(f"*INCLUDE, INPUT={name}\n")
+    with pytest.raises(TurgorError, match=said):
+        read_abaqus(tmp_path / "deck.inp")
 
 
 def test_a_text_stl_with_no_number_is_told(tmp_path):

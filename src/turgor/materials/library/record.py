@@ -311,7 +311,10 @@ def _supplier(values: Any, where: str, references: Mapping[int, str]) -> Supplie
         return None
     known = ("stress_at_stretch_2", "modulus", "source", "reference", "doubts")
     given = table(values, where, known)
-    source = references[given["reference"]] if "reference" in given else _text(given, "source", where)
+    numbers = _reference_numbers(
+        {"references": [given["reference"]] if "reference" in given else []}, where, references
+    )
+    source = references[numbers[0]] if numbers else _text(given, "source", where)
     stated = {
         key: _quantity(given[key], "pressure", f"{where}.{key}")
         for key in ("stress_at_stretch_2", "modulus")
