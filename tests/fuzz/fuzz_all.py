@@ -30,16 +30,15 @@ def say(*lines: str) -> None:
 def main(total: int, kinds: list[str]) -> int:
     """Try files and return how many failed."""
     assert sum(case.share for case in CASES) == ALL
-    failures: list[str] = []
+    failures = 0
     say(HEAD)
     with TemporaryDirectory(prefix="turgor-fuzz-") as folder:
         for case in CASES:
             if not kinds or any(kind in case.name for kind in kinds):
                 tally = try_all(case, list(range(max(1, case.share * total // ALL))), Path(folder) / "files")
-                say(tally.row())
-                failures += tally.failures
-    say(*failures)
-    return len(failures)
+                say(tally.row(), *tally.failures)
+                failures += len(tally.failures)
+    return failures
 
 
 def one(name: str, number: int) -> int:

@@ -12,6 +12,7 @@ from mutants import changed_bytes, changed_lines
 from netgen.occ import Box, Pnt
 from trials import Case, apart
 
+from turgor.errors import TurgorError
 from turgor.geometry.cad.facets import find_facets
 from turgor.geometry.cad.files import reading
 from turgor.geometry.cad.read import read_here
@@ -137,7 +138,10 @@ def use_shape(file: Path) -> None:
 
 def longest(file: Path) -> float:
     """Seconds after which `read_cad` stops its child process."""
-    return reading(file).limit
+    try:
+        return reading(file).limit
+    except TurgorError:  # it does not begin like a file of its kind, and is not read
+        return 0.0
 
 
 CASES = (

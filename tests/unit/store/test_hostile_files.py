@@ -148,8 +148,8 @@ def test_a_soup_of_triangles_is_refused():
 
 
 def test_reading_of_a_small_shape_ends_within_a_minute(tmp_path):
-    for ending in ("step", "brep", "stl"):
-        (tmp_path / f"part.{ending}").write_bytes(bytes(10_000))
+    for ending, begin in (("step", b"ISO-10303-21;"), ("brep", b"DBRep_DrawableShape"), ("stl", b"solid")):
+        (tmp_path / f"part.{ending}").write_bytes(begin + bytes(10_000))
         assert reading(tmp_path / f"part.{ending}").limit <= 60
     (tmp_path / "part.stl").write_bytes(bytes(1_000_000))
     assert reading(tmp_path / "part.stl").limit > 300
