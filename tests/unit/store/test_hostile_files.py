@@ -15,6 +15,7 @@ import pytest
 import turgor as tg
 from turgor.errors import TurgorError
 from turgor.geometry.cad.files import reading
+from turgor.geometry.cad.read import read_here
 from turgor.geometry.cad.stl import read_stl
 from turgor.geometry.cad.surface.repair import repaired
 from turgor.meshing.exchange.formats.abaqus import read_abaqus
@@ -145,6 +146,16 @@ def test_a_soup_of_triangles_is_refused():
     """It took minutes, because each shell was compared with each other one."""
     with pytest.raises(TurgorError, match="has 300 shells that are not joined to each other; at most 200 can be read"):
         repaired(np.random.default_rng(0).random((300, 3, 3)), "soup.stl")
+
+
+def test_a_surface_around_nothing_is_refused(tmp_path):
+    """Each of these triangles is a hole with a plane rim, and was closed by itself."""
+    corners = 30 * np.random.default_rng(0).random((3, 3, 3))
+    header = bytes(80) + struct.pack("<I", 3)
+    facets = b"".join(np.concatenate([np.zeros(3), c.ravel()]).astype("<f4").tobytes() + bytes(2) for c in corners)
+    (tmp_path / "soup.stl").write_bytes(header + facets)
+    with pytest.raises(TurgorError, match="encloses no volume"):
+        read_here(tmp_path / "soup.stl")
 
 
 def test_reading_of_a_small_shape_ends_within_a_minute(tmp_path):
