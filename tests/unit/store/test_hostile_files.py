@@ -90,7 +90,7 @@ def test_a_header_that_asks_for_more_than_follows_is_refused(file):
 def test_a_damaged_header_of_an_array_is_told(file):
     header = io.BytesIO()
     np.lib.format.write_array_header_1_0(header, {"descr": "<f8", "fortran_order": False, "shape": (2,)})
-    damaged = header.getvalue().replace(b"           ", b"           \xb3,g", 1)[: len(header.getvalue())]
+    damaged = header.getvalue().replace(b"}", b"(")
     archive(file, json.dumps(HEAD | {"content": {"array": "a0"}}), damaged + bytes(16))
     with pytest.raises(TurgorError, match="is damaged"):
         tg.load(file)
