@@ -19,14 +19,14 @@ _KINDS: Mapping[type, str] = types.MappingProxyType(
 )  # fmt: skip
 
 
-def wrong_fields(kind: type, values: Mapping[str, Any]) -> list[str]:
+def wrong_fields(kind: Any, values: Mapping[str, Any]) -> list[str]:
     """Return the names of fields of a dataclass whose values cannot be of their types.
 
     Types that say nothing of the kind of a value, such as protocols, take any.
 
     Parameters
     ----------
-    kind : type
+    kind : class
     values : mapping of str to value
 
     Examples
@@ -40,7 +40,7 @@ def wrong_fields(kind: type, values: Mapping[str, Any]) -> list[str]:
 
 
 @cache
-def _hints(kind: type) -> Mapping[str, Any]:
+def _hints(kind: Any) -> Mapping[str, Any]:
     try:
         return get_type_hints(kind)
     except (NameError, TypeError):  # types that are imported for checkers only

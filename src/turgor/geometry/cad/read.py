@@ -137,7 +137,8 @@ def read_here(
         return geometry
     again = packed(geometry._cad).shape()
     again.MakeTriangulation()
-    assert again.bounding_box and all(face.mass >= 0 for face in again.faces)
+    if not (again.bounding_box and all(face.mass >= 0 for face in again.faces)):
+        raise TurgorError(f"'{path}' has faces of negative area: its edges are damaged; export it again.")
     return geometry
 
 
