@@ -14,8 +14,8 @@ def shortened(message: str) -> str:
 
     Examples
     --------
-    >>> print(shortened(f"wall is '{'9' * 100_000}'; a number is needed.")[990:1080])
-    9999999999 ... (98535 characters left out) ... 9999999999
+    >>> print(shortened(f"wall is '{'9' * 100_000}'; a number is needed.")[990:1046])
+    9999999999 ... (98531 characters left out) ... 999999999
     """
     return "\n".join(map(_shortened_line, message.split("\n")))
 

@@ -20,7 +20,7 @@ from trials import Case, apart
 import turgor as tg
 from turgor.geometry import ExtendingCylinder
 from turgor.geometry.geometry import Geometry
-from turgor.job.families import geometry_on_disk, keep, mesh_on_disk
+from turgor.job.families import MOST, geometry_on_disk, keep, mesh_on_disk
 from turgor.laws import NeoHooke
 from turgor.materials.laws.derived_formulas import cached_formulas, formulas_of
 from turgor.meshing.enveloped.kept import kept_cells
@@ -160,7 +160,7 @@ def _caches() -> dict[str, bytes]:
 
 def move_caches(place: Path) -> None:
     """Let all caches be in a folder."""
-    os.environ["TURGOR_CACHE"] = str(place)
+    os.environ |= {"TURGOR_CACHE": str(place), MOST: "256"}
     numba.config.CACHE_DIR = str(place / "compiled")
 
 
