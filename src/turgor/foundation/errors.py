@@ -5,6 +5,27 @@ from difflib import get_close_matches
 from pathlib import Path
 from types import MappingProxyType
 
+#: Most characters of a line of a message: more is a value that nobody reads to its end.
+LONGEST_LINE = 1500
+
+
+def shortened(message: str) -> str:
+    """Return a message without the middle of lines that are too long, such as those that repeat a damaged value.
+
+    Examples
+    --------
+    >>> print(shortened(f"wall is '{'9' * 100_000}'; a number is needed.")[990:1046])
+    9999999999 ... (98531 characters left out) ... 999999999
+    """
+    return "\n".join(map(_shortened_line, message.split("\n")))
+
+
+def _shortened_line(line: str) -> str:
+    if len(line) <= LONGEST_LINE:
+        return line
+    first, last = LONGEST_LINE * 2 // 3, LONGEST_LINE // 3
+    return f"{line[:first]} ... ({len(line) - first - last} characters left out) ... {line[-last:]}"
+
 
 class TurgorError(ValueError):
     """Any mistake in what turgor was given; its text is meant to be read by the user.
@@ -25,8 +46,8 @@ class TurgorError(ValueError):
     __module__ = "turgor"  # a traceback names the public class
 
     def __init__(self, sentence: str = "", *, python: str = "", command: str = "") -> None:
-        super().__init__(f"{sentence} {python}".rstrip())
-        self.on_command_line = f"{sentence} {command}".rstrip()
+        super().__init__(shortened(f"{sentence} {python}".rstrip()))
+        self.on_command_line = shortened(f"{sentence} {command}".rstrip())
 
 
 class CheckError(TurgorError):

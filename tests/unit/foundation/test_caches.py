@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 from turgor.cli import main
+from turgor.core.materials.laws.derived_formulas import cached_formulas
+from turgor.core.materials.laws.laws import NeoHooke
 from turgor.core.meshing.tetwild.mesh_cache import kept_cells
 from turgor.foundation import kernel_cache as loops
 from turgor.foundation.store.caches import PARTS, cache_folder, private
@@ -133,6 +135,38 @@ def test_damaged_compiled_loops_are_compiled_again(tmp_path, ending):
     assert "a damaged file in the cache of compiled loops was dropped" in mended.stderr
     again = run()
     assert (again.stdout, again.stderr) == ("6\n", "")
+
+
+def test_one_wrong_bit_of_compiled_code_is_found(tmp_path):
+    """Machine code with a wrong bit may crash or give another number, and numba has no sum to check."""
+    (tmp_path / "lone.py").write_text("import numba\n@numba.njit(cache=True)\ndef double(x):\n    return 2 * x\n")
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "loops"), "PYTHONPATH": os.pathsep.join(sys.path)}
+    command = [sys.executable, "-c", PROGRAM]
+
+    def run() -> subprocess.CompletedProcess[str]:
+        return subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=True)
+
+    run()
+    (file,) = (tmp_path / "loops").rglob("*.nbc")
+    content = bytearray(file.read_bytes())
+    content[content.index(b"\x7fELF") + 100 if b"\x7fELF" in content else len(content) // 2] ^= 1
+    file.write_bytes(bytes(content))
+    mended = run()
+    assert mended.stdout == "6\n"
+    assert "was dropped (ValueError)" in mended.stderr
+    assert run().stderr == ""
+
+
+def test_another_digit_in_a_cached_law_is_found(tmp_path, monkeypatch):
+    monkeypatch.setenv("TURGOR_CACHE", str(tmp_path))
+    first = cached_formulas(NeoHooke, "digits", lambda: thrice)(2.0)
+    (file,) = (tmp_path / "laws").iterdir()
+    file.write_text(file.read_text("utf-8").replace("[3]", "[4]"), "utf-8")
+    assert cached_formulas(NeoHooke, "digits", lambda: thrice)(2.0) == first == [6.0]
+
+
+def thrice(x):
+    return [3 * x]
 
 
 def test_damaged_meshes_are_made_again(tmp_path, monkeypatch):

@@ -7,6 +7,7 @@ import pytest
 
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.toml_text import read_text, read_toml
+from turgor.job.text.problems import JobError
 
 
 @pytest.mark.parametrize(
@@ -69,3 +70,12 @@ def test_texts_that_are_none_are_refused(tmp_path):
     for path in (tmp_path, Path("/dev/zero")):
         with pytest.raises(TurgorError, match="is no file"):
             read_text(path)
+
+
+@pytest.mark.parametrize("made", [TurgorError, lambda text: JobError([text, "mesh: no."])])
+def test_a_long_value_is_not_repeated_to_its_end(made):
+    said = made(f"wall is '{'9' * 100_000}'; a length is needed.")
+    for text in (str(said), said.on_command_line, *getattr(said, "problems", ())):
+        assert len(text) < 2000
+    assert str(said).startswith("wall is '999")
+    assert "99'; a length is needed." in str(said)

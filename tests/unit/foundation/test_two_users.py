@@ -17,7 +17,7 @@ from turgor.foundation import kernel_cache as loops
 #: The user who makes folders first, and the user who comes later.
 FIRST, LATER = 4321, 1234
 
-SOURCES = Path(loops.__file__).parents[1]
+SOURCES = Path(loops.__file__).parents[2]
 
 #: Lets a user read, but not write, what is behind folders of root, such as an interpreter in ``/root``.
 READS_ALL = ("setpriv", "--reuid={0}", "--regid={0}", "--clear-groups", "--inh-caps=+dac_read_search",
@@ -53,8 +53,8 @@ mesh_error = false
 
 #: Compiles a small loop, then shows where compiled loops are.
 COMPILE = """
-from turgor.core.engine.warmup.cell_loops import touch_pattern
-touch_pattern()
+from turgor.core.engine.warmup.cell_loops import compile_pattern
+compile_pattern()
 from turgor.foundation.kernel_cache import folder
 print(folder())
 """

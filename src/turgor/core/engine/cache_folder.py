@@ -2,11 +2,15 @@
 
 import os
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from hashlib import sha256
+from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numba
-from numba.core.caching import Cache
+from numba.core.caching import Cache, IndexDataCacheFile
 
 from turgor.foundation.kernel_cache import VARIABLE, folder
 
@@ -24,12 +28,18 @@ def keep_compiled_loops() -> Path | None:
     """
     place = folder()
     Cache.load_overload = _load_or_drop
+    IndexDataCacheFile._open_for_write = _open_sealed
+    IndexDataCacheFile._load_index, IndexDataCacheFile._load_data = _checked_index, _checked_data
     if place is not None:
         numba.config.CACHE_DIR = os.environ[VARIABLE] = str(place)
     return place
 
 
-_load = Cache.load_overload
+_load, _open = Cache.load_overload, IndexDataCacheFile._open_for_write
+_load_index, _load_data = IndexDataCacheFile._load_index, IndexDataCacheFile._load_data
+
+#: Ends a file of the cache, before a hash of all that stands before it. A pickle ends earlier, so numba can do without.
+_SEAL = b"turgor sha256"
 
 
 def _load_or_drop(cache: Any, *which: Any) -> Any:
@@ -43,3 +53,30 @@ def _load_or_drop(cache: Any, *which: Any) -> Any:
             stacklevel=2,
         )
         return None
+
+
+@contextmanager
+def _open_sealed(cache: Any, path: str) -> Iterator[IO[bytes]]:
+    """Write a file of the cache with its hash: compiled code with one wrong bit would crash, or give another number."""
+    with _open(cache, path) as file:
+        content = BytesIO()
+        yield content
+        file.write(content.getvalue() + _SEAL + sha256(content.getvalue()).digest())
+
+
+def _checked_index(cache: Any) -> Any:
+    _check_seal(Path(cache._index_path))
+    return _load_index(cache)
+
+
+def _checked_data(cache: Any, name: str) -> Any:
+    _check_seal(Path(cache._data_path(name)))
+    return _load_data(cache, name)
+
+
+def _check_seal(file: Path) -> None:
+    """Refuse a file that is not as it was written; one without a hash is of an earlier version or another program."""
+    content = file.read_bytes() if file.exists() else b""
+    before, seal, hashed = content.rpartition(_SEAL)
+    if seal and sha256(before).digest() != hashed:
+        raise ValueError(f"'{file}' is damaged.")

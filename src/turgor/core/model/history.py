@@ -196,7 +196,10 @@ def over_time(history: Iterable[tuple[float, float]] | str, duration: float) -> 
                 return ast.parse(f"({duration!r} * s)", mode="eval").body
             return node
 
-    return ast.unparse(Scaled().visit(tree))
+    try:
+        return ast.unparse(Scaled().visit(tree))
+    except RecursionError:
+        raise TurgorError(f"history is {history!r}; this expression is too long.") from None
 
 
 def _points(history: Any, said: str, first: str) -> tuple[tuple[float, float], ...]:

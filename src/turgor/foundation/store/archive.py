@@ -7,13 +7,12 @@ content itself; ``arrays/NAME.npy`` holds each array in NumPy's own format. docs
 import errno
 import json
 import math
-import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import IO, Any
-from zipfile import BadZipFile, ZipFile
+from zipfile import ZipFile
 
 import numpy as np
 from numpy.lib import format as npy
@@ -25,12 +24,6 @@ from turgor.foundation.store.limits import check_unpacked
 
 #: Version of the format; a reader refuses others.
 FORMAT, VERSION = "turgor", 1
-
-#: What reading damaged, encrypted or re-packed data raises, besides errors of the system.
-_DAMAGE = (
-    BadZipFile, KeyError, ValueError, EOFError, IndexError, TypeError, zlib.error, RuntimeError, NotImplementedError,
-    OverflowError, MemoryError,
-)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,14 +87,14 @@ def read_archive(file: Path | IO[bytes]) -> Content:
         raise TurgorError(f"there is no file {named}.") from None
     except TurgorError:
         raise
-    except _DAMAGE as error:
-        raise TurgorError(f"{named} is damaged, or no file that turgor saved ({_short(error)}).") from None
     except OSError as error:
         if error.errno not in (errno.EINVAL, None):
             raise
         raise TurgorError(
             f"{named} is damaged: bytes are missing."
         ) from None  # a place before the beginning of the file
+    except Exception as error:  # zip, zlib, JSON and NumPy fail in any way on damaged, encrypted or re-packed data
+        raise TurgorError(f"{named} is damaged, or no file that turgor saved ({_short(error)}).") from None
 
 
 def _short(error: Exception) -> str:

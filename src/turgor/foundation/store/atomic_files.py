@@ -45,7 +45,8 @@ def whole(file: Path) -> Iterator[Path]:
         return
     part, lock = _part(file)
     try:
-        part.unlink(missing_ok=True)  # others may have put a link there, in a folder that they can write
+        if lock is None:
+            part.unlink(missing_ok=True)  # others may have put a link there, in a folder that they can write
         yield part
         with part.open("rb+") as written:  # on disk before it has the name: a power failure leaves no empty file
             os.fsync(written.fileno())

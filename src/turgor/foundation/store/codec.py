@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.store.field_kinds import wrong_fields
 
 Json = Any
 
@@ -193,6 +194,9 @@ class Decoder:
         if set(values) != set(expected):
             other = ", ".join(sorted(set(values) ^ set(expected)))
             raise TurgorError(f"{tree['class']} has other fields in this version of turgor than in the file: {other}.")
+        wrong = wrong_fields(kind, values)
+        if wrong:
+            raise TurgorError(f"{tree['class']} has values of another kind than they can have: {', '.join(wrong)}.")
         made = _blank(kind)
         for name, value in values.items():
             object.__setattr__(made, name, value)

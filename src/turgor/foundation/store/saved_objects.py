@@ -92,11 +92,13 @@ def load_file(path: Path) -> Any:
         path = with_ending(path)
     content = read_archive(path)
     try:
-        return Decoder(content.arrays, _nothing_elsewhere).decode(content.tree)
+        loaded = Decoder(content.arrays, _nothing_elsewhere).decode(content.tree)
+        repr(loaded)  # a first use, which fails where a value is one that its class would have refused
     except TurgorError as error:
         raise TurgorError(f"'{path}' cannot be loaded: {error}") from None
     except (LookupError, TypeError, ValueError, AttributeError, RecursionError) as error:
         raise TurgorError(f"'{path}' is damaged: {error!r}.") from None
+    return loaded
 
 
 def _nothing_elsewhere(name: str) -> Any:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
-from turgor.foundation.errors import TurgorError
+from turgor.foundation.errors import TurgorError, shortened
 from turgor.job.text.lines import Key, Place
 
 Made = TypeVar("Made")
@@ -24,7 +24,7 @@ class JobError(TurgorError):
     """
 
     def __init__(self, problems: Iterable[str]) -> None:
-        self.problems = tuple(problems)
+        self.problems = tuple(map(shortened, problems))
         super().__init__("\n".join(self.problems))
 
 

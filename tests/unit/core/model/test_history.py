@@ -146,3 +146,9 @@ def test_malformed_points_are_told(points: Any) -> None:
 def test_an_endless_expression_is_refused(text: str) -> None:
     with pytest.raises(TurgorError, match=r"this is no expression|this expression is too long"):
         Pressure("cavity", 2e3, text)
+
+
+@pytest.mark.parametrize("text", ["-" * 2000 + "t", "t" + " + t" * 2000])
+def test_an_expression_without_end_is_told(text):
+    with pytest.raises(TurgorError, match="expression"):
+        checked(over_time(text, 1.0), "pressure")

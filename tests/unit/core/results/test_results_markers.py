@@ -7,8 +7,9 @@ import pytest
 
 import meshes
 import turgor as tg
+from turgor.core.engine.faces import attached
 from turgor.core.meshing.cells import HEXAHEDRON
-from turgor.core.results.measures.markers import _attached, marker
+from turgor.core.results.measures.markers import _attached, check_markers, marker
 from turgor.units import kPa, mm
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.1e6))
@@ -31,6 +32,16 @@ def moved(state, motion):
 
 def at(name, point, state):
     return np.array([each(state) for each in marker(name, point)])
+
+
+def test_the_surface_is_sampled_once_for_all_markers(rest, monkeypatch):
+    """Thousands of markers took minutes, each of which looked at the whole surface."""
+    sampled = []
+    monkeypatch.setattr(attached, "_places", lambda count, places=attached._places: sampled.append(1) or places(count))
+    attached._surface.cache_clear()
+    mesh = rest.model.mesh
+    check_markers(mesh, {f"m{n}": tuple(mesh.points[n]) for n in range(20)})
+    assert len(sampled) == 1
 
 
 def turned(axis, angle):

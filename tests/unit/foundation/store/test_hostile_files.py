@@ -14,12 +14,16 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from turgor.core.geometry.cad.files import reading
+from turgor.core.geometry.cad.read import read_here
 from turgor.core.geometry.cad.stl import read_stl
+from turgor.core.geometry.cad.surface.repair import repaired
+from turgor.core.meshing.exchange.formats.abaqus import read_abaqus
 from turgor.core.meshing.exchange.formats.vtu import read_vtu
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.foundation.store.atomic_files import write_whole
+from turgor.foundation.store.atomic_files import PART, write_whole
 
 HEAD = {"format": "turgor", "version": 1, "written_by": "turgor 0.1.0", "kind": "Response"}
 
@@ -108,9 +112,10 @@ def test_only_classes_of_turgor_are_made(file, name):
 
 @pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
 def test_a_link_with_the_name_of_a_part_is_not_followed(tmp_path):
-    """Who can write into the folder knows the name of the part that a process writes."""
+    """Who can write into the folder knows the names of the parts that a process writes."""
     (tmp_path / "theirs").write_text("theirs")
-    (tmp_path / f"a.txt.{os.getpid()}.part").symlink_to(tmp_path / "theirs")
+    for name in (f"a.txt{PART}", f"a.txt.{os.getpid()}{PART}"):
+        (tmp_path / name).symlink_to(tmp_path / "theirs")
     write_whole(tmp_path / "a.txt", "mine")
     assert (tmp_path / "theirs").read_text() == "theirs"
     assert (tmp_path / "a.txt").read_text() == "mine"
@@ -125,6 +130,25 @@ def test_a_file_is_on_disk_before_it_has_its_name(tmp_path, monkeypatch):
     )
     write_whole(tmp_path / "a.txt", "mine")
     assert done == ["written", "named"]
+
+
+def test_a_damaged_header_of_an_array_is_told(file):
+    header = io.BytesIO()
+    np.lib.format.write_array_header_1_0(header, {"descr": "<f8", "fortran_order": False, "shape": (2,)})
+    damaged = header.getvalue().replace(b"}", b"(")
+    archive(file, json.dumps(HEAD | {"content": {"array": "a0"}}), damaged + bytes(16))
+    with pytest.raises(TurgorError, match="is damaged"):
+        tg.load(file)
+
+
+@pytest.mark.parametrize(("old", "new"), [('"kPa"', '["kPa"]'), ('"kPa"', '"kPx"'), ('{"array": "a0"}', '"a0"')])
+def test_values_of_another_kind_are_told(file, saved, old, new):
+    with ZipFile(file) as made:
+        content, array = made.read("content.json").decode(), made.read("arrays/a0.npy")
+    assert old in content
+    archive(file, content.replace(old, new), array)
+    with pytest.raises(TurgorError, match=r"cannot be loaded: .* another kind|is damaged"):
+        tg.load(file)
 
 
 def test_an_encrypted_file_is_told(file, saved):
@@ -161,6 +185,40 @@ def test_a_vtu_file_that_unpacks_to_gigabytes_is_refused(tmp_path):
     )
     with pytest.raises(TurgorError, match=r"bomb\.vtu' unpacks from .* to 4\.5e\+03 MB"):
         read_vtu(tmp_path / "bomb.vtu")
+
+
+def test_a_soup_of_triangles_is_refused():
+    """It took minutes, because each shell was compared with each other one."""
+    with pytest.raises(TurgorError, match="has 300 shells that are not joined to each other; at most 200 can be read"):
+        repaired(np.random.default_rng(0).random((300, 3, 3)), "soup.stl")
+
+
+def test_a_surface_around_nothing_is_refused(tmp_path):
+    """Each of these triangles is a hole with a plane rim, and was closed by itself."""
+    corners = 30 * np.random.default_rng(0).random((3, 3, 3))
+    header = bytes(80) + struct.pack("<I", 3)
+    facets = b"".join(np.concatenate([np.zeros(3), c.ravel()]).astype("<f4").tobytes() + bytes(2) for c in corners)
+    (tmp_path / "soup.stl").write_bytes(header + facets)
+    with pytest.raises(TurgorError, match="encloses no volume"):
+        read_here(tmp_path / "soup.stl")
+
+
+def test_reading_of_a_small_shape_ends_within_a_minute(tmp_path):
+    for ending, begin in (("step", b"ISO-10303-21;"), ("brep", b"DBRep_DrawableShape"), ("stl", b"solid")):
+        (tmp_path / f"part.{ending}").write_bytes(begin + bytes(10_000))
+        assert reading(tmp_path / f"part.{ending}").limit <= 60
+    (tmp_path / "part.stl").write_bytes(bytes(1_000_000))
+    assert reading(tmp_path / "part.stl").limit > 300
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [("/dev/zero", "'/dev/zero', which is no file"), ("deck.inp", "'deck.inp', which includes 'deck.inp' in turn")],
+)
+def test_what_a_mesh_file_includes_is_a_file_and_not_itself(tmp_path, name, said):
+    (tmp_path / "deck.inp").write_text(f"*INCLUDE, INPUT={name}\n")
+    with pytest.raises(TurgorError, match=said):
+        read_abaqus(tmp_path / "deck.inp")
 
 
 def test_a_text_stl_with_no_number_is_told(tmp_path):

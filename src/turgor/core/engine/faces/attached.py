@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -97,38 +99,62 @@ def attach(mesh: Mesh, point: Point, planes: Sequence[tuple[int, float]]) -> Att
             mirrored[axis], mirrors[axis] = -1.0, position
     if mesh.wedge is not None:
         return _in_sector(mesh, mesh.wedge, modeled)
-    sides = outer_triangles(mesh)
-    _, side, place_on = _nearest(mesh.points, sides, modeled)
-    foot, frame = _frame(_corners(mesh.points, sides[side]), place_on)
-    return Attached(sides[side], place_on, frame @ (modeled - foot), mirrored, mirrors)
+    surface = _surface(mesh)
+    _, side, place_on = _nearest(surface, modeled)
+    foot, frame = _frame(surface.corners[side], place_on)
+    return Attached(surface.sides[side], place_on, frame @ (modeled - foot), mirrored, mirrors)
 
 
 def _in_sector(mesh: Mesh, wedge: Wedge, point: Array) -> Attached:
     """The nearest place of all sectors, as that of the modeled one and the turn that leads to it."""
-    sides = outer_triangles(mesh)
-    for name in mesh.cut_faces:
-        sides = sides[~np.isin(sides, mesh.face_nodes(name)).all(axis=1)]  # they lie inside the whole
+    surface = _surface(mesh)
     back = [wedge.images(point, -sector) for sector in range(wedge.fold)]
-    found = [_nearest(mesh.points, sides, each) for each in back]
+    found = [_nearest(surface, each) for each in back]
     least = min(away for away, _, _ in found)
     sector = next(i for i, (away, _, _) in enumerate(found) if away <= least + NEARER)
     _, side, place_on = found[sector]
-    foot, frame = _frame(_corners(mesh.points, sides[side]), place_on)
+    foot, frame = _frame(surface.corners[side], place_on)
     return Attached(
-        sides[side], place_on, frame @ (back[sector] - foot), np.ones(3), np.zeros(3), wedge=wedge, sector=sector
+        surface.sides[side],
+        place_on,
+        frame @ (back[sector] - foot),
+        np.ones(3),
+        np.zeros(3),
+        wedge=wedge,
+        sector=sector,
     )
 
 
-def _nearest(points: Array, sides: NDArray[np.int64], point: Array) -> tuple[float, int, Array]:
-    """Distance of a point from the nearest side, that side, and the place on it."""
+@dataclass(frozen=True, slots=True, eq=False)
+class _Surface:
+    """Sides (f, k) with the positions of their nodes, and samples of them: places (p, 2) and a tree of f p points."""
+
+    sides: NDArray[np.int64]
+    corners: Array
+    places: Array
+    tree: Any
+
+
+@lru_cache(maxsize=4)  # a job may have thousands of markers
+def _surface(mesh: Mesh) -> _Surface:
+    """The sides of a mesh, of a wedge those that do not lie inside the whole."""
     from scipy.spatial import cKDTree  # slow to load, and few models have points on sides
 
-    corners = _corners(points, sides)
+    sides = outer_triangles(mesh)
+    if mesh.wedge is not None:
+        for name in mesh.cut_faces:
+            sides = sides[~np.isin(sides, mesh.face_nodes(name)).all(axis=1)]
+    corners = _corners(mesh.points, sides)
     places = _places(corners.shape[1])
     weights = np.array([_shape_functions(corners.shape[1], at) for at in places])
     samples = np.einsum("pk,fki->fpi", weights, corners)
-    flat = samples.reshape(-1, 3)
-    found = np.atleast_1d(cKDTree(flat).query(point, k=min(CANDIDATES, len(flat)))[1])
+    return _Surface(sides, corners, places, cKDTree(samples.reshape(-1, 3)))
+
+
+def _nearest(surface: _Surface, point: Array) -> tuple[float, int, Array]:
+    """Distance of a point from the nearest side, that side, and the place on it."""
+    corners, places = surface.corners, surface.places
+    found = np.atleast_1d(surface.tree.query(point, k=min(CANDIDATES, surface.tree.n))[1])
     best = (float(np.inf), 0, places[0])
     for number in found:
         side, sample = divmod(int(number), len(places))

@@ -22,9 +22,9 @@ from turgor.units import UNITS, length_unit, mm
 #: Kind of file by its suffix.
 SUFFIXES = {".step": "STEP", ".stp": "STEP", ".brep": "BREP", ".brp": "BREP", ".stl": "STL"}
 
-#: Time after which reading is stopped [s]: the kernel never ends with some damaged files. An STL file of 20,000
-#: triangles takes a few minutes.
-LONGEST_READING = {"STEP": 120.0, "BREP": 120.0, "STL": 600.0}
+#: Time after which reading is stopped: seconds, seconds for each megabyte, and most seconds. The kernel never ends with
+#: some damaged files. An STL file of 20,000 triangles, a megabyte, takes a few minutes.
+LONGEST_READING = {"STEP": (50.0, 80.0, 120.0), "BREP": (50.0, 80.0, 120.0), "STL": (50.0, 500.0, 600.0)}
 
 #: Smallest and largest allowed longest side [m].
 SMALLEST, LARGEST = 1 * mm, 2.0
@@ -106,11 +106,12 @@ def _scaled(body: Any, factor: float) -> Any:
 
 def reading(path: str | Path) -> Work:
     """Return the reading of a CAD file in words, for the child process that does it."""
+    least, more, most = LONGEST_READING[_kind(Path(path))]
     return Work(
         who="the CAD kernel",
         doing=f"reading '{path}'",
         advice="The file seems damaged; export it again from the CAD program, as STEP (AP214) or BREP.",
-        limit=LONGEST_READING[_kind(Path(path))],
+        limit=min(most, least + more * 1e-6 * Path(path).stat().st_size),
     )
 
 

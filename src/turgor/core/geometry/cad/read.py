@@ -24,6 +24,9 @@ from turgor.core.geometry.packing import packed
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
+#: Least volume of a part, as a share of the cube of its extent: a sheet of a thousandth of its length has 1e-3.
+LEAST_VOLUME = 1e-9
+
 
 def read_cad(
     path: str | Path,
@@ -125,11 +128,17 @@ def read_here(
     naming = replace(naming, findings=(*naming.findings, *modeled.findings))
     wall = smallest_wall((part if modeled.wedge is not None else modeled.part).facets)
     geometry = replace(_geometry(Path(path), modeled.part, naming, wall), wedge=modeled.wedge)
+    if not geometry.solid_volume > LEAST_VOLUME * geometry.extent**3:
+        raise TurgorError(
+            f"'{path}' encloses no volume ({geometry.solid_volume / mm**3:.3g} mm³): its surface is flat or crosses "
+            "itself; export it again."
+        )
     if isinstance(part.shape, SurfaceShape):
         return geometry
     again = packed(geometry._cad).shape()
     again.MakeTriangulation()
-    assert again.bounding_box and all(face.mass >= 0 for face in again.faces)
+    if not (again.bounding_box and all(face.mass >= 0 for face in again.faces)):
+        raise TurgorError(f"'{path}' has faces of negative area: its edges are damaged; export it again.")
     return geometry
 
 

@@ -146,15 +146,27 @@ def cached_formulas(law_type: type, requested: object, derive: Callable[[], Call
     key = f"{_laws()} {law_type.__module__} {law_type.__qualname__} {requested!r}"
     file = folder / f"{hashlib.sha256(key.encode()).hexdigest()[:24]}.json"
     try:
-        return Formulas.read(file.read_text("utf-8"))
+        return Formulas.read(_checked(file.read_text("utf-8")))
     except FileNotFoundError:
         pass
     except (OSError, ValueError) as error:
         warnings.warn(f"a damaged law in the cache is derived again ({type(error).__name__}).", stacklevel=2)
     found = formulas_of(derive())
     with suppress(OSError):  # nothing can be cached, and the formulas serve all the same
-        write_whole(file, found.text)
+        write_whole(file, f"{_hash(found.text)}\n{found.text}")
     return found
+
+
+def _checked(content: str) -> str:
+    """Return the text below its hash; a `ValueError` if it is not as it was written: another digit is another law."""
+    stated, _, text = content.partition("\n")
+    if stated != _hash(text):
+        raise ValueError("the file is damaged.")
+    return text
+
+
+def _hash(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def formulas_of(function: Callable[..., Any]) -> Formulas:

@@ -159,7 +159,7 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
     """
     where = f"{library}: records.{name}"
     entry = table(content["records"][name], where, RECORD_KEYS, ("law", "parameters", "convention"))
-    numbers = tuple(entry.get("references", ()))
+    numbers = _reference_numbers(entry, where, references)
     texts = (*(references[n] for n in numbers), *_texts(entry, "cited_by", where))
     if "source" in entry:
         texts = (_text(entry, "source", where), *texts)
@@ -196,6 +196,16 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         form=_form(entry, where),
         bending_stiffness=_optional(entry, "bending_stiffness", "bending stiffness", where),
     )
+
+
+def _reference_numbers(entry: Mapping[str, Any], where: str, known: Mapping[int, str]) -> tuple[int, ...]:
+    numbers = entry.get("references", [])
+    if not isinstance(numbers, list) or not all(type(each) is int and each in known for each in numbers):
+        raise TurgorError(
+            f"{where}: 'references' is {numbers!r}; a list of numbers of references is needed, such as [{min(known)}]; "
+            "state other sources as 'source'."
+        )
+    return tuple(numbers)
 
 
 def _part(entry: Mapping[str, Any], key: str, where: str, read: Any) -> Any:
@@ -302,7 +312,10 @@ def _supplier(values: Any, where: str, references: Mapping[int, str]) -> Supplie
         return None
     known = ("stress_at_stretch_2", "modulus", "source", "reference", "doubts")
     given = table(values, where, known)
-    source = references[given["reference"]] if "reference" in given else _text(given, "source", where)
+    numbers = _reference_numbers(
+        {"references": [given["reference"]] if "reference" in given else []}, where, references
+    )
+    source = references[numbers[0]] if numbers else _text(given, "source", where)
     stated = {
         key: _quantity(given[key], "pressure", f"{where}.{key}")
         for key in ("stress_at_stretch_2", "modulus")

@@ -80,8 +80,9 @@ def check_markers(mesh: Mesh, markers: Mapping[str, Point]) -> None:
     TurgorError
         With the place, the distance and the nearest point of the surface.
     """
+    mirrors = MeshFacts(mesh).mirrors
     for name, point in markers.items():
-        _attached(mesh, name, point, MeshFacts(mesh).mirrors)
+        _attached(mesh, name, point, mirrors)
 
 
 def _coordinate(name: str, point: Point, axis: int, at: StateFields) -> float:

@@ -62,6 +62,12 @@ def test_a_file_works_like_the_library(file: Path) -> None:
 
 MISTAKES = [
     # (in the file, changed to, what the answer says)
+    (
+        'source = "our tensile tests of May"',
+        "references = [inf]",
+        "records.may: 'references' is [inf]; a list of numbers",
+    ),
+    ('source = "the maker\'s datasheet"', "reference = [1]", "supplier: 'references' is [[1]]; a list of numbers"),
     ('name = "Our silicone"\n', "", "ours.toml: 'name' is missing"),
     ("shore_hardness", "shore_hardnes", "ours.toml: unknown key 'shore_hardnes'; did you mean 'shore_hardness'?"),
     ('law = "yeoh"', "", "ours.toml: records.may: 'law' is missing"),

@@ -16,6 +16,9 @@ from turgor.foundation.finding import Finding, Severity
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+#: Most shells, since each of them is compared with each other one; a part has one, and one for each cavity.
+MOST_SHELLS = 200
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Repaired:
@@ -63,6 +66,12 @@ def repaired(corners: Array, name: str) -> Repaired:
         raise TurgorError(f"'{name}' has no body: all of its triangles are flat or lie on each other; export it again.")
     count = len(triangles)
     points, triangles, holes = close_holes(points, triangles, name)
+    shells = int(shells_of(triangles).max()) + 1
+    if shells > MOST_SHELLS:
+        raise TurgorError(
+            f"'{name}' has {shells} shells that are not joined to each other; at most {MOST_SHELLS} can be read. "
+            "Export the part as one closed surface with its cavities."
+        )
     turned, overlapping = oriented_shells(points, triangles)
     wrong = int((turned != triangles)[:count].any(axis=1).sum())
     flipped = min(wrong, count - wrong)

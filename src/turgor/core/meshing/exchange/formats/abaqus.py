@@ -13,6 +13,9 @@ from turgor.foundation.errors import TurgorError
 
 _SOLIDS = {4: "tetrahedron4", 10: "tetrahedron10", 8: "hexahedron8", 20: "hexahedron20", 6: "wedge6", 15: "wedge15"}
 _SHEETS = {3: "triangle3", 6: "triangle6", 4: "quadrilateral4", 8: "quadrilateral8", 9: "quadrilateral9"}
+#: Most levels of files that include others.
+MOST_INCLUDED = 8
+
 _TYPE = re.compile(r"(D?C3D|AC3D|S|M3D|SFM3D|R3D|STRI|DS|CPS|CPE|CAX)(\d+)")
 
 
@@ -71,8 +74,8 @@ def read_abaqus(path: Path) -> RawMesh:
     return _mesh(content)
 
 
-def _keywords(path: Path, depth: int = 0) -> list[_Keyword]:
-    """Split a file into keywords, with the files that it includes in their places."""
+def _keywords(path: Path, above: tuple[Path, ...] = ()) -> list[_Keyword]:
+    """Split a file into keywords, with the files that it includes in their places; ``above`` are those around it."""
     found: list[_Keyword] = []
     pending = ""
     for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
@@ -91,16 +94,20 @@ def _keywords(path: Path, depth: int = 0) -> list[_Keyword]:
         given = {k.strip().lower(): v.strip().strip('"') for k, _, v in (p.partition("=") for p in parameters)}
         keyword = _Keyword(" ".join(name.lower().split()), given)
         if keyword.name == "include":
-            found += _included(path, given.get("input", ""), depth)
+            found += _included(path, given.get("input", ""), (*above, path.resolve()))
         found.append(keyword)
     return found
 
 
-def _included(path: Path, name: str, depth: int) -> list[_Keyword]:
+def _included(path: Path, name: str, above: tuple[Path, ...]) -> list[_Keyword]:
     file = path.parent / name
-    if not name or not file.is_file() or depth > 8:
-        raise TurgorError(f"'{path}' includes '{name}', which is not there.")
-    return _keywords(file, depth + 1)
+    if not name or not file.is_file():  # a device, such as /dev/zero, is no file
+        raise TurgorError(f"'{path}' includes '{name}', which is no file.")
+    if file.resolve() in above:
+        raise TurgorError(f"'{path}' includes '{name}', which includes '{path.name}' in turn.")
+    if len(above) > MOST_INCLUDED:
+        raise TurgorError(f"'{path}' includes '{name}': files include each other more than {MOST_INCLUDED} deep.")
+    return _keywords(file, above)
 
 
 def _take(content: _Content, keyword: _Keyword) -> None:
