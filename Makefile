@@ -112,11 +112,11 @@ LOCK := pyproject.toml --group build --universal --python-version 3.11 --fork-st
 
 clean:
 	rm -rf $(VENV) build dist docs/_build .pytest_cache .mypy_cache .ruff_cache .hypothesis
-	find src tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +
+	find src tests benchmarks guidelines -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Setting up. A .venv that is broken or too old is made anew; packages come in at their locked versions, and turgor
-# itself as a link to src, so that a change there needs no new set-up.
-$(RUN): requirements/run.lock pyproject.toml
+# itself and the guidelines as links to their folders src, so that a change there needs no new set-up.
+$(RUN): requirements/run.lock pyproject.toml guidelines/pyproject.toml
 	@if ! $(BIN)/python -c "import pip, $(NEW_ENOUGH)" >/dev/null 2>&1; then \
 	  for p in $(PYTHON) $(if $(PYTHON),,python3 python3.13 python3.12 python3.11 python); do \
 	    if $$p -c "$(NEW_ENOUGH)" >/dev/null 2>&1; then found=$$p; break; fi; \
@@ -131,7 +131,7 @@ $(RUN): requirements/run.lock pyproject.toml
 	fi
 	@echo "installing turgor and its locked versions into $(VENV) (once; a download of about 250 MB)"
 	$(PIP) install -r requirements/run.lock
-	$(PIP) install --no-deps --no-build-isolation --editable .
+	$(PIP) install --no-deps --no-build-isolation --editable . --editable guidelines
 	@touch $@
 
 $(DEV): requirements/dev.lock $(RUN)

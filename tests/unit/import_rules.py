@@ -12,7 +12,7 @@ ROOMS = (
     "foundation", "core.materials", "core.geometry", "core.meshing", "core.model", "core.engine", "core.solvers",
     "core.setups", "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views",
     "accuracy.gradients", "accuracy.adaptivity", "accuracy.laboratory", "job", "studies.study", "studies.calibration",
-    "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization", "guidelines", "cli",
+    "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization", "cli",
 )  # fmt: skip
 
 #: Wings with several rooms.
@@ -22,7 +22,7 @@ WINGS = ("core", "fast_models", "accuracy", "studies")
 COMMAND_LINE = ("cli", "__main__")
 
 #: Rooms that use the public names, as users do.
-CLIENTS = ("guidelines", "cli")
+CLIENTS = ("cli",)
 
 #: Where a heavy part, or a part with one purpose, may be imported.
 HOME = {
