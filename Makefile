@@ -20,7 +20,7 @@ help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
 	@echo "make test          all tests but the slow ones, and the examples in the docstrings"
 	@echo "make slow          the slow tests"
-	@echo "make lint          ruff and mypy"
+	@echo "make lint          ruff, import-linter and mypy"
 	@echo "make format        let ruff format and tidy the code"
 	@echo "make verification  all verification tests (half an hour of one core); renews docs/verification.md"
 	@echo "make actuators     write docs/actuators from the families, with their pictures (some minutes)"
@@ -53,6 +53,7 @@ slow: $(DEV)
 lint: $(DEV)
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
+	$(BIN)/lint-imports --no-logo
 	$(BIN)/mypy
 
 format: $(DEV)
@@ -111,7 +112,7 @@ LOCK := pyproject.toml --group build --universal --python-version 3.11 --fork-st
 	--upgrade --no-header --no-annotate --quiet
 
 clean:
-	rm -rf $(VENV) build dist docs/_build .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) build dist docs/_build .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
 	find src tests benchmarks guidelines -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Setting up. A .venv that is broken or too old is made anew; packages come in at their locked versions, and turgor
