@@ -29,7 +29,7 @@ help:
 	@echo "make docs          build the documentation into docs/_build/html"
 	@echo "make dist          build source archive and wheel, check them, and run a small job from the wheel with each Python found"
 	@echo "make bench         run the benchmarks; writes benchmarks/results"
-	@echo "make robustness    run the hard cases (some minutes); writes benchmarks/robustness.md"
+	@echo "make robustness    run the hard cases (some minutes); writes benchmarks/robustness/robustness.md"
 	@echo "make fuzz          thousands of damaged files (half an hour of one core); make test tries some hundred"
 	@echo "make truth         run the truth set (an hour or two of one core); renews docs/truth.md. It installs NGSolve into"
 	@echo "                   .venv, whose wheel carries UMFPACK (GPL): for development only"
@@ -82,14 +82,14 @@ bench: $(RUN)
 	$(BIN)/python benchmarks/run.py
 
 robustness: $(RUN)
-	$(BIN)/python benchmarks/robustness.py
+	$(BIN)/python benchmarks/robustness/robustness.py
 
 fuzz: $(DEV)
 	TURGOR_FUZZ=5000 $(BIN)/python -m pytest tests/fuzz -n auto
 
 truth: $(RUN) requirements/truth.lock
 	$(PIP) install -r requirements/truth.lock
-	$(BIN)/python benchmarks/truth.py
+	$(BIN)/python benchmarks/truth/truth.py
 
 guidelines: $(DEV)
 	$(BIN)/turgor guidelines run --processes 2 --output runs/guidelines || true
