@@ -26,7 +26,7 @@ from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.generate import mesh
 from turgor.core.meshing.quality.cell_quality import quality
-from turgor.core.meshing.tetwild.mesh_cache import FOLDER
+from turgor.foundation.store.caches import FOLDER
 from turgor.job.job import ACTUATORS
 from turgor.units import deg, mm
 

@@ -1,7 +1,8 @@
 """Count the runs and CPU seconds of a calibration of two numbers of a small bender against one curve.
 
 Run ``python benchmarks/studies/calibration.py [FOLDER]``. The curve is made up: the same bender with a softer rubber
-and a thicker floor, with noise of 0.05°. The floor has a prior of 3 %. Called again with the same folder, it reads them.
+and a thicker floor, with noise of 0.05°. The floor has a prior of 3 %. Called again with the same folder, it reads
+them.
 """
 
 import sys

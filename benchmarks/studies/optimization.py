@@ -2,8 +2,8 @@
 
 Run ``python benchmarks/studies/optimization.py [FOLDER]``. A finger with a wall of 1.3 mm, a base of 1.2 mm and 17 mm
 high is solved at 7 kPa, before its walls meet. The search begins at the default dimensions, and is to find a finger
-with the same bending angle, cavity volume and von Mises stress within 1 % in at most 25 runs. Called again with the same
-folder, it reads them.
+with the same bending angle, cavity volume and von Mises stress within 1 % in at most 25 runs. Called again with the
+same folder, it reads them.
 """
 
 import sys
