@@ -28,12 +28,12 @@ class GuidelinesResult:
 
 
 def listed_result(guidelines: "Sequence[Guideline]") -> GuidelinesResult:
-    """What ``turgor guidelines list`` tells."""
-    return GuidelinesResult(guidelines=[_told(each) for each in guidelines], page="")
+    """Result of ``turgor guidelines list``."""
+    return GuidelinesResult(guidelines=[_row(each) for each in guidelines], page="")
 
 
 def judged_result(judged: "Sequence[Judged]", page: Path) -> GuidelinesResult:
-    """What ``turgor guidelines run`` and ``report`` tell."""
+    """Result of ``turgor guidelines run`` and ``report``."""
     rows = []
     for each in judged:
         studies = [
@@ -48,11 +48,11 @@ def judged_result(judged: "Sequence[Judged]", page: Path) -> GuidelinesResult:
             }
             for study in each.studies
         ]
-        rows.append({**_told(each.guideline), "verdict": str(each.verdict), "studies": studies})
+        rows.append({**_row(each.guideline), "verdict": str(each.verdict), "studies": studies})
     return GuidelinesResult(guidelines=rows, page=str(page))
 
 
-def _told(guideline: "Guideline") -> dict[str, object]:
+def _row(guideline: "Guideline") -> dict[str, object]:
     return {
         "key": guideline.key,
         "rule": guideline.rule,

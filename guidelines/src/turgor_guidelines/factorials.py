@@ -50,7 +50,7 @@ def analyses(found: Found, names: Sequence[str], pressures: Sequence[float]) -> 
     return {each: anova(study, "bending_angle", at=("pressure", each * kPa)) for each in pressures}
 
 
-def shares_told(tables: Mapping[float, Anova]) -> str:
+def shares_text(tables: Mapping[float, Anova]) -> str:
     """Return the shares of the variance at each pressure, in words."""
     return "; ".join(f"{pressure:g} kPa: {each.sentence().rstrip('.')}" for pressure, each in tables.items())
 

@@ -51,7 +51,7 @@ class Judged:
 
 
 def run_guidelines(
-    asked: Sequence[Guideline],
+    requested: Sequence[Guideline],
     folder: Path,
     setting: Setting = "quick",
     *,
@@ -63,9 +63,9 @@ def run_guidelines(
 
     Parameters
     ----------
-    asked : sequence of Guideline
+    requested : sequence of Guideline
     folder : Path
-        Where runs are kept.
+        Where runs are saved.
     setting : {"quick", "full"}
         How much is computed.
     processes : int
@@ -79,10 +79,10 @@ def run_guidelines(
     -------
     tuple of Judged
     """
-    runs = [run for guideline in asked for study in guideline.studies for run in study.runs(setting)]
+    runs = [run for guideline in requested for study in guideline.studies for run in study.runs(setting)]
     ended = run_all(runs, folder, processes=processes, progress=progress, retry=retry)
     problems = {key: each.problem for key, each in ended.items()}
-    return tuple(judged(guideline, folder, setting, problems) for guideline in asked)
+    return tuple(judged(guideline, folder, setting, problems) for guideline in requested)
 
 
 def judged(
@@ -94,7 +94,7 @@ def judged(
     ----------
     guideline : Guideline
     folder : Path
-        Where runs are kept.
+        Where runs are saved.
     setting : {"quick", "full"}
         Which runs count.
     problems : dict of str to str, optional

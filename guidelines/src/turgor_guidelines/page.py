@@ -93,14 +93,14 @@ def write_markdown(judged: Sequence[Judged], folder: Path, figures: str = FIGURE
 
 
 def _section(study: JudgedStudy, picture: Path, figures: str) -> list[str]:
-    told, judgement = study.study, study.judgement
-    lines = ["", f"### {told.title}: {judgement.verdict}", "", told.setup, "", f"- Expected: {told.expected}"]
+    test, judgement = study.study, study.judgement
+    lines = ["", f"### {test.title}: {judgement.verdict}", "", test.setup, "", f"- Expected: {test.expected}"]
     lines += [f"- Found: {judgement.found}"]
     lines += [f"- Conditions: {judgement.conditions}"] if judgement.conditions else []
     if judgement.verdict is not Verdict.NOT_JUDGED:
-        figure = tg.pictures.study_figure(told.panels(study.found), _pictures(study))
+        figure = tg.pictures.study_figure(test.panels(study.found), _pictures(study))
         picture.write_bytes(png_of(figure, dpi=DPI))
-        lines += ["", f"![{told.title}]({figures}/{picture.name})"]
+        lines += ["", f"![{test.title}]({figures}/{picture.name})"]
     return lines
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed
 from turgor.units import deg, kPa, mm
-from turgor_guidelines.sliced import bent_section
+from turgor_guidelines.bent_sections import bent_section
 from turgor_guidelines.values import Value
 
 #: Length of the bender [mm].

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.factorials import analyses, corner_name, corners, share_lines, shares_told
+from turgor_guidelines.factorials import analyses, corner_name, corners, share_lines, shares_text
 from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor_guidelines.judging import change, line_of, verdict_of
 from turgor_guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, count_and_size, pneunet, run_of
@@ -78,7 +78,7 @@ def judge_corners(found: Found) -> Judgement:
     seen = [f"At {pressure} kPa the order is {', '.join(each.ranking)}." for pressure, each in tables.items()]
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"shares of the sum of squares; {shares_told(tables)}",
+        found=f"shares of the sum of squares; {shares_text(tables)}",
         conditions=" ".join(seen),
     )
 

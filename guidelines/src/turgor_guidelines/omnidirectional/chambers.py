@@ -9,7 +9,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed
 from turgor.units import kPa, mm
-from turgor_guidelines.sliced import bent_section
+from turgor_guidelines.bent_sections import bent_section
 from turgor_guidelines.values import Value, at
 
 #: Reference [mm]: three round chambers, those of the reference geometry R4 of the validation targets.

@@ -5,7 +5,7 @@ from math import log
 
 import turgor as tg
 from turgor.studies import Run
-from turgor_guidelines.factorials import analyses, corner_name, corners, share_lines, shares_told
+from turgor_guidelines.factorials import analyses, corner_name, corners, share_lines, shares_text
 from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.omnidirectional.chambers import REFERENCE, SETUP, angle_at, omni
@@ -70,7 +70,7 @@ def judge_corners(found: Found) -> Judgement:
     seen = [f"At {pressure} kPa the order is {', '.join(each.ranking)}." for pressure, each in tables.items()]
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"shares of the sum of squares; {shares_told(tables)}",
+        found=f"shares of the sum of squares; {shares_text(tables)}",
         conditions=" ".join(seen),
     )
 

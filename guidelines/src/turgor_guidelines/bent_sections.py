@@ -50,5 +50,5 @@ def bent_section(
             columns.append(
                 tg.experiments.Column(f"bending_angle{end}", "deg", response.column(f"curvature_y{end}") * length)
             )
-    kept = tg.Response(columns=tuple(columns), source=response.source, status=response.status, message=response.message)
-    return Computed(response=kept, picture=found.picture)
+    bent = tg.Response(columns=tuple(columns), source=response.source, status=response.status, message=response.message)
+    return Computed(response=bent, picture=found.picture)
