@@ -20,7 +20,7 @@ help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
 	@echo "make test          all tests but the slow ones, and the examples in the docstrings"
 	@echo "make slow          the slow tests"
-	@echo "make lint          ruff, mypy and spelling"
+	@echo "make lint          ruff, import-linter, mypy and spelling"
 	@echo "make format        let ruff format and tidy the code"
 	@echo "make verification  all verification tests (half an hour of one core); renews docs/verification.md"
 	@echo "make actuators     write docs/actuators from the families, with their pictures (some minutes)"
@@ -29,7 +29,7 @@ help:
 	@echo "make docs          build the documentation into docs/_build/html"
 	@echo "make dist          build source archive and wheel, check them, and run a small job from the wheel with each Python found"
 	@echo "make bench         run the benchmarks; writes benchmarks/results"
-	@echo "make robustness    run the hard cases (some minutes); writes benchmarks/robustness.md"
+	@echo "make robustness    run the hard cases (some minutes); writes benchmarks/robustness/robustness.md"
 	@echo "make fuzz          10,000 damaged files (a quarter of an hour of one core); make test tries some hundred"
 	@echo "make kills         commands killed at 200 random moments, and runs at once on cold caches (half an hour of one core)"
 	@echo "make truth         run the truth set (an hour or two of one core); renews docs/truth.md. It installs NGSolve into"
@@ -54,6 +54,7 @@ slow: $(DEV)
 lint: $(DEV)
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
+	$(BIN)/lint-imports --no-logo
 	$(BIN)/mypy
 	$(BIN)/typos
 
@@ -83,7 +84,7 @@ bench: $(RUN)
 	$(BIN)/python benchmarks/run.py
 
 robustness: $(RUN)
-	$(BIN)/python benchmarks/robustness.py
+	$(BIN)/python benchmarks/robustness/robustness.py
 
 fuzz: $(DEV)
 	$(BIN)/python tests/fuzz/fuzz_all.py 10000
@@ -94,7 +95,7 @@ kills: $(DEV)
 
 truth: $(RUN) requirements/truth.lock
 	$(PIP) install -r requirements/truth.lock
-	$(BIN)/python benchmarks/truth.py
+	$(BIN)/python benchmarks/truth/truth.py
 
 guidelines: $(DEV)
 	$(BIN)/turgor guidelines run --processes 2 --output runs/guidelines || true
@@ -117,12 +118,12 @@ LOCK := pyproject.toml --group build --universal --python-version 3.11 --fork-st
 	--upgrade --no-header --no-annotate --quiet
 
 clean:
-	rm -rf $(VENV) build dist docs/_build .pytest_cache .mypy_cache .ruff_cache .hypothesis
-	find src tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +
+	rm -rf $(VENV) build dist docs/_build .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
+	find src tests benchmarks guidelines -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Setting up. A .venv that is broken or too old is made anew; packages come in at their locked versions, and turgor
-# itself as a link to src, so that a change there needs no new set-up.
-$(RUN): requirements/run.lock pyproject.toml
+# itself and the guidelines as links to their folders src, so that a change there needs no new set-up.
+$(RUN): requirements/run.lock pyproject.toml guidelines/pyproject.toml
 	@if ! $(BIN)/python -c "import pip, $(NEW_ENOUGH)" >/dev/null 2>&1; then \
 	  for p in $(PYTHON) $(if $(PYTHON),,python3 python3.13 python3.12 python3.11 python); do \
 	    if $$p -c "$(NEW_ENOUGH)" >/dev/null 2>&1; then found=$$p; break; fi; \
@@ -137,7 +138,7 @@ $(RUN): requirements/run.lock pyproject.toml
 	fi
 	@echo "installing turgor and its locked versions into $(VENV) (once; a download of about 250 MB)"
 	$(PIP) install -r requirements/run.lock
-	$(PIP) install --no-deps --no-build-isolation --editable .
+	$(PIP) install --no-deps --no-build-isolation --editable . --editable guidelines
 	@touch $@
 
 $(DEV): requirements/dev.lock $(RUN)

@@ -19,19 +19,12 @@ from typing import Any
 
 import numpy as np
 
-import compiling
-import contact
-import contact_axisymmetric
-import demo_run
-import iterative
-import meshing
-import newton
-import overhead
-import running
-import two_meshes
-from machine import machine
-from peers import compare
-from tables import table
+sys.path.insert(0, str(Path(__file__).parents[1]))  # so that `benchmarks` is found
+from benchmarks.core import compiling, contact, contact_axisymmetric, iterative, meshing, newton, two_meshes
+from benchmarks.job import demo_run, overhead, running
+from benchmarks.peers import compare
+from benchmarks.shared.machine import machine
+from benchmarks.shared.tables import table
 from turgor.core.engine.algebra.linear import available_solvers
 
 HERE = Path(__file__).parent
@@ -49,7 +42,7 @@ def measure(request: Mapping[str, Any], cache: str | None = None) -> Facts:
     threads = str(request["threads"])
     names = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
     environment = os.environ | dict.fromkeys(names, threads) | ({"NUMBA_CACHE_DIR": cache} if cache else {})
-    command = [sys.executable, str(HERE / "case.py"), json.dumps(request)]
+    command = [sys.executable, str(HERE / "shared" / "case.py"), json.dumps(request)]
     result = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, text=True)
     return json.loads(result.stdout.splitlines()[-1])
 

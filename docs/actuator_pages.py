@@ -14,7 +14,7 @@ from typing import Any
 from turgor.jobs import ACTUATORS, example_job, family_table
 
 from turgor import Geometry, TurgorError
-from turgor.guidelines import chosen
+from turgor_guidelines.catalog import chosen
 
 DOCS = Path(__file__).parent
 PICTURES = DOCS / "images" / "actuators"

@@ -1,4 +1,4 @@
-"""Write docs/guidelines.md and its figures from the runs that `turgor guidelines run` has kept.
+"""Write docs/guidelines.md and its figures from the runs of `turgor guidelines run`.
 
 Call it as ``python docs/guidelines_page.py FOLDER``, with the folder that was given as ``--output``; `make guidelines`
 runs all guidelines and calls it.
@@ -9,7 +9,9 @@ from pathlib import Path
 
 from PIL import Image
 
-from turgor.guidelines import chosen, judged, write_markdown
+from turgor_guidelines.catalog import chosen
+from turgor_guidelines.judge import judged
+from turgor_guidelines.page import write_markdown
 
 DOCS = Path(__file__).parent
 

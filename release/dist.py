@@ -21,6 +21,7 @@ from tempfile import TemporaryDirectory
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+PARTS = ("turgor/", f"turgor-{PROJECT['version']}.dist-info/")
 PYTHONS = re.findall(r"Python :: (3\.\d+)", " ".join(PROJECT["classifiers"]))
 
 #: Changes that make the demo small: two chambers, a coarse mesh, a small pressure.
@@ -64,7 +65,7 @@ def mistakes(archive: Path, wheel: Path) -> list[str]:
     if metadata["License-Expression"] != PROJECT["license"]:
         found.append(f"{wheel.name}: License-Expression is {metadata['License-Expression']}")
     found += [f"{wheel.name}: the description links to the file {each}" for each in files_linked(text)]
-    found += [f"{wheel.name}: {name} is no part of the package" for name in held if not name.startswith("turgor")]
+    found += [f"{wheel.name}: {name} is no part of the package" for name in held if not name.startswith(PARTS)]
     with tarfile.open(archive) as packed:
         names = {name.partition("/")[2] for name in packed.getnames()}
     needed = ("LICENSE", "README.md", "pyproject.toml", "src/turgor/__init__.py", "tests/conftest.py")

@@ -18,8 +18,8 @@ from typing import Any
 
 import numpy as np
 
-from peers import problem
-from tables import table
+from benchmarks.peers import problem
+from benchmarks.shared.tables import table
 from turgor.core.engine.algebra.linear import available_solvers
 
 HERE = Path(__file__).parent
@@ -90,7 +90,7 @@ def run(command: list[str], threads: int = 1) -> Facts:
 def turgor(solver: str, size: str, threads: int = 1) -> Facts:
     """The bender in turgor."""
     request = {"case": "peer_bender", "solver": solver, "threads": threads, "size": size}
-    return run([sys.executable, str(HERE.parent / "case.py"), json.dumps(request)], threads)
+    return run([sys.executable, str(HERE.parent / "shared" / "case.py"), json.dumps(request)], threads)
 
 
 def peer(name: str, size: str, cores: int) -> Facts:

@@ -15,7 +15,6 @@ from turgor.foundation.display import Shown
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
-    from turgor import guidelines as guidelines
     from turgor import studies as studies
     from turgor import units as units
     from turgor.accuracy.adaptivity.measure import measure as measure
@@ -73,6 +72,7 @@ if TYPE_CHECKING:
     from turgor.namespaces import actuators as actuators
     from turgor.namespaces import bodies as bodies
     from turgor.namespaces import cad as cad
+    from turgor.namespaces import commands as commands
     from turgor.namespaces import experiments as experiments
     from turgor.namespaces import files as files
     from turgor.namespaces import jobs as jobs

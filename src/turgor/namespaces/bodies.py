@@ -10,5 +10,7 @@ if TYPE_CHECKING:
     from turgor.core.meshing.bodies.combine import together as together
     from turgor.core.meshing.bodies.placing import mirrored as mirrored
     from turgor.core.meshing.bodies.placing import placed as placed
+    from turgor.core.meshing.quality.cell_quality import MeshQuality as MeshQuality
+    from turgor.core.meshing.quality.cell_quality import quality as quality
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from turgor.core.materials.history.stress_history import StressHistory as StressHistory
     from turgor.core.materials.history.stress_history import stress_history as stress_history
     from turgor.core.materials.history.viscoelastic import Prony as Prony
+    from turgor.core.materials.laws.common import Law as Law
     from turgor.core.materials.laws.curves import Curve as Curve
     from turgor.core.materials.laws.curves import curve as curve
     from turgor.core.materials.laws.laws import ArrudaBoyce as ArrudaBoyce

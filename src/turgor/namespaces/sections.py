@@ -18,5 +18,6 @@ if TYPE_CHECKING:
     from turgor.fast_models.section.solution import SectionError as SectionError
     from turgor.fast_models.section.solution import SectionSolution as SectionSolution
     from turgor.fast_models.section.stiffness import SectionStiffness as SectionStiffness
+    from turgor.views.plots.section import plot_section as plot_section
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

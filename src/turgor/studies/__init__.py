@@ -69,6 +69,7 @@ if TYPE_CHECKING:
     from turgor.studies.study.running.executors import Here as Here
     from turgor.studies.study.running.on_dask import OnDask as OnDask
     from turgor.studies.study.running.run_outcome import Ended as Ended
+    from turgor.studies.study.running.run_outcome import ended_before as ended_before
     from turgor.studies.study.running.workers import Workers as Workers
     from turgor.studies.study.runs import Computed as Computed
     from turgor.studies.study.runs import Run as Run

@@ -9,9 +9,9 @@ import pytest
 import turgor as tg
 from turgor.foundation.errors import TurgorError
 
-sys.path.append(str(Path(__file__).parents[3] / "benchmarks"))
-from robustness_cases import CASES
-from robustness_cases.case import DIAGNOSED, OPTIONS, REACHED, WRONG, Case, Found, judge, run
+sys.path.append(str(Path(__file__).parents[3]))
+from benchmarks.robustness.robustness_cases import CASES
+from benchmarks.robustness.robustness_cases.case import DIAGNOSED, OPTIONS, REACHED, WRONG, Case, Found, judge, run
 
 CASE = {case.name: case for case in CASES}
 

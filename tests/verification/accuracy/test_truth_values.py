@@ -1,9 +1,10 @@
 """Default meshes give angle, extension, twist and volume within 2 % of values that two discretizations confirm.
 
-Problem: loaded actuators of the truth set (`benchmarks/truth_cases`), meshed without a size: a fast PneuNet on a
+Problem: loaded actuators of the truth set (`benchmarks/truth/truth_cases`), meshed without a size: a fast PneuNet on a
 base 20 times as stiff, a slow one, cylinders with a skin around hoops and helices, a tube with a helix of one hand, a
 closed tube. Without a size these families get hexahedra.
-Reference: `benchmarks/truth_values.json`, graded hexahedra or NGSolve with elements of third order (docs/truth.md).
+Reference: `benchmarks/truth/truth_values.json`, graded hexahedra or NGSolve with elements of third order
+(docs/truth.md).
 Tolerance: 2 %, what a default mesh promises; 2.5 % for the tip of a bender, whose bending angle is promised. The
 formulation "continuous" misses it on the stiff base, where its mean stress cannot jump: this shows that the test can
 fail.
@@ -18,12 +19,12 @@ import pytest
 import problems
 import turgor as tg
 
-BENCHMARKS = Path(__file__).parents[3] / "benchmarks"
-sys.path.append(str(BENCHMARKS))
+ROOT = Path(__file__).parents[3]
+sys.path.append(str(ROOT))
 
-from truth_cases import CASES  # noqa: E402
+from benchmarks.truth.truth_cases import CASES  # noqa: E402
 
-VALUES = json.loads((BENCHMARKS / "truth_values.json").read_text("utf-8"))
+VALUES = json.loads((ROOT / "benchmarks" / "truth" / "truth_values.json").read_text("utf-8"))
 FAST = ("fast_pneunet_stiff_base", "slow_pneunet", "held_cylinder", "wound_cylinder", "twisting_tube", "closed_tube")
 STIFF_BASE = FAST[0]
 #: Cases whose two discretizations agree within 0.3 % in every measure; a star marks the others in docs/truth.md.

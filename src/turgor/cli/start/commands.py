@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from turgor import __version__
+from turgor.cli.start.extensions import add_extensions
 
 #: Where each command is, in the order of the help text; a name that ends in ``_app`` is that of a group of commands.
 COMMANDS: Mapping[str, str] = {
@@ -15,10 +16,10 @@ COMMANDS: Mapping[str, str] = {
     "actuators": "families.actuators.actuators_command",
     "check": "check.check_command",
     "init": "families.init.init_command",
-    "report": "again.report_command",
+    "report": "postprocess.report_command",
     "cache": "start.cache.cache_command",
-    "measure": "again.measure_command",
-    "compare": "again.compare_command",
+    "measure": "postprocess.measure_command",
+    "compare": "postprocess.compare_command",
     "calibrate": "analyses.calibrate.calibrate_command",
     "sweep": "analyses.sweep.sweep_command",
     "uncertainty": "analyses.uncertainty.uncertainty_command",
@@ -31,17 +32,17 @@ COMMANDS: Mapping[str, str] = {
     "fit": "fitting.fit.fit_command",
     "export": "export.export_command",
     "mesh": "mesh.mesh_command",
-    "modes": "modes.modes_command",
+    "modes": "frequencies.modes_command",
     "convergence": "convergence.convergence_command",
     "section": "analyses.section.section_command",
-    "guidelines": "analyses.guidelines.guidelines_app",
 }
 
 
 def app_of(*given: str) -> typer.Typer:
     """Make the command line: of one command where the arguments begin with its name, else of all.
 
-    Making all takes a fifth of the time that a run needs to load its code.
+    Making all takes a fifth of the time that a run needs to load its code. All are those of turgor and those of
+    installed packages, see `turgor.cli.start.extensions`.
 
     Parameters
     ----------
@@ -61,13 +62,16 @@ def app_of(*given: str) -> typer.Typer:
         context_settings={"help_option_names": ["-h", "--help"]},
     )
     app.callback()(_options)
-    for name in given[:1] if given[:1] and given[0] in COMMANDS else COMMANDS:
+    one = given[0] if given and given[0] in COMMANDS else None
+    for name in COMMANDS if one is None else (one,):
         module, _, what = COMMANDS[name].rpartition(".")
         found = getattr(import_module(f"turgor.cli.{module}"), what)
         if what.endswith("_app"):
             app.add_typer(found, name=name)
         else:
             app.command(name)(found)
+    if one is None:
+        add_extensions(app, set(COMMANDS))
     return app
 
 

@@ -1,6 +1,0 @@
-"""The hard cases, in the order in which they are reported."""
-
-from robustness_cases import actuators, loads, slender, spheres, touching
-from robustness_cases.case import Case
-
-CASES: tuple[Case, ...] = (*spheres.CASES, *slender.CASES, *actuators.CASES, *loads.CASES, *touching.CASES)

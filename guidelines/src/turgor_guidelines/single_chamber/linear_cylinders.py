@@ -1,0 +1,89 @@
+"""Guideline 7.1-8: cylinders respond in a more linear way, and wear less."""
+
+import numpy as np
+
+import turgor as tg
+from turgor.units import kPa
+from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Verdict
+from turgor_guidelines.single_chamber.best_shape import extension_runs
+from turgor_guidelines.single_chamber.shapes import PRESSURE, ROUND, SETUP, bars
+from turgor_guidelines.values import linearity
+
+#: Stretch of the actuator at which the rubber is compared; all shapes reach it, bare ones too.
+STRETCH = 1.01
+
+
+def worn(found: Found) -> dict[str, float]:
+    """Largest stretch of the rubber where the actuator has the same stretch."""
+    return {
+        name: float(np.interp(STRETCH, each.response["stretch"], each.response["largest_stretch"], right=np.nan))
+        for name, each in found.items()
+    }
+
+
+def straight(found: Found) -> dict[str, float]:
+    """R² of the stretch against the pressure."""
+    return {name: linearity(each.response, "stretch", "pressure", PRESSURE * kPa) for name, each in found.items()}
+
+
+def judge(found: Found) -> Judgement:
+    """Whether the round section has the largest R² and the smallest stretch of the rubber."""
+    wear, lines, told, good = worn(found), straight(found), [], []
+    for way in dict.fromkeys(name.split(", ")[0] for name in found):
+        names = [name for name in found if name.split(", ")[0] == way]
+        of_round = f"{way}, {ROUND}"
+        line, spared = max(names, key=lambda each: lines[each]), min(names, key=lambda each: wear[each])
+        good += [line == of_round, spared == of_round]
+        told.append(f"{way}: straightest {line.split(', ')[1]}, rubber stretched least in {spared.split(', ')[1]}")
+    verdict = Verdict.CONFIRMED if all(good) else Verdict.CONDITIONAL
+    return Judgement(
+        verdict=verdict if any(good) else Verdict.NOT_REPRODUCED,
+        found=f"R² up to {PRESSURE:g} kPa, and largest stretch of the rubber at a stretch of {STRETCH:g}: "
+        + "; ".join(f"{name} {lines[name]:.5f}, {wear[name]:.3f}" for name in found)
+        + ".",
+        conditions="; ".join(told)
+        + ". Wear is judged by the stretch of the rubber; the stretch at the inner corners of "
+        "the other shapes grows with finer cells, so that theirs are lower bounds.",
+    )
+
+
+def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+    """Stretch of the rubber against that of the actuator, and R² by shape."""
+    lines = [
+        tg.pictures.Line(x=each.response["stretch"], y=each.response["largest_stretch"], label=name)
+        for name, each in found.items()
+        if name.startswith("hoops")
+    ]
+    ways: dict[str, tuple[list[str], list[float]]] = {}
+    for name, value in straight(found).items():
+        way, shape = name.split(", ")
+        ways.setdefault(way, ([], []))[0].append(shape)
+        ways[way][1].append(value)
+    return (
+        tg.pictures.Panel(x="stretch of the actuator [-]", y="largest stretch of the rubber [-]", lines=lines),
+        tg.pictures.Panel(
+            x="",
+            y="R² of a straight line [-]",
+            lines=[tg.pictures.Line(x=x, y=y, label=way) for way, (x, y) in ways.items()],
+        ),
+        bars(found, "largest_stretch", f"largest stretch at {PRESSURE:g} kPa [-]"),
+    )
+
+
+GUIDELINE = Guideline(
+    key="7.1-8",
+    rule="Cylindrical actuators have a more linear response, and show less wear and tear.",
+    sources=("Fras and Althoefer 2019",),
+    families=("extending_cylinder", "fiber_reinforced_cylinder"),
+    studies=(
+        GuidelineTest(
+            title="Straightness and stretch of the rubber for five shapes",
+            setup=f"{SETUP}; in hoops of Kevlar thread every 2 mm or bare; R² of the stretch up to 30 kPa, and the "
+            "largest stretch of the rubber where the actuator has a stretch of 1.01.",
+            expected="The round one has the largest R² and the smallest stretch of the rubber.",
+            runs=extension_runs,
+            judge=judge,
+            panels=panels,
+        ),
+    ),
+)
