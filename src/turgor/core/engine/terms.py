@@ -23,7 +23,8 @@ from turgor.core.engine.term import Configuration, Setting, Term
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: What makes the terms of a model. A new kind of term is a file with its class, and one name here.
+#: What makes the terms of a model. A new kind of term is a file with its class, and one name here; a load may bring its
+#: own.
 TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     pressure_terms,
     thrust_terms,
@@ -36,6 +37,7 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     bearing_terms,
     spring_terms,
     turning_terms,
+    lambda setting: [term for load in setting.model.loads for term in load.terms(setting)],
 )
 
 

@@ -1,16 +1,14 @@
 """Continuing: make the model of a stage that begins where another one ended, under the loads that acted there."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from copy import copy
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.model.contact import Contact
-from turgor.core.model.history import History, share_at
-from turgor.core.model.loads import Force, Hanging, LineForce, Load, Moment, PointForce, Pressure, Traction
+from turgor.core.model.history import share_at, with_history
+from turgor.core.model.loads import Load, Pressure, pressures_of
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Path, Vector
 from turgor.core.model.points import Rotation
@@ -43,11 +41,11 @@ def with_loads(
         If two loads act on the same, or there is no such displacement or obstacle.
     """
     stated = _by_place(loads)
-    kept = [load for load in model.loads if _place(load) not in stated]
+    unchanged = [load for load in model.loads if (load.kind, load.place) not in stated]
     new = _by_support(model, displacements)
     supports = [new.get(_held(support), support) for support in model.supports]
     moves = moves or {}
-    return _made(model, (*kept, *loads), supports, _moved(model, _paths(model, 0.0, moves, moves)))
+    return _made(model, (*unchanged, *loads), supports, _moved(model, _paths(model, 0.0, moves, moves)))
 
 
 def movable(model: Model, displacements: Sequence[Displacement]) -> Model:
@@ -94,18 +92,17 @@ def continued(
     """
     factor, pressures = acting
     new = _by_place(loads)
+    stated = {load.face: load for load in pressures_of(loads)}
     out: list[Load] = []
-    for face in dict.fromkeys([*pressures, *(load.face for load in loads if isinstance(load, Pressure))]):
-        stated = new.get(("pressure", face))
-        assert stated is None or isinstance(stated, Pressure)
+    for face in dict.fromkeys([*pressures, *stated]):
         pressure = pressures.get(face, 0.0)
-        if pressure or stated is not None:
-            out.append(_pressure(face, pressure, stated))
-    for load in model.loads:
-        share = share_at(load.history, factor)
-        if not isinstance(load, Pressure) and share:
-            out.append(_with_history(load, _fading(share, new.get(_place(load)))))
-    out += [load for load in loads if not isinstance(load, Pressure)]
+        if pressure or face in stated:
+            out.append(_pressure(face, pressure, stated.get(face)))
+    for load in _others(model.loads):
+        share = load.share(factor)
+        if share:
+            out.append(load.continued(share, new.get((load.kind, load.place))))
+    out += _others(loads)
     supports = _supports(model, factor, _by_support(model, displacements))
     names = [obstacle.name for obstacle in model.contact.obstacles]
     moves = moves or {}
@@ -124,23 +121,16 @@ def _made(model: Model, loads: Sequence[Load], supports: Sequence[Support], cont
     )
 
 
-def _place(load: Load) -> tuple[str, str]:
-    """Key of what a load acts on: a load with the same key replaces it."""
-    if isinstance(load, Pressure | Traction | Force):
-        return type(load).__name__.lower(), load.face
-    if isinstance(load, Moment | Hanging):
-        return type(load).__name__.lower(), load.point
-    if isinstance(load, PointForce):
-        return "point force", str(load.at)
-    if isinstance(load, LineForce):
-        return "line force", " and ".join(load.faces)
-    return type(load).__name__.lower(), ""
+def _others(loads: Sequence[Load]) -> list[Load]:
+    """Loads that are no pressures: their shares go on; of pressures the values go on, which a state reports."""
+    pressures = pressures_of(loads)
+    return [load for load in loads if load not in pressures]
 
 
 def _by_place(loads: Sequence[Load]) -> dict[tuple[str, str], Load]:
     found: dict[tuple[str, str], Load] = {}
     for load in loads:
-        place = _place(load)
+        place = (load.kind, load.place)
         if place in found:
             raise TurgorError(f"a stage states {' on '.join(filter(None, place))} twice; once is enough.")
         found[place] = load
@@ -170,7 +160,7 @@ def _supports(model: Model, factor: float, new: Mapping[tuple[str, str], Displac
             out.append(replace(support, value=then))
         elif isinstance(support, Rotation):
             share = share_at(support.history, factor)
-            out.append(_with_history(support, ((0.0, share), (1.0, share))))
+            out.append(with_history(support, ((0.0, share), (1.0, share))))
         else:
             out.append(support)
     return out
@@ -225,30 +215,14 @@ def _moved(model: Model, paths: Mapping[str, Path]) -> Contact:
 def _pressure(face: str, old: float, new: Pressure | None) -> Pressure:
     """A pressure that begins at ``old`` and stays, or follows the history of a new one."""
     if new is None:
-        return _with_history(Pressure(face, old), ((0.0, 1.0), (1.0, 1.0)))
+        return with_history(Pressure(face, old), ((0.0, 1.0), (1.0, 1.0)))
     if not old:
         return new
     change = new.pressure - old
     if isinstance(new.history, str):
         top = abs(old) + abs(change)
         text = f"({old / top!r}) + ({change / top!r}) * ({new.history})"
-        return _with_history(Pressure(face, top), text)
+        return with_history(Pressure(face, top), text)
     values = [(factor, old + share * change) for factor, share in new.history]
     top = max(abs(value) for _, value in values)
-    return _with_history(Pressure(face, top), tuple((factor, value / top) for factor, value in values))
-
-
-def _fading(share: float, new: Load | None) -> History:
-    """The history of a load that acts with a share at first, and gives way to a new one where there is one."""
-    if new is None:
-        return ((0.0, share), (1.0, share))
-    if isinstance(new.history, str):
-        return f"({share!r}) * (1 - ({new.history}))"
-    return tuple((factor, share * (1 - gone)) for factor, gone in new.history)
-
-
-def _with_history(load: Any, history: History) -> Any:
-    """A load with a history that need not begin at zero, which users cannot state."""
-    out = copy(load)
-    object.__setattr__(out, "history", history)
-    return out
+    return with_history(Pressure(face, top), tuple((factor, value / top) for factor, value in values))

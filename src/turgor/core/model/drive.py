@@ -2,8 +2,8 @@
 
 from operator import itemgetter
 
-from turgor.core.model.history import peak_of, share_at, turns_of
-from turgor.core.model.loads import RAMP, Pressure
+from turgor.core.model.history import RAMP, peak_of, share_at, turns_of
+from turgor.core.model.loads import Pressure
 from turgor.core.model.model import Model
 from turgor.core.model.points import Rotation
 from turgor.core.model.supports import Displacement, Shift

@@ -6,7 +6,8 @@ from math import cos, pi, sin
 import numpy as np
 
 from turgor.core.geometry.directions import DIRECTIONS
-from turgor.core.model.loads import RAMP, Pressure
+from turgor.core.model.history import RAMP
+from turgor.core.model.loads import Pressure
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Cylinder, Obstacle, Plane, RigidSurface, Vector
 from turgor.core.setups.directions import check_unmirrored

@@ -13,22 +13,7 @@ from turgor.core.materials.library.record_history import describe_history
 from turgor.core.materials.material import Material
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.cell_quality import MeshQuality
-from turgor.core.model.drive import rises
 from turgor.core.model.fibers import Fibers
-from turgor.core.model.loads import (
-    RAMP,
-    BodyForce,
-    Force,
-    Gravity,
-    Hanging,
-    History,
-    LineForce,
-    Load,
-    Moment,
-    PointForce,
-    Pressure,
-    Traction,
-)
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, Plate, Shape, Sphere, Vector
 from turgor.core.model.points import Hinge, ReferencePoint, Rotation
@@ -36,7 +21,7 @@ from turgor.core.model.sheets import Sheet, Shell
 from turgor.core.model.supports import Displacement, Fixed, PlaneSection, Radial
 from turgor.core.setups.blocked_tip import HeldTip
 from turgor.units import GPa, MPa, deg, kPa, mm, mN
-from turgor.views.report.describe_points import point_text, rig_text
+from turgor.views.report.describe_points import point_text
 from turgor.views.report.references import law_source
 
 Rows = list[tuple[str, str]]
@@ -60,50 +45,7 @@ class MaterialText:
 
 def loads(model: Model) -> list[str]:
     """Say what drives a model at load factor 1, a sentence for each load."""
-    return [load_text(load) for load in model.loads] or ["None."]
-
-
-def load_text(load: Load) -> str:
-    """A load at load factor 1 in a sentence."""
-    match load:
-        case Pressure(face):
-            return f"Gauge pressure {load.at(1.0) / kPa:g} kPa on {face}, following the surface{_way(load)}."
-        case Traction(face, vector):
-            shown = ", ".join(f"{component / kPa:g}" for component in vector)
-            return f"Traction ({shown}) kPa on {face}, fixed in direction{_shares(load.history)}."
-        case Force(face, vector):
-            shown = ", ".join(f"{part:.6g}" for part in vector)
-            way = "turning with the point" if load.follower else "fixed in direction"
-            return f"Force ({shown}) N on {face}, {way}{_shares(load.history)}."
-        case Moment() | Hanging() | PointForce() | LineForce():
-            return f"{rig_text(load)}{_shares(load.history)}."
-        case Gravity(direction, acceleration, history):
-            return f"Gravity {acceleration:g} m/s² along ({_listed(direction)}){_shares(history)}."
-        case BodyForce():
-            return f"Force per volume, given as a function of position{_shares(load.history)}."
-
-
-def _shares(history: History) -> str:
-    """How a dead load gets to its last value, unless it just grows."""
-    return "" if history == RAMP else f", its share over the load factor: {history_text(history)}"
-
-
-def _way(load: Pressure) -> str:
-    """How a pressure gets to its last value, unless it just grows."""
-    if rises(load):
-        return ""
-    if isinstance(load.history, str):
-        return f", of {load.pressure / kPa:g} kPa times {load.history}"
-    return ", after " + ", ".join(
-        f"{load.at(factor) / kPa:g} kPa at load factor {factor:g}" for factor, _ in load.history[:-1]
-    )
-
-
-def history_text(history: History) -> str:
-    """A history in words."""
-    if isinstance(history, str):
-        return history
-    return ", ".join(f"{share:g} at {factor:g}" for factor, share in history)
+    return [load.text() for load in model.loads] or ["None."]
 
 
 def supports(model: Model) -> list[str]:

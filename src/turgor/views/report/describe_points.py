@@ -1,8 +1,7 @@
-"""Reference points in words: what ties them, holds them and acts on them."""
+"""Reference points in words: what ties them and holds them."""
 
 import numpy as np
 
-from turgor.core.model.loads import Hanging, LineForce, Moment, PointForce
 from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
 from turgor.units import deg, mm
 
@@ -41,24 +40,6 @@ def _point(point: ReferencePoint) -> str:
     if point.rotational_spring:
         said.append(f"turned back by a spring of {point.rotational_spring:g} N m/rad")
     return f"{', '.join(said)}."
-
-
-def rig_text(load: Moment | Hanging | PointForce | LineForce) -> str:
-    """A moment, a hanging weight, a force at a point or on a line at load factor 1, without the end of the sentence.
-
-    Examples
-    --------
-    >>> rig_text(Moment("plate", (0.02, 0, 0)))
-    'Moment (0.02, 0, 0) N m on plate, its axis fixed in space'
-    """
-    if isinstance(load, Hanging):
-        return f"Weight of {load.mass:g} kg hanging from {load.point}, along ({_listed(load.direction)})"
-    if isinstance(load, PointForce):
-        return f"Force ({_listed(load.vector)}) N at ({_listed([value / mm for value in load.at])}) mm on the surface"
-    if isinstance(load, LineForce):
-        return f"Force ({_listed(load.vector)}) N/m along the edge between {' and '.join(load.faces)}"
-    way = "turning with it" if load.follower else "its axis fixed in space"
-    return f"Moment ({_listed(load.vector)}) N m on {load.point}, {way}"
 
 
 def _listed(values: object) -> str:

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells.reference import side_tables
 from turgor.core.engine.faces import surfaces
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
-from turgor.core.model.loads import History, Pressure
+from turgor.core.model.history import History
+from turgor.core.model.loads import Pressure
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
