@@ -4,7 +4,6 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.wedge import Wedge
 from turgor.core.model.checks.symmetry import same_when_turned
 from turgor.core.model.fibers import DISCRETE
-from turgor.core.model.loads import LineForce, PointForce
 from turgor.core.model.model import Model
 from turgor.core.model.supports import Displacement, Fixed
 from turgor.foundation.errors import TurgorError
@@ -59,7 +58,7 @@ def _same_around(model: Model, wedge: Wedge) -> bool:
     held = [each for each in model.supports if isinstance(each, Fixed | Displacement)]
     across = ["xyz"[i] for i in wedge.across]
     return (
-        not any(isinstance(load, PointForce | LineForce) for load in model.loads)
+        all(load.turned("xyz".index(wedge.axis)) for load in model.loads)
         and all(sum(letter in each.directions for letter in across) != 1 for each in held)
         and all(fibers.form != DISCRETE for fibers in model.reinforcements)
         and all(same_when_turned(obstacle, wedge) for obstacle in model.contact.obstacles)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.model.contact import Contact
 from turgor.core.model.history import share_at, with_history
-from turgor.core.model.loads import Load, Pressure, pressures_of
+from turgor.core.model.loads import Load, Pressure, pressures_among
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Path, Vector
 from turgor.core.model.points import Rotation
@@ -92,7 +92,7 @@ def continued(
     """
     factor, pressures = acting
     new = _by_place(loads)
-    stated = {load.face: load for load in pressures_of(loads)}
+    stated = {load.face: load for load in pressures_among(loads)}
     out: list[Load] = []
     for face in dict.fromkeys([*pressures, *stated]):
         pressure = pressures.get(face, 0.0)
@@ -123,7 +123,7 @@ def _made(model: Model, loads: Sequence[Load], supports: Sequence[Support], cont
 
 def _others(loads: Sequence[Load]) -> list[Load]:
     """Loads that are no pressures: their shares go on; of pressures the values go on, which a state reports."""
-    pressures = pressures_of(loads)
+    pressures = pressures_among(loads)
     return [load for load in loads if load not in pressures]
 
 

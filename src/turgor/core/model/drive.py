@@ -1,28 +1,30 @@
 """Drive: which pressures act at a load factor, as numbers and in words."""
 
+from collections.abc import Iterable
 from operator import itemgetter
 
 from turgor.core.model.history import RAMP, peak_of, share_at, turns_of
-from turgor.core.model.loads import Pressure
+from turgor.core.model.loads import Load, Pressure, pressures_among
 from turgor.core.model.model import Model
 from turgor.core.model.points import Rotation
 from turgor.core.model.supports import Displacement, Shift
 from turgor.units import kPa
 
 
-def common_pressure(model: Model) -> Pressure | None:
+def common_pressure(loads: Iterable[Load]) -> Pressure | None:
     """Return the first pressure where all faces under pressure share its value and history; None otherwise.
 
     Parameters
     ----------
-    model : Model
+    loads : iterable of Load
 
     Returns
     -------
     Pressure or None
     """
-    different = {(load.pressure, load.history) for load in model.pressures}
-    return model.pressures[0] if len(different) == 1 else None
+    pressures = pressures_among(loads)
+    different = {(load.pressure, load.history) for load in pressures}
+    return pressures[0] if len(different) == 1 else None
 
 
 def pressures_at(model: Model, load_factor: float) -> dict[str, float]:
@@ -121,7 +123,7 @@ def drive_text(model: Model, load_factor: float, digits: int = 4) -> str:
     str
         Empty where no pressure acts.
     """
-    common = common_pressure(model)
+    common = common_pressure(model.loads)
     if common is not None:
         return f"{common.at(load_factor) / kPa:.{digits}g} kPa"
     if not model.pressures:

@@ -15,7 +15,7 @@ from turgor.core.model.checks.named_points import check_points, points_of
 from turgor.core.model.checks.symmetry import check_not_cut, check_uncut_shell, check_wedge
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers
-from turgor.core.model.loads import Load, Pressure, pressures_of
+from turgor.core.model.loads import Load, Pressure, pressures_among
 from turgor.core.model.points import Hinge, ReferencePoint, Rotation
 from turgor.core.model.sheets import Sheet, Shell
 from turgor.core.model.supports import Displacement, Support, Symmetry
@@ -198,7 +198,7 @@ class Model(Saved, Shown):
     @property
     def pressures(self) -> tuple[Pressure, ...]:
         """The follower pressures among the loads."""
-        return pressures_of(self.loads)
+        return pressures_among(self.loads)
 
 
 def _place(support: Support) -> str:

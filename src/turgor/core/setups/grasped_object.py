@@ -146,7 +146,7 @@ def _loads(model: Model, setup: Grasp) -> tuple[Pressure, ...]:
         raise TurgorError("a grasp needs a pressure that closes the finger; the model has none.")
     held = []
     for load in model.loads:
-        if not isinstance(load, Pressure):
+        if load not in model.pressures:
             raise TurgorError(
                 f"a grasp cannot hold {type(load).__name__}, which grows with the load factor to the end of the "
                 "pull; only pressures can act."

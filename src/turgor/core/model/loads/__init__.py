@@ -14,5 +14,5 @@ from turgor.core.model.loads.load import Load as Load
 from turgor.core.model.loads.moment import Moment as Moment
 from turgor.core.model.loads.point_force import PointForce as PointForce
 from turgor.core.model.loads.pressure import Pressure as Pressure
-from turgor.core.model.loads.pressure import pressures_of as pressures_of
+from turgor.core.model.loads.pressure import pressures_among as pressures_among
 from turgor.core.model.loads.traction import Traction as Traction

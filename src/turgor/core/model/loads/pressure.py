@@ -86,7 +86,7 @@ class Pressure(Load):
         return (DeckRows("*DSLOAD", self.history, (row,)),)
 
 
-def pressures_of(loads: Iterable[Load]) -> tuple[Pressure, ...]:
+def pressures_among(loads: Iterable[Load]) -> tuple[Pressure, ...]:
     """Return the follower pressures among loads.
 
     Parameters
