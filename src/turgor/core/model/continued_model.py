@@ -1,18 +1,17 @@
 """Continuing: make the model of a stage that begins where another one ended, under the loads that acted there."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.model.contact import Contact
-from turgor.core.model.history import share_at, with_history
+from turgor.core.model.history import with_history
 from turgor.core.model.loads import Load, Pressure, pressures_among
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Path, Vector
-from turgor.core.model.points import Rotation
-from turgor.core.model.supports import Displacement, Fixed, Shift, Support
+from turgor.core.model.supports import Displacement, Support
 from turgor.foundation.errors import TurgorError, unknown
 
 Array = NDArray[np.float64]
@@ -43,13 +42,13 @@ def with_loads(
     stated = _by_place(loads)
     unchanged = [load for load in model.loads if (load.kind, load.place) not in stated]
     new = _by_support(model, displacements)
-    supports = [new.get(_held(support), support) for support in model.supports]
+    supports = [new.get(support.prescribed, support) for support in model.supports]
     moves = moves or {}
     return _made(model, (*unchanged, *loads), supports, _moved(model, _paths(model, 0.0, moves, moves)))
 
 
 def movable(model: Model, displacements: Sequence[Displacement]) -> Model:
-    """Return a model in which held faces that later stages move have a displacement of zero.
+    """Return a model in which fixed faces that later stages move have a displacement of zero.
 
     Parameters
     ----------
@@ -57,16 +56,10 @@ def movable(model: Model, displacements: Sequence[Displacement]) -> Model:
     displacements : sequence of Displacement
         How faces are moved later.
     """
-    moved = {_held(each) for each in displacements}
-    if not any(isinstance(support, Fixed) and _held(support) in moved for support in model.supports):
-        return model
-    supports = [
-        Displacement(support.face, Shift((0.0, 0.0, 0.0)), support.directions)
-        if isinstance(support, Fixed) and _held(support) in moved
-        else support
-        for support in model.supports
-    ]
-    return _made(model, model.loads, supports, model.contact)
+    moved = {each.prescribed for each in displacements}
+    supports = [each.as_moved() if each.prescribed in moved else each for each in model.supports]
+    unchanged = all(new is old for new, old in zip(supports, model.supports, strict=True))
+    return model if unchanged else _made(model, model.loads, supports, model.contact)
 
 
 def continued(
@@ -103,7 +96,8 @@ def continued(
         if share:
             out.append(load.continued(share, new.get((load.kind, load.place))))
     out += _others(loads)
-    supports = _supports(model, factor, _by_support(model, displacements))
+    moved = _by_support(model, displacements)
+    supports = [each.continued(factor, moved.get(each.prescribed)) for each in model.supports]
     names = [obstacle.name for obstacle in model.contact.obstacles]
     moves = moves or {}
     return _made(model, tuple(out), supports, _moved(model, _paths(model, factor, moves, [*names, *moves])))
@@ -137,60 +131,15 @@ def _by_place(loads: Sequence[Load]) -> dict[tuple[str, str], Load]:
     return found
 
 
-def _held(support: Support) -> tuple[str, str]:
-    return (support.face, support.directions) if isinstance(support, Displacement | Fixed) else ("", "")
-
-
 def _by_support(model: Model, displacements: Sequence[Displacement]) -> dict[tuple[str, str], Displacement]:
-    known = {_held(support) for support in model.supports if isinstance(support, Displacement)}
+    known = {support.prescribed for support in model.supports if support.moves}
     for each in displacements:
-        if _held(each) not in known:
+        if each.prescribed not in known:
             raise TurgorError(
                 f"a stage moves '{each.face}' in {each.directions}, and the model does not hold this face in these "
                 "directions; hold it with Fixed, or with a Displacement."
             )
-    return {_held(each): each for each in displacements}
-
-
-def _supports(model: Model, factor: float, new: Mapping[tuple[str, str], Displacement]) -> list[Support]:
-    out: list[Support] = []
-    for support in model.supports:
-        if isinstance(support, Displacement):
-            then = ContinuedMove(support, factor, new.get(_held(support)))
-            out.append(replace(support, value=then))
-        elif isinstance(support, Rotation):
-            share = share_at(support.history, factor)
-            out.append(with_history(support, ((0.0, share), (1.0, share))))
-        else:
-            out.append(support)
-    return out
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ContinuedMove:
-    """A move that stays where an old one ended, or follows a new one from there.
-
-    A class and not a function, so that a file can hold it.
-
-    Parameters
-    ----------
-    old : Displacement
-    factor : float
-        Load factor at which the old move ended.
-    new : Displacement or None
-    """
-
-    old: Displacement
-    factor: float
-    new: Displacement | None
-
-    def __call__(self, points: Array, load_factor: float) -> Array:
-        """Displacement [m] of points at a load factor."""
-        left = np.asarray(self.old.value(points, self.factor))
-        if self.new is None:
-            return left
-        there, begun = self.new.value(points, load_factor), self.new.value(points, 0.0)
-        return np.asarray(there) + (1 - load_factor) * (left - begun)
+    return {each.prescribed: each for each in displacements}
 
 
 def _paths(model: Model, factor: float, moves: Mapping[str, Vector], names: Iterable[str]) -> dict[str, Path]:

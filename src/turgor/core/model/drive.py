@@ -6,8 +6,6 @@ from operator import itemgetter
 from turgor.core.model.history import RAMP, peak_of, share_at, turns_of
 from turgor.core.model.loads import Load, Pressure, pressures_among
 from turgor.core.model.model import Model
-from turgor.core.model.points import Rotation
-from turgor.core.model.supports import Displacement, Shift
 from turgor.units import kPa
 
 
@@ -58,10 +56,7 @@ def kinks(model: Model) -> tuple[float, ...]:
     tuple of float
     """
     turns = {factor for load in model.loads for factor in turns_of(load.history)}
-    for each in model.supports:
-        moved = each.value if isinstance(each, Displacement) else each
-        if isinstance(moved, Rotation | Shift):
-            turns |= set(turns_of(moved.history))
+    turns |= {factor for each in model.supports if each.way is not None for factor in turns_of(each.way)}
     turns |= {factor for obstacle in model.contact.obstacles for factor, _ in obstacle.path if 0 < factor < 1}
     return tuple(sorted(turns))
 

@@ -16,9 +16,9 @@ from turgor.core.model.checks.symmetry import check_not_cut, check_uncut_shell, 
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers
 from turgor.core.model.loads import Load, Pressure, pressures_among
-from turgor.core.model.points import Hinge, ReferencePoint, Rotation
+from turgor.core.model.points import ReferencePoint
 from turgor.core.model.sheets import Sheet, Shell
-from turgor.core.model.supports import Displacement, Support, Symmetry
+from turgor.core.model.supports import Support, Symmetry
 from turgor.foundation.display import Shown, listed
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import one, several
@@ -103,7 +103,7 @@ class Model(Saved, Shown):
         made += [
             f"{name}: {type(used).__name__.lower()} of {used.material.name}" for name, used in self.membranes.items()
         ]
-        acting = [f"{type(each).__name__}({_place(each)})" for each in self.supports]
+        acting = [each.label for each in self.supports]
         acting += [load.label for load in self.loads]
         acting += [f"Fibers({each.name})" for each in self.reinforcements]
         acting += [f"Obstacle({each.name})" for each in self.contact.obstacles]
@@ -145,10 +145,9 @@ class Model(Saved, Shown):
             check_not_cut(self.mesh, type(acting).__name__, getattr(acting, "face", ""))
         points = self.points
         for support in self.supports:
-            if isinstance(support, Rotation | Hinge) or (isinstance(support, Displacement) and support.face == "*"):
-                continue
-            if support.face not in points:
-                self.mesh.face(support.face)
+            for name in support.named_faces:
+                if name not in points:
+                    self.mesh.face(name)
         for fibers in self.reinforcements:
             for name in fibers.faces:
                 self.mesh.face(name)
@@ -199,10 +198,3 @@ class Model(Saved, Shown):
     def pressures(self) -> tuple[Pressure, ...]:
         """The follower pressures among the loads."""
         return pressures_among(self.loads)
-
-
-def _place(support: Support) -> str:
-    """Name of the face or the point that a support holds."""
-    if isinstance(support, ReferencePoint):
-        return f"{support.name}, {support.face}"
-    return support.point if isinstance(support, Rotation | Hinge) else support.face

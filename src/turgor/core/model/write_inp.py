@@ -246,7 +246,7 @@ def _material_lines(model: Model, program: str) -> list[str]:
 def _support_lines(model: Model, points: Mapping[str, InpPoint]) -> list[str]:
     lines = ["*BOUNDARY", *held_lines(model, points)]
     for support in model.supports:
-        if isinstance(support, ReferencePoint | Rotation | Hinge) or support.face in points:
+        if isinstance(support, ReferencePoint | Rotation | Hinge) or support.place in points:
             continue  # they are among those of the points
         if isinstance(support, Fixed):
             lines += [f"{_plain(support.face)}, {'xyz'.index(axis) + 1}" for axis in sorted(support.directions)]
@@ -259,7 +259,7 @@ def _support_lines(model: Model, points: Mapping[str, InpPoint]) -> list[str]:
                 f"'{support.face}' is a plane section, whose thrust .inp files cannot say; hold it or leave it free."
             )
         else:
-            raise TurgorError(f"the displacement of '{support.face}' is a function, which has no form in .inp files.")
+            raise TurgorError(f"the displacement of '{support.place}' is a function, which has no form in .inp files.")
     return lines
 
 

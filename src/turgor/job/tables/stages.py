@@ -14,7 +14,7 @@ from turgor.core.model.history import RAMP
 from turgor.core.model.loads import Load
 from turgor.core.model.obstacles import Vector
 from turgor.core.model.sheets import Sheet
-from turgor.core.model.supports import Displacement, Fixed, Shift
+from turgor.core.model.supports import Displacement, Shift
 from turgor.core.solvers.procedures.stages import Stage, Stages, check_stage
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.tables.loads import loads_table, read_loads
@@ -170,7 +170,7 @@ def _read_stage(entry: Any, number: int, around: Around, problems: Problems) -> 
 
 def _displacements(stated: Mapping[str, Vector], around: Around, problems: Problems) -> tuple[Displacement, ...]:
     """Displacements of faces, in the directions in which ``[supports]`` holds them."""
-    held = {support.face: support.directions for support in around.supports if isinstance(support, Fixed)}
+    held = dict(support.prescribed for support in around.supports if support.prescribed[0])
     found = []
     for face, vector in stated.items():
         key = ("displacements", face)

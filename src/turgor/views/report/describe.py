@@ -6,8 +6,6 @@ from dataclasses import dataclass, fields
 from math import isinf
 from typing import Any
 
-import numpy as np
-
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.record_history import describe_history
 from turgor.core.materials.material import Material
@@ -16,12 +14,9 @@ from turgor.core.meshing.quality.cell_quality import MeshQuality
 from turgor.core.model.fibers import Fibers
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, Plate, Shape, Sphere, Vector
-from turgor.core.model.points import Hinge, ReferencePoint, Rotation
 from turgor.core.model.sheets import Sheet, Shell
-from turgor.core.model.supports import Displacement, Fixed, PlaneSection, Radial
-from turgor.core.setups.blocked_tip import HeldTip
+from turgor.core.setups.blocked_tip import push_text
 from turgor.units import GPa, MPa, deg, kPa, mm, mN
-from turgor.views.report.describe_points import point_text
 from turgor.views.report.references import law_source
 
 Rows = list[tuple[str, str]]
@@ -50,24 +45,7 @@ def loads(model: Model) -> list[str]:
 
 def supports(model: Model) -> list[str]:
     """Say what holds a model, a sentence for each support."""
-    said = []
-    for support in model.supports:
-        match support:
-            case HeldTip(face, directions, push):
-                said.append(f"{face} held in {', '.join(directions)}; {_push(push)}.")
-            case Fixed(face, directions):
-                said.append(f"{face} held in {', '.join(directions)}.")
-            case Displacement(face, _, directions):
-                said.append(f"{'The whole surface' if face == '*' else face} moved in {', '.join(directions)}.")
-            case Radial(face, axis):
-                said.append(f"{face} held radially, around the axis {axis}.")
-            case PlaneSection(face):
-                said.append(f"{face} stays plane and is free to move along its normal.")
-            case ReferencePoint() | Rotation() | Hinge():
-                said.append(point_text(support))
-            case _:
-                said.append(f"{support.face} is a mirror plane.")
-    return said
+    return [support.text() for support in model.supports]
 
 
 def contact(model: Model) -> list[str]:
@@ -92,15 +70,8 @@ def _obstacle(obstacle: Obstacle) -> str:
         said.append(f"held by a spring of {obstacle.spring:g} N/m")
     if isinstance(obstacle, Plate) and isinstance(obstacle.shape, Plane):
         x, y, z = obstacle.shape.normal
-        said.append(_push((-x, -y, -z)))
+        said.append(push_text((-x, -y, -z)))
     return f"{obstacle.name}: {'; '.join(said)}."
-
-
-def _push(direction: Vector) -> str:
-    """The direction in which a tip is blocked, which is that of a positive blocked force."""
-    axis = int(np.abs(direction).argmax())
-    along = f"{'+' if direction[axis] > 0 else '-'}{'xyz'[axis]}" if max(map(abs, direction)) > 1 - 1e-9 else ""
-    return f"the blocked force is positive along {along or f'({_listed(direction)})'}"
 
 
 def _shape(shape: Shape) -> str:

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.model.points import Hinge, ReferencePoint, Rotation
-from turgor.core.model.supports import Displacement, Fixed, Support
+from turgor.core.model.points import ReferencePoint
+from turgor.core.model.supports import Support
 from turgor.foundation.errors import TurgorError, unknown
 
 
@@ -43,14 +43,14 @@ def check_points(mesh: Mesh, supports: Sequence[Support]) -> None:
             if each.name in seen:
                 raise TurgorError(f"two reference points are called '{each.name}'; names must differ.")
             seen.add(each.name)
-    turned = [each.point for each in supports if isinstance(each, Rotation | Hinge)]
+    turned = [each.turned_point for each in supports if each.turned_point]
     for name in turned:
         if name not in points:
             raise unknown("reference point", name, points)
         if turned.count(name) > 1:
             raise TurgorError(f"the rotation of '{name}' is prescribed twice; keep one Rotation or Hinge.")
-    moved = [each for each in supports if isinstance(each, Fixed | Displacement) and each.face in points]
-    for name in {each.face for each in moved}:
-        letters = "".join(each.directions for each in moved if each.face == name)
+    moved = [each.prescribed for each in supports if each.prescribed[0] in points]
+    for name in {point for point, _ in moved}:
+        letters = "".join(directions for point, directions in moved if point == name)
         if any(letters.count(letter) > 1 for letter in letters):
             raise TurgorError(f"two supports prescribe one direction of the reference point '{name}'; keep one.")

@@ -83,10 +83,10 @@ def test_a_wedge_is_used_where_loads_allow_it(folder, more, wedge, reason):
 @pytest.mark.parametrize(
     ("more", "said"),
     [
-        ('gravity = "-z"', "'-z' is not the same in all sectors of the wedge about x"),
+        ('gravity = "-z"', "the gravity is not the same in all sectors of the wedge about x"),
         (
             '[loads.tip]\nforce = [0, "0.1 N", 0]',
-            "the force along y is not the same in all sectors of the wedge",
+            "the force is not the same in all sectors of the wedge",
         ),
     ],
 )

@@ -15,7 +15,6 @@ from turgor.core.engine.points.point_unknowns import with_carried
 from turgor.core.engine.term import Configuration, Setting
 from turgor.core.model.loads import Load
 from turgor.core.model.model import Model
-from turgor.core.model.supports import Displacement
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.work.fluid import fluid_works
 from turgor.foundation.errors import TurgorError
@@ -37,7 +36,7 @@ def outside_works(path: Sequence[StateFields]) -> Array:
     """
     model = path[0].model
     loads = [load for load in model.loads if load.outside]
-    moved = any(isinstance(each, Displacement) for each in model.supports)
+    moved = any(each.moves for each in model.supports)
     if not loads and not moved and not model.contact.obstacles:
         raise TurgorError(
             "the model has no outside load: no force, hanging weight or obstacle, and no face that is moved. Its "
