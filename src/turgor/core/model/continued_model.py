@@ -122,13 +122,13 @@ def _others(loads: Sequence[Load]) -> list[Load]:
 
 
 def _by_place(loads: Sequence[Load]) -> dict[tuple[str, str], Load]:
-    found: dict[tuple[str, str], Load] = {}
+    loads_by_place: dict[tuple[str, str], Load] = {}
     for load in loads:
         place = (load.kind, load.place)
-        if place in found:
+        if place in loads_by_place:
             raise TurgorError(f"a stage states {' on '.join(filter(None, place))} twice; once is enough.")
-        found[place] = load
-    return found
+        loads_by_place[place] = load
+    return loads_by_place
 
 
 def _by_support(model: Model, displacements: Sequence[Displacement]) -> dict[tuple[str, str], Displacement]:

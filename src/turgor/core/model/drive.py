@@ -38,10 +38,10 @@ def pressures_at(model: Model, load_factor: float) -> dict[str, float]:
     dict of str to float [Pa]
         Cavities first, in the order of the mesh; zero in a cavity without load.
     """
-    found = dict.fromkeys(model.mesh.cavities, 0.0)
+    pressures = dict.fromkeys(model.mesh.cavities, 0.0)
     for load in model.pressures:
-        found[load.face] = found.get(load.face, 0.0) + load.at(load_factor)
-    return found
+        pressures[load.face] = pressures.get(load.face, 0.0) + load.at(load_factor)
+    return pressures
 
 
 def kinks(model: Model) -> tuple[float, ...]:
@@ -96,11 +96,11 @@ def pressed_together(model: Model) -> tuple[str, ...]:
     tuple of str
         In the order of the mesh; their walls may be pressed together.
     """
-    found = set()
+    cavities = set()
     for factor in extremes(model):
         pressures = {name: p for name, p in pressures_at(model, factor).items() if name in model.mesh.cavities}
-        found |= {name for name, pressure in pressures.items() if pressure < max(0.0, *pressures.values())}
-    return tuple(name for name in model.mesh.cavities if name in found)
+        cavities |= {name for name, pressure in pressures.items() if pressure < max(0.0, *pressures.values())}
+    return tuple(name for name in model.mesh.cavities if name in cavities)
 
 
 def drive_text(model: Model, load_factor: float, digits: int = 4) -> str:

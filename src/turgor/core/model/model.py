@@ -47,7 +47,7 @@ class Model(Saved, Shown):
     loads : sequence of Load
         What drives it; each reaches its stated value at load factor 1, or as its history says.
     formulation : str
-        ``"mixed"``: mean stresses are degrees of freedom beside the displacements, and cells do not lock, however
+        ``"mixed"``: mean stresses are degrees of freedom besides the displacements, and cells do not lock, however
         incompressible the rubber. The mean stress jumps where stiffness or traction jumps: between different rubbers,
         at membranes and windings. ``"continuous"``: the mean stress is continuous everywhere, as in the usual
         Taylor–Hood element. ``"displacement"``: there are no mean stresses, as in codes without mixed elements. Both

@@ -93,7 +93,7 @@ def _in_each(
     own: Mapping[str, Any], geometry: Geometry | None, duration: float | None, problems: Problems
 ) -> dict[str, Pressure]:
     """Pressures of tables such as ``[loads.cavity_1]`` or ``[loads.tip]``; the geometry is None if it is unknown."""
-    found = {}
+    pressures = {}
     for name, values in own.items():
         key = ("loads", name)
         wrong = "" if geometry is None else _no_face(name, geometry)
@@ -105,8 +105,8 @@ def _in_each(
             continue
         made = problems.attempt(key, partial(_pressure, name, table, duration), fields=("pressure", "history"))
         if made is not None:
-            found[name] = made
-    return found
+            pressures[name] = made
+    return pressures
 
 
 def _no_face(name: str, geometry: Geometry) -> str:

@@ -132,7 +132,7 @@ def read_points(
         problems.add(("points",), f"{shown(values)} is not a table; write [points.plate] and its keys below it.")
         return {}
     gravity = next((load for load in loads if isinstance(load, Gravity)), Gravity())
-    found = {}
+    rigs = {}
     for name, entry in values.items():
         key = ("points", name)
         table = read_table(PointTable, entry, key, problems)
@@ -147,10 +147,10 @@ def read_points(
         fields = ("coupling", "inertia", "held", "displacement", "rotation", "hinge", "axis", "history")
         made = problems.attempt(key, partial(_rig, name, table, gravity, duration), fields=fields)
         if made is not None:
-            found[name] = made
+            rigs[name] = made
             for load in made.loads:
                 fits(load, geometry, key, problems, points=[name])
-    return found
+    return rigs
 
 
 def _rig(name: str, table: PointTable, gravity: Gravity, duration: float | None) -> Rig:

@@ -109,10 +109,10 @@ def _in_sector(mesh: Mesh, wedge: Wedge, point: Array) -> Attached:
     for name in mesh.cut_faces:
         sides = sides[~np.isin(sides, mesh.face_nodes(name)).all(axis=1)]  # they lie inside the whole
     back = [wedge.images(point, -sector) for sector in range(wedge.fold)]
-    found = [_nearest(mesh.points, sides, each) for each in back]
-    least = min(away for away, _, _ in found)
-    sector = next(i for i, (away, _, _) in enumerate(found) if away <= least + NEARER)
-    _, side, place_on = found[sector]
+    nearest = [_nearest(mesh.points, sides, each) for each in back]
+    least = min(away for away, _, _ in nearest)
+    sector = next(i for i, (away, _, _) in enumerate(nearest) if away <= least + NEARER)
+    _, side, place_on = nearest[sector]
     foot, frame = _frame(_corners(mesh.points, sides[side]), place_on)
     return Attached(
         sides[side], place_on, frame @ (back[sector] - foot), np.ones(3), np.zeros(3), wedge=wedge, sector=sector
@@ -128,9 +128,9 @@ def _nearest(points: Array, sides: NDArray[np.int64], point: Array) -> tuple[flo
     weights = np.array([_shape_functions(corners.shape[1], at) for at in places])
     samples = np.einsum("pk,fki->fpi", weights, corners)
     flat = samples.reshape(-1, 3)
-    found = np.atleast_1d(cKDTree(flat).query(point, k=min(CANDIDATES, len(flat)))[1])
+    nearest = np.atleast_1d(cKDTree(flat).query(point, k=min(CANDIDATES, len(flat)))[1])
     best = (float(np.inf), 0, places[0])
-    for number in found:
+    for number in nearest:
         side, sample = divmod(int(number), len(places))
         for at in (places[sample], _foot(corners[side], point, places[sample])):
             if at is not None:

@@ -58,7 +58,7 @@ def inp_points(model: Model, program: str) -> dict[str, InpPoint]:
     TurgorError
         If a point has something that has no form in the file.
     """
-    found, mesh = {}, model.mesh
+    points, mesh = {}, model.mesh
     for number, point in enumerate(model.points.values()):
         _check(point, program)
         own = program == "calculix" and point.coupling == RIGID
@@ -67,10 +67,10 @@ def inp_points(model: Model, program: str) -> dict[str, InpPoint]:
         at = _middle(mesh, point.face) if point.at is None else np.array(point.at)
         for axis, position in mirrored.items():
             at[axis] = position
-        found[point.name] = InpPoint(
+        points[point.name] = InpPoint(
             point=point, at=at, node=node, turning=node + own, first=1 if own else 4, mirrored=tuple(mirrored)
         )
-    return found
+    return points
 
 
 def _check(point: ReferencePoint, program: str) -> None:
@@ -85,19 +85,19 @@ def _check(point: ReferencePoint, program: str) -> None:
         )
     if point.mass and point.center is not None:
         raise TurgorError(
-            f"reference point '{point.name}': a center of mass beside the point has no form in .inp files; put the "
+            f"reference point '{point.name}': a center of mass away from the point has no form in .inp files; put the "
             "point there with at."
         )
 
 
 def _mirrored(model: Model, face: str) -> dict[int, float]:
-    found, nodes = {}, model.mesh.face_nodes(face)
+    planes, nodes = {}, model.mesh.face_nodes(face)
     for support in model.supports:
         if isinstance(support, Symmetry) and np.isin(nodes, model.mesh.face_nodes(support.face)).any():
             points = model.mesh.points[model.mesh.face_nodes(support.face)]
             axis = int(np.ptp(points, axis=0).argmin())
-            found[axis] = float(points[:, axis].mean())
-    return found
+            planes[axis] = float(points[:, axis].mean())
+    return planes
 
 
 def _middle(mesh: Mesh, face: str) -> Array:

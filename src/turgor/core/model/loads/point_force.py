@@ -21,7 +21,7 @@ class PointForce(Load):
     Parameters
     ----------
     at : (3,) floats [m]
-        Where it acts at rest, up to 1 % of the size of the part beside the surface.
+        Where it acts at rest, up to 1 % of the size of the part away from the surface.
     vector : (3,) floats [N]
         The force at this point. On a mirror plane the modeled part carries its share; elsewhere the mirror image of the
         point carries the mirror image of the force.
