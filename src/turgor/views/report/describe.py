@@ -13,7 +13,8 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.cell_quality import MeshQuality
 from turgor.core.model.fibers import Fibers
 from turgor.core.model.model import Model
-from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, Plate, Shape, Sphere, Vector
+from turgor.core.model.obstacles import Obstacle, Plane, Plate
+from turgor.core.model.obstacles.rigid_shape import in_mm
 from turgor.core.model.sheets import Sheet, Shell
 from turgor.core.setups.blocked_tip import push_text
 from turgor.units import GPa, MPa, deg, kPa, mm, mN
@@ -60,7 +61,7 @@ def contact(model: Model) -> list[str]:
 
 def _obstacle(obstacle: Obstacle) -> str:
     """Shape, place, friction and motion of an obstacle."""
-    said = [_shape(obstacle.shape), _friction(obstacle.friction)]
+    said = [obstacle.shape.text(), _friction(obstacle.friction)]
     if obstacle.face is not None:
         said.append(f"touches {obstacle.face} only")
     if obstacle.path:
@@ -74,34 +75,8 @@ def _obstacle(obstacle: Obstacle) -> str:
     return f"{obstacle.name}: {'; '.join(said)}."
 
 
-def _shape(shape: Shape) -> str:
-    match shape:
-        case Plane(point=point, normal=normal):
-            return f"plane through {in_mm(point)} with the normal ({_listed(normal)})"
-        case Sphere(center=center, radius=radius):
-            return f"sphere of radius {radius / mm:g} mm around {in_mm(center)}"
-        case Cylinder(center=center, axis=axis, radius=radius, length=length):
-            long = "endless cylinder" if length is None else f"cylinder {length / mm:g} mm long"
-            return f"{long} of radius {radius / mm:g} mm around {in_mm(center)} along ({_listed(axis)})"
-        case Box(center=center, size=size, rounding=rounding):
-            edges = f", its edges rounded by {rounding / mm:g} mm" if rounding else ""
-            return f"box of {' × '.join(f'{length / mm:g}' for length in size)} mm around {in_mm(center)}{edges}"
-        case _:
-            return f"{len(shape.triangles):,} triangles of {shape.name}"
-
-
 def _friction(friction: float) -> str:
     return f"with friction {friction:g}" if friction else "without friction"
-
-
-def in_mm(vector: Vector) -> str:
-    """A place or a way in millimeters."""
-    x, y, z = vector
-    return f"({_listed((x / mm, y / mm, z / mm))}) mm"
-
-
-def _listed(vector: Vector) -> str:
-    return ", ".join(f"{value:.4g}" for value in vector)
 
 
 def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:

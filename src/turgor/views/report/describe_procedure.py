@@ -7,12 +7,13 @@ from typing import Any
 from turgor.core.model.history import RAMP, with_history
 from turgor.core.model.history_text import history_text
 from turgor.core.model.loads import Load
+from turgor.core.model.obstacles.rigid_shape import in_mm
 from turgor.core.model.supports import Displacement, Shift
 from turgor.core.solvers.procedures.stages import OneProcedure, Stages
 from turgor.core.solvers.procedures.step_options import fields_in_order
 from turgor.core.solvers.solution import Procedure, Status
 from turgor.units import kPa, mL, mm
-from turgor.views.report.describe import Rows, in_mm
+from turgor.views.report.describe import Rows
 
 
 def procedure(of: Procedure) -> Rows:

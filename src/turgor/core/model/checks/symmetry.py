@@ -9,11 +9,9 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import DISCRETE, Fibers
 from turgor.core.model.loads.images import WHOLE
-from turgor.core.model.obstacles import Cylinder, Obstacle, Plane, Sphere
+from turgor.core.model.obstacles import Obstacle
+from turgor.core.model.obstacles.rigid_shape import SAME
 from turgor.foundation.errors import TurgorError
-
-#: Two directions are the same, and a point lies on an axis [m], up to this.
-SAME = 1e-9
 
 
 def check_uncut_shell(mesh: Mesh, face: str) -> None:
@@ -79,14 +77,7 @@ def check_not_cut(mesh: Mesh, what: str, face: str) -> None:
 
 def same_when_turned(obstacle: Obstacle, wedge: Wedge) -> bool:
     """Whether an obstacle and its motion are the same after any turn about the axis of a wedge."""
-    across = list(wedge.across)
-    if any(abs(vector[i]) > SAME for _, vector in obstacle.path for i in across):
+    axis = "xyz".index(wedge.axis)
+    if any(abs(vector[i]) > SAME for _, vector in obstacle.path for i in wedge.across):
         return False
-    shape = obstacle.shape
-    if isinstance(shape, Plane):
-        return bool(np.abs(np.array(shape.normal)[across]).max() < SAME)
-    on_axis = isinstance(shape, Sphere | Cylinder) and np.allclose(
-        np.array(shape.center)[across], np.array(wedge.center)[across], atol=SAME
-    )
-    along = not isinstance(shape, Cylinder) or np.abs(np.array(shape.axis)[across]).max() < SAME
-    return bool(on_axis and along)
+    return obstacle.shape.turned(axis, wedge.center)
