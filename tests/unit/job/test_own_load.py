@@ -16,7 +16,6 @@ from turgor.views.report import describe
 
 SPIN = '''
 from dataclasses import dataclass, field
-from typing import ClassVar
 
 import numpy as np
 
@@ -41,8 +40,8 @@ class Spin(Load):
     axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
     history: History = RAMP
 
-    job_key: ClassVar[str] = "spins"
-    needs_density: ClassVar[bool] = True
+    job_key = "spins"
+    needs_density = True
 
     def __post_init__(self):
         object.__setattr__(self, "speed", number(self.speed, "spin: speed", "rate"))

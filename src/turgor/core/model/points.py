@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -171,7 +171,7 @@ class Rotation(Support):
     history: History = RAMP
     tilts: bool = False
 
-    jumps: ClassVar[bool] = False
+    jumps = False
 
     def __post_init__(self) -> None:
         if not np.isfinite(self.angle):
@@ -250,7 +250,7 @@ class Hinge(Support):
     point: str
     axis: str | Vector = "x"
 
-    jumps: ClassVar[bool] = False
+    jumps = False
 
     def __post_init__(self) -> None:
         if isinstance(self.axis, str) and self.axis not in AXES:

@@ -2,7 +2,7 @@
 
 from collections.abc import Container
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -45,7 +45,7 @@ class Gravity(Load):
     acceleration: float = STANDARD_GRAVITY
     history: History = RAMP
 
-    needs_density: ClassVar[bool] = True
+    needs_density = True
 
     if TYPE_CHECKING:
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Container
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, History, checked
@@ -40,8 +40,8 @@ class LineForce(Load):
     vector: tuple[float, float, float] = field(metadata={"dimension": "force per length", "key": "force_per_length"})
     history: History = RAMP
 
-    job_key: ClassVar[str] = "line_forces"
-    spread: ClassVar[bool] = False
+    job_key = "line_forces"
+    spread = False
 
     if TYPE_CHECKING:
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Container
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, History, checked
@@ -43,7 +43,7 @@ class PointForce(Load):
     vector: tuple[float, float, float] = field(metadata={"dimension": "force", "key": "force"})
     history: History = RAMP
 
-    job_key: ClassVar[str] = "point_forces"
+    job_key = "point_forces"
 
     if TYPE_CHECKING:
 

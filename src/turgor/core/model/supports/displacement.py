@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, ClassVar, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,7 +36,7 @@ class Displacement(Support):
     value: Move
     directions: str = "xyz"
 
-    moves: ClassVar[bool] = True
+    moves = True
 
     if TYPE_CHECKING:
 

@@ -1,7 +1,6 @@
 """PlaneSection: a cut through a longer body that stays plane."""
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from turgor.core.model.supports.support import Support
 
@@ -22,7 +21,7 @@ class PlaneSection(Support):
 
     face: str
 
-    jumps: ClassVar[bool] = False
+    jumps = False
 
     def text(self) -> str:
         """Return the sentence of a report."""

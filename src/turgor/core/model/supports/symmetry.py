@@ -1,7 +1,6 @@
 """Symmetry: a mirror plane."""
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from turgor.core.model.supports.support import Support
 
@@ -15,7 +14,7 @@ class Symmetry(Support):
 
     face: str
 
-    jumps: ClassVar[bool] = False
+    jumps = False
 
     def text(self) -> str:
         """Return the sentence of a report."""
