@@ -1,5 +1,8 @@
 """A load of one's own: one file serves Python, job files, half models, stages, reports, measures and .inp files."""
 
+import ast
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -147,3 +150,23 @@ def test_stages_reports_and_other_programs_have_it(spin, tmp_path):
     assert (still.share(0.0), still.share(1.0)) == (0.5, 0.5)
     write_inp(model, tmp_path / "spun.inp", program="abaqus")
     assert "*DLOAD, AMPLITUDE=history_1\nEall, CENTRIF, 3600, 0, 0, 0, 0, 0, 1\n" in (tmp_path / "spun.inp").read_text()
+
+
+def test_few_files_ask_for_classes_of_loads():
+    classes = {kind.__name__ for kind in LOADS.values()}
+    asking = {
+        path for path in Path(tg.__file__).parent.rglob("*.py") if _asked(path.read_text(encoding="utf-8")) & classes
+    }
+    assert len(classes) == 9
+    assert len(asking) <= 8, sorted(asking)
+    assert _asked("isinstance(a, b.Force | Moment)") == {"Force", "Moment", "b"}
+    assert _asked("match a:\n    case Gravity():\n        pass") == {"Gravity"}
+
+
+def _asked(text):
+    """Names in the second argument of isinstance, and in patterns of classes."""
+    nodes = list(ast.walk(ast.parse(text)))
+    calls = [each for each in nodes if isinstance(each, ast.Call) and getattr(each.func, "id", "") == "isinstance"]
+    kinds = [each.args[1] for each in calls] + [each.cls for each in nodes if isinstance(each, ast.MatchClass)]
+    inner = [part for kind in kinds for part in ast.walk(kind)]
+    return {getattr(part, "id", None) or getattr(part, "attr", None) for part in inner} - {None}
