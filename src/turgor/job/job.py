@@ -21,7 +21,6 @@ from turgor.core.solvers.procedures.stages import OneProcedure, Stages
 from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.errors import unknown
 from turgor.foundation.registry import Registry, class_of_file, name_in
-from turgor.job.tables.loads import Driving
 from turgor.job.tables.points import Rig
 from turgor.job.tables.supports import Held
 
@@ -166,7 +165,7 @@ class Job:
     mesh_most_unknowns: int = 200_000
     materials: Mapping[str, Material | Sheet]
     supports: tuple[Held, ...] = (Fixed("fixed"),)
-    loads: tuple[Driving, ...]
+    loads: tuple[Load, ...]
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
     points: Mapping[str, Rig] = field(default_factory=dict)
     contact: Contact = field(default_factory=Contact)

@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import Any
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.model.loads import Load
 from turgor.core.setups.setup_values import Setup
 from turgor.core.solvers.procedures.stages import OneProcedure, Stages
 from turgor.foundation.errors import TurgorError, near_file, near_match
@@ -16,7 +17,7 @@ from turgor.job.job import Actuator, Job
 from turgor.job.symmetry_breakers import with_broken_planes
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers
-from turgor.job.tables.loads import Driving, read_loads
+from turgor.job.tables.loads import read_loads
 from turgor.job.tables.materials import read_materials
 from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.job.tables.points import DRIVING, read_points
@@ -161,7 +162,7 @@ def _read(
     mesh = read_mesh(given["mesh"], geometry, problems)
     materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
     fibers = read_fibers(given["fibers"], geometry, problems)
-    loads: tuple[Driving, ...] = ()
+    loads: tuple[Load, ...] = ()
     timed = first_duration(given[STAGES]) if given[STAGES] is not None else duration_of(given["procedure"])
     if given["loads"] is not None:
         needed = not _alone(given) and not _rigged(given["points"])

@@ -4,9 +4,7 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.wedge import Wedge
 from turgor.core.model.checks.symmetry import same_when_turned
 from turgor.core.model.fibers import DISCRETE
-from turgor.core.model.loads import LineForce, PointForce
 from turgor.core.model.model import Model
-from turgor.core.model.supports import Displacement, Fixed
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 
@@ -56,11 +54,11 @@ def meridian_would_do(model: Model, geometry: Geometry) -> tuple[Finding, ...]:
 
 def _same_around(model: Model, wedge: Wedge) -> bool:
     """Whether all that acts on a quarter is the same around its axis; its mirror planes refuse forces across it."""
-    held = [each for each in model.supports if isinstance(each, Fixed | Displacement)]
+    directions = [letters for place, letters in (each.prescribed for each in model.supports) if place]
     across = ["xyz"[i] for i in wedge.across]
     return (
-        not any(isinstance(load, PointForce | LineForce) for load in model.loads)
-        and all(sum(letter in each.directions for letter in across) != 1 for each in held)
+        all(load.turned("xyz".index(wedge.axis)) for load in model.loads)
+        and all(sum(letter in each for letter in across) != 1 for each in directions)
         and all(fibers.form != DISCRETE for fibers in model.reinforcements)
         and all(same_when_turned(obstacle, wedge) for obstacle in model.contact.obstacles)
     )

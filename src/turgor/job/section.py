@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.core.model.loads import Pressure
+from turgor.core.model.loads import pressures_among
 from turgor.core.model.supports import Radial
 from turgor.fast_models.section.section import Section
 from turgor.fast_models.section.solution import SectionSolution
@@ -57,7 +57,7 @@ def solve_section(job: Job, section: Section, rows: int) -> SectionSolution:
     """
     if not 1 <= rows <= MOST_ROWS:
         raise TurgorError(f"rows is {rows}; allowed is 1 to {MOST_ROWS}.")
-    full = {load.face: load.pressure for load in job.loads if isinstance(load, Pressure)}
+    full = {load.face: load.pressure for load in pressures_among(job.loads)}
     acting = {name: value for name, value in full.items() if name in section.cavities}
     if not acting:
         raise TurgorError(

@@ -10,6 +10,7 @@ from typing import Any
 from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.symmetry.requested import AXES, WantedSymmetry
 from turgor.core.model.fibers import DISCRETE
+from turgor.job.text.listed_loads import listed_kinds
 
 #: Axes across which it breaks mirror planes, axes about which it breaks wedges, and the words for it.
 Reason = tuple[str, str, str]
@@ -66,9 +67,9 @@ def _along(axes: Sequence[str], reason: str) -> Iterator[Reason]:
 
 
 def _of_loads(loads: Mapping[str, Any]) -> Iterator[Reason]:
-    for key, where in (("point_forces", "at a point"), ("line_forces", "along an edge")):
+    for key in listed_kinds():
         if loads.get(key):
-            yield AXES, AXES, f"a force acts {where}"
+            yield AXES, AXES, f"loads.{key} is not known to be the same on both sides"
     gravity = loads.get("gravity")
     down = gravity.get("direction") if isinstance(gravity, Mapping) else gravity
     if isinstance(down, str):

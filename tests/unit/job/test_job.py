@@ -223,7 +223,7 @@ CHANGES = [
     ('"20 kPa"', '"30 mm"', "small.toml:16: loads.pressure: '30 mm' is a length, but a pressure is needed."),
     ('pressure = "20 kPa"', "", "small.toml:15: loads: nothing drives the actuator; give pressure, gravity or both."),
     ('"20 kPa"', '"20 kPa"\ngravity = "z"', "small.toml:17: loads.gravity: unknown direction 'z'; did you mean '-z'?"),
-    ('"20 kPa"', '"20 kPa"\ngravity = "-y"', "small.toml:17: loads.gravity: '-y' points across the mirror plane"),
+    ('"20 kPa"', '"20 kPa"\ngravity = "-y"', "small.toml:17: loads.gravity: the gravity has no mirror image"),
     ("[loads]", '[supports]\nfixt = "xyz"\n[loads]', "small.toml:16: supports.fixt: unknown face 'fixt'; did you mean"),
     ("[loads]", '[supports]\ntip = "xw"\n[loads]', "small.toml:16: supports.tip: 'xw' is not allowed; name the held"),
     ('"static"', '"static"\nfirst_step = 2', "small.toml:20: procedure.first_step: 2; allowed is more than 0 up to 1."),

@@ -20,7 +20,8 @@ from turgor.job.tables.mesh_files import MeshFileTable
 from turgor.job.tables.obstacles import obstacle_table
 from turgor.job.tables.procedures import PROCEDURES, procedure_table
 from turgor.job.tables.stages import StageTable
-from turgor.job.text.load_tables import CavityTable, LoadsTable
+from turgor.job.text.listed_loads import loads_model
+from turgor.job.text.load_tables import CavityTable
 from turgor.job.text.quantities import MeshTable, OutputTable
 
 DOCS = Path(__file__).parents[3] / "docs"
@@ -65,7 +66,7 @@ def test_every_example_is_toml(tables):
         ("[materials.NAME], from the library", LibraryTable),
         ('[materials.NAME], law = "ogden"', law_table(LAWS["ogden"])),
         ("[fibers.NAME]", FibersTable),
-        ("[loads]", LoadsTable),
+        ("[loads]", loads_model()),
         ("[loads.CAVITY]", CavityTable),
         ("[contact]", ContactTable),
         ("[obstacles.NAME]", obstacle_table("plane")),

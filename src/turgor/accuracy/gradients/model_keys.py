@@ -49,7 +49,7 @@ def model_numbers(model: Model) -> dict[str, float]:
         Constants of materials, thickness of layers, fibers, loads, and what supports state.
     """
     found: dict[str, float] = {}
-    common = common_pressure(model)
+    common = common_pressure(model.loads)
     if common is not None:
         found[COMMON] = common.pressure
     for name, attribute in _PARTS.items():

@@ -34,7 +34,7 @@ class Setting:
     length, stress : float [m], [Pa]
         Scales.
     controlled : tuple of str
-        Faces whose pressure is sought.
+        Faces whose pressure is unknown.
     """
 
     model: Model
@@ -124,7 +124,7 @@ class Term(Protocol):
         return None
 
     def skew(self, at: Configuration) -> Array:
-        """Skew parts (k, m, m) of the tangents; asked for only where there is no potential."""
+        """Skew parts (k, m, m) of the tangents; needed only where there is no potential."""
         return np.empty((0, 0, 0))
 
 

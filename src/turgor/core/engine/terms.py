@@ -23,7 +23,8 @@ from turgor.core.engine.term import Configuration, Setting, Term
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: What makes the terms of a model. A new kind of term is a file with its class, and one name here.
+#: What makes the terms of a model. A new kind of term is a file with its class, and one name here; a load may bring its
+#: own.
 TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     pressure_terms,
     thrust_terms,
@@ -36,6 +37,7 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     bearing_terms,
     spring_terms,
     turning_terms,
+    lambda setting: [term for load in setting.model.loads for term in load.terms(setting)],
 )
 
 
@@ -79,8 +81,8 @@ class Terms:
 
     def unit_forces(self, position: Array, count: int) -> list[Array]:
         """External forces (n, 3) of a scaled pressure of one on each of the first ``count`` controlled faces."""
-        sought = [term for term in self.all if isinstance(term, PressureTerm | ThrustTerm)]
-        by_place = [[term.unit_forces(position) for term in sought if term.place == place] for place in range(count)]
+        pressed = [term for term in self.all if isinstance(term, PressureTerm | ThrustTerm)]
+        by_place = [[term.unit_forces(position) for term in pressed if term.place == place] for place in range(count)]
         return [np.sum(forces, axis=0) for forces in by_place]
 
     def energy(self, position: Array) -> float:
@@ -99,8 +101,8 @@ class Terms:
     def correction(self, at: Configuration, given: Sequence[Array]) -> Array | None:
         """Forces (n, 3) of the stresses that the tangent is linearized about; None where no term has any."""
         parts = (term.correction(at, stresses) for term, stresses in zip(self.all, given, strict=True))
-        found = [part for part in parts if part is not None]
-        return np.sum(found, axis=0) if found else None
+        corrections = [part for part in parts if part is not None]
+        return np.sum(corrections, axis=0) if corrections else None
 
     def add_tangents(self, data: Array, at: Configuration, given: Sequence[Array] | None) -> None:
         """Add the symmetric parts of all tangents to the lower triangle; the given stresses enter the geometric one."""

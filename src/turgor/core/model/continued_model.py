@@ -1,20 +1,17 @@
 """Continuing: make the model of a stage that begins where another one ended, under the loads that acted there."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from copy import copy
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.model.contact import Contact
-from turgor.core.model.history import History, share_at
-from turgor.core.model.loads import Force, Hanging, LineForce, Load, Moment, PointForce, Pressure, Traction
+from turgor.core.model.history import with_history
+from turgor.core.model.loads import Load, Pressure, pressures_among
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Path, Vector
-from turgor.core.model.points import Rotation
-from turgor.core.model.supports import Displacement, Fixed, Shift, Support
+from turgor.core.model.supports import Displacement, Support
 from turgor.foundation.errors import TurgorError, unknown
 
 Array = NDArray[np.float64]
@@ -43,15 +40,15 @@ def with_loads(
         If two loads act on the same, or there is no such displacement or obstacle.
     """
     stated = _by_place(loads)
-    kept = [load for load in model.loads if _place(load) not in stated]
+    unchanged = [load for load in model.loads if (load.kind, load.place) not in stated]
     new = _by_support(model, displacements)
-    supports = [new.get(_held(support), support) for support in model.supports]
+    supports = [new.get(support.prescribed, support) for support in model.supports]
     moves = moves or {}
-    return _made(model, (*kept, *loads), supports, _moved(model, _paths(model, 0.0, moves, moves)))
+    return _made(model, (*unchanged, *loads), supports, _moved(model, _paths(model, 0.0, moves, moves)))
 
 
 def movable(model: Model, displacements: Sequence[Displacement]) -> Model:
-    """Return a model in which held faces that later stages move have a displacement of zero.
+    """Return a model in which fixed faces that later stages move have a displacement of zero.
 
     Parameters
     ----------
@@ -59,16 +56,10 @@ def movable(model: Model, displacements: Sequence[Displacement]) -> Model:
     displacements : sequence of Displacement
         How faces are moved later.
     """
-    moved = {_held(each) for each in displacements}
-    if not any(isinstance(support, Fixed) and _held(support) in moved for support in model.supports):
-        return model
-    supports = [
-        Displacement(support.face, Shift((0.0, 0.0, 0.0)), support.directions)
-        if isinstance(support, Fixed) and _held(support) in moved
-        else support
-        for support in model.supports
-    ]
-    return _made(model, model.loads, supports, model.contact)
+    moved = {each.prescribed for each in displacements}
+    supports = [each.as_moved() if each.prescribed in moved else each for each in model.supports]
+    unchanged = all(new is old for new, old in zip(supports, model.supports, strict=True))
+    return model if unchanged else _made(model, model.loads, supports, model.contact)
 
 
 def continued(
@@ -94,19 +85,19 @@ def continued(
     """
     factor, pressures = acting
     new = _by_place(loads)
+    stated = {load.face: load for load in pressures_among(loads)}
     out: list[Load] = []
-    for face in dict.fromkeys([*pressures, *(load.face for load in loads if isinstance(load, Pressure))]):
-        stated = new.get(("pressure", face))
-        assert stated is None or isinstance(stated, Pressure)
+    for face in dict.fromkeys([*pressures, *stated]):
         pressure = pressures.get(face, 0.0)
-        if pressure or stated is not None:
-            out.append(_pressure(face, pressure, stated))
-    for load in model.loads:
-        share = share_at(load.history, factor)
-        if not isinstance(load, Pressure) and share:
-            out.append(_with_history(load, _fading(share, new.get(_place(load)))))
-    out += [load for load in loads if not isinstance(load, Pressure)]
-    supports = _supports(model, factor, _by_support(model, displacements))
+        if pressure or face in stated:
+            out.append(_pressure(face, pressure, stated.get(face)))
+    for load in _others(model.loads):
+        share = load.share(factor)
+        if share:
+            out.append(load.continued(share, new.get((load.kind, load.place))))
+    out += _others(loads)
+    moved = _by_support(model, displacements)
+    supports = [each.continued(factor, moved.get(each.prescribed)) for each in model.supports]
     names = [obstacle.name for obstacle in model.contact.obstacles]
     moves = moves or {}
     return _made(model, tuple(out), supports, _moved(model, _paths(model, factor, moves, [*names, *moves])))
@@ -124,83 +115,31 @@ def _made(model: Model, loads: Sequence[Load], supports: Sequence[Support], cont
     )
 
 
-def _place(load: Load) -> tuple[str, str]:
-    """Key of what a load acts on: a load with the same key replaces it."""
-    if isinstance(load, Pressure | Traction | Force):
-        return type(load).__name__.lower(), load.face
-    if isinstance(load, Moment | Hanging):
-        return type(load).__name__.lower(), load.point
-    if isinstance(load, PointForce):
-        return "point force", str(load.at)
-    if isinstance(load, LineForce):
-        return "line force", " and ".join(load.faces)
-    return type(load).__name__.lower(), ""
+def _others(loads: Sequence[Load]) -> list[Load]:
+    """Loads that are no pressures: their shares go on; of pressures the values go on, which a state reports."""
+    pressures = pressures_among(loads)
+    return [load for load in loads if load not in pressures]
 
 
 def _by_place(loads: Sequence[Load]) -> dict[tuple[str, str], Load]:
-    found: dict[tuple[str, str], Load] = {}
+    loads_by_place: dict[tuple[str, str], Load] = {}
     for load in loads:
-        place = _place(load)
-        if place in found:
+        place = (load.kind, load.place)
+        if place in loads_by_place:
             raise TurgorError(f"a stage states {' on '.join(filter(None, place))} twice; once is enough.")
-        found[place] = load
-    return found
-
-
-def _held(support: Support) -> tuple[str, str]:
-    return (support.face, support.directions) if isinstance(support, Displacement | Fixed) else ("", "")
+        loads_by_place[place] = load
+    return loads_by_place
 
 
 def _by_support(model: Model, displacements: Sequence[Displacement]) -> dict[tuple[str, str], Displacement]:
-    known = {_held(support) for support in model.supports if isinstance(support, Displacement)}
+    known = {support.prescribed for support in model.supports if support.moves}
     for each in displacements:
-        if _held(each) not in known:
+        if each.prescribed not in known:
             raise TurgorError(
                 f"a stage moves '{each.face}' in {each.directions}, and the model does not hold this face in these "
                 "directions; hold it with Fixed, or with a Displacement."
             )
-    return {_held(each): each for each in displacements}
-
-
-def _supports(model: Model, factor: float, new: Mapping[tuple[str, str], Displacement]) -> list[Support]:
-    out: list[Support] = []
-    for support in model.supports:
-        if isinstance(support, Displacement):
-            then = ContinuedMove(support, factor, new.get(_held(support)))
-            out.append(replace(support, value=then))
-        elif isinstance(support, Rotation):
-            share = share_at(support.history, factor)
-            out.append(_with_history(support, ((0.0, share), (1.0, share))))
-        else:
-            out.append(support)
-    return out
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ContinuedMove:
-    """A move that stays where an old one ended, or follows a new one from there.
-
-    A class and not a function, so that a file can hold it.
-
-    Parameters
-    ----------
-    old : Displacement
-    factor : float
-        Load factor at which the old move ended.
-    new : Displacement or None
-    """
-
-    old: Displacement
-    factor: float
-    new: Displacement | None
-
-    def __call__(self, points: Array, load_factor: float) -> Array:
-        """Displacement [m] of points at a load factor."""
-        left = np.asarray(self.old.value(points, self.factor))
-        if self.new is None:
-            return left
-        there, begun = self.new.value(points, load_factor), self.new.value(points, 0.0)
-        return np.asarray(there) + (1 - load_factor) * (left - begun)
+    return {each.prescribed: each for each in displacements}
 
 
 def _paths(model: Model, factor: float, moves: Mapping[str, Vector], names: Iterable[str]) -> dict[str, Path]:
@@ -225,30 +164,14 @@ def _moved(model: Model, paths: Mapping[str, Path]) -> Contact:
 def _pressure(face: str, old: float, new: Pressure | None) -> Pressure:
     """A pressure that begins at ``old`` and stays, or follows the history of a new one."""
     if new is None:
-        return _with_history(Pressure(face, old), ((0.0, 1.0), (1.0, 1.0)))
+        return with_history(Pressure(face, old), ((0.0, 1.0), (1.0, 1.0)))
     if not old:
         return new
     change = new.pressure - old
     if isinstance(new.history, str):
         top = abs(old) + abs(change)
         text = f"({old / top!r}) + ({change / top!r}) * ({new.history})"
-        return _with_history(Pressure(face, top), text)
+        return with_history(Pressure(face, top), text)
     values = [(factor, old + share * change) for factor, share in new.history]
     top = max(abs(value) for _, value in values)
-    return _with_history(Pressure(face, top), tuple((factor, value / top) for factor, value in values))
-
-
-def _fading(share: float, new: Load | None) -> History:
-    """The history of a load that acts with a share at first, and gives way to a new one where there is one."""
-    if new is None:
-        return ((0.0, share), (1.0, share))
-    if isinstance(new.history, str):
-        return f"({share!r}) * (1 - ({new.history}))"
-    return tuple((factor, share * (1 - gone)) for factor, gone in new.history)
-
-
-def _with_history(load: Any, history: History) -> Any:
-    """A load with a history that need not begin at zero, which users cannot state."""
-    out = copy(load)
-    object.__setattr__(out, "history", history)
-    return out
+    return with_history(Pressure(face, top), tuple((factor, value / top) for factor, value in values))

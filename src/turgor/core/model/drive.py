@@ -1,28 +1,28 @@
 """Drive: which pressures act at a load factor, as numbers and in words."""
 
+from collections.abc import Iterable
 from operator import itemgetter
 
-from turgor.core.model.history import peak_of, share_at, turns_of
-from turgor.core.model.loads import RAMP, Pressure
+from turgor.core.model.history import RAMP, peak_of, share_at, turns_of
+from turgor.core.model.loads import Load, Pressure, pressures_among
 from turgor.core.model.model import Model
-from turgor.core.model.points import Rotation
-from turgor.core.model.supports import Displacement, Shift
 from turgor.units import kPa
 
 
-def common_pressure(model: Model) -> Pressure | None:
+def common_pressure(loads: Iterable[Load]) -> Pressure | None:
     """Return the first pressure where all faces under pressure share its value and history; None otherwise.
 
     Parameters
     ----------
-    model : Model
+    loads : iterable of Load
 
     Returns
     -------
     Pressure or None
     """
-    different = {(load.pressure, load.history) for load in model.pressures}
-    return model.pressures[0] if len(different) == 1 else None
+    pressures = pressures_among(loads)
+    different = {(load.pressure, load.history) for load in pressures}
+    return pressures[0] if len(different) == 1 else None
 
 
 def pressures_at(model: Model, load_factor: float) -> dict[str, float]:
@@ -38,10 +38,10 @@ def pressures_at(model: Model, load_factor: float) -> dict[str, float]:
     dict of str to float [Pa]
         Cavities first, in the order of the mesh; zero in a cavity without load.
     """
-    found = dict.fromkeys(model.mesh.cavities, 0.0)
+    pressures = dict.fromkeys(model.mesh.cavities, 0.0)
     for load in model.pressures:
-        found[load.face] = found.get(load.face, 0.0) + load.at(load_factor)
-    return found
+        pressures[load.face] = pressures.get(load.face, 0.0) + load.at(load_factor)
+    return pressures
 
 
 def kinks(model: Model) -> tuple[float, ...]:
@@ -56,10 +56,7 @@ def kinks(model: Model) -> tuple[float, ...]:
     tuple of float
     """
     turns = {factor for load in model.loads for factor in turns_of(load.history)}
-    for each in model.supports:
-        moved = each.value if isinstance(each, Displacement) else each
-        if isinstance(moved, Rotation | Shift):
-            turns |= set(turns_of(moved.history))
+    turns |= {factor for each in model.supports if each.way is not None for factor in turns_of(each.way)}
     turns |= {factor for obstacle in model.contact.obstacles for factor, _ in obstacle.path if 0 < factor < 1}
     return tuple(sorted(turns))
 
@@ -99,11 +96,11 @@ def pressed_together(model: Model) -> tuple[str, ...]:
     tuple of str
         In the order of the mesh; their walls may be pressed together.
     """
-    found = set()
+    cavities = set()
     for factor in extremes(model):
         pressures = {name: p for name, p in pressures_at(model, factor).items() if name in model.mesh.cavities}
-        found |= {name for name, pressure in pressures.items() if pressure < max(0.0, *pressures.values())}
-    return tuple(name for name in model.mesh.cavities if name in found)
+        cavities |= {name for name, pressure in pressures.items() if pressure < max(0.0, *pressures.values())}
+    return tuple(name for name in model.mesh.cavities if name in cavities)
 
 
 def drive_text(model: Model, load_factor: float, digits: int = 4) -> str:
@@ -121,7 +118,7 @@ def drive_text(model: Model, load_factor: float, digits: int = 4) -> str:
     str
         Empty where no pressure acts.
     """
-    common = common_pressure(model)
+    common = common_pressure(model.loads)
     if common is not None:
         return f"{common.at(load_factor) / kPa:.{digits}g} kPa"
     if not model.pressures:

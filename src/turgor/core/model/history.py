@@ -9,6 +9,7 @@ import math
 import operator
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Mapping
+from copy import copy
 from functools import lru_cache
 from itertools import pairwise
 from operator import itemgetter
@@ -154,6 +155,34 @@ def points_of(history: History, count: int = 201) -> tuple[tuple[float, float], 
     if isinstance(history, str):
         return tuple((float(s), share_at(history, s)) for s in np.linspace(0.0, 1.0, count))
     return history
+
+
+def fading(share: float, new: History | None) -> History:
+    """Return the history of a load that acts with a share at first, and stays or gives way to a new load.
+
+    Parameters
+    ----------
+    share : float
+    new : History or None
+        That of the new load; None where the share stays.
+
+    Examples
+    --------
+    >>> fading(0.5, None), fading(0.5, RAMP)
+    (((0.0, 0.5), (1.0, 0.5)), ((0.0, 0.5), (1.0, 0.0)))
+    """
+    if new is None:
+        return ((0.0, share), (1.0, share))
+    if isinstance(new, str):
+        return f"({share!r}) * (1 - ({new}))"
+    return tuple((factor, share * (1 - gone)) for factor, gone in new)
+
+
+def with_history(value: Any, history: History) -> Any:
+    """Return a copy of a load or a support with a history that need not begin at zero, which users cannot state."""
+    out = copy(value)
+    object.__setattr__(out, "history", history)
+    return out
 
 
 def over_time(history: Iterable[tuple[float, float]] | str, duration: float) -> History:

@@ -12,18 +12,17 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.accepted_forms import given_materials, given_supports
 from turgor.core.model.checks.named_points import check_points, points_of
-from turgor.core.model.checks.symmetry import check_not_cut, check_symmetric, check_uncut_shell, check_wedge
+from turgor.core.model.checks.symmetry import check_not_cut, check_uncut_shell, check_wedge
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers
-from turgor.core.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, Pressure, Traction
-from turgor.core.model.points import Hinge, ReferencePoint, Rotation
+from turgor.core.model.loads import Load, Pressure, pressures_among
+from turgor.core.model.points import ReferencePoint
 from turgor.core.model.sheets import Sheet, Shell
-from turgor.core.model.supports import Displacement, Support, Symmetry
+from turgor.core.model.supports import Support, Symmetry
 from turgor.foundation.display import Shown, listed
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import one, several
 from turgor.foundation.store.saved_objects import Saved
-from turgor.units import kPa
 
 #: Formulations of the cells.
 MIXED, CONTINUOUS, DISPLACEMENT = "mixed", "continuous", "displacement"
@@ -48,7 +47,7 @@ class Model(Saved, Shown):
     loads : sequence of Load
         What drives it; each reaches its stated value at load factor 1, or as its history says.
     formulation : str
-        ``"mixed"``: mean stresses are degrees of freedom beside the displacements, and cells do not lock, however
+        ``"mixed"``: mean stresses are degrees of freedom besides the displacements, and cells do not lock, however
         incompressible the rubber. The mean stress jumps where stiffness or traction jumps: between different rubbers,
         at membranes and windings. ``"continuous"``: the mean stress is continuous everywhere, as in the usual
         Taylor–Hood element. ``"displacement"``: there are no mean stresses, as in codes without mixed elements. Both
@@ -104,8 +103,8 @@ class Model(Saved, Shown):
         made += [
             f"{name}: {type(used).__name__.lower()} of {used.material.name}" for name, used in self.membranes.items()
         ]
-        acting = [f"{type(each).__name__}({_place(each)})" for each in self.supports]
-        acting += [_named(load) for load in self.loads]
+        acting = [each.label for each in self.supports]
+        acting += [load.label for load in self.loads]
         acting += [f"Fibers({each.name})" for each in self.reinforcements]
         acting += [f"Obstacle({each.name})" for each in self.contact.obstacles]
         return f"Model('{self.mesh.name}', {self.mesh.counts}; {listed(made)}; {listed(acting)})"
@@ -131,14 +130,14 @@ class Model(Saved, Shown):
         missing = [name for name in self.mesh.regions if name not in self.materials]
         if missing:
             raise TurgorError(f"no material for region {', '.join(missing)}; give one in materials.")
-        if any(isinstance(load, Gravity) for load in self.loads):
+        if any(load.needs_density for load in self.loads):
             for name, material in self.region_materials.items():
                 if material.density is None:
                     raise TurgorError(f"materials.{name}: '{material.name}' has no density, and gravity needs it.")
 
     def _check_faces(self) -> None:
-        check_points(self.mesh, self.supports, self.loads)
-        check_wedge(self.mesh, self.loads, self.reinforcements, self.contact)
+        check_points(self.mesh, self.supports)
+        check_wedge(self.mesh, self.reinforcements, self.contact)
         for name, sheet in self.membranes.items():
             if isinstance(sheet, Shell):
                 check_uncut_shell(self.mesh, name)
@@ -146,10 +145,9 @@ class Model(Saved, Shown):
             check_not_cut(self.mesh, type(acting).__name__, getattr(acting, "face", ""))
         points = self.points
         for support in self.supports:
-            if isinstance(support, Rotation | Hinge) or (isinstance(support, Displacement) and support.face == "*"):
-                continue
-            if support.face not in points:
-                self.mesh.face(support.face)
+            for name in support.named_faces:
+                if name not in points:
+                    self.mesh.face(name)
         for fibers in self.reinforcements:
             for name in fibers.faces:
                 self.mesh.face(name)
@@ -157,15 +155,7 @@ class Model(Saved, Shown):
             if obstacle.face is not None:
                 self._check_reachable(obstacle.name, obstacle.face)
         for load in self.loads:
-            if isinstance(load, Pressure | Traction | Force) and not (isinstance(load, Force) and load.face in points):
-                self.mesh.face(load.face)
-            if isinstance(load, Force):
-                check_symmetric(self.mesh, f"force on '{load.face}': {{:g}} N", load.vector)
-            if isinstance(load, Gravity):
-                check_symmetric(self.mesh, "gravity: a weight of {:.3g}", load.direction)
-            if isinstance(load, LineForce):
-                for name in load.faces:
-                    self.mesh.face(name)
+            load.check(self.mesh, points)
 
     def _check_reachable(self, obstacle: str, face: str) -> None:
         """Refuse a face between two regions, which no obstacle can touch."""
@@ -207,24 +197,4 @@ class Model(Saved, Shown):
     @property
     def pressures(self) -> tuple[Pressure, ...]:
         """The follower pressures among the loads."""
-        return tuple(load for load in self.loads if isinstance(load, Pressure))
-
-
-def _named(load: Load) -> str:
-    """A load in a few letters."""
-    match load:
-        case Pressure(face, pressure):
-            return f"Pressure({face}, {pressure / kPa:.4g} kPa)"
-        case Traction(face):
-            return f"Traction({face})"
-        case Force(face) | Moment(face) | Hanging(face):
-            return f"{type(load).__name__}({face})"
-        case _:
-            return type(load).__name__
-
-
-def _place(support: Support) -> str:
-    """Name of the face or the point that a support holds."""
-    if isinstance(support, ReferencePoint):
-        return f"{support.name}, {support.face}"
-    return support.point if isinstance(support, Rotation | Hinge) else support.face
+        return pressures_among(self.loads)

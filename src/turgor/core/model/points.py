@@ -1,14 +1,17 @@
 """Reference points: points tied to a face, through which a rig holds, turns, loads and weighs it."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from turgor.core.geometry.directions import AXES
-from turgor.core.model.history import RAMP, History, checked, share_at
+from turgor.core.model.history import RAMP, History, checked, share_at, with_history
+from turgor.core.model.supports.support import Support
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import vector
+from turgor.units import deg, mm
 
 Vector = tuple[float, float, float]
 
@@ -21,7 +24,7 @@ ROUND_OFF = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class ReferencePoint:
+class ReferencePoint(Support):
     """A point tied to a face: a plate or ring glued to it, a clamp, or the place of a resultant.
 
     Force, moment, mass, springs, prescribed displacement and rotation act on the point; rotations may be of any size.
@@ -107,13 +110,32 @@ class ReferencePoint:
             )
 
     @property
+    def label(self) -> str:
+        """Its name and its face."""
+        return f"ReferencePoint({self.name}, {self.face})"
+
+    def text(self) -> str:
+        """Return the sentence of a report."""
+        how = "moves rigidly with" if self.coupling == RIGID else "moves on average with"
+        said = [f"{self.face} {how} the reference point {self.name}"]
+        if self.at is not None:
+            said.append(f"at ({_listed(value / mm for value in self.at)}) mm")
+        if self.mass:
+            said.append(f"of mass {self.mass:g} kg")
+        if any(self.stiffness):
+            said.append(f"held by springs of ({_listed(self.stiffness)}) N/m")
+        if self.rotational_spring:
+            said.append(f"turned back by a spring of {self.rotational_spring:g} N m/rad")
+        return f"{', '.join(said)}."
+
+    @property
     def stiffness(self) -> Vector:
         """Stiffness of its spring along x, y and z [N/m]."""
         return (float(self.spring),) * 3 if isinstance(self.spring, int | float) else self.spring
 
 
 @dataclass(frozen=True, slots=True)
-class Rotation:
+class Rotation(Support):
     """Turn a reference point about an axis by a finite angle, which grows with the load factor.
 
     Parameters
@@ -149,6 +171,8 @@ class Rotation:
     history: History = RAMP
     tilts: bool = False
 
+    jumps = False
+
     def __post_init__(self) -> None:
         if not np.isfinite(self.angle):
             raise TurgorError(f"rotation of '{self.point}': angle is {self.angle}; a finite number is needed.")
@@ -159,6 +183,35 @@ class Rotation:
     def direction(self) -> Vector:
         """Direction of the axis (3,)."""
         return self.axis
+
+    @property
+    def turned_point(self) -> str:
+        """The point."""
+        return self.point
+
+    @property
+    def way(self) -> History:
+        """History of the angle."""
+        return self.history
+
+    def text(self) -> str:
+        """Return the sentence of a report.
+
+        Examples
+        --------
+        >>> Rotation("plate", 0.5 * np.pi).text()
+        'plate turned by 90 deg about (1, 0, 0).'
+        """
+        if not self.angle and not self.tilts:
+            return f"{self.point} kept from turning."
+        free = ", free to tilt" if self.tilts else ""
+        return f"{self.point} turned by {self.angle / deg:g} deg about ({_listed(self.axis)}){free}."
+
+    def continued(self, factor: float, new: Any) -> "Rotation":
+        """Return the rotation of the next stage, at the angle that it has."""
+        share = share_at(self.history, factor)
+        rotation: Rotation = with_history(self, ((0.0, share), (1.0, share)))
+        return rotation
 
     def angle_at(self, load_factor: float) -> float:
         """Angle [rad] at a load factor."""
@@ -173,7 +226,7 @@ class Rotation:
 
 
 @dataclass(frozen=True, slots=True)
-class Hinge:
+class Hinge(Support):
     """Let a reference point turn about one axis only, as on a bearing; its displacement stays free.
 
     Parameters
@@ -197,6 +250,8 @@ class Hinge:
     point: str
     axis: str | Vector = "x"
 
+    jumps = False
+
     def __post_init__(self) -> None:
         if isinstance(self.axis, str) and self.axis not in AXES:
             raise TurgorError(
@@ -210,6 +265,20 @@ class Hinge:
     def direction(self) -> Vector:
         """Direction of the axis (3,)."""
         return AXES[self.axis] if isinstance(self.axis, str) else self.axis
+
+    @property
+    def turned_point(self) -> str:
+        """The point."""
+        return self.point
+
+    def text(self) -> str:
+        """Return the sentence of a report."""
+        about = self.axis if isinstance(self.axis, str) else f"({_listed(self.axis)})"
+        return f"{self.point} may turn about {about} only."
+
+
+def _listed(values: Iterable[float]) -> str:
+    return ", ".join(f"{value:g}" for value in values)
 
 
 def _axis(what: str, values: Any) -> Vector:

@@ -54,13 +54,13 @@ class RigidFile:
 
     def __post_init__(self) -> None:
         _check_there(Path(self.file))
-        found = sha256(Path(self.file).read_bytes()).hexdigest()
-        if self.sha256 and self.sha256 != found:
+        digest = sha256(Path(self.file).read_bytes()).hexdigest()
+        if self.sha256 and self.sha256 != digest:
             raise TurgorError(
-                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {found[:12]}…: the file has "
+                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {digest[:12]}…: the file has "
                 "changed since; take the old one, or remove the key to go on with the new one."
             )
-        object.__setattr__(self, "sha256", found)
+        object.__setattr__(self, "sha256", digest)
 
     def read(self) -> RigidSurface:
         """Read the body."""

@@ -1,6 +1,6 @@
 """write_inp: a model as an .inp file of CalculiX or Abaqus."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -14,23 +14,14 @@ from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, points_of
 from turgor.core.model.inp.materials import material_lines
-from turgor.core.model.inp.reference_points import (
-    Acting,
-    InpPoint,
-    acting,
-    amplitude_lines,
-    held_lines,
-    inp_points,
-    point_lines,
-    step_lines,
-)
-from turgor.core.model.loads import Force, Gravity, Hanging, Moment, Pressure
+from turgor.core.model.inp.reference_points import InpDeck, InpPoint, held_lines, inp_points, moves, point_lines
+from turgor.core.model.loads.load import DeckRows
 from turgor.core.model.model import Model
 from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
 from turgor.core.model.sheets import Sheet, Shell
 from turgor.core.model.supports import Fixed, PlaneSection, Radial, Symmetry
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.units import MPa, mm
+from turgor.units import mm
 
 PROGRAMS = ("calculix", "abaqus")
 
@@ -81,7 +72,8 @@ def write_inp(
     _check_factors(at)
     _check_extras(model)
     points = inp_points(model, program)
-    parts = acting(model, points)
+    plain = {name: _plain(name) for name in model.mesh.faces}
+    acting = _acting(model, points, plain)
     lines = [
         f"** {_plain(model.mesh.name)}, written by turgor for {program}",
         "** units: mm, N, MPa, tonne, s; the time is the load factor",
@@ -89,11 +81,10 @@ def write_inp(
         *_mesh_lines(model.mesh, program, reduced),
         *_membrane_lines(model),
         *_material_lines(model, program),
-        *point_lines(model, points, {name: _plain(name) for name in model.mesh.faces}),
+        *point_lines(model, points, plain),
         *_support_lines(model, points),
-        *_amplitude_lines(model),
-        *amplitude_lines(parts),
-        *_step_lines(model, at, program, parts),
+        *_amplitude_lines(acting),
+        *_step_lines(model, at, program, acting),
     ]
     Path(path).write_text("\n".join(lines) + "\n", encoding="ascii", errors="replace")
 
@@ -138,6 +129,7 @@ def compressible(model: Model, poisson: float) -> Model:
     >>> from turgor.core.materials.laws.laws import NeoHooke
     >>> from turgor.core.materials.material import Material
     >>> from turgor.core.meshing.generate import mesh
+    >>> from turgor.core.model.loads import Pressure
     >>> rubber = Material(name="rubber", law=NeoHooke(C10=0.5e5))
     >>> part = mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
     >>> model = Model(part, {"body": rubber, "base": rubber}, [Fixed("fixed")], [Pressure("cavity", 1e3)])
@@ -254,7 +246,7 @@ def _material_lines(model: Model, program: str) -> list[str]:
 def _support_lines(model: Model, points: Mapping[str, InpPoint]) -> list[str]:
     lines = ["*BOUNDARY", *held_lines(model, points)]
     for support in model.supports:
-        if isinstance(support, ReferencePoint | Rotation | Hinge) or support.face in points:
+        if isinstance(support, ReferencePoint | Rotation | Hinge) or support.place in points:
             continue  # they are among those of the points
         if isinstance(support, Fixed):
             lines += [f"{_plain(support.face)}, {'xyz'.index(axis) + 1}" for axis in sorted(support.directions)]
@@ -267,7 +259,7 @@ def _support_lines(model: Model, points: Mapping[str, InpPoint]) -> list[str]:
                 f"'{support.face}' is a plane section, whose thrust .inp files cannot say; hold it or leave it free."
             )
         else:
-            raise TurgorError(f"the displacement of '{support.face}' is a function, which has no form in .inp files.")
+            raise TurgorError(f"the displacement of '{support.place}' is a function, which has no form in .inp files.")
     return lines
 
 
@@ -288,20 +280,31 @@ def _normal_axis(mesh: Mesh, face: str) -> int:
     return int(np.ptp(points, axis=0).argmin())
 
 
-def _amplitude_lines(model: Model) -> list[str]:
+def _acting(model: Model, points: Mapping[str, InpPoint], plain: Mapping[str, str]) -> list[DeckRows]:
+    """What moves and loads the model, in the order of the numbers of the amplitudes."""
+    deck = InpDeck(points, plain, 1 / model.mesh.symmetry_factor)
+    loads = (rows for load in model.loads for rows in load.deck_rows(deck))
+    return [each for each in (*loads, *moves(model, points)) if each.rows]
+
+
+def _amplitude_lines(acting: Sequence[DeckRows]) -> list[str]:
     """Every load follows the time, which is the load factor, over all steps."""
     lines = ["*AMPLITUDE, NAME=ramp, TIME=TOTAL TIME", "0., 0., 1., 1."]
-    for i, load in enumerate(model.pressures):
-        lines.append(f"*AMPLITUDE, NAME=history_{i + 1}, TIME=TOTAL TIME")
-        lines += [f"{factor:.12g}, {share:.12g}" for factor, share in points_of(load.history)]
-    weights = [load for load in model.loads if isinstance(load, Gravity) and load.history != RAMP]
-    for i, weight in enumerate(weights):
-        lines.append(f"*AMPLITUDE, NAME=weight_{i + 1}, TIME=TOTAL TIME")
-        lines += [f"{factor:.12g}, {share:.12g}" for factor, share in points_of(weight.history)]
+    for number, each in enumerate(acting, start=1):
+        if each.history != RAMP:
+            lines.append(f"*AMPLITUDE, NAME=history_{number}, TIME=TOTAL TIME")
+            lines += [f"{factor:.12g}, {share:.12g}" for factor, share in points_of(each.history)]
     return lines
 
 
-def _step_lines(model: Model, at: Sequence[float], program: str, parts: Sequence[Acting]) -> list[str]:
+def _acting_lines(acting: Sequence[DeckRows]) -> Iterator[str]:
+    """What acts, for the first step."""
+    for number, each in enumerate(acting, start=1):
+        yield f"{each.keyword}, AMPLITUDE={'ramp' if each.history == RAMP else f'history_{number}'}"
+        yield from each.rows
+
+
+def _step_lines(model: Model, at: Sequence[float], program: str, acting: Sequence[DeckRows]) -> list[str]:
     lines = []
     for number, (start, end) in enumerate(zip([0.0, *at], at, strict=False)):
         length = end - start
@@ -311,7 +314,7 @@ def _step_lines(model: Model, at: Sequence[float], program: str, parts: Sequence
         lines.append(_static(model, program))
         lines.append(f"{length / 20:.12g}, {length:.12g}, {length * 1e-5:.3g}, {length / 10:.12g}")
         if number == 0:
-            lines += [*_load_lines(model), *step_lines(parts)]
+            lines += _acting_lines(acting)
         lines += ["*NODE FILE, FREQUENCY=1000", "U", "*EL FILE, FREQUENCY=1000", "S"]
         lines += ["*NODE PRINT, NSET=Nall, FREQUENCY=1000", "U", "*END STEP"]
     return lines
@@ -321,20 +324,3 @@ def _static(model: Model, program: str) -> str:
     """The kind of step: one so slow that everything has relaxed, as that of a path without time."""
     relaxes = any(material.viscoelasticity is not None for material in model.region_materials.values())
     return "*STATIC, LONG TERM" if relaxes and program == "abaqus" else "*STATIC"
-
-
-def _load_lines(model: Model) -> list[str]:
-    lines, pressures, weights = [], 0, 0
-    for load in model.loads:
-        if isinstance(load, Pressure):
-            pressures += 1
-            lines += [f"*DSLOAD, AMPLITUDE=history_{pressures}", f"{_plain(load.face)}, P, {load.pressure / MPa:.12g}"]
-        elif isinstance(load, Gravity):
-            direction = np.array(load.direction) / np.linalg.norm(load.direction)
-            values = ", ".join(f"{value:.12g}" for value in (load.acceleration / mm, *direction))
-            weights += load.history != RAMP
-            amplitude = "ramp" if load.history == RAMP else f"weight_{weights}"
-            lines += [f"*DLOAD, AMPLITUDE={amplitude}", f"Eall, GRAV, {values}"]
-        elif not (isinstance(load, Moment | Hanging) or (isinstance(load, Force) and load.face in model.points)):
-            raise TurgorError(f"a load of kind {type(load).__name__} has no form in .inp files; leave it out.")
-    return lines

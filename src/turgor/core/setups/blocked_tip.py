@@ -43,6 +43,25 @@ class HeldTip(Fixed):
 
     push: Vector = (0.0, 0.0, -1.0)
 
+    def text(self) -> str:
+        """Return the sentence of a report."""
+        return f"{self.face} held in {', '.join(self.directions)}; {push_text(self.push)}."
+
+
+def push_text(direction: Vector) -> str:
+    """Return the direction in which a tip is blocked, which is that of a positive blocked force, in words.
+
+    Examples
+    --------
+    >>> push_text((0.0, 0.0, -1.0))
+    'the blocked force is positive along -z'
+    """
+    axis = int(np.abs(direction).argmax())
+    straight = max(map(abs, direction)) > 1 - 1e-9
+    listed = ", ".join(f"{part:.4g}" for part in direction)
+    along = f"{'+' if direction[axis] > 0 else '-'}{'xyz'[axis]}" if straight else f"({listed})"
+    return f"the blocked force is positive along {along}"
+
 
 def blocked_force(
     model: Model,

@@ -6,7 +6,8 @@ from math import cos, pi, sin
 import numpy as np
 
 from turgor.core.geometry.directions import DIRECTIONS
-from turgor.core.model.loads import RAMP, Pressure
+from turgor.core.model.history import RAMP
+from turgor.core.model.loads import Pressure
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Cylinder, Obstacle, Plane, RigidSurface, Vector
 from turgor.core.setups.directions import check_unmirrored
@@ -145,7 +146,7 @@ def _loads(model: Model, setup: Grasp) -> tuple[Pressure, ...]:
         raise TurgorError("a grasp needs a pressure that closes the finger; the model has none.")
     held = []
     for load in model.loads:
-        if not isinstance(load, Pressure):
+        if load not in model.pressures:
             raise TurgorError(
                 f"a grasp cannot hold {type(load).__name__}, which grows with the load factor to the end of the "
                 "pull; only pressures can act."

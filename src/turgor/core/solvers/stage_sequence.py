@@ -6,7 +6,7 @@ from typing import TypeVar
 
 from turgor.core.model.continued_model import continued, movable, with_loads
 from turgor.core.model.drive import pressures_at
-from turgor.core.model.loads import Pressure
+from turgor.core.model.loads import pressures_among
 from turgor.core.model.model import Model
 from turgor.core.solvers.listeners import Listeners
 from turgor.core.solvers.methods import method_of
@@ -104,7 +104,7 @@ def _question(model: Model, stage: Stage, last: _End | None) -> Model:
         # here, as in `turgor.core.solvers.methods`: few procedures fill cavities
         from turgor.core.solvers.continuation.scalar_control.cavity_control import asked_cavities
 
-        stated = {load.face for load in stage.loads if isinstance(load, Pressure)}
+        stated = {load.face for load in pressures_among(stage.loads)}
         for name in asked_cavities(last.model, stage.procedure):
             if name not in stated:
                 pressures.pop(name, None)  # it is sought from here on

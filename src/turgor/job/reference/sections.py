@@ -41,13 +41,11 @@ from turgor.job.tables.sections import read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_table
 from turgor.job.tables.stages import StageTable
 from turgor.job.tables.supports import PLANE, RADIAL
+from turgor.job.text.listed_loads import listed_kinds, listed_table, loads_model
 from turgor.job.text.load_tables import (
     CavityTable,
     ForceTable,
     GravityTable,
-    LineForceTable,
-    LoadsTable,
-    PointForceTable,
 )
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import EngineTable, MeshTable, OutputTable
@@ -204,12 +202,12 @@ def _loads(shape: Geometry) -> Iterator[JobTable]:
     def read(values: Mapping[str, Any], problems: Problems) -> None:
         read_loads(values, shape, {}, problems)
 
-    yield _of(LoadsTable, "[loads]", read=read)
+    yield _of(loads_model(), "[loads]", read=read)
     yield _of(CavityTable, "[loads.CAVITY]", read=lambda values, problems: read({"cavity": values}, problems))
     yield _of(ForceTable, "[loads.FACE]", read=lambda values, problems: read({"tip": values}, problems),
               base={"force": [0, 0, "-0.5 N"]})  # fmt: skip
-    yield _of(PointForceTable, "[[loads.point_forces]]")
-    yield _of(LineForceTable, "[[loads.line_forces]]")
+    for key, kind in listed_kinds().items():
+        yield _of(listed_table(kind), f"[[loads.{key}]]")
     yield _of(GravityTable, "[loads.gravity]", read=lambda values, problems: read({"gravity": values}, problems),
               base={"direction": "-z"})  # fmt: skip
 

@@ -1,24 +1,24 @@
 """Loads of a job file: one pressure for all cavities, a pressure with its history for each, gravity, forces."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import partial
 from typing import Any
 
 from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
-from turgor.core.model.history import RAMP, History
-from turgor.core.model.loads import STANDARD_GRAVITY, Force, Gravity, LineForce, Load, PointForce, Pressure
+from turgor.core.model.drive import common_pressure
+from turgor.core.model.history import RAMP
+from turgor.core.model.loads import STANDARD_GRAVITY, Force, Gravity, Load, Pressure, pressures_among
 from turgor.core.model.sheets import Sheet
 from turgor.foundation.errors import near_match, unknown
-from turgor.job.tables.forces import concentrated, concentrated_tables, history_of, is_force, on_faces
+from turgor.job.tables.forces import is_force, on_faces
+from turgor.job.text.listed_loads import fits, listed_values, loads_model, read_listed
 from turgor.job.text.load_tables import CavityTable, LoadsTable
+from turgor.job.text.load_values import history_of, history_values
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import read_table
 from turgor.units import format_quantity
-
-#: What a job file can state to drive an actuator.
-Driving = Pressure | Gravity | Force | PointForce | LineForce
 
 
 def read_loads(
@@ -28,7 +28,7 @@ def read_loads(
     problems: Problems,
     needed: bool = True,
     duration: float | None = None,
-) -> tuple[Driving, ...]:
+) -> tuple[Load, ...]:
     """Read ``[loads]``: a pressure in all cavities, or in one as ``[loads.cavity_1]`` and the like; gravity, forces.
 
     ``[loads.tip]`` with a pressure is one on a face that is no cavity.
@@ -42,25 +42,25 @@ def read_loads(
         own = {n: value for n, value in values.items() if n not in pulled and _is_face(n, value, faces)}
         plain = {name: value for name, value in values.items() if name not in own and name not in pulled}
         plain = _without_history(plain, cavities, problems)
-    table = read_table(LoadsTable, plain, key, problems)
+    table = read_table(loads_model(), plain, key, problems)
     pressures = {} if table is None or table.pressure is None else _in_all(table.pressure, cavities, own, problems)
     pressures |= _in_each(own, geometry, duration, problems)
     if table is None:
         return ()
-    loads: list[Driving] = [pressures[name] for name in (*cavities, *pressures) if name in pressures]
+    loads: list[Load] = [pressures[name] for name in (*cavities, *pressures) if name in pressures]
     loads = list(dict.fromkeys(loads))
-    if table.gravity is not None and _gravity_allowed(table.gravity.direction, geometry, materials, problems):
+    if table.gravity is not None:
         fallen, direction = table.gravity, DIRECTIONS[table.gravity.direction]
         made = problems.attempt(
             ("loads", "gravity"),
             lambda: Gravity(direction, fallen.acceleration, history_of(fallen, "gravity", duration)),
             fields=("history", "history_over_time"),
         )
-        loads += [] if made is None else [made]
+        loads += [made] if made is not None and fits(made, geometry, ("loads", "gravity"), problems) else []
     loads += on_faces(pulled, geometry, table.gravity, duration, problems)
-    loads += concentrated(table.point_forces, table.line_forces, geometry, duration, problems)
-    alone = (own, pulled, table.point_forces, table.line_forces)
-    if needed and table.pressure is None and table.gravity is None and not any(alone):
+    loads += read_listed(table, geometry, duration, problems)
+    _check_densities(loads, materials, problems)
+    if needed and not (own or pulled or any(getattr(table, name) for name in type(table).model_fields)):
         problems.add(key, "nothing drives the actuator; give pressure, gravity or both.")
     return tuple(loads)
 
@@ -93,7 +93,7 @@ def _in_each(
     own: Mapping[str, Any], geometry: Geometry | None, duration: float | None, problems: Problems
 ) -> dict[str, Pressure]:
     """Pressures of tables such as ``[loads.cavity_1]`` or ``[loads.tip]``; the geometry is None if it is unknown."""
-    found = {}
+    pressures = {}
     for name, values in own.items():
         key = ("loads", name)
         wrong = "" if geometry is None else _no_face(name, geometry)
@@ -105,8 +105,8 @@ def _in_each(
             continue
         made = problems.attempt(key, partial(_pressure, name, table, duration), fields=("pressure", "history"))
         if made is not None:
-            found[name] = made
-    return found
+            pressures[name] = made
+    return pressures
 
 
 def _no_face(name: str, geometry: Geometry) -> str:
@@ -129,34 +129,19 @@ def _pressure(face: str, table: CavityTable, duration: float | None) -> Pressure
     return Pressure(face, table.pressure, history_of(table, f"pressure on '{face}'", duration))
 
 
-def _gravity_allowed(
-    text: str, geometry: Geometry | None, materials: Mapping[str, Material | Sheet], problems: Problems
-) -> bool:
-    key = ("loads", "gravity")
-    if geometry is not None and f"symmetry_{text[1]}" in geometry.faces:
-        problems.add(key, f"'{text}' points across the mirror plane of a half model; set actuator.symmetric = false.")
-        return False
-    wedge = None if geometry is None else geometry.wedge
-    if wedge is not None and text[1] != wedge.axis:
-        problems.add(
-            key,
-            f"'{text}' is not the same in all sectors of the wedge about {wedge.axis}; set actuator.symmetry = "
-            '"none".',
-        )
-        return False
-    light = [n for n, m in materials.items() if isinstance(m, Material) and m.density is None]
-    for name in light:
-        problems.whole.add(
-            ("materials", name), "has no density, and gravity needs it; add density, such as '1100 kg/m³'."
-        )
-    return not light
+def _check_densities(loads: Iterable[Load], materials: Mapping[str, Material | Sheet], problems: Problems) -> None:
+    heavy = next((load.kind for load in loads if load.needs_density), None)
+    for name, material in materials.items():
+        if heavy is not None and isinstance(material, Material) and material.density is None:
+            problems.whole.add(
+                ("materials", name), f"has no density, and {heavy} needs it; add density, such as '1100 kg/m³'."
+            )
 
 
 def only_pressure(loads: tuple[Load, ...]) -> float | None:
     """Return the pressure that is proportional to the load factor, if there is only one; else None."""
-    different = {(load.pressure, load.history) for load in loads if isinstance(load, Pressure)}
-    pressure, history = different.pop() if len(different) == 1 else (None, RAMP)
-    return pressure if history == RAMP else None
+    common = common_pressure(loads)
+    return common.pressure if common is not None and common.history == RAMP else None
 
 
 def requested_factors(requested: list[Any], loads: tuple[Load, ...], problems: Problems) -> list[float]:
@@ -182,7 +167,7 @@ def requested_factors(requested: list[Any], loads: tuple[Load, ...], problems: P
 
 
 def _why_no_pressure(loads: tuple[Load, ...]) -> str:
-    pressures = [load for load in loads if isinstance(load, Pressure)]
+    pressures = pressures_among(loads)
     if any(load.pressure for load in pressures):
         several = len({(load.pressure, load.history) for load in pressures}) > 1
         why = "the cavities have different ones" if several else "it has a history of its own"
@@ -195,13 +180,13 @@ def loads_table(loads: tuple[Load, ...]) -> dict[str, Any]:
 
     Parameters
     ----------
-    loads : tuple of Pressure, Gravity or Force
+    loads : tuple of Load
 
     Returns
     -------
     dict
     """
-    pressures = [load for load in loads if isinstance(load, Pressure)]
+    pressures = list(pressures_among(loads))
     values: dict[str, Any] = {}
     if [load.face for load in pressures] == ["cavity"] and pressures[0].history == RAMP:
         values["pressure"] = format_quantity(pressures.pop().pressure, "kPa")
@@ -212,13 +197,11 @@ def loads_table(loads: tuple[Load, ...]) -> dict[str, Any]:
             values["gravity"] = direction if plain else _gravity_table(load, direction)
     for load in pressures:
         values[load.face] = {"pressure": format_quantity(load.pressure, "kPa")}
-        if load.history != RAMP:
-            values[load.face]["history"] = _listed(load.history)
+        values[load.face] |= history_values(load.history)
     for load in (load for load in loads if isinstance(load, Force)):
         values[load.face] = {"force": [format_quantity(part, "N") for part in load.vector]}
-        if load.history != RAMP:
-            values[load.face]["history"] = _listed(load.history)
-    return values | concentrated_tables(loads)
+        values[load.face] |= history_values(load.history)
+    return values | listed_values(loads)
 
 
 def _gravity_table(load: Gravity, direction: str) -> dict[str, Any]:
@@ -226,9 +209,4 @@ def _gravity_table(load: Gravity, direction: str) -> dict[str, Any]:
     values: dict[str, Any] = {"direction": direction}
     if load.acceleration != STANDARD_GRAVITY:
         values["acceleration"] = format_quantity(load.acceleration, "m/s²")
-    return values if load.history == RAMP else values | {"history": _listed(load.history)}
-
-
-def _listed(history: History) -> Any:
-    """History in the form of a job file."""
-    return history if isinstance(history, str) else [list(point) for point in history]
+    return values | history_values(load.history)

@@ -10,12 +10,13 @@ from pydantic import BeforeValidator, Field
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.model.history import RAMP
 from turgor.core.model.loads import Force, Gravity, Hanging, Load, Moment
-from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation, Vector
+from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
 from turgor.core.model.supports import Displacement, Fixed, Shift, Support
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.job.tables.forces import history_of
 from turgor.job.tables.obstacles import Direction, Lengths, SpringStiffness
-from turgor.job.text.load_tables import Forces, Mass, Points
+from turgor.job.text.listed_loads import fits
+from turgor.job.text.load_tables import Forces, Mass
+from turgor.job.text.load_values import Points, history_of, history_values, says_three, three
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Angle, Says, Table, read_table, shown
 from turgor.units import format_quantity, parse_quantity
@@ -24,30 +25,11 @@ from turgor.units import format_quantity, parse_quantity
 DRIVING = frozenset({"force", "moment", "hangs", "displacement", "rotation"})
 
 
-def _three(value: object, dimension: str, example: str) -> Vector:
-    if not isinstance(value, list) or len(value) != 3:
-        raise TurgorError(f"{shown(value)} is not three numbers along x, y and z, such as {example}.")
-    x, y, z = (0.0 if part == 0 and not isinstance(part, bool) else parse_quantity(part, dimension) for part in value)
-    return x, y, z
-
-
 _MOMENT, _INERTIA = '[0, "20 N mm", 0]', '["2 kg mm²", "1 kg mm²", "1 kg mm²"]'
 _SPRINGS = '["20 N/m", 0, 0]'
-Moments = Annotated[
-    Any,
-    BeforeValidator(partial(_three, dimension="moment", example=_MOMENT)),
-    Says("three moments", _MOMENT, "moment"),
-]
-Inertia = Annotated[
-    Any,
-    BeforeValidator(partial(_three, dimension="inertia", example=_INERTIA)),
-    Says("three moments of inertia", _INERTIA, "inertia"),
-]
-Springs = Annotated[
-    Any,
-    BeforeValidator(partial(_three, dimension="spring stiffness", example=_SPRINGS)),
-    Says("three spring stiffnesses", _SPRINGS, "spring stiffness"),
-]
+Moments = Annotated[Any, three("moment", _MOMENT), says_three("moment", _MOMENT)]
+Inertia = Annotated[Any, three("inertia", _INERTIA), Says("three moments of inertia", _INERTIA, "inertia")]
+Springs = Annotated[Any, three("spring stiffness", _SPRINGS), says_three("spring stiffness", _SPRINGS)]
 Turning = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="rotational stiffness"))]
 
 
@@ -150,7 +132,7 @@ def read_points(
         problems.add(("points",), f"{shown(values)} is not a table; write [points.plate] and its keys below it.")
         return {}
     gravity = next((load for load in loads if isinstance(load, Gravity)), Gravity())
-    found = {}
+    rigs = {}
     for name, entry in values.items():
         key = ("points", name)
         table = read_table(PointTable, entry, key, problems)
@@ -165,9 +147,10 @@ def read_points(
         fields = ("coupling", "inertia", "held", "displacement", "rotation", "hinge", "axis", "history")
         made = problems.attempt(key, partial(_rig, name, table, gravity, duration), fields=fields)
         if made is not None:
-            found[name] = made
-            _check_mirrors(made, geometry, problems)
-    return found
+            rigs[name] = made
+            for load in made.loads:
+                fits(load, geometry, key, problems, points=[name])
+    return rigs
 
 
 def _rig(name: str, table: PointTable, gravity: Gravity, duration: float | None) -> Rig:
@@ -205,29 +188,6 @@ def _holds(name: str, table: PointTable, history: Any) -> tuple[Support, ...]:
     if table.hinge is not None:
         holds.append(Hinge(name, table.hinge))
     return tuple(holds)
-
-
-def _check_mirrors(rig: Rig, geometry: Geometry | None, problems: Problems) -> None:
-    """Refuse forces that a half model cannot have."""
-    mirrors = [axis for axis in "xyz" if geometry is not None and f"symmetry_{axis}" in geometry.faces]
-    for axis in mirrors:
-        k = "xyz".index(axis)
-        for load in rig.loads:
-            wrong = (
-                any(load.vector[i] for i in range(3) if i != k)
-                if isinstance(load, Moment)
-                else isinstance(load, Force | Hanging) and _vector(load)[k] != 0
-            )
-            if wrong:
-                problems.add(
-                    ("points", rig.point.name),
-                    f"the {type(load).__name__.lower()} load has no mirror image in a half model, whose mirror plane "
-                    f"is normal to {axis}; set actuator.symmetric = false.",
-                )
-
-
-def _vector(load: Force | Hanging) -> Vector:
-    return load.force if isinstance(load, Hanging) else load.vector
 
 
 def points_tables(rigs: Mapping[str, Rig]) -> dict[str, dict[str, Any]]:
@@ -275,10 +235,7 @@ def _load_values(rig: Rig) -> dict[str, Any]:
                 values["hangs"] = format_quantity(mass, "g")
     moves = [each.value if isinstance(each, Displacement) else each for each in rig.holds]
     histories = [each.history for each in (*rig.loads, *moves) if hasattr(each, "history")]
-    if histories and histories[0] != RAMP:
-        history = histories[0]
-        values["history"] = history if isinstance(history, str) else [list(point) for point in history]
-    return values
+    return values | history_values(histories[0] if histories else RAMP)
 
 
 def _held_values(rig: Rig) -> dict[str, Any]:

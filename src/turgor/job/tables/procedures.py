@@ -12,7 +12,7 @@ from turgor.core.solvers.procedures.stages import OneProcedure
 from turgor.core.solvers.procedures.step_options import StepOptions, fields_in_order
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.registry import Registry, class_of_file, name_in
-from turgor.job.tables.loads import Driving, only_pressure, requested_factors
+from turgor.job.tables.loads import only_pressure, requested_factors
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
     Says,
@@ -44,7 +44,7 @@ _UNITS = {
 
 
 def read_procedure(
-    values: Any, loads: tuple[Driving, ...], problems: Problems, others: Iterable[str] = ()
+    values: Any, loads: tuple[Load, ...], problems: Problems, others: Iterable[str] = ()
 ) -> OneProcedure | None:
     """Read ``[procedure]``, or that of a stage; requested pressures become load factors.
 

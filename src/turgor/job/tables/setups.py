@@ -12,7 +12,7 @@ from typing import Any
 from turgor.core.model.loads import Load
 from turgor.core.setups.setup_values import BlockedForce, Grasp, Setup
 from turgor.core.solvers.procedures.static import Static
-from turgor.job.tables.loads import Driving, only_pressure, requested_factors
+from turgor.job.tables.loads import only_pressure, requested_factors
 from turgor.job.tables.procedures import field_keys, procedure_fields, requested, stated_fields, states_requested
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, fields_of_table, made_table, read_table
@@ -46,7 +46,7 @@ def refuse_setup(values: Any, stage: str, problems: Problems) -> bool:
     return name is not None
 
 
-def read_setup(name: str, values: Any, loads: tuple[Driving, ...], problems: Problems) -> tuple[Setup, Static] | None:
+def read_setup(name: str, values: Any, loads: tuple[Load, ...], problems: Problems) -> tuple[Setup, Static] | None:
     """Read ``[procedure]`` that names a setup: the setup and the procedure."""
     key = ("procedure",)
     kind: Any = SETUPS[name]

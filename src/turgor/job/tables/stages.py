@@ -11,12 +11,13 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
 from turgor.core.model.contact import Contact
 from turgor.core.model.history import RAMP
+from turgor.core.model.loads import Load
 from turgor.core.model.obstacles import Vector
 from turgor.core.model.sheets import Sheet
-from turgor.core.model.supports import Displacement, Fixed, Shift
+from turgor.core.model.supports import Displacement, Shift
 from turgor.core.solvers.procedures.stages import Stage, Stages, check_stage
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.job.tables.loads import Driving, loads_table, read_loads
+from turgor.job.tables.loads import loads_table, read_loads
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
 from turgor.job.tables.setups import refuse_setup
@@ -75,7 +76,7 @@ class Around:
     materials: Mapping[str, Material | Sheet]
     supports: tuple[Held, ...]
     contact: Contact
-    loads: tuple[Driving, ...]
+    loads: tuple[Load, ...]
     moved: bool
 
 
@@ -169,7 +170,7 @@ def _read_stage(entry: Any, number: int, around: Around, problems: Problems) -> 
 
 def _displacements(stated: Mapping[str, Vector], around: Around, problems: Problems) -> tuple[Displacement, ...]:
     """Displacements of faces, in the directions in which ``[supports]`` holds them."""
-    held = {support.face: support.directions for support in around.supports if isinstance(support, Fixed)}
+    held = dict(support.prescribed for support in around.supports if support.prescribed[0])
     found = []
     for face, vector in stated.items():
         key = ("displacements", face)

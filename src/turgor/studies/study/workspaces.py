@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from turgor.core.model.loads import Pressure
+from turgor.core.model.loads import pressures_among
 from turgor.core.results.measures.shape.workspaces import COLUMNS, Workspace, workspace
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column, Response
@@ -206,8 +206,9 @@ def _job_runs(
 
 def _is_loaded(job: Job, pressures: Mapping[str, float]) -> bool:
     """Whether anything drives the job: the state of rest needs no run, and every path begins there."""
-    others = [load for load in job.loads if not (isinstance(load, Pressure) and load.face in pressures)]
-    return any(pressures.values()) or any(not isinstance(load, Pressure) or load.pressure for load in others)
+    pressed = pressures_among(job.loads)
+    others = any(load.pressure for load in pressed if load.face not in pressures)
+    return others or any(pressures.values()) or len(pressed) < len(job.loads)
 
 
 def _gathered(combinations: tuple[Mapping[str, float], ...], ended: Sequence[Ended]) -> WorkspaceRuns:

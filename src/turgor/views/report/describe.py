@@ -6,37 +6,18 @@ from dataclasses import dataclass, fields
 from math import isinf
 from typing import Any
 
-import numpy as np
-
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.record_history import describe_history
 from turgor.core.materials.material import Material
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.cell_quality import MeshQuality
-from turgor.core.model.drive import rises
 from turgor.core.model.fibers import Fibers
-from turgor.core.model.loads import (
-    RAMP,
-    BodyForce,
-    Force,
-    Gravity,
-    Hanging,
-    History,
-    LineForce,
-    Load,
-    Moment,
-    PointForce,
-    Pressure,
-    Traction,
-)
 from turgor.core.model.model import Model
-from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, Plate, Shape, Sphere, Vector
-from turgor.core.model.points import Hinge, ReferencePoint, Rotation
+from turgor.core.model.obstacles import Obstacle, Plane, Plate
+from turgor.core.model.obstacles.rigid_shape import in_mm
 from turgor.core.model.sheets import Sheet, Shell
-from turgor.core.model.supports import Displacement, Fixed, PlaneSection, Radial
-from turgor.core.setups.blocked_tip import HeldTip
+from turgor.core.setups.blocked_tip import push_text
 from turgor.units import GPa, MPa, deg, kPa, mm, mN
-from turgor.views.report.describe_points import point_text, rig_text
 from turgor.views.report.references import law_source
 
 Rows = list[tuple[str, str]]
@@ -60,72 +41,12 @@ class MaterialText:
 
 def loads(model: Model) -> list[str]:
     """Say what drives a model at load factor 1, a sentence for each load."""
-    return [load_text(load) for load in model.loads] or ["None."]
-
-
-def load_text(load: Load) -> str:
-    """A load at load factor 1 in a sentence."""
-    match load:
-        case Pressure(face):
-            return f"Gauge pressure {load.at(1.0) / kPa:g} kPa on {face}, following the surface{_way(load)}."
-        case Traction(face, vector):
-            shown = ", ".join(f"{component / kPa:g}" for component in vector)
-            return f"Traction ({shown}) kPa on {face}, fixed in direction{_shares(load.history)}."
-        case Force(face, vector):
-            shown = ", ".join(f"{part:.6g}" for part in vector)
-            way = "turning with the point" if load.follower else "fixed in direction"
-            return f"Force ({shown}) N on {face}, {way}{_shares(load.history)}."
-        case Moment() | Hanging() | PointForce() | LineForce():
-            return f"{rig_text(load)}{_shares(load.history)}."
-        case Gravity(direction, acceleration, history):
-            return f"Gravity {acceleration:g} m/s² along ({_listed(direction)}){_shares(history)}."
-        case BodyForce():
-            return f"Force per volume, given as a function of position{_shares(load.history)}."
-
-
-def _shares(history: History) -> str:
-    """How a dead load gets to its last value, unless it just grows."""
-    return "" if history == RAMP else f", its share over the load factor: {history_text(history)}"
-
-
-def _way(load: Pressure) -> str:
-    """How a pressure gets to its last value, unless it just grows."""
-    if rises(load):
-        return ""
-    if isinstance(load.history, str):
-        return f", of {load.pressure / kPa:g} kPa times {load.history}"
-    return ", after " + ", ".join(
-        f"{load.at(factor) / kPa:g} kPa at load factor {factor:g}" for factor, _ in load.history[:-1]
-    )
-
-
-def history_text(history: History) -> str:
-    """A history in words."""
-    if isinstance(history, str):
-        return history
-    return ", ".join(f"{share:g} at {factor:g}" for factor, share in history)
+    return [load.text() for load in model.loads] or ["None."]
 
 
 def supports(model: Model) -> list[str]:
     """Say what holds a model, a sentence for each support."""
-    said = []
-    for support in model.supports:
-        match support:
-            case HeldTip(face, directions, push):
-                said.append(f"{face} held in {', '.join(directions)}; {_push(push)}.")
-            case Fixed(face, directions):
-                said.append(f"{face} held in {', '.join(directions)}.")
-            case Displacement(face, _, directions):
-                said.append(f"{'The whole surface' if face == '*' else face} moved in {', '.join(directions)}.")
-            case Radial(face, axis):
-                said.append(f"{face} held radially, around the axis {axis}.")
-            case PlaneSection(face):
-                said.append(f"{face} stays plane and is free to move along its normal.")
-            case ReferencePoint() | Rotation() | Hinge():
-                said.append(point_text(support))
-            case _:
-                said.append(f"{support.face} is a mirror plane.")
-    return said
+    return [support.text() for support in model.supports]
 
 
 def contact(model: Model) -> list[str]:
@@ -140,7 +61,7 @@ def contact(model: Model) -> list[str]:
 
 def _obstacle(obstacle: Obstacle) -> str:
     """Shape, place, friction and motion of an obstacle."""
-    said = [_shape(obstacle.shape), _friction(obstacle.friction)]
+    said = [obstacle.shape.text(), _friction(obstacle.friction)]
     if obstacle.face is not None:
         said.append(f"touches {obstacle.face} only")
     if obstacle.path:
@@ -150,45 +71,12 @@ def _obstacle(obstacle: Obstacle) -> str:
         said.append(f"held by a spring of {obstacle.spring:g} N/m")
     if isinstance(obstacle, Plate) and isinstance(obstacle.shape, Plane):
         x, y, z = obstacle.shape.normal
-        said.append(_push((-x, -y, -z)))
+        said.append(push_text((-x, -y, -z)))
     return f"{obstacle.name}: {'; '.join(said)}."
-
-
-def _push(direction: Vector) -> str:
-    """The direction in which a tip is blocked, which is that of a positive blocked force."""
-    axis = int(np.abs(direction).argmax())
-    along = f"{'+' if direction[axis] > 0 else '-'}{'xyz'[axis]}" if max(map(abs, direction)) > 1 - 1e-9 else ""
-    return f"the blocked force is positive along {along or f'({_listed(direction)})'}"
-
-
-def _shape(shape: Shape) -> str:
-    match shape:
-        case Plane(point=point, normal=normal):
-            return f"plane through {in_mm(point)} with the normal ({_listed(normal)})"
-        case Sphere(center=center, radius=radius):
-            return f"sphere of radius {radius / mm:g} mm around {in_mm(center)}"
-        case Cylinder(center=center, axis=axis, radius=radius, length=length):
-            long = "endless cylinder" if length is None else f"cylinder {length / mm:g} mm long"
-            return f"{long} of radius {radius / mm:g} mm around {in_mm(center)} along ({_listed(axis)})"
-        case Box(center=center, size=size, rounding=rounding):
-            edges = f", its edges rounded by {rounding / mm:g} mm" if rounding else ""
-            return f"box of {' × '.join(f'{length / mm:g}' for length in size)} mm around {in_mm(center)}{edges}"
-        case _:
-            return f"{len(shape.triangles):,} triangles of {shape.name}"
 
 
 def _friction(friction: float) -> str:
     return f"with friction {friction:g}" if friction else "without friction"
-
-
-def in_mm(vector: Vector) -> str:
-    """A place or a way in millimeters."""
-    x, y, z = vector
-    return f"({_listed((x / mm, y / mm, z / mm))}) mm"
-
-
-def _listed(vector: Vector) -> str:
-    return ", ".join(f"{value:.4g}" for value in vector)
 
 
 def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:

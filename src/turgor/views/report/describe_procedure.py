@@ -1,16 +1,19 @@
 """Describe: procedures in rows for a report, and what each stage of a sequence changes."""
 
 from collections.abc import Mapping
-from dataclasses import fields, replace
+from dataclasses import fields
 from typing import Any
 
-from turgor.core.model.loads import RAMP, Load
+from turgor.core.model.history import RAMP, with_history
+from turgor.core.model.history_text import history_text
+from turgor.core.model.loads import Load
+from turgor.core.model.obstacles.rigid_shape import in_mm
 from turgor.core.model.supports import Displacement, Shift
 from turgor.core.solvers.procedures.stages import OneProcedure, Stages
 from turgor.core.solvers.procedures.step_options import fields_in_order
 from turgor.core.solvers.solution import Procedure, Status
 from turgor.units import kPa, mL, mm
-from turgor.views.report.describe import Rows, history_text, in_mm, load_text
+from turgor.views.report.describe import Rows
 
 
 def procedure(of: Procedure) -> Rows:
@@ -48,7 +51,7 @@ def _with_settings(of: OneProcedure) -> str:
 def _changed(load: Load) -> str:
     """What a load becomes in a stage, and how it gets there unless evenly."""
     way = "" if load.history == RAMP else f", its share of the way over the load factor: {history_text(load.history)}"
-    return f"{load_text(replace(load, history=RAMP)).rstrip('.')}{way}"
+    return f"{with_history(load, RAMP).text().rstrip('.')}{way}"
 
 
 def _moved(each: Displacement) -> str:

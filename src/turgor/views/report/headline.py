@@ -3,7 +3,6 @@
 import re
 
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.model.loads import Pressure
 from turgor.core.solvers.solution import Solution
 from turgor.units import kPa, mm
 
@@ -27,7 +26,7 @@ def headline(of: Solution) -> str:
     name = _PART.sub("", of.model.mesh.name).replace("_", " ") or "actuator"
     pressures = [abs(value) for state in of.states for value in state.pressures.values()]
     largest = max(pressures, default=0.0)
-    driven = any(isinstance(load, Pressure) for load in of.model.loads) and largest > 0
+    driven = largest > 0 and bool(of.model.pressures)
     return f"{name[0].upper()}{name[1:]}{f', up to {largest / kPa:.4g} kPa' if driven else ''}"
 
 

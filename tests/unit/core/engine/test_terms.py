@@ -10,6 +10,8 @@ from turgor.core.engine import terms
 from turgor.core.engine.system import System
 from turgor.core.engine.term import Term, displacements, lower
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.model.history import RAMP, History
+from turgor.core.model.loads import Load
 
 STIFFNESS = 0.3
 
@@ -43,6 +45,16 @@ class Springs(Term):
         return lower(np.repeat(one[None], len(self.nodes), axis=0))
 
 
+@dataclass(frozen=True)
+class Laced(Load):
+    """A load whose forces are those of the springs."""
+
+    history: History = RAMP
+
+    def terms(self, setting):
+        return springs(setting)
+
+
 def springs(setting):
     nodes = np.column_stack([np.arange(4), len(setting.points) - 1 - np.arange(4)])
     return [Springs(nodes, setting.points[nodes[:, 1]] - setting.points[nodes[:, 0]])]
@@ -69,3 +81,12 @@ def test_a_term_of_ones_own_needs_one_name_in_the_list(model, monkeypatch):
     place, without = (each.terms.energy(each.points + each.split(x)[0]) for each in (system, plain))
     assert np.abs(added).max() > 0
     assert place - without == pytest.approx(0.5 * float(added @ x), rel=1e-9)
+
+
+def test_a_load_brings_its_own_term(model, monkeypatch):
+    laced = System(tg.Model(model.mesh, model.materials, model.supports, [*model.loads, Laced()]))
+    plain = System(model)
+    monkeypatch.setattr(terms, "TERMS", (*terms.TERMS, springs))
+    x = np.random.default_rng(2).normal(0, 0.01, plain.size)
+    assert laced.residual(x, 1.0) == pytest.approx(System(model).residual(x, 1.0), abs=1e-12)
+    assert np.abs(laced.residual(x, 1.0) - plain.residual(x, 1.0)).max() > 0

@@ -97,11 +97,12 @@ def test_histories_become_amplitudes(tmp_path, mesh):
     swelling = tg.Pressure("cavity", 5 * kPa, history="s**2")
     write_inp(question(mesh, loads=[tg.Gravity(), swelling, first]), file)
     text = file.read_text()
-    assert section(text, "*AMPLITUDE, NAME=weight_1") == ["0, 0", "0.2, 1", "1, 1"]
-    assert section(text, "*AMPLITUDE, NAME=history_1")[100] == "0.5, 0.25"
+    assert section(text, "*AMPLITUDE, NAME=history_3") == ["0, 0", "0.2, 1", "1, 1"]
+    assert section(text, "*AMPLITUDE, NAME=history_2")[100] == "0.5, 0.25"
     assert "*DLOAD, AMPLITUDE=ramp" in text
-    assert "*DLOAD, AMPLITUDE=weight_1" in text
-    assert "weight_2" not in text
+    assert "*DSLOAD, AMPLITUDE=history_2" in text
+    assert "*DLOAD, AMPLITUDE=history_3" in text
+    assert "history_1" not in text and "history_4" not in text
 
 
 def test_cells_for_each_program(tmp_path, mesh):

@@ -143,7 +143,7 @@ def test_concentrated_forces_are_read_and_come_back(tmp_path):
         "history = [[0, 0], [0.5, 1], [1, 1]]\n"
         '[[loads.line_forces]]\nfaces = ["tip", "outside"]\nforce_per_length = [0, 0, "-2 N/m"]\n',
     )
-    point, line = job.loads
+    line, point = job.loads
     assert (point.at, point.vector) == (pytest.approx((5e-3, 0, 15e-3)), pytest.approx((0, 0, -0.02)))
     assert (line.faces, line.vector) == (("tip", "outside"), (0, 0, -2.0))
     lock = tmp_path / "job.lock.toml"

@@ -16,11 +16,9 @@ from turgor.core.engine.points.prescribed_motion import Turned, check_rigid, hol
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.model import Model
-from turgor.core.model.points import Hinge, ReferencePoint, Rotation
 from turgor.core.model.supports import (
     Displacement,
     Fixed,
-    PlaneSection,
     Radial,
     Support,
     Symmetry,
@@ -97,7 +95,7 @@ def held_components(model: Model) -> Held:
     moving: list[tuple[Ints, list[int], Displacement | Turned]] = []
     mirrored = np.zeros_like(mask)
     for support in model.supports:
-        if isinstance(support, Radial | PlaneSection | ReferencePoint | Rotation | Hinge):
+        if not isinstance(support, Fixed | Displacement | Symmetry):
             continue
         nodes = _nodes(model, support, by_point)
         axes = _axes(model.mesh, support)

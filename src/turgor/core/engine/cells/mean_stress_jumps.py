@@ -16,10 +16,7 @@ from turgor.core.materials.material import Material
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import cell_sides, corner_keys
-from turgor.core.model.loads import Force, Pressure, Traction
 from turgor.core.model.model import CONTINUOUS, Model
-from turgor.core.model.points import Hinge, Rotation
-from turgor.core.model.supports import PlaneSection, Symmetry
 
 Ints = NDArray[np.int64]
 
@@ -84,8 +81,8 @@ def _acting(model: Model) -> tuple[str, ...]:
     faces = set(model.membranes)
     for fibers in model.reinforcements:
         faces.update(fibers.faces)
-    faces.update(s.face for s in model.supports if not isinstance(s, Symmetry | PlaneSection | Rotation | Hinge))
-    faces.update(load.face for load in model.loads if isinstance(load, Pressure | Traction | Force))
+    faces.update(name for support in model.supports if support.jumps for name in support.named_faces)
+    faces.update(name for load in model.loads if load.spread for name in load.named_faces)
     return tuple(sorted(faces & set(model.mesh.faces)))
 
 

@@ -109,10 +109,10 @@ def _in_sector(mesh: Mesh, wedge: Wedge, point: Array) -> Attached:
     """The nearest place of all sectors, as that of the modeled one and the turn that leads to it."""
     surface = _surface(mesh)
     back = [wedge.images(point, -sector) for sector in range(wedge.fold)]
-    found = [_nearest(surface, each) for each in back]
-    least = min(away for away, _, _ in found)
-    sector = next(i for i, (away, _, _) in enumerate(found) if away <= least + NEARER)
-    _, side, place_on = found[sector]
+    nearest = [_nearest(surface, each) for each in back]
+    least = min(away for away, _, _ in nearest)
+    sector = next(i for i, (away, _, _) in enumerate(nearest) if away <= least + NEARER)
+    _, side, place_on = nearest[sector]
     foot, frame = _frame(surface.corners[side], place_on)
     return Attached(
         surface.sides[side],
@@ -154,9 +154,9 @@ def _surface(mesh: Mesh) -> _Surface:
 def _nearest(surface: _Surface, point: Array) -> tuple[float, int, Array]:
     """Distance of a point from the nearest side, that side, and the place on it."""
     corners, places = surface.corners, surface.places
-    found = np.atleast_1d(surface.tree.query(point, k=min(CANDIDATES, surface.tree.n))[1])
+    nearest = np.atleast_1d(surface.tree.query(point, k=min(CANDIDATES, surface.tree.n))[1])
     best = (float(np.inf), 0, places[0])
-    for number in found:
+    for number in nearest:
         side, sample = divmod(int(number), len(places))
         for at in (places[sample], _foot(corners[side], point, places[sample])):
             if at is not None:

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.faces.attached import attach
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.model.loads import LineForce, PointForce
+from turgor.core.model.loads.load import Vector
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
@@ -26,13 +26,15 @@ N = np.stack([GAUSS * (GAUSS - 1) / 2, GAUSS * (GAUSS + 1) / 2, 1 - GAUSS**2], a
 SLOPES = np.stack([GAUSS - 0.5, GAUSS + 0.5, -2 * GAUSS], axis=1)
 
 
-def point_force(mesh: Mesh, load: PointForce) -> Array:
+def point_force(mesh: Mesh, at: Vector, force: Vector) -> Array:
     """Forces (n, 3) [N] on the nodes of the mesh.
 
     Parameters
     ----------
     mesh : Mesh
-    load : PointForce
+    at : (3,) floats [m]
+        Where it acts at rest.
+    force : (3,) floats [N]
 
     Returns
     -------
@@ -43,40 +45,43 @@ def point_force(mesh: Mesh, load: PointForce) -> Array:
     TurgorError
         If the point is not on the surface, or the force points across the mirror plane in which it lies.
     """
-    fixed = attach(mesh, load.at, mesh.mirror_planes)
+    fixed = attach(mesh, at, mesh.mirror_planes)
     size = float(np.ptp(mesh.points, axis=0).max())
     away = float(np.linalg.norm(fixed.arm))
     if away > NEAR * size:
         raise TurgorError(
-            f"point force at {_text(load.at)}: the surface is {away / mm:.4g} mm away; it acts on the surface, or "
+            f"point force at {_text(at)}: the surface is {away / mm:.4g} mm away; it acts on the surface, or "
             f"within {NEAR * size / mm:.3g} mm of it."
         )
     if mesh.revolved:
         raise TurgorError(
-            f"point force at {_text(load.at)}: an axisymmetric mesh would spread it around the axis; use a Force on a "
+            f"point force at {_text(at)}: an axisymmetric mesh would spread it around the axis; use a Force on a "
             "face, or another kind of cells."
         )
     share = 1.0
     for axis, position in mesh.mirror_planes:
-        if abs(load.at[axis] - position) <= IN_PLANE * size:
+        if abs(at[axis] - position) <= IN_PLANE * size:
             share *= 0.5
-            if load.vector[axis]:
+            if force[axis]:
                 raise TurgorError(
-                    f"point force at {_text(load.at)}: it points across the mirror plane normal to {'xyz'[axis]} in "
+                    f"point force at {_text(at)}: it points across the mirror plane normal to {'xyz'[axis]} in "
                     "which the point lies; model the whole actuator (symmetric = false)."
                 )
     out = np.zeros_like(mesh.points)
-    np.add.at(out, fixed.nodes, share * fixed.shares[:, None] * (fixed.mirrored * np.array(load.vector)))
+    np.add.at(out, fixed.nodes, share * fixed.shares[:, None] * (fixed.mirrored * np.array(force)))
     return out
 
 
-def line_force(mesh: Mesh, load: LineForce) -> Array:
+def line_force(mesh: Mesh, faces: tuple[str, str], force: Vector) -> Array:
     """Forces (n, 3) [N] on the nodes of the mesh.
 
     Parameters
     ----------
     mesh : Mesh
-    load : LineForce
+    faces : (str, str)
+        Faces that meet along the line.
+    force : (3,) floats [N/m]
+        Force per length at rest.
 
     Returns
     -------
@@ -87,20 +92,20 @@ def line_force(mesh: Mesh, load: LineForce) -> Array:
     TurgorError
         If the faces do not meet, or the force points across a mirror plane.
     """
-    first, second = (_edges(mesh.face(name)) for name in load.faces)
+    first, second = (_edges(mesh.face(name)) for name in faces)
     keys = {tuple(sorted(edge[:2])) for edge in second.tolist()}
     edges = np.array([edge for edge in first.tolist() if tuple(sorted(edge[:2])) in keys], dtype=np.int64)
     if not len(edges):
         raise TurgorError(
-            f"line force: the faces '{load.faces[0]}' and '{load.faces[1]}' do not meet along an edge. Along a line "
+            f"line force: the faces '{faces[0]}' and '{faces[1]}' do not meet along an edge. Along a line "
             "within a face, take a point force every few millimeters, or divide the face along the line in the CAD "
             "program and name both parts."
         )
     points, share = mesh.points[edges], np.ones(len(edges))
     for axis, position in mesh.mirror_planes:
-        if load.vector[axis]:
+        if force[axis]:
             raise TurgorError(
-                f"line force on '{load.faces[0]}' and '{load.faces[1]}': it points across the mirror plane normal to "
+                f"line force on '{faces[0]}' and '{faces[1]}': it points across the mirror plane normal to "
                 f"{'xyz'[axis]}; model the whole actuator (symmetric = false)."
             )
         inside = np.abs(points[:, :, axis] - position).max(axis=1) <= IN_PLANE * float(
@@ -110,7 +115,7 @@ def line_force(mesh: Mesh, load: LineForce) -> Array:
     length = np.linalg.norm(np.einsum("qa,eai->eqi", SLOPES, points), axis=2) * WEIGHTS
     by_node = share[:, None] * (length @ N)
     out = np.zeros_like(mesh.points)
-    np.add.at(out, edges.ravel(), by_node.ravel()[:, None] * np.array(load.vector))
+    np.add.at(out, edges.ravel(), by_node.ravel()[:, None] * np.array(force))
     return out
 
 

@@ -1,6 +1,6 @@
 """Dead loads: weight, forces and tractions, whose nodal forces do not change with the deformation."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,9 +14,8 @@ from turgor.core.engine.points.point_mass import weights_of
 from turgor.core.engine.points.point_unknowns import carriers_of
 from turgor.core.engine.term import Configuration, Setting, Term
 from turgor.core.model.history import History, share_at
-from turgor.core.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, PointForce, Pressure, Traction
+from turgor.core.model.loads.load import Vector
 from turgor.core.model.model import Model
-from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 
@@ -42,55 +41,95 @@ class DeadTerm(Term):
 
 def dead_terms(setting: Setting) -> list[DeadTerm]:
     """One, or none without dead loads."""
-    model, points, length, stress = setting.model, setting.points, setting.length, setting.stress
     by_history: dict[History, Array] = {}
-    N = element_of(model).tables.N
-    carriers = {each.point.name: each for each in carriers_of(model)}
-    for load in model.loads:
-        if isinstance(load, Pressure | Moment) or _follows(load):
-            continue
-        forces = by_history.setdefault(load.history, np.zeros_like(points))
-        if isinstance(load, Traction):
-            forces += _traction(points, model.mesh.face(load.face), np.asarray(load.vector) / stress)
-        elif isinstance(load, Hanging):
-            forces[carriers[load.point].node] += _resultant(setting, load.force)
-        elif isinstance(load, Force) and load.face in carriers:
-            forces[carriers[load.face].node] += _resultant(setting, load.vector)
-        elif isinstance(load, PointForce | LineForce):
-            mesh = model.mesh
-            nodal = point_force(mesh, load) if isinstance(load, PointForce) else line_force(mesh, load)
-            forces[: len(nodal)] += nodal / (stress * length**2)
-        elif isinstance(load, Force):
-            sides = model.mesh.face(load.face)
-            forces += _traction(points, sides, _resultant(setting, load.vector) / surfaces.area(points, sides))
-        elif isinstance(load, Gravity):
-            density = _density(model)[:, None, None] * _acceleration(load)
-            forces += _volume(setting, N, np.broadcast_to(density, (*setting.dV.shape, 3)) * length / stress)
-            for each in carriers.values():
-                falling = weights_of(each)[:, None] * _resultant(setting, _acceleration(load))
-                forces[each.node + np.arange(4)] += falling
-        else:
-            where = np.einsum("qa,cai->cqi", N, model.mesh.points[model.mesh.cells])
-            value = np.asarray(load.value(where.reshape(-1, 3))).reshape(where.shape)
-            forces += _volume(setting, N, value * length / stress)
+    nodal = ScaledNodalForces(setting)
+    for load in setting.model.loads:
+        forces = load.dead_forces(nodal)
+        if forces is not None:
+            by_history[load.history] = by_history.get(load.history, 0.0) + forces
     return [DeadTerm(tuple(by_history.items()))] if by_history else []
 
 
-def _follows(load: Load) -> bool:
-    return isinstance(load, Force) and load.follower
+class ScaledNodalForces:
+    """Nodal forces in the units of the equations; see `turgor.core.model.loads.load.NodalForces`.
 
+    Parameters
+    ----------
+    setting : Setting
+    """
 
-def _resultant(setting: Setting, force: ArrayLike) -> Array:
-    """Scaled share of a force [N] that the modeled part carries."""
-    return np.asarray(force) / (setting.stress * setting.length**2 * setting.model.mesh.symmetry_factor)
+    def __init__(self, setting: Setting) -> None:
+        self.setting = setting
+        self.carriers = {each.point.name: each for each in carriers_of(setting.model)}
 
+    def on_face(self, face: str, traction: ArrayLike) -> Array:
+        """Forces of a constant traction (3,) [Pa] on the reference area of a face."""
+        return self._spread(self._sides(face), np.asarray(traction) / self.setting.stress)
 
-def _acceleration(load: Gravity) -> Array:
-    direction = np.asarray(load.direction, dtype=np.float64)
-    size = float(np.linalg.norm(direction))
-    if not size > 0:
-        raise TurgorError("gravity: the direction is a zero vector; give for example (0, 0, -1).")
-    return direction / size * load.acceleration
+    def of_total(self, place: str, force: ArrayLike) -> Array:
+        """Forces of a total (3,) [N] on the whole actuator, spread over a face or at a reference point."""
+        if place in self.carriers:
+            forces = np.zeros_like(self.setting.points)
+            forces[self.carriers[place].node] = self._of_part(force)
+            return forces
+        sides = self._sides(place)
+        return self._spread(sides, self._of_part(force) / surfaces.area(self.setting.points, sides))
+
+    def per_volume(self, value: Callable[[Array], Array]) -> Array:
+        """Forces of ``value(points) -> (n, 3) force per reference volume [N/m³]``."""
+        mesh, N = self.setting.model.mesh, element_of(self.setting.model).tables.N
+        where = np.einsum("qa,cai->cqi", N, mesh.points[mesh.cells])
+        return self._in_cells(np.asarray(value(where.reshape(-1, 3))).reshape(where.shape))
+
+    def per_mass(self, value: Callable[[Array], Array]) -> Array:
+        """Forces of ``value(points) -> (n, 3) acceleration [m/s²]`` of all regions."""
+        density = np.repeat(_density(self.setting.model), self.setting.dV.shape[1])[:, None]
+        return self.per_volume(lambda points: density * np.asarray(value(points)))
+
+    def of_weight(self, acceleration: ArrayLike) -> Array:
+        """Forces of one acceleration (3,) [m/s²] of all regions and reference points."""
+        per_cell = _density(self.setting.model)[:, None, None] * np.asarray(acceleration)
+        forces = self._in_cells(np.broadcast_to(per_cell, (*self.setting.dV.shape, 3)))
+        for each in self.carriers.values():
+            forces[each.node + np.arange(4)] += weights_of(each)[:, None] * self._of_part(acceleration)
+        return forces
+
+    def at_point(self, at: Vector, force: Vector) -> Array:
+        """Forces of a force (3,) [N] at a point of the surface."""
+        return self._on_mesh(point_force(self.setting.model.mesh, at, force))
+
+    def along_edge(self, faces: tuple[str, str], force: Vector) -> Array:
+        """Forces of a force per length (3,) [N/m] along the edge between two faces."""
+        return self._on_mesh(line_force(self.setting.model.mesh, faces, force))
+
+    def _sides(self, face: str) -> NDArray[np.int64]:
+        return self.setting.model.mesh.face(face)
+
+    def _of_part(self, force: ArrayLike) -> Array:
+        """Scaled share of a force [N] that the modeled part carries."""
+        whole = self.setting.stress * self.setting.length**2 * self.setting.model.mesh.symmetry_factor
+        return np.asarray(force) / whole
+
+    def _on_mesh(self, forces: Array) -> Array:
+        """Scaled forces of those on the nodes of the mesh [N]."""
+        out = np.zeros_like(self.setting.points)
+        out[: len(forces)] = forces / (self.setting.stress * self.setting.length**2)
+        return out
+
+    def _in_cells(self, per_volume: Array) -> Array:
+        """Scaled forces of a force per volume (c, q, 3) [N/m³] at the quadrature points."""
+        setting, N = self.setting, element_of(self.setting.model).tables.N
+        scaled = per_volume * setting.length / setting.stress
+        local = np.einsum("cq,qa,cqi->cai", setting.dV, N, scaled)
+        return _sum_at_nodes(setting.model.mesh.cells, local, len(setting.points))
+
+    def _spread(self, sides: NDArray[np.int64], vector: Array) -> Array:
+        """Forces of a scaled traction (3,)."""
+        points, reference = self.setting.points, side_tables(sides.shape[1])
+        tangents = np.einsum("qad,fai->fqid", reference.dN, points[sides])
+        area = np.linalg.norm(np.cross(tangents[..., 0], tangents[..., 1]), axis=2) * reference.weights
+        local = np.einsum("fq,qa->fa", area, reference.N)[:, :, None] * vector
+        return _sum_at_nodes(sides, local, len(points))
 
 
 def _density(model: Model) -> Array:
@@ -98,19 +137,6 @@ def _density(model: Model) -> Array:
     for name, material in model.region_materials.items():
         density[model.mesh.regions[name]] = material.density
     return density
-
-
-def _volume(setting: Setting, N: Array, force_density: Array) -> Array:
-    local = np.einsum("cq,qa,cqi->cai", setting.dV, N, force_density)
-    return _sum_at_nodes(setting.model.mesh.cells, local, len(setting.points))
-
-
-def _traction(points: Array, triangles: NDArray[np.int64], vector: Array) -> Array:
-    reference = side_tables(triangles.shape[1])
-    tangents = np.einsum("qad,fai->fqid", reference.dN, points[triangles])
-    area = np.linalg.norm(np.cross(tangents[..., 0], tangents[..., 1]), axis=2) * reference.weights
-    local = np.einsum("fq,qa->fa", area, reference.N)[:, :, None] * vector
-    return _sum_at_nodes(triangles, local, len(points))
 
 
 def _sum_at_nodes(nodes: NDArray[np.int64], local: Array, count: int) -> Array:

@@ -103,8 +103,8 @@ class MembraneTerm(Term):
 
     def _linear(self, position: Array, update: Array, moduli: Array) -> Array:
         """Moduli times the strain linearized for an update, (f, q, 3)."""
-        found = membranes.membrane_stress(position, update, self.nodes, self.gradients, self.areas, moduli)
-        return np.asarray(found)
+        stress = membranes.membrane_stress(position, update, self.nodes, self.gradients, self.areas, moduli)
+        return np.asarray(stress)
 
 
 def membrane_terms(setting: Setting) -> list[MembraneTerm]:

@@ -128,13 +128,13 @@ def open_loops(points: Array, edges: Ints) -> list[Ints]:
 def _along(points: Array, loop: Ints) -> list[tuple[Array, Array, float, tuple[Array, Array]]]:
     """Positions and tangents of all edges at the points of Gauss, weights, and the shape functions of both."""
     a, b, m = (points[loop[:, i]] for i in range(3))
-    found = []
+    quadrature = []
     for t, weight in _GAUSS:
         along = np.array([(1 - t) * (1 - 2 * t), t * (2 * t - 1), 4 * t * (1 - t)])
         across = np.array([4 * t - 3, 4 * t - 1, 4 - 8 * t])
         position = along[0] * a + along[1] * b + along[2] * m
-        found.append((position, across[0] * a + across[1] * b + across[2] * m, weight, (along, across)))
-    return found
+        quadrature.append((position, across[0] * a + across[1] * b + across[2] * m, weight, (along, across)))
+    return quadrature
 
 
 def _apex(points: Array, loop: Ints, axis: int) -> tuple[Array, Array]:

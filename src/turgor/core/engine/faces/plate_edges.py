@@ -45,15 +45,15 @@ ROUND_OFF = 1e-6
 
 def plate_terms(setting: Setting) -> Sequence[Term]:
     """Bending of the shells: sides and edges of each; faces with equal sheets are one sheet."""
-    model, found = setting.model, []
+    model, terms = setting.model, []
     bending = {name: sheet for name, sheet in model.membranes.items() if isinstance(sheet, Shell)}
     for first, sheet in bending.items():
         names = [name for name, other in bending.items() if other == sheet]
         if names[0] != first:
             continue
         triangles = np.concatenate([model.mesh.face(name) for name in names])
-        found += [_plate(setting, triangles, sheet), *_hinges(setting, triangles, sheet, names)]
-    return found
+        terms += [_plate(setting, triangles, sheet), *_hinges(setting, triangles, sheet, names)]
+    return terms
 
 
 def _plate(setting: Setting, sides: Ints, sheet: Shell) -> PlateTerm:

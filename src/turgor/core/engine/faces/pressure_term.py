@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells.reference import side_tables
 from turgor.core.engine.faces import surfaces
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
-from turgor.core.model.loads import History, Pressure
+from turgor.core.model.history import History
+from turgor.core.model.loads import Pressure
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -23,13 +24,13 @@ class PressureTerm(Term):
     sides : (f, n) int array
         Nodes of the sides.
     load : Pressure or None
-        The load of one of them; None where the pressure is sought.
+        The load of one of them; None where the pressure is unknown.
     place : int
-        Place among the pressures that are sought.
+        Place among the unknown pressures.
     stress : float [Pa]
         Scale.
     potential : bool
-        Whether the pressure has a potential: the faces are closed, or their rim is held.
+        Whether the pressure has a potential: the faces are closed, or their rim is fixed.
     """
 
     external = True
@@ -91,7 +92,7 @@ class PressureTerm(Term):
 
 
 def pressure_terms(setting: Setting) -> list[PressureTerm]:
-    """Sought pressures first, in their order; then faces under equal pressure at all times, joined.
+    """Unknown pressures first, in their order; then faces under equal pressure at all times, joined.
 
     Together they may be closed where each alone is open.
     """

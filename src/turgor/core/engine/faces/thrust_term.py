@@ -47,7 +47,7 @@ class ThrustTerm(Term):
 
     @property
     def place(self) -> int:
-        """Place among the pressures that are sought."""
+        """Place among the unknown pressures."""
         return self.pressure.place
 
     @property
@@ -94,12 +94,12 @@ class ThrustTerm(Term):
 
 def thrust_terms(setting: Setting) -> list[ThrustTerm]:
     """The thrust on every plane section of every pressure on walls that it cuts through."""
-    found = []
+    terms = []
     sections = plane_sections(setting.model)
     for term in pressure_terms(setting) if sections else ():
         rim = surfaces.rim_edges(term.sides)
         for section in sections:
             edges = rim[np.isin(rim, section.nodes).all(axis=1)]
             if len(edges):
-                found.append(ThrustTerm(term, edges, section, mirror_point(setting.model.mesh) / setting.length))
-    return found
+                terms.append(ThrustTerm(term, edges, section, mirror_point(setting.model.mesh) / setting.length))
+    return terms

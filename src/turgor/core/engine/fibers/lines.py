@@ -83,7 +83,7 @@ def _hoops(length: float, course: Course) -> int:
 
 
 def _nearest(course: Course) -> int:
-    """Number of threads of one hand whose distance comes nearest to the one that is asked for."""
+    """Number of threads of one hand whose distance is nearest to the requested one."""
     step = max(1, course.copies // 2)
     return int(step * round(course.perimeter * cos(course.angle) / course.spacing / step))
 

@@ -114,9 +114,9 @@ class UnrolledSurface:
             tried[open_, rank] = owner[candidate]
             at, candidate = open_[fresh], candidate[fresh]
             moved = points[at] - np.c_[shift[candidate], np.zeros(len(at))]
-            found = self.place(owner[candidate], moved, seed[candidate])
-            good = _outside(self.sides.shape[1], found) <= INSIDE
-            side[at[good]], place[at[good]] = owner[candidate[good]], found[good]
+            places = self.place(owner[candidate], moved, seed[candidate])
+            good = _outside(self.sides.shape[1], places) <= INSIDE
+            side[at[good]], place[at[good]] = owner[candidate[good]], places[good]
             open_ = open_[side[open_] < 0]
             if not len(open_):
                 break

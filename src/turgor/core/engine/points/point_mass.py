@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.points.point_unknowns import Carrier
-from turgor.core.model.loads import Hanging
 from turgor.core.model.model import Model
 
 Array = NDArray[np.float64]
@@ -29,7 +28,7 @@ def add_point_masses(data: Array, pattern: Pattern, model: Model, carriers: Sequ
     """
     shared = scale / model.mesh.symmetry_factor
     for each in carriers:
-        hanging = sum(load.mass for load in model.loads if isinstance(load, Hanging) and load.point == each.point.name)
+        hanging = sum(load.carried_mass for load in model.loads if load.place == each.point.name)
         local = shared * _matrix(each)
         local[0, 0] += shared * hanging
         if not local.any():
@@ -51,7 +50,7 @@ def carried_mass(model: Model) -> float:
     -------
     float
     """
-    hanging = sum(load.mass for load in model.loads if isinstance(load, Hanging))
+    hanging = sum(load.carried_mass for load in model.loads)
     return hanging + sum(point.mass for point in model.points.values())
 
 

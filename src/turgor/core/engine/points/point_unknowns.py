@@ -144,15 +144,15 @@ def carriers_of(model: Model) -> tuple[Carrier, ...]:
     Raises
     ------
     TurgorError
-        If a point lies beside a mirror plane that cuts its face, or the face has no size.
+        If a point lies off a mirror plane that cuts its face, or the face has no size.
     """
     mirrors = tuple(each.face for each in model.supports if isinstance(each, Symmetry))
     bearings = {each.point: each for each in model.supports if _is_bearing(each)}
-    found, node = [], len(model.mesh.points)
+    carriers, node = [], len(model.mesh.points)
     for point in model.points.values():
-        found.append(_carrier(model.mesh, point, node, mirrors, bearings.get(point.name)))
-        node += found[-1].count
-    return tuple(found)
+        carriers.append(_carrier(model.mesh, point, node, mirrors, bearings.get(point.name)))
+        node += carriers[-1].count
+    return tuple(carriers)
 
 
 def with_carried(points: Array, carriers: tuple[Carrier, ...]) -> Array:
@@ -214,11 +214,11 @@ def _moments(points: Array, sides: Ints) -> tuple[Ints, Array, Array]:
 
 def _cuts(mesh: Mesh, nodes: Ints, mirrors: tuple[str, ...]) -> dict[int, float]:
     """Axis and position [m] of each mirror plane that a face meets."""
-    found: dict[int, float] = {}
+    planes: dict[int, float] = {}
     for name in mirrors:
         on = mesh.face_nodes(name)
         if np.isin(nodes, on).any():
             points = mesh.points[on]
             axis = int(np.ptp(points, axis=0).argmin())
-            found[axis] = float(points[:, axis].mean())
-    return found
+            planes[axis] = float(points[:, axis].mean())
+    return planes

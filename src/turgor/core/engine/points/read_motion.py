@@ -35,17 +35,17 @@ def motions(system: System, at: Evaluation) -> dict[str, PointMotion]:
             sprung = np.zeros_like(forces)
             term.add_forces(sprung, system.configuration(at))
             forces = forces - sprung
-    found = {}
+    motions = {}
     for each in system.carriers:
         arrows = u[each.arrows] + each.radius / system.length * np.eye(3)
-        found[each.point.name] = PointMotion(
+        motions[each.point.name] = PointMotion(
             displacement=u[each.node] * system.length,
             rotation=arrows.T * system.length / each.radius,
             force=_of_whole(system, each, forces[each.node] * unit, False),
             moment=_of_whole(system, each, _moment(arrows, forces[each.arrows]) * unit * system.length, True),
             multipliers=u[each.multipliers] * unit,
         )
-    return found
+    return motions
 
 
 def _moment(arrows: Array, forces: Array) -> Array:

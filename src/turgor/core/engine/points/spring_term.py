@@ -89,11 +89,11 @@ def angle_squared(less: float) -> tuple[float, float, float]:
 
 def spring_terms(setting: Setting) -> Sequence[SpringTerm]:
     """One for each reference point with springs."""
-    found, shared = [], setting.model.mesh.symmetry_factor
+    terms, shared = [], setting.model.mesh.symmetry_factor
     for each in carriers_of(setting.model):
         stiffness = np.array(each.point.stiffness) / (setting.stress * setting.length * shared)
         turning = each.point.rotational_spring / (setting.stress * setting.length**3 * shared)
         if stiffness.any() or turning:
             radius = each.radius / setting.length
-            found.append(SpringTerm(each, stiffness, turning, setting.points[each.node], radius))
-    return found
+            terms.append(SpringTerm(each, stiffness, turning, setting.points[each.node], radius))
+    return terms

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.points.point_unknowns import Carrier, carriers_of
 from turgor.core.engine.term import Configuration, Setting, Term, displacements
-from turgor.core.model.history import share_at
-from turgor.core.model.loads import Force, Moment
+from turgor.core.model.history import History, share_at
+from turgor.core.model.loads.load import Turning
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -27,7 +27,9 @@ class TurningTerm(Term):
     Parameters
     ----------
     carrier : Carrier
-    load : Force or Moment
+    turning : Turning
+        The moment or the force.
+    history : History
     vector : (3,) array
         Scaled force or moment on the modeled part.
     rest : (3,) array
@@ -39,7 +41,8 @@ class TurningTerm(Term):
     external = True
 
     carrier: Carrier
-    load: Force | Moment
+    turning: Turning
+    history: History
     vector: Array
     rest: Array
     radius: float
@@ -47,23 +50,23 @@ class TurningTerm(Term):
     def add_forces(self, out: Array, at: Configuration) -> None:
         """Add the forces on the place or on the arrows."""
         arrows, acting = self._arrows(at.position), self._acting(at)
-        if isinstance(self.load, Force):
-            out[self.carrier.node] += acting
-        else:
+        if self.turning.is_moment:
             out[self.carrier.arrows] += 0.5 * np.cross(acting, arrows) / self.radius**2
+        else:
+            out[self.carrier.node] += acting
 
     def unsymmetric(self, at: Configuration, size: int) -> sp.csc_matrix | None:
         """Derivative of minus the forces (size, size)."""
         local = np.zeros((4, 3, 4, 3))
-        share = share_at(self.load.history, at.load_factor) * self.vector / self.radius
-        if isinstance(self.load, Force):
+        share = share_at(self.history, at.load_factor) * self.vector / self.radius
+        if not self.turning.is_moment:
             for j in range(3):
                 local[0, :, 1 + j] = share[j] * np.eye(3)
         else:
             arrows, acting = self._arrows(at.position), self._acting(at)
             for i in range(3):
                 local[1 + i, :, 1 + i] += 0.5 / self.radius**2 * _cross(acting)
-                for j in range(3) if self.load.follower else ():
+                for j in range(3) if self.turning.follower else ():
                     local[1 + i, :, 1 + j] -= 0.5 / self.radius**2 * share[j] * _cross(arrows[i])
         unknowns = displacements(self.carrier.node + np.arange(4)[None])[0]
         places = (np.repeat(unknowns, 12), np.tile(unknowns, 12))
@@ -74,8 +77,8 @@ class TurningTerm(Term):
 
     def _acting(self, at: Configuration) -> Array:
         """The force or moment at a place and a load factor (3,)."""
-        vector = share_at(self.load.history, at.load_factor) * self.vector
-        return vector @ self._arrows(at.position) / self.radius if self.load.follower else vector
+        vector = share_at(self.history, at.load_factor) * self.vector
+        return vector @ self._arrows(at.position) / self.radius if self.turning.follower else vector
 
 
 def _cross(a: Array) -> Array:
@@ -85,15 +88,14 @@ def _cross(a: Array) -> Array:
 
 def turning_terms(setting: Setting) -> Sequence[TurningTerm]:
     """One for each moment and each follower force on a reference point."""
-    model, found = setting.model, []
+    model, terms = setting.model, []
     carriers = {each.point.name: each for each in carriers_of(model)}
     for load in model.loads:
-        if isinstance(load, Moment):
-            carrier, unit = carriers[load.point], setting.stress * setting.length**3
-        elif isinstance(load, Force) and load.follower:
-            carrier, unit = carriers[load.face], setting.stress * setting.length**2
-        else:
+        turning = load.turning
+        if turning is None:
             continue
-        vector = np.array(load.vector) / (unit * model.mesh.symmetry_factor)
-        found.append(TurningTerm(carrier, load, vector, setting.points[carrier.node], carrier.radius / setting.length))
-    return found
+        carrier, unit = carriers[turning.point], setting.stress * setting.length ** (3 if turning.is_moment else 2)
+        vector = np.array(turning.vector) / (unit * model.mesh.symmetry_factor)
+        rest, radius = setting.points[carrier.node], carrier.radius / setting.length
+        terms.append(TurningTerm(carrier, turning, load.history, vector, rest, radius))
+    return terms

@@ -1,4 +1,4 @@
-"""What a half, a quarter or a wedge cannot carry: loads and obstacles that are not the same on all its images."""
+"""What a half, a quarter or a wedge cannot carry: shells, fibers and obstacles that differ from image to image."""
 
 from collections.abc import Sequence
 
@@ -8,42 +8,10 @@ from turgor.core.geometry.wedge import HIGH, LOW, Wedge
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import DISCRETE, Fibers
-from turgor.core.model.loads import Hanging, LineForce, Load, Moment, PointForce, Traction
-from turgor.core.model.obstacles import Cylinder, Obstacle, Plane, Sphere
+from turgor.core.model.loads.images import WHOLE
+from turgor.core.model.obstacles import Obstacle
+from turgor.core.model.obstacles.rigid_shape import SAME
 from turgor.foundation.errors import TurgorError
-
-#: Two directions are the same, and a point lies on an axis [m], up to this.
-SAME = 1e-9
-
-
-def check_symmetric(mesh: Mesh, what: str, vector: Sequence[float]) -> None:
-    """Refuse a force that has no mirror image, or has another direction in the next sector of a wedge.
-
-    Parameters
-    ----------
-    mesh : Mesh
-    what : str
-        The load, with a place for the component that is wrong: ``"force on 'tip': {:g} N"``.
-    vector : (3,) floats
-
-    Raises
-    ------
-    TurgorError
-    """
-    for plane, (axis, _) in zip(mesh.symmetry_faces, mesh.mirror_planes, strict=True):
-        if vector[axis] != 0:
-            raise TurgorError(
-                f"{what.format(vector[axis])} along {'xyz'[axis]} points across the mirror "
-                f"plane '{plane}', and its mirror image against it; model the whole actuator (symmetric = false)."
-            )
-    wedge = mesh.wedge
-    for axis in () if wedge is None else wedge.across:
-        if wedge is not None and vector[axis] != 0:
-            raise TurgorError(
-                f"{what.format(vector[axis])} along {'xyz'[axis]} points across the axis {wedge.axis} of the wedge; "
-                f"turned by {360 / wedge.fold:.4g}° it points elsewhere in the next sector; model the whole part "
-                '(symmetry = "none").'
-            )
 
 
 def check_uncut_shell(mesh: Mesh, face: str) -> None:
@@ -66,14 +34,13 @@ def check_uncut_shell(mesh: Mesh, face: str) -> None:
         )
 
 
-def check_wedge(mesh: Mesh, loads: Sequence[Load], reinforcements: Sequence[Fibers], contact: Contact) -> None:
+def check_wedge(mesh: Mesh, reinforcements: Sequence[Fibers], contact: Contact) -> None:
     """Refuse what is not the same in all sectors of a wedge.
 
     Parameters
     ----------
     mesh : Mesh
         Nothing is checked if it has no wedge.
-    loads : sequence of Load
     reinforcements : sequence of Fibers
     contact : Contact
 
@@ -84,32 +51,18 @@ def check_wedge(mesh: Mesh, loads: Sequence[Load], reinforcements: Sequence[Fibe
     wedge = mesh.wedge
     if wedge is None:
         return
-    whole = 'model the whole part (symmetry = "none").'
-    for load in loads:
-        match load:
-            case Traction(face, vector):
-                check_symmetric(mesh, f"traction on '{face}': {{:g}} Pa", vector)
-            case PointForce() | LineForce():
-                where = "a point force" if isinstance(load, PointForce) else "a line force"
-                raise TurgorError(
-                    f"{where} acts once on the whole, but would act in every sector of the wedge; {whole}"
-                )
-            case Moment(point, vector):
-                check_symmetric(mesh, f"moment on '{point}': {{:g}} N m", vector)
-            case Hanging():
-                check_symmetric(mesh, f"weight on '{load.point}': {{:g}} N", load.force)
     for fibers in reinforcements:
         if fibers.form == DISCRETE:
             raise TurgorError(
                 f"fibers on '{fibers.name}': single threads do not end at the cuts of a wedge as they begin; spread "
-                f"them over the face (smeared), or {whole}"
+                f"them over the face (smeared), or {WHOLE}"
             )
     for obstacle in contact.obstacles:
         if not same_when_turned(obstacle, wedge):
             raise TurgorError(
                 f"obstacle '{obstacle.name}': it is not the same after a turn by {360 / wedge.fold:.4g}° about the "
                 f"axis {wedge.axis} of the wedge, as planes across it are, and balls and round bars on it that "
-                f"move along it; {whole}"
+                f"move along it; {WHOLE}"
             )
 
 
@@ -124,14 +77,7 @@ def check_not_cut(mesh: Mesh, what: str, face: str) -> None:
 
 def same_when_turned(obstacle: Obstacle, wedge: Wedge) -> bool:
     """Whether an obstacle and its motion are the same after any turn about the axis of a wedge."""
-    across = list(wedge.across)
-    if any(abs(vector[i]) > SAME for _, vector in obstacle.path for i in across):
+    axis = "xyz".index(wedge.axis)
+    if any(abs(vector[i]) > SAME for _, vector in obstacle.path for i in wedge.across):
         return False
-    shape = obstacle.shape
-    if isinstance(shape, Plane):
-        return bool(np.abs(np.array(shape.normal)[across]).max() < SAME)
-    on_axis = isinstance(shape, Sphere | Cylinder) and np.allclose(
-        np.array(shape.center)[across], np.array(wedge.center)[across], atol=SAME
-    )
-    along = not isinstance(shape, Cylinder) or np.abs(np.array(shape.axis)[across]).max() < SAME
-    return bool(on_axis and along)
+    return obstacle.shape.turned(axis, wedge.center)

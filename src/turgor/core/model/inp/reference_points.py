@@ -1,14 +1,13 @@
 """Reference points in .inp files: nodes of their own, couplings to their faces, springs, supports and forces."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.model.history import RAMP, History, points_of
-from turgor.core.model.loads import Force, Gravity, Hanging, Moment
+from turgor.core.model.loads.load import DeckRows
 from turgor.core.model.model import Model
 from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
 from turgor.core.model.supports import Displacement, Fixed, Shift, Symmetry
@@ -59,7 +58,7 @@ def inp_points(model: Model, program: str) -> dict[str, InpPoint]:
     TurgorError
         If a point has something that has no form in the file.
     """
-    found, mesh = {}, model.mesh
+    points, mesh = {}, model.mesh
     for number, point in enumerate(model.points.values()):
         _check(point, program)
         own = program == "calculix" and point.coupling == RIGID
@@ -68,10 +67,10 @@ def inp_points(model: Model, program: str) -> dict[str, InpPoint]:
         at = _middle(mesh, point.face) if point.at is None else np.array(point.at)
         for axis, position in mirrored.items():
             at[axis] = position
-        found[point.name] = InpPoint(
+        points[point.name] = InpPoint(
             point=point, at=at, node=node, turning=node + own, first=1 if own else 4, mirrored=tuple(mirrored)
         )
-    return found
+    return points
 
 
 def _check(point: ReferencePoint, program: str) -> None:
@@ -86,19 +85,19 @@ def _check(point: ReferencePoint, program: str) -> None:
         )
     if point.mass and point.center is not None:
         raise TurgorError(
-            f"reference point '{point.name}': a center of mass beside the point has no form in .inp files; put the "
+            f"reference point '{point.name}': a center of mass away from the point has no form in .inp files; put the "
             "point there with at."
         )
 
 
 def _mirrored(model: Model, face: str) -> dict[int, float]:
-    found, nodes = {}, model.mesh.face_nodes(face)
+    planes, nodes = {}, model.mesh.face_nodes(face)
     for support in model.supports:
         if isinstance(support, Symmetry) and np.isin(nodes, model.mesh.face_nodes(support.face)).any():
             points = model.mesh.points[model.mesh.face_nodes(support.face)]
             axis = int(np.ptp(points, axis=0).argmin())
-            found[axis] = float(points[:, axis].mean())
-    return found
+            planes[axis] = float(points[:, axis].mean())
+    return planes
 
 
 def _middle(mesh: Mesh, face: str) -> Array:
@@ -160,41 +159,20 @@ def _across(hinge: Hinge) -> set[int]:
     return across
 
 
-@dataclass(frozen=True, slots=True)
-class Acting:
-    """Rows of a step that share a history.
-
-    Parameters
-    ----------
-    keyword : str
-        ``"*CLOAD"`` or ``"*BOUNDARY"``.
-    history : History
-    rows : tuple of str
-    """
-
-    keyword: str
-    history: History
-    rows: tuple[str, ...]
-
-
-def acting(model: Model, points: Mapping[str, InpPoint]) -> list[Acting]:
-    """What moves and loads the points, in the order of the numbers of the amplitudes.
+def moves(model: Model, points: Mapping[str, InpPoint]) -> Iterator[DeckRows]:
+    """What moves the points.
 
     Raises
     ------
     TurgorError
-        If a load follows its point, or a displacement is a function.
+        If a displacement is a function.
     """
-    return [each for each in (*_moves(model, points), *_forces(model, points)) if each.rows]
-
-
-def _moves(model: Model, points: Mapping[str, InpPoint]) -> Iterator[Acting]:
     for support in model.supports:
         if isinstance(support, Rotation):
             each = points[support.point]
             turn = support.angle * np.array(support.axis) / np.linalg.norm(support.axis)
             rows = [f"{each.turning}, {each.first + k}, {each.first + k}, {turn[k]:.12g}" for k in range(3) if turn[k]]
-            yield Acting("*BOUNDARY", support.history, tuple(rows))
+            yield DeckRows("*BOUNDARY", support.history, tuple(rows))
         elif isinstance(support, Displacement) and support.face in points:
             each = points[support.face]
             if not isinstance(support.value, Shift):
@@ -203,43 +181,44 @@ def _moves(model: Model, points: Mapping[str, InpPoint]) -> Iterator[Acting]:
                 )
             axes = ["xyz".index(letter) for letter in support.directions]
             ways = [f"{each.node}, {k + 1}, {k + 1}, {support.value.vector[k] / mm:.12g}" for k in axes]
-            yield Acting("*BOUNDARY", support.value.history, tuple(ways))
+            yield DeckRows("*BOUNDARY", support.value.history, tuple(ways))
 
 
-def _forces(model: Model, points: Mapping[str, InpPoint]) -> Iterator[Acting]:
-    share = 1 / model.mesh.symmetry_factor
-    for load in model.loads:
-        if isinstance(load, Force | Moment) and load.follower:
-            raise TurgorError("a force or moment that follows its point has no form in .inp files; leave it out.")
-        if isinstance(load, Force) and load.face in points:
-            each = points[load.face]
-            yield Acting("*CLOAD", load.history, _rows(each.node, 1, share * np.array(load.vector) / N))
-        elif isinstance(load, Hanging):
-            yield Acting("*CLOAD", load.history, _rows(points[load.point].node, 1, share * np.array(load.force) / N))
-        elif isinstance(load, Moment):
-            each = points[load.point]
-            yield Acting("*CLOAD", load.history, _rows(each.turning, each.first, share * np.array(load.vector) / mm))
-        elif isinstance(load, Gravity):
-            down = load.acceleration * np.array(load.direction) / np.linalg.norm(load.direction)
-            rows = [_rows(each.node, 1, share * each.point.mass * down / N) for each in points.values()]
-            yield Acting("*CLOAD", load.history, sum(rows, ()))
+@dataclass(frozen=True, slots=True)
+class InpDeck:
+    """Names and numbers of a model in a file; see `turgor.core.model.loads.load.Deck`.
+
+    Parameters
+    ----------
+    points : mapping of str to InpPoint
+    plain : mapping of str to str
+        Names of the faces in the file.
+    share : float
+        Share of a force on the whole actuator that the modeled part carries.
+    """
+
+    points: Mapping[str, InpPoint]
+    plain: Mapping[str, str]
+    share: float
+
+    @property
+    def masses(self) -> dict[str, float]:
+        """Masses of the reference points by name [kg]."""
+        return {name: each.point.mass for name, each in self.points.items()}
+
+    def name(self, face: str) -> str:
+        """Name of a face in the file."""
+        return self.plain[face]
+
+    def force(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
+        """Rows of a force [N] on a reference point, that on the whole actuator."""
+        return _rows(self.points[point].node, 1, self.share * np.asarray(vector) / N)
+
+    def moment(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
+        """Rows of a moment [N m] on a reference point, that on the whole actuator."""
+        each = self.points[point]
+        return _rows(each.turning, each.first, self.share * np.asarray(vector) / mm)
 
 
 def _rows(node: int, first: int, values: Array) -> tuple[str, ...]:
     return tuple(f"{node}, {first + k}, {value:.12g}" for k, value in enumerate(values) if value)
-
-
-def amplitude_lines(parts: Sequence[Acting]) -> Iterator[str]:
-    """Amplitudes of what acts on the points."""
-    for number, part in enumerate(parts):
-        if part.history != RAMP:
-            yield f"*AMPLITUDE, NAME=point_{number + 1}, TIME=TOTAL TIME"
-            yield from (f"{factor:.12g}, {share:.12g}" for factor, share in points_of(part.history))
-
-
-def step_lines(parts: Sequence[Acting]) -> Iterator[str]:
-    """What acts on the points, for the first step."""
-    for number, part in enumerate(parts):
-        amplitude = "ramp" if part.history == RAMP else f"point_{number + 1}"
-        yield f"{part.keyword}, AMPLITUDE={amplitude}"
-        yield from part.rows

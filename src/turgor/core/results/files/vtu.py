@@ -127,7 +127,7 @@ def _times(solution: Solution) -> tuple[list[float], str]:
     if len(clock) == len(solution.states):
         return clock, "time [s]"
     factors = [state.load_factor for state in solution.states]
-    common, stages = common_pressure(solution.model), stage_column(solution)
+    common, stages = common_pressure(solution.model.loads), stage_column(solution)
     order = stages[0].values.tolist() if stages else factors
     if any(b <= a for a, b in pairwise(order)):
         return [float(number) for number in range(len(order))], "number of the state"

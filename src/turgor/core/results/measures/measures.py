@@ -249,7 +249,7 @@ def _with_parts(chosen: Sequence[Measure], mesh: Mesh) -> tuple[Measure, ...]:
 def _drive(solution: Solution) -> tuple[Column, ...]:
     factors = np.array([state.load_factor for state in solution.states])
     columns = [Column("load_factor", "", factors), *stage_column(solution), *time_column(solution)]
-    common = common_pressure(solution.model)
+    common = common_pressure(solution.model.loads)
     if not all(state.model is solution.model and stated_by_loads(state) for state in solution.states):
         found = [pressures_of(state) for state in solution.states]
         for face in found[0]:

@@ -7,8 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.points.motion import PointMotion
 from turgor.core.model.model import Model
-from turgor.core.model.points import Hinge, Rotation
-from turgor.core.model.supports import Displacement, Fixed
+from turgor.core.model.supports import Fixed
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measure import Measure
 from turgor.core.results.measures.rotations import twist
@@ -102,9 +101,9 @@ def point_measures_of(model: Model) -> tuple[Measure, ...]:
     chosen: list[Measure] = []
     for name, point in model.points.items():
         what = ["displacement", "rotation"]
-        if any(point.stiffness) or any(isinstance(s, Fixed | Displacement) and s.face == name for s in model.supports):
+        if any(point.stiffness) or any(support.prescribed[0] == name for support in model.supports):
             what.append("reaction")
-        turned = any(isinstance(s, Rotation | Hinge) and s.point == name for s in model.supports)
+        turned = any(support.turned_point == name for support in model.supports)
         if turned or point.rotational_spring:
             what.append("reaction_moment")
         chosen += [of_point(name, each, axis) for each in what for axis in "xyz"]

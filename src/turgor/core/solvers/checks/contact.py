@@ -207,7 +207,7 @@ def _first_contact(states: Sequence[State], measured: Iterable[float]) -> float 
 
 def _met(model: Model, cavity: str | None, whom: str, factor: float) -> Finding:
     load, pressures = f"load factor {factor:.3g}", drive_text(model, factor, 3)
-    common = common_pressure(model)
+    common = common_pressure(model.loads)
     if common is not None and rises(common):
         load = pressures
     elif pressures:

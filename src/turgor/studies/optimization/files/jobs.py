@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from turgor.core.model.loads import Pressure
+from turgor.core.model.loads import pressures_among
 from turgor.core.results.measures.measures import MEASURES
 from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.errors import TurgorError, unknown
@@ -200,7 +200,7 @@ def _names(goal: Goal) -> tuple[str, ...]:
 
 def _stopping(job: Job, goals: Sequence[Goal]) -> Any:
     """Return the procedure with a state at each pressure at which goals read: between states is interpolated."""
-    full = [each.pressure for each in job.loads if isinstance(each, Pressure)]
+    full = [each.pressure for each in pressures_among(job.loads)]
     if not isinstance(job.procedure, Static) or len(full) != 1 or full[0] <= 0:
         return job.procedure
     at = [goal.at for goal in goals if goal.at is not None and goal.at[0] == "pressure"]

@@ -13,9 +13,8 @@ from turgor.core.engine.faces.dead_loads import dead_terms
 from turgor.core.engine.points.motion import carried_displacement
 from turgor.core.engine.points.point_unknowns import with_carried
 from turgor.core.engine.term import Configuration, Setting
-from turgor.core.model.loads import Force, Hanging, LineForce, Load, PointForce, Traction
+from turgor.core.model.loads import Load
 from turgor.core.model.model import Model
-from turgor.core.model.supports import Displacement
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.work.fluid import fluid_works
 from turgor.foundation.errors import TurgorError
@@ -36,8 +35,8 @@ def outside_works(path: Sequence[StateFields]) -> Array:
     path : sequence of StateFields
     """
     model = path[0].model
-    loads = [load for load in model.loads if _outside(load)]
-    moved = any(isinstance(each, Displacement) for each in model.supports)
+    loads = [load for load in model.loads if load.outside]
+    moved = any(each.moves for each in model.supports)
     if not loads and not moved and not model.contact.obstacles:
         raise TurgorError(
             "the model has no outside load: no force, hanging weight or obstacle, and no face that is moved. Its "
@@ -63,12 +62,6 @@ def efficiencies(path: Sequence[StateFields]) -> Array:
     out = np.full(len(path), np.nan)
     out[done] = outside_works(path)[done] / fluid[done]
     return out
-
-
-def _outside(load: Load) -> bool:
-    """Whether a load is dead and outside; the weight of the actuator itself is not."""
-    follows = isinstance(load, Force) and load.follower
-    return isinstance(load, Force | Traction | PointForce | LineForce | Hanging) and not follows
 
 
 def _dead(path: Sequence[StateFields], loads: list[Load]) -> tuple[Array, Array]:

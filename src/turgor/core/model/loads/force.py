@@ -1,0 +1,101 @@
+"""Force: a dead load of a known total on a face, or a force on a reference point."""
+
+from collections.abc import Container
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.history import RAMP, History, checked
+from turgor.core.model.loads.images import check_symmetric
+from turgor.core.model.loads.load import Array, Deck, DeckRows, Load, NodalForces, Turning
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.given import Quantities, vector
+from turgor.foundation.given import name as name_of
+
+
+@dataclass(frozen=True, slots=True)
+class Force(Load):
+    """Dead load of a known total on a face: spread evenly over its reference area and fixed in direction.
+
+    A weight that hangs from a face, a pull by a long thread, a push by a soft spring. The inertia of what hangs there
+    is not included; that of a `Hanging` weight is. On a `ReferencePoint` the force acts at the point.
+
+    Parameters
+    ----------
+    face : str
+        Name of the face, or of a reference point.
+    vector : (3,) floats [N]
+        The whole force, on the whole actuator: where a half is modeled, its mirror image carries the other half.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`.
+    follower : bool
+        Whether the force turns with the reference point on which it acts, and is stated as it is at rest.
+
+    Raises
+    ------
+    TurgorError
+        If the history is none, or the force is not finite.
+
+    Examples
+    --------
+    >>> Force("tip", (0, 0, -0.05 * 9.80665)).share(0.5)
+    0.5
+    """
+
+    face: str
+    vector: tuple[float, float, float]
+    history: History = RAMP
+    follower: bool = False
+
+    if TYPE_CHECKING:
+
+        def __init__(self, face: str, vector: Quantities, history: History = RAMP, follower: bool = False) -> None: ...
+
+    def __post_init__(self) -> None:
+        said = f"force on '{name_of(self.face, 'face of a force', 'tip')}'"
+        object.__setattr__(self, "vector", vector(self.vector, said, "force"))
+        object.__setattr__(self, "history", checked(self.history, said))
+
+    @property
+    def words(self) -> str:
+        """The vector and the face or point."""
+        parts = ", ".join(f"{part:.6g}" for part in self.vector)
+        way = "turning with the point" if self.follower else "fixed in direction"
+        return f"Force ({parts}) N on {self.face}, {way}"
+
+    @property
+    def outside(self) -> bool:
+        """Whether it is a dead force; one that turns with its point has no share in the work on outside loads."""
+        return not self.follower
+
+    def mirrored(self, axis: int) -> bool:
+        """Whether it does not point across the plane."""
+        return not self.vector[axis]
+
+    def check(self, mesh: Mesh, points: Container[str]) -> None:
+        """Refuse an unknown face or point, a follower force on a face, and a force without a mirror image."""
+        if self.face not in points:
+            if self.follower:
+                raise TurgorError(
+                    f"force on '{self.face}': only a force on a reference point can follow its rotation; tie the face "
+                    "to a ReferencePoint, or take a Pressure."
+                )
+            mesh.face(self.face)
+        check_symmetric(mesh, f"force on '{self.face}': {{:g}} N", self.vector)
+
+    def dead_forces(self, nodal: NodalForces) -> Array | None:
+        """Return the nodal forces of the whole force; None if it turns with its point."""
+        return None if self.follower else nodal.of_total(self.face, self.vector)
+
+    @property
+    def turning(self) -> Turning | None:
+        """The force, if it turns with its point."""
+        return Turning(self.face, self.vector, False, True) if self.follower else None
+
+    def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
+        """Return the rows of a force on a reference point."""
+        if self.follower:
+            raise TurgorError("a force or moment that follows its point has no form in .inp files; leave it out.")
+        if self.face not in deck.masses:
+            return Load.deck_rows(self, deck)
+        return (DeckRows("*CLOAD", self.history, deck.force(self.face, self.vector)),)

@@ -1,0 +1,227 @@
+"""Load: the base of all loads, with everything that follows from one.
+
+A load is a frozen dataclass that inherits `Load`, in a file of its own. It answers what the equations, half models,
+stages, reports and other programs need to know; nothing else asks for its class. What it leaves out has the default
+that stands here.
+"""
+
+import re
+from collections.abc import Callable, Container, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.history import RAMP, History, fading, share_at, with_history
+from turgor.core.model.history_text import shares_text
+from turgor.core.model.loads.images import check_images
+from turgor.foundation.errors import TurgorError, unknown
+
+Array = NDArray[np.float64]
+Vector = tuple[float, float, float]
+
+
+class NodalForces(Protocol):
+    """Nodal forces of what acts on the modeled part: arrays (n, 3), scaled as the equations are.
+
+    Arguments are in SI units. A force on the whole actuator is divided among the modeled part and its images.
+    """
+
+    def on_face(self, face: str, traction: ArrayLike) -> Array:
+        """Forces of a constant traction (3,) [Pa] on the reference area of a face."""
+
+    def of_total(self, place: str, force: ArrayLike) -> Array:
+        """Forces of a total (3,) [N] on the whole actuator, spread over a face or at a reference point."""
+
+    def per_volume(self, value: Callable[[Array], Array]) -> Array:
+        """Forces of ``value(points) -> (n, 3) force per reference volume [N/m³]``."""
+
+    def per_mass(self, value: Callable[[Array], Array]) -> Array:
+        """Forces of ``value(points) -> (n, 3) acceleration [m/s²]`` of all regions."""
+
+    def of_weight(self, acceleration: ArrayLike) -> Array:
+        """Forces of one acceleration (3,) [m/s²] of all regions and reference points."""
+
+    def at_point(self, at: Vector, force: Vector) -> Array:
+        """Forces of a force (3,) [N] at a point of the surface."""
+
+    def along_edge(self, faces: tuple[str, str], force: Vector) -> Array:
+        """Forces of a force per length (3,) [N/m] along the edge between two faces."""
+
+
+@dataclass(frozen=True, slots=True)
+class Turning:
+    """A moment on a reference point, or a force that turns with it; neither has a potential.
+
+    Parameters
+    ----------
+    point : str
+        Name of the reference point.
+    vector : (3,) floats [N m] or [N]
+        Moment or force on the whole actuator.
+    is_moment : bool
+    follower : bool
+        Whether the vector turns with the point.
+    """
+
+    point: str
+    vector: Vector
+    is_moment: bool
+    follower: bool
+
+
+@dataclass(frozen=True, slots=True)
+class DeckRows:
+    """Rows of an .inp file that share a keyword and a history.
+
+    Parameters
+    ----------
+    keyword : str
+        ``"*CLOAD"``, ``"*DSLOAD"`` and the like.
+    history : History
+    rows : tuple of str
+    """
+
+    keyword: str
+    history: History
+    rows: tuple[str, ...]
+
+
+class Deck(Protocol):
+    """Names and numbers of a model in an .inp file; lengths are in mm, forces in N, stresses in MPa."""
+
+    @property
+    def masses(self) -> Mapping[str, float]:
+        """Masses of the reference points by name [kg]."""
+
+    def name(self, face: str) -> str:
+        """Name of a face in the file."""
+
+    def force(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
+        """Rows of a force [N] on a reference point, that on the whole actuator."""
+
+    def moment(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
+        """Rows of a moment [N m] on a reference point, that on the whole actuator."""
+
+
+class Load:
+    """What acts on an actuator, and all that follows from it; `Pressure`, `Force` and the like inherit it.
+
+    A load has a field ``history``, the share of it that acts at a load factor.
+
+    Examples
+    --------
+    >>> from turgor.core.model.loads import Force
+    >>> load = Force("tip", (0, 0, -1))
+    >>> load.kind, load.place, load.mirrored(1), load.text()
+    ('force', 'tip', True, 'Force (0, 0, -1) N on tip, fixed in direction.')
+    """
+
+    __slots__ = ()
+
+    history: History = RAMP
+
+    #: Key of a list of tables below ``[loads]`` in job files; empty where the tables of a load are read by their own
+    #: function. A file in the folder of loads that states none has its own name as key.
+    job_key: ClassVar[str] = ""
+    #: Whether the load needs the density of every region.
+    needs_density: ClassVar[bool] = False
+    #: Whether the load is spread over the faces that it names, so that the mean stress may jump there.
+    spread: ClassVar[bool] = True
+
+    @property
+    def kind(self) -> str:
+        """Name of the class in words, such as ``"point force"``."""
+        return re.sub(r"(?<!^)(?=[A-Z])", " ", type(self).__name__).lower()
+
+    @property
+    def place(self) -> str:
+        """Name of the face or point on which it acts; a load of the same kind and place replaces it in a stage."""
+        return str(getattr(self, "face", getattr(self, "point", "")))
+
+    @property
+    def named_faces(self) -> tuple[str, ...]:
+        """Faces that the mesh must have."""
+        face = getattr(self, "face", None)
+        return () if face is None else (face,)
+
+    @property
+    def label(self) -> str:
+        """The load in a few letters, such as ``"Force(tip)"``."""
+        return f"{type(self).__name__}({self.place})" if self.place else type(self).__name__
+
+    @property
+    def words(self) -> str:
+        """What acts at a share of one, without a full stop."""
+        return f"{self.kind.capitalize()} on {self.place}" if self.place else self.kind.capitalize()
+
+    def text(self) -> str:
+        """Return the sentence of a report."""
+        return f"{self.words}{shares_text(self.history)}."
+
+    def share(self, load_factor: float) -> float:
+        """Return the share of the load that acts at a load factor."""
+        return share_at(self.history, load_factor)
+
+    def mirrored(self, axis: int) -> bool:
+        """Whether a plane normal to an axis may cut the actuator: the load is the same on both sides of it."""
+        return True
+
+    def turned(self, axis: int) -> bool:
+        """Whether the load is the same after any turn about an axis."""
+        return all(self.mirrored(across) for across in range(3) if across != axis)
+
+    def check(self, mesh: Mesh, points: Container[str]) -> None:
+        """Refuse what is not there, and what has no mirror image in a half model or is not the same in all sectors.
+
+        Parameters
+        ----------
+        mesh : Mesh
+        points : container of str
+            Names of the reference points.
+        """
+        point = getattr(self, "point", None)
+        if point is not None and point not in points:
+            raise unknown(f"reference point of a {self.kind} load", point, points)  # type: ignore[arg-type]
+        for name in self.named_faces:
+            mesh.face(name)
+        check_images(mesh, f"{self.kind} on '{self.place}'" if self.place else self.kind, self.mirrored, self.turned)
+
+    def dead_forces(self, nodal: NodalForces) -> Array | None:
+        """Return nodal forces (n, 3) at a share of one that do not change with the deformation; None without any."""
+        return None
+
+    @property
+    def turning(self) -> Turning | None:
+        """The moment or follower force on a reference point; None of other loads."""
+        return None
+
+    def terms(self, setting: Any) -> Sequence[Any]:
+        """Return terms of its own, where its forces change with the deformation: see `turgor.core.engine.term`."""
+        return ()
+
+    @property
+    def carried_mass(self) -> float:
+        """Mass that moves with the reference point on which it acts [kg]."""
+        return 0.0
+
+    @property
+    def outside(self) -> bool:
+        """Whether the actuator does work on something outside by moving against its dead forces."""
+        return True
+
+    def continued(self, share: float, new: "Load | None") -> "Load":
+        """Return the load of the next stage: the share that acts stays, or gives way to a new load."""
+        return with_history(self, fading(share, None if new is None else new.history))
+
+    def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
+        """Return its rows in the first step of an .inp file.
+
+        Raises
+        ------
+        TurgorError
+            If it has no form there.
+        """
+        raise TurgorError(f"a load of kind {type(self).__name__} has no form in .inp files; leave it out.")

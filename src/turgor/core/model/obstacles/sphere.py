@@ -1,0 +1,37 @@
+"""Sphere: a rigid ball."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from turgor.core.model.obstacles.rigid_shape import SAME, RigidShape, Vector, across, in_mm, positive
+from turgor.foundation.given import vector
+from turgor.units import mm
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sphere(RigidShape):
+    """A rigid ball.
+
+    Parameters
+    ----------
+    center : (3,) floats [m]
+        Its center.
+    radius : float [m]
+        More than 0.
+    """
+
+    center: Vector
+    radius: float
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "center", vector(self.center, "sphere: center", "length"))
+        positive("sphere: radius", self.radius)
+
+    def text(self) -> str:
+        """Return the shape and its place in words."""
+        return f"sphere of radius {self.radius / mm:g} mm around {in_mm(self.center)}"
+
+    def turned(self, axis: int, center: Vector) -> bool:
+        """Whether its center is on the axis."""
+        return bool(np.allclose(across(self.center, axis), across(center, axis), atol=SAME))

@@ -1,0 +1,134 @@
+"""Displacement: a face, or a reference point, that is moved."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.model.history import RAMP, History, checked, share_at
+from turgor.core.model.supports.support import Support, check_directions
+from turgor.foundation.given import Quantities, name, vector
+
+Array = NDArray[np.float64]
+
+#: Displacement of points [m] at a load factor.
+Move: TypeAlias = Callable[[Array, float], Array]
+
+
+@dataclass(frozen=True, slots=True)
+class Displacement(Support):
+    """Move a face along a prescribed displacement, scaled by the load factor.
+
+    Parameters
+    ----------
+    face : str
+        Name of the face, ``"*"`` for the whole surface of the body, or the name of a `ReferencePoint`.
+    value : callable, or (3,) floats [m]
+        ``value(points, load_factor) -> (n, 3) displacement [m]`` of the (n, 3) reference points [m]. Three lengths
+        stand for a `Shift` by them.
+    directions : str
+        Which components are prescribed.
+    """
+
+    face: str
+    value: Move
+    directions: str = "xyz"
+
+    moves = True
+
+    if TYPE_CHECKING:
+
+        def __init__(self, face: str, value: Move | Quantities, directions: str = "xyz") -> None: ...
+
+    def __post_init__(self) -> None:
+        name(self.face, "face of a displacement", "tip")
+        value: object = self.value
+        if not callable(value):
+            object.__setattr__(self, "value", Shift(vector(value, f"displacement of '{self.face}'", "length")))
+        check_directions(self.directions, f"displacement of '{self.face}'")
+
+    @property
+    def named_faces(self) -> tuple[str, ...]:
+        """The face; none where the whole surface is moved."""
+        return () if self.face == "*" else (self.face,)
+
+    @property
+    def prescribed(self) -> tuple[str, str]:
+        """The face and the directions."""
+        return self.face, self.directions
+
+    @property
+    def way(self) -> History | None:
+        """History of a `Shift`."""
+        return self.value.history if isinstance(self.value, Shift) else None
+
+    def text(self) -> str:
+        """Return the sentence of a report."""
+        return f"{'The whole surface' if self.face == '*' else self.face} moved in {', '.join(self.directions)}."
+
+    def continued(self, factor: float, new: "Displacement | None") -> "Displacement":
+        """Return the displacement of the next stage: it stays where it is, or follows a new one from there."""
+        return replace(self, value=ContinuedMove(self, factor, new))
+
+
+@dataclass(frozen=True, slots=True)
+class Shift:
+    """The value of a `Displacement` by which the whole face goes the same way.
+
+    Parameters
+    ----------
+    vector : (3,) floats [m]
+        How far it is from where it was at first, at a share of one.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`: the share of the displacement; the load factor by default.
+
+    Examples
+    --------
+    >>> Shift((0, 0, 2e-3))(np.zeros((1, 3)), 0.5)
+    array([[0.   , 0.   , 0.001]])
+    """
+
+    vector: tuple[float, float, float]
+    history: History = RAMP
+
+    if TYPE_CHECKING:
+
+        def __init__(self, vector: Quantities, history: History = RAMP) -> None: ...
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "vector", vector(self.vector, "displacement", "length"))
+        object.__setattr__(self, "history", checked(self.history, "displacement"))
+
+    def __call__(self, points: Array, load_factor: float) -> Array:
+        """Displacement (n, 3) [m] of points at a load factor."""
+        share = share_at(self.history, load_factor)
+        return np.tile(share * np.array(self.vector, dtype=np.float64), (len(points), 1))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ContinuedMove:
+    """A move that stays where an old one ended, or follows a new one from there.
+
+    A class and not a function, so that a file can hold it.
+
+    Parameters
+    ----------
+    old : Displacement
+    factor : float
+        Load factor at which the old move ended.
+    new : Displacement or None
+    """
+
+    old: Displacement
+    factor: float
+    new: Displacement | None
+
+    def __call__(self, points: Array, load_factor: float) -> Array:
+        """Displacement [m] of points at a load factor."""
+        left = np.asarray(self.old.value(points, self.factor))
+        if self.new is None:
+            return left
+        there, begun = self.new.value(points, load_factor), self.new.value(points, 0.0)
+        return np.asarray(there) + (1 - load_factor) * (left - begun)

@@ -1,0 +1,216 @@
+"""Listed loads: those that a job file states as tables ``[[loads.KEY]]``, with the fields of the load as keys.
+
+A file in `turgor.core.model.loads` whose class states a ``job_key`` is all that a new one needs.
+"""
+
+import inspect
+from collections.abc import Iterable, Mapping
+from dataclasses import MISSING, Field, fields
+from functools import cache, partial
+from types import GenericAlias
+from typing import Annotated, Any
+
+import pydantic
+from pydantic import BeforeValidator, create_model
+
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.model.loads.load import Load
+from turgor.foundation.errors import unknown
+from turgor.foundation.registry import Registry, class_of_file
+from turgor.job.reference.kinds import kind_of
+from turgor.job.reference.meanings import meanings
+from turgor.job.text.load_tables import LoadsTable
+from turgor.job.text.load_values import OVER_TIME, SHARES, Points, Vector, history_of, history_values, says_three, three
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import Coordinate, Says, Table, default_of
+from turgor.units import UNITS, format_quantity, parse_quantity
+
+#: Loads by the name of their file: the classes in their folder.
+LOADS: Registry[type[Load]] = Registry(
+    "turgor.core.model.loads", class_of_file(lambda kind: issubclass(kind, Load) and kind is not Load)
+)
+
+#: Units in which lock files state the fields of loads; SI units of other dimensions.
+_UNITS: Mapping[str, str] = {"length": "mm", "pressure": "kPa", "mass": "g", "angle": "deg"}
+
+_TWO_FACES = '["tip", "outside"]'
+
+
+def listed_kinds() -> dict[str, type]:
+    """Return the loads that a job file states as lists of tables, by the key below ``[loads]``.
+
+    Examples
+    --------
+    >>> listed_kinds()["point_forces"].__name__
+    'PointForce'
+    """
+    return {kind.job_key: kind for kind in LOADS.values() if kind.job_key}
+
+
+@cache
+def listed_table(kind: type) -> type[Table]:
+    """Make the table of a load: a key for each field, and ``history_over_time``.
+
+    A field states its dimension, and its key where that is not its name:
+    ``field(metadata={"dimension": "force", "key": "force"})``.
+    """
+    load: Any = kind
+    said = meanings(load)
+    keys: dict[str, Any] = {_key(item): (_type_of(item), _default_of(item)) for item in _stated(kind)}
+    keys |= {"history": (Points, None), "history_over_time": (Points, None)}
+    lines = [f"{_key(item)} : value\n    {said.get(item.name, '')}" for item in _stated(kind)]
+    lines += [f"history : value\n    {SHARES}", f"history_over_time : value\n    {OVER_TIME}"]
+    doc = f"``[[loads.{load.job_key}]]``: {_first_line(kind)}\n\nKeys\n----\n" + "\n".join(lines)
+    return create_model(f"{kind.__name__}Table", __base__=Table, __doc__=doc, **keys)
+
+
+def loads_model() -> type[LoadsTable]:
+    """Return the table ``[loads]`` with a list of tables for each listed load."""
+    return _loads_model(tuple(listed_kinds().items()))
+
+
+@cache
+def _loads_model(kinds: tuple[tuple[str, type], ...]) -> type[LoadsTable]:
+    tables: dict[str, Any] = {key: listed_table(kind) for key, kind in kinds}
+    keys: dict[str, Any] = {
+        key: (GenericAlias(list, table), pydantic.Field([], examples=[_example(table)]))
+        for key, table in tables.items()
+    }
+    lines = [f"    {key} : list of tables\n        {_first_line(kind)}" for key, kind in kinds]
+    doc = "\n".join([(LoadsTable.__doc__ or "").rstrip(), *lines, ""])
+    return create_model("LoadsTable", __base__=LoadsTable, __doc__=doc, **keys)
+
+
+def _example(table: type[Table]) -> str:
+    """A list of one table with the keys that have no default, in TOML."""
+    needed = {key: item for key, item in table.model_fields.items() if item.is_required()}
+    values = [f"{key} = {(item.examples or [kind_of(item).example])[0]}" for key, item in needed.items()]
+    return f"[{{ {', '.join(values)} }}]"
+
+
+def read_listed(table: Any, geometry: Geometry | None, duration: float | None, problems: Problems) -> list[Load]:
+    """Return the loads of the tables in ``[loads]``.
+
+    Parameters
+    ----------
+    table : Table
+        ``[loads]``, checked.
+    geometry : Geometry or None
+        The actuator; None where it could not be built.
+    duration : float or None [s]
+        Of the procedure.
+    problems : Problems
+        Takes what is wrong.
+    """
+    loads: list[Load] = []
+    for name, kind in listed_kinds().items():
+        key = ("loads", name)
+        for each in getattr(table, name):
+            made = problems.attempt(key, partial(_made, kind, each, duration))
+            if made is not None and fits(made, geometry, key, problems):
+                loads.append(made)
+    return loads
+
+
+def fits(
+    load: Load, geometry: Geometry | None, key: tuple[str, ...], problems: Problems, points: Iterable[str] = ()
+) -> bool:
+    """Return whether an actuator has the faces of a load, and every image of its modeled part has the load.
+
+    Parameters
+    ----------
+    load : Load
+    geometry : Geometry or None
+        The actuator; None where it could not be built.
+    key : tuple of str
+        Where the load stands.
+    problems : Problems
+        Takes what is wrong.
+    points : iterable of str
+        Names of reference points, on which a load may act as on a face.
+    """
+    if geometry is None:
+        return True
+    faces = geometry.faces
+    wrong = [str(unknown("face", name, faces)) for name in load.named_faces if name not in (*faces, *points)]
+    for number, axis in enumerate("xyz"):
+        if f"symmetry_{axis}" in geometry.faces and not load.mirrored(number):
+            wrong.append(
+                f"the {load.kind} has no mirror image in a half model, whose mirror plane is normal to {axis}; "
+                "set actuator.symmetric = false."
+            )
+    wedge = geometry.wedge
+    if wedge is not None and not load.turned("xyz".index(wedge.axis)):
+        wrong.append(
+            f"the {load.kind} is not the same in all sectors of the wedge about {wedge.axis}; set actuator.symmetry "
+            '= "none".'
+        )
+    for sentence in wrong:
+        problems.add(key, sentence)
+    return not wrong
+
+
+def listed_values(loads: Iterable[Load]) -> dict[str, list[dict[str, Any]]]:
+    """Write loads as keys of ``[loads]``; `read_listed` gives the same ones back."""
+    values: dict[str, list[dict[str, Any]]] = {}
+    for load in loads:
+        if load.job_key:
+            values.setdefault(load.job_key, []).append(_written(load))
+    return values
+
+
+def _made(kind: Any, table: Any, duration: float | None) -> Any:
+    given = {item.name: getattr(table, _key(item)) for item in _stated(kind)}
+    return kind(**given, history=history_of(table, _words(kind), duration))
+
+
+def _words(kind: Any) -> str:
+    return str(kind.job_key).replace("_", " ")
+
+
+def _first_line(kind: Any) -> str:
+    return (inspect.getdoc(kind) or "").splitlines()[0]
+
+
+def _stated(kind: Any) -> list[Field[Any]]:
+    return [item for item in fields(kind) if item.name != "history"]
+
+
+def _key(item: Field[Any]) -> str:
+    return str(item.metadata.get("key", item.name))
+
+
+def _type_of(item: Field[Any]) -> Any:
+    dimension = item.metadata.get("dimension", "")
+    if item.type == Vector and dimension in ("", "length"):
+        return list[Coordinate] if dimension else list[float]
+    if item.type == Vector:
+        return Annotated[Any, three(dimension), says_three(dimension)]
+    if item.type == tuple[str, str]:
+        return Annotated[list[str], pydantic.Field(min_length=2, max_length=2), Says("two texts", _TWO_FACES)]
+    return Annotated[float, BeforeValidator(partial(parse_quantity, dimension=dimension))] if dimension else item.type
+
+
+def _default_of(item: Field[Any]) -> Any:
+    """Default of a key, with the length of a list and an example of it."""
+    examples = {"length": '["20 mm", 0, "15 mm"]', "": "[0, 0, 1]"}
+    example = examples.get(item.metadata.get("dimension", ""))
+    if item.type != Vector or example is None:
+        return default_of(item)
+    return pydantic.Field(default_of(item), min_length=3, max_length=3, examples=[example])
+
+
+def _written(load: Any) -> dict[str, Any]:
+    values: dict[str, Any] = {}
+    for item in _stated(type(load)):
+        value = getattr(load, item.name)
+        if value != item.default or item.default is MISSING:
+            values[_key(item)] = _shown(value, item.metadata.get("dimension", ""))
+    return values | history_values(load.history)
+
+
+def _shown(value: Any, dimension: str) -> Any:
+    if isinstance(value, tuple):
+        return [_shown(part, dimension) for part in value]
+    unit = _UNITS.get(dimension) or next(iter(UNITS.get(dimension, ())), None)
+    return value if unit is None else format_quantity(value, unit)
