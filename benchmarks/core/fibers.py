@@ -18,7 +18,7 @@ import json, sys, time
 import turgor as tg
 from turgor.core.engine.warmup.compiling import compile_kernels
 from turgor.core.engine.warmup.needs import Needs
-from turgor.core.geometry import FiberReinforcedCylinder
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.model.fibers import Fibers, Winding
 from turgor.core.results.measures.measures import find_measure

@@ -14,7 +14,7 @@ import pytest
 
 import slices
 import turgor as tg
-from turgor.core.geometry import FiberReinforcedCylinder
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.units import MPa, deg, kPa, mm
 
 KEVLAR = 31067 * MPa * np.pi * (0.1778 * mm) ** 2 / 4 / (2 * mm)

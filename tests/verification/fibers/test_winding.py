@@ -18,7 +18,7 @@ import problems
 import slices
 import turgor as tg
 from fiber_tube import FiberTube
-from turgor.core.geometry import FiberReinforcedCylinder
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.core.meshing.generate import mesh as make_mesh

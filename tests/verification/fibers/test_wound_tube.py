@@ -20,7 +20,7 @@ import pytest
 import problems
 import turgor as tg
 from turgor.core.engine.cells.reference import reference_nodes
-from turgor.core.geometry import FiberReinforcedCylinder
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.meshing.generate import mesh as make_mesh
 from turgor.core.model.fibers import Fibers, Winding

@@ -63,7 +63,7 @@ def find_thin_corners(geometry: Geometry) -> tuple[ThinCorners, ...]:
     Examples
     --------
     >>> from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
-    >>> from turgor.core.geometry import OmnidirectionalActuator
+    >>> from turgor.core.geometry.actuators.omnidirectional_actuator import OmnidirectionalActuator
     >>> sectors = OmnidirectionalActuator(chamber_shape="ring_sector", symmetric=True).build()
     >>> [(found.name, len(found.curved), len(found.lines)) for found in find_thin_corners(sectors)]
     [('cavity_1', 2, 4), ('cavity_2', 1, 7)]

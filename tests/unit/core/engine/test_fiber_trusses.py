@@ -13,7 +13,7 @@ from turgor.core.engine.fibers.smeared import course_of, unit_axis
 from turgor.core.engine.fibers.surface_unrolling import shape_values, unroll
 from turgor.core.engine.fibers.truss_bending import bending_energy, bending_forces, bending_tangents, joints_of
 from turgor.core.engine.system import System
-from turgor.core.geometry import FiberReinforcedCylinder
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.core.geometry.actuators.semicircular_bender import SemicircularBender
 from turgor.core.materials.laws.laws import Hooke, NeoHooke
 from turgor.core.meshing.generate import mesh

@@ -6,11 +6,11 @@ import pytest
 from scipy.integrate import quad
 from tube_cases import areas, assert_meshes
 
-from turgor.core.geometry import FiberReinforcedCylinder
 from turgor.core.geometry.actuators.contracting_tube import ContractingTube
 from turgor.core.geometry.actuators.eccentric_bender import EccentricBender
 from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
 from turgor.core.geometry.actuators.fiber_reinforced_bender import FiberReinforcedBender
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.core.geometry.actuators.rectangular_bender import RectangularBender
 from turgor.core.geometry.actuators.semicircular_bender import SemicircularBender
 from turgor.core.geometry.actuators.twisting_tube import TwistingTube

@@ -8,7 +8,7 @@ import pytest
 
 import turgor as tg
 from turgor.core.engine.fibers.smeared import course_of
-from turgor.core.geometry import FiberReinforcedCylinder
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.core.materials.laws.laws import Hooke, NeoHooke
 from turgor.core.model.fibers import Fibers, Winding
 from turgor.core.solvers.checks.fibers import check_fibers

@@ -8,7 +8,7 @@ import pytest
 import results_cases as cases
 
 import turgor as tg
-from turgor.core.geometry import FiberReinforcedCylinder
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.core.materials.laws.laws import Hooke, NeoHooke
 from turgor.core.meshing.generate import mesh
 from turgor.core.model.fibers import Fibers, Winding

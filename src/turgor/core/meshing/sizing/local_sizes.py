@@ -60,7 +60,7 @@ def local_sizes(geometry: Geometry, size: float, face_sizes: Mapping[str, float]
 
     Examples
     --------
-    >>> from turgor.core.geometry import OmnidirectionalActuator
+    >>> from turgor.core.geometry.actuators.omnidirectional_actuator import OmnidirectionalActuator
     >>> part = OmnidirectionalActuator(chamber_shape="ring_sector", symmetric=True).build()
     >>> found = local_sizes(part, 4e-3, {})
     >>> len(found.faces), len(found.lines), round(found.line_size, 6)

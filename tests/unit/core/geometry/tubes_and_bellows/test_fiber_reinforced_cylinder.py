@@ -5,7 +5,7 @@ from math import pi
 import pytest
 from tube_cases import areas, assert_meshes, assert_shape
 
-from turgor.core.geometry import FiberReinforcedCylinder
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 

@@ -6,7 +6,7 @@ import pytest
 from scipy.integrate import quad
 from tube_cases import areas, assert_meshes, assert_shape
 
-from turgor.core.geometry import OmnidirectionalActuator
+from turgor.core.geometry.actuators.omnidirectional_actuator import OmnidirectionalActuator
 from turgor.core.geometry.parts.chambers import SHAPES, ChamberSection
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm

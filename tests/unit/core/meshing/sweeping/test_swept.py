@@ -5,7 +5,6 @@ import pytest
 
 import turgor as tg
 from turgor.core.engine.faces.surfaces import area, enclosed_volume
-from turgor.core.geometry import FiberReinforcedCylinder, OmnidirectionalActuator
 from turgor.core.geometry.actuators.bellows_of_revolution import BellowsOfRevolution
 from turgor.core.geometry.actuators.bidirectional_bender import BidirectionalBender
 from turgor.core.geometry.actuators.bidirectional_pneunet import BidirectionalPneuNet
@@ -14,6 +13,7 @@ from turgor.core.geometry.actuators.eccentric_bender import EccentricBender
 from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.actuators.fiber_reinforced_bender import FiberReinforcedBender
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder, OmnidirectionalActuator
 from turgor.core.geometry.actuators.free_bottom_pneunet import FreeBottomPneuNet
 from turgor.core.geometry.actuators.helical_pneunet import HelicalPneuNet
 from turgor.core.geometry.actuators.manta_fin import MantaFin
