@@ -31,7 +31,7 @@ POOL = "turgor-loop"
 #: Endings of what numba and `kept` write.
 _COMPILED = frozenset({".nbi", ".nbc", ".compiled"})
 
-_ENGINE = Path(__file__).parent / "engine"
+_ENGINE = Path(__file__).parent.parent / "core" / "engine"
 
 
 def usual() -> tuple[Path, ...]:
