@@ -31,7 +31,7 @@ COMMANDS: Mapping[str, str] = {
     "fit": "fitting.fit.fit_command",
     "export": "export.export_command",
     "mesh": "mesh.mesh_command",
-    "modes": "frequencies.frequencies_command",
+    "modes": "frequencies.modes_command",
     "convergence": "convergence.convergence_command",
     "section": "analyses.section.section_command",
     "guidelines": "analyses.guidelines.guidelines_app",
