@@ -91,7 +91,7 @@ def run_job(
         options = replace(options, notify=files.say)
         with _earlier_results(folder):
             record = _record(files, options, resume)
-            early = matter(record.question.findings, bool(job.output.mesh_error))
+            early = matter(record.question.findings or (), bool(job.output.mesh_error))
             for each in early:
                 (found or show_warning)(each)
             solution, response, findings = _solved(files, record, options, watcher.progress)
@@ -164,7 +164,7 @@ def _solved(
     files: GrowingFiles, record: RunRecord, options: EngineOptions, progress: Heard | None
 ) -> tuple[Solution, Response, tuple[Finding, ...]]:
     """Solve a job, refine its mesh where it has a target, and measure."""
-    job, findings = files.job, record.question.findings
+    job, findings = files.job, record.question.findings or ()
     files.say("solving")
     record.told = lambda: files.grow(record)
     question = replace(record.question, options=options)
