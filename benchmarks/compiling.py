@@ -28,9 +28,9 @@ LOAD = ("--set", 'loads.pressure="0.2 kPa"', "--set", "output.mesh_error=false")
 def counted(job: str) -> None:
     """Run a job in this process and print the CPU seconds that each loop takes to compile, without what it calls."""
     from numba.core import event
+    from turgor.foundation.kernel_cache import beside as process_beside
 
     from turgor.cli.app import main as command
-    from turgor.foundation.kernel_cache import beside as process_beside
 
     class Listener(event.Listener):
         def __init__(self) -> None:

@@ -13,14 +13,14 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
         from turgor.cli.answers.results import CheckResult
         from turgor.core.solvers.procedures.stages import Stages
         from turgor.foundation.finding import Severity
-        from turgor.job.meshes import keep_mesh_of
+        from turgor.job.meshes import save_mesh_of
         from turgor.job.prepare import prepare
         from turgor.views.report.describe import contact
         from turgor.views.report.describe_procedure import procedure
 
         asked = asked_job(job, changes)
         model, findings = prepare(asked)
-        keep_mesh_of(asked)
+        save_mesh_of(asked)
         mesh = model.mesh
         typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
         for sentence in contact(model):

@@ -36,13 +36,13 @@ def mesh_command(
         _check_ending("--picture", picture, ".png")
         from turgor.core.meshing.quality.checks import check_mesh
         from turgor.foundation.finding import Severity
-        from turgor.job.meshes import keep_mesh_of, mesh_of
+        from turgor.job.meshes import mesh_of, save_mesh_of
         from turgor.views.report.mesh_text import describe_mesh
 
         asked = _with_size(asked_job(job, changes), size)
         geometry = asked.geometry()
         mesh = mesh_of(asked, geometry)
-        keep_mesh_of(asked)
+        save_mesh_of(asked)
         findings = (*geometry.findings, *check_mesh(mesh))
         typer.echo(describe_mesh(mesh))
         answer.give(lambda: mesh_result(mesh))

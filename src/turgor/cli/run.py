@@ -1,9 +1,6 @@
 """Command ``turgor run``: check, build, mesh, solve, measure, and write everything into a folder."""
 
-import gc
 import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -13,7 +10,7 @@ import typer
 from turgor.cli.exits import DONE, ENDED, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of, output_option
 from turgor.cli.start.signals import RUN, ends_at_once
-from turgor.foundation.kernel_cache import begin_early
+from turgor.foundation.startup.background_compiler import start_early
 
 if TYPE_CHECKING:
     from turgor.cli.console import PlainDisplay
@@ -47,7 +44,7 @@ class RunOptions:
 def run(chosen: RunOptions) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
     if chosen.job.exists():
-        begin_early()
+        start_early()
     with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once(RUN) as came:
         from turgor.accuracy.adaptivity.findings import matter
 
@@ -71,27 +68,12 @@ def run(chosen: RunOptions) -> None:
 run_command = command_of(RunOptions, run)
 
 
-@contextmanager
-def loading() -> Iterator[None]:
-    """Load code without searches for garbage; later searches leave out what it has made, because that stays."""
-    searching = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.freeze()
-        if searching:
-            gc.enable()
-
-
 def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
     """Run a job; return the outcome, and the findings that were printed before the solve."""
-    with loading():
-        from turgor.job.run import run_job
+    from turgor.job.run import run_job
 
-        job = asked_job(chosen.job, chosen.changes)
-        display = _display(chosen.quiet or chosen.as_json)
-    with display as show:
+    job = asked_job(chosen.job, chosen.changes)
+    with _display(chosen.quiet or chosen.as_json) as show:
         outcome = run_job(
             job,
             chosen.output,

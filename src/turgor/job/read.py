@@ -11,7 +11,7 @@ from turgor.core.setups.setup_values import Setup
 from turgor.core.solvers.procedures.stages import OneProcedure, Stages
 from turgor.foundation.errors import TurgorError, near_file, near_match
 from turgor.foundation.toml_text import read_text, read_toml
-from turgor.job.families import geometry_on_disk
+from turgor.job.family_cache import geometry_on_disk
 from turgor.job.job import Actuator, Job
 from turgor.job.symmetry_breakers import with_broken_planes
 from turgor.job.tables.contact import read_contact

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from turgor.accuracy.adaptivity.findings import matter, mesh_error_findings
 from turgor.core.engine.runtime import EngineOptions
+from turgor.core.engine.warmup.compiling import announce_needs
 from turgor.core.model.model import Model
 from turgor.core.results.measures.measures import find_measure
 from turgor.core.setups.with_setup import with_choices
@@ -20,7 +21,8 @@ from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, by_weight, not_told, show_warning
 from turgor.foundation.response import Response
 from turgor.job.job import Job
-from turgor.job.meshes import keep_mesh_of
+from turgor.job.kernel_needs import kernel_needs
+from turgor.job.meshes import save_mesh_of
 from turgor.job.output.folder import claimed, default_folder
 from turgor.job.output.growing_files import GrowingFiles
 from turgor.job.output.identity import check_same_job
@@ -28,7 +30,6 @@ from turgor.job.output.manifest import bring_back, drop_previous, set_aside
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
-from turgor.job.precompile import compile_for
 from turgor.job.prepare import Notify, coarse_mesh, prepare, silent
 
 Found = Callable[[Finding], None]
@@ -144,10 +145,10 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
         files.go_on()
         files.say("going on with the path that the folder holds")
         return record
-    compile_for(files.job)
+    announce_needs(kernel_needs(files.job))
     model, findings = prepare(files.job, files.say)
     files.job = _settled(files.job, model)
-    keep_mesh_of(files.job)
+    save_mesh_of(files.job)
     set_aside(files.folder)
     files.begin()
     coarse = coarse_mesh(files.job, model)

@@ -17,7 +17,7 @@ def cache_command(
 ) -> None:
     """Show the caches and their sizes, or empty them."""
     with errors_as_sentences(debug):
-        from turgor.foundation.kernel_cache import compiled_files
+        from turgor.foundation.startup.kernel_folder import compiled_files
         from turgor.foundation.store.caches import PARTS, caches
 
         found = {part: _files(caches() / part) for part in PARTS}

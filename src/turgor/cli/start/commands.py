@@ -1,4 +1,4 @@
-"""Commands by their names, each in a file of its own, which is imported once the command is asked for."""
+"""Commands by their names, each in a file of its own."""
 
 from collections.abc import Mapping
 from importlib import import_module
@@ -8,7 +8,7 @@ import typer
 
 from turgor import __version__
 
-#: Where each command is, in the order of the help text; a name that ends in ``_app`` is that of a group of commands.
+#: Where each command is defined, in the order of the help text. A name that ends in ``_app`` is a group of commands.
 COMMANDS: Mapping[str, str] = {
     "run": "run.run_command",
     "materials": "materials.materials_app",
@@ -38,20 +38,8 @@ COMMANDS: Mapping[str, str] = {
 }
 
 
-def app_of(*given: str) -> typer.Typer:
-    """Make the command line: of one command where the arguments begin with its name, else of all.
-
-    Making all takes a fifth of the time that a run needs to load its code.
-
-    Parameters
-    ----------
-    *given : str
-        Arguments of the command line; without them, all commands are there.
-
-    Returns
-    -------
-    typer.Typer
-    """
+def command_line() -> typer.Typer:
+    """Make the command line with all commands."""
     app = typer.Typer(
         add_completion=True,
         rich_markup_mode=None,
@@ -61,13 +49,13 @@ def app_of(*given: str) -> typer.Typer:
         context_settings={"help_option_names": ["-h", "--help"]},
     )
     app.callback()(_options)
-    for name in given[:1] if given[:1] and given[0] in COMMANDS else COMMANDS:
-        module, _, what = COMMANDS[name].rpartition(".")
-        found = getattr(import_module(f"turgor.cli.{module}"), what)
-        if what.endswith("_app"):
-            app.add_typer(found, name=name)
+    for name, place in COMMANDS.items():
+        module, _, function = place.rpartition(".")
+        command = getattr(import_module(f"turgor.cli.{module}"), function)
+        if function.endswith("_app"):
+            app.add_typer(command, name=name)
         else:
-            app.command(name)(found)
+            app.command(name)(command)
     return app
 
 

@@ -48,7 +48,7 @@ def test_another_question_law_or_text_of_a_law_is_derived(derived, monkeypatch):
     times, derive = derived
     for law, requested in ((Yeoh, "a"), (Yeoh, "b"), (Gent, "a")):
         cached_formulas(law, requested, derive)
-    monkeypatch.setattr(module, "_laws", lambda: "other files")
+    monkeypatch.setattr(module, "sources", lambda package: "other files")
     cached_formulas(Yeoh, "a", derive)
     assert len(times) == 4
 
