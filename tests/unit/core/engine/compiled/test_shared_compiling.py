@@ -19,7 +19,7 @@ TOLD = '{"nodes": 10, "sides": 6}'
 
 @pytest.fixture
 def done(tmp_path, monkeypatch):
-    """Groups a, b, c and the later one d, which note that they were compiled, and that garbage is searched for rarely."""
+    """Groups a, b, c and the later one d, which note that they were compiled; garbage is rarely searched for."""
     noted: list[str] = []
 
     def group(name):
@@ -64,7 +64,7 @@ def test_the_background_compiler_ends_if_it_reads_no_needs(done, monkeypatch):
     assert done == ["b"]
 
 
-@pytest.mark.parametrize("still_compiling", [True, False])
+@pytest.mark.parametrize("at_work", [True, False])
 def test_later_groups_are_left_to_the_background_compiler(done, monkeypatch, at_work):
     monkeypatch.setattr(compiling, "still_compiling", lambda: at_work)
     compile_kernels(None, Needs())
