@@ -25,8 +25,8 @@ class TurgorError(ValueError):
     __module__ = "turgor"  # a traceback names the public class
 
     def __init__(self, sentence: str = "", *, python: str = "", command: str = "") -> None:
-        super().__init__(f"{sentence} {python}".rstrip())
-        self.on_command_line = f"{sentence} {command}".rstrip()
+        super().__init__(f"{sentence} {python}".strip())
+        self.on_command_line = f"{sentence} {command}".strip()
 
 
 class CheckError(TurgorError):

@@ -113,5 +113,9 @@ def _job(folder: Path) -> Job:
     if not file.exists():
         raise TurgorError(f"'{folder}' holds no {LOCK}, which says what its run was.")
     if read_lock(file) is None:
-        raise TurgorError(f"'{file}' is damaged; `turgor run JOB --output {folder} --resume` writes it again.")
+        raise TurgorError(
+            f"'{file}' is damaged.",
+            python="run_job(job, output, resume=True) writes it again.",
+            command=f"turgor run JOB --output {folder} --resume writes it again.",
+        )
     return read_job(file)

@@ -2,7 +2,6 @@
 
 from dataclasses import Field as DataclassField
 from dataclasses import fields
-from functools import cache
 from math import inf
 from typing import Annotated, Any, get_args, get_origin
 
@@ -143,7 +142,6 @@ class StatedTable(Table):
     source: SourceTable | None = Field(default=None, examples=['{ text = "own tests of 2026" }'])
 
 
-@cache
 def law_table(law: type) -> type[Table]:
     """Make the table of a material stated by its law: the coefficients are the fields of the law."""
     keys: dict[str, Any] = {item.name: (_constant_type(item), default_of(item)) for item in fields(law)}

@@ -5,7 +5,6 @@ Such a table states the change of the model and the steps of the procedure, whic
 
 from collections.abc import Mapping
 from dataclasses import fields
-from functools import cache
 from types import MappingProxyType
 from typing import Any
 
@@ -64,7 +63,6 @@ def read_setup(name: str, values: Any, loads: tuple[Driving, ...], problems: Pro
     return None if setup is None or procedure is None else (setup, procedure)
 
 
-@cache
 def setup_table(kind: type) -> type[Table]:
     """Make the table of a setup: a key for each of its fields and each of `Static`."""
     steps = field_keys(procedure_fields(Static))
