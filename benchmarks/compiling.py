@@ -28,9 +28,9 @@ LOAD = ("--set", 'loads.pressure="0.2 kPa"', "--set", "output.mesh_error=false")
 def counted(job: str) -> None:
     """Run a job in this process and print the CPU seconds that each loop takes to compile, without what it calls."""
     from numba.core import event
-    from turgor.foundation.kernel_cache import beside as process_beside
 
     from turgor.cli.app import main as command
+    from turgor.foundation.startup.background_compiler import background_process
 
     class Listener(event.Listener):
         def __init__(self) -> None:
@@ -55,7 +55,7 @@ def counted(job: str) -> None:
     listener = Listener()
     with event.install_listener("numba:compile", listener), TemporaryDirectory() as folder:
         code = command(["run", job, "--output", folder, "--force", *LOAD])
-    process = process_beside()
+    process = background_process()
     if process is not None:
         process.wait()  # what it took is counted once it has ended
     beside = resource.getrusage(resource.RUSAGE_CHILDREN)

@@ -23,7 +23,6 @@ from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
-from typing import NoReturn
 
 from tables import table
 
@@ -32,7 +31,7 @@ DEMO = Path(__file__).parents[1] / "examples" / "fast_pneunet.toml"
 LOAD = ("--set", 'loads.pressure="0.2 kPa"', "--set", "output.mesh_error=false")
 
 
-def one() -> NoReturn:
+def one() -> None:
     """Run the job in this process with a clock around each part; print part and CPU seconds, one a line."""
     spent: dict[str, float] = defaultdict(float)
 
@@ -48,12 +47,10 @@ def one() -> NoReturn:
 
         setattr(owner, name, timed)
 
-    from turgor.cli.app import leave, settle
-    from turgor.cli.app import main as command
-    from turgor.cli.run import loading
+    from turgor.cli.app import command
+    from turgor.foundation.startup.garbage import rare_garbage_searches
 
-    settle()
-    with loading():
+    with rare_garbage_searches():
         from turgor.cli.console import PlainDisplay  # noqa: F401  what the command loads
         from turgor.core.solvers import solve
         from turgor.job import meshes, prepare, read, run
@@ -64,7 +61,7 @@ def one() -> NoReturn:
     clock(meshes, "mesh_on_disk", "mesh looked up on disk")
     clock(meshes, "_made", "mesh")
     clock(prepare, "check_mesh", "checks of the mesh")
-    clock(solve, "compile_kernels", "loading compiled loops")
+    clock(solve, "compile_kernels", "loading compiled kernels")
     clock(run, "prepare", "all before the solve")
     clock(run.RunRecord, "create", "record")
     clock(run, "follow_question", "solve")
@@ -76,7 +73,6 @@ def one() -> NoReturn:
     spent["all"] = process_time()
     for part, seconds in spent.items():
         print(f"= {part}: {seconds:.3f}")
-    leave(0)  # as the command does
 
 
 def parts() -> dict[str, float]:
@@ -90,7 +86,7 @@ def parts() -> dict[str, float]:
         lines = (line[2:].rpartition(": ") for line in told.splitlines() if line.startswith("= "))
         found = defaultdict(float, {part: float(seconds) for part, _, seconds in lines})
         found["end"] = _of_children() - before - found["all"]
-        counted = found["loading compiled loops"] + found["tables"] + found["end"]
+        counted = found["loading compiled kernels"] + found["tables"] + found["end"]
         found["overhead"] = found["all"] - found["mesh"] - found["solve"] - found["files"] + counted
         if not best or found["overhead"] < best["overhead"]:
             best = found
