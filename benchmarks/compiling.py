@@ -105,7 +105,7 @@ def section() -> str:
         ("`turgor run` of the demo to its first solved step, wall s", f"{first:.1f}", f"{MOST_WAITING:g}"),
         ("compiling for the demo, all processes, CPU s", f"{compiling:.1f}", f"{MOST_COMPILING:g}"),
     ]
-    text = "No cache of compiled loops, of shapes or of meshes. `python benchmarks/compiling.py` tells each loop."
+    text = "No cache of compiled kernels, of shapes or of meshes. `python benchmarks/compiling.py` tells each loop."
     return f"## First run on a machine\n\n{text}\n\n{table(('what', 'measured', 'at most'), rows)}\n"
 
 

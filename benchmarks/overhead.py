@@ -7,7 +7,7 @@ python benchmarks/overhead.py --one    what one warm process spends, by part
 The job is the demo with a small pressure and without the estimate of the mesh error. A first process fills the caches,
 and keeps shape and mesh for the next ones. What counts as overhead is all but the mesh, the solve, the pictures and
 plots, fields and the report, which have targets of their own: starting Python, imports, reading, building or finding
-the shape, finding the mesh, checks, loading compiled loops, tables and files of the path, and the end of the process.
+the shape, finding the mesh, checks, loading compiled kernels, tables and files of the path, and the end of the process.
 The code of matplotlib and of what draws is loaded with the first picture, and counts as files. The process ends as that
 of a command does. Output goes to a pipe; on a terminal, the code of the bar takes 0.03 CPU seconds more. Exit code 1
 beyond 1 CPU second.
@@ -48,13 +48,13 @@ def one() -> None:
         setattr(owner, name, timed)
 
     from turgor.cli.app import command
-    from turgor.foundation.startup.garbage import rare_garbage_searches
+    from turgor.foundation.startup.garbage import search_rarely
 
-    with rare_garbage_searches():
-        from turgor.cli.console import PlainDisplay  # noqa: F401  what the command loads
-        from turgor.core.solvers import solve
-        from turgor.job import meshes, prepare, read, run
-        from turgor.job.output import tables
+    search_rarely()
+    from turgor.cli.console import PlainDisplay  # noqa: F401  what the command loads
+    from turgor.core.solvers import solve
+    from turgor.job import meshes, prepare, read, run
+    from turgor.job.output import tables
 
     spent["Python and imports"] = process_time()
     clock(read, "_build", "shape")

@@ -17,14 +17,14 @@ from turgor.cli.exits import BAD_INPUT, DONE, ENDED
 from turgor.cli.options import JSON
 from turgor.cli.start.commands import command_line
 from turgor.foundation.finding import FindingWarning
-from turgor.foundation.startup.garbage import rare_garbage_searches
+from turgor.foundation.startup.garbage import search_rarely
 
 
 def command() -> int:
     """Run the command line in a process of its own, and return the exit code."""
     warnings.simplefilter("ignore", FindingWarning)  # commands print findings themselves
-    with rare_garbage_searches():
-        return main(sys.argv[1:])
+    search_rarely()
+    return main(sys.argv[1:])
 
 
 #: Words that users type for options.

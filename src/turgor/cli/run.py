@@ -29,7 +29,7 @@ class RunOptions:
         output_option("Folder of results; by default NAME-results here."),
     ] = None
     force: Annotated[bool, typer.Option("--force", help="Replace the results that the folder holds.")] = False
-    resume: Annotated[bool, typer.Option("--resume", help="Go on with the run in the folder, from its last state.")] = (
+    resume: Annotated[bool, typer.Option("--resume", help="Continue the run in the folder from its last state.")] = (
         False
     )
     quiet: Annotated[bool, typer.Option("--quiet", help="Print errors and warnings only.")] = False
@@ -48,18 +48,18 @@ def run(chosen: RunOptions) -> None:
     with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once(RUN) as came:
         from turgor.accuracy.adaptivity.findings import matter
 
-        outcome, told = _solve(chosen)
+        outcome, reported = _solve(chosen)
         if not chosen.quiet:
-            _tell(outcome)
+            _report(outcome)
         answer.give(lambda: _result(outcome))
         heavy = matter(outcome.findings, mesh_error=False)
-        answer.warn(outcome.findings, [found for found in heavy if found not in told])
+        answer.warn(outcome.findings, [each for each in heavy if each not in reported])
         if not outcome.solution.complete and not chosen.as_json:
             typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
         if not outcome.solution.complete:
             code = _ended_early(outcome, came)
             if code > ENDED and not chosen.as_json:
-                typer.echo("With --resume, it goes on from its last state.", err=True)
+                typer.echo("With --resume, it continues from its last state.", err=True)
             raise typer.Exit(code)
         raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
 
@@ -82,9 +82,9 @@ def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
             threads=chosen.threads,
             notify=show.notify,
             progress=show.progress,
-            found=show.found,
+            found=show.report,
         )
-    return outcome, show.told
+    return outcome, show.reported
 
 
 def _ended_early(outcome: "RunOutcome", came: list[int]) -> int:
@@ -136,7 +136,7 @@ def _numbers(outcome: "RunOutcome") -> tuple[list[str], list[str]]:
     return list(numbers.values()), list(zeros.values())
 
 
-def _tell(outcome: "RunOutcome") -> None:
+def _report(outcome: "RunOutcome") -> None:
     """Print the end of the solve, the last values of the response, the folder of results, and where notes are."""
     from turgor.core.solvers.pressures import pressure_text
     from turgor.foundation.finding import Severity
@@ -152,7 +152,7 @@ def _tell(outcome: "RunOutcome") -> None:
     if zeros:
         typer.echo(f"Zero throughout: {', '.join(zeros)}.")
     typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
-    notes = sum(found.severity is Severity.NOTE for found in outcome.findings)
+    notes = sum(each.severity is Severity.NOTE for each in outcome.findings)
     if notes:
         where = outcome.files[0].name if outcome.job.output.report else LOG
         typer.echo(f"{notes} note{'s' if notes > 1 else ''} on the results in {where}.")

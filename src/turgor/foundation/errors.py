@@ -30,7 +30,7 @@ class TurgorError(ValueError):
 
 
 class CheckError(TurgorError):
-    """A check found an error for which no solve is begun, such as a model that nothing holds."""
+    """A check found an error for which no solve is begun, such as a model without supports."""
 
 
 class NotSolved(TurgorError):

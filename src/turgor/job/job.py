@@ -140,7 +140,7 @@ class Job:
     fibers : mapping of str to Fibers
         Windings by name.
     points : mapping of str to Rig
-        Reference points by name, with what holds them and acts on them.
+        Reference points by name, with their supports and loads.
     contact : Contact
         Surfaces that may come into contact.
     rigid_files : mapping of str to RigidFile
@@ -154,7 +154,7 @@ class Job:
     threads : int or None
         Number of threads; None takes all processors. Only the last digits of the results depend on it.
     built : (Actuator, Geometry) or None
-        What was built when the job was read, so that it is not built twice; another actuator is built anew.
+        What was built when the job was read, so that it is not built twice.
     """
 
     name: str

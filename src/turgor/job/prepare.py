@@ -40,7 +40,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     Raises
     ------
     TurgorError
-        If the job cannot be meshed, held or measured.
+        If the job cannot be meshed, supported or measured.
     """
     say = notify or silent
     say("building the actuator")
@@ -49,16 +49,16 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     made = mesh_of(job, geometry)
     say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
     model = model_of(job, made)
-    asked = with_setup(model, job.setup, say)
-    early = check_before_solve(asked, job.procedure)
-    first = questions(asked, job.procedure)[0] if isinstance(job.procedure, Stages) else asked
+    model_to_solve = with_setup(model, job.setup, say)
+    early = check_before_solve(model_to_solve, job.procedure)
+    first = questions(model_to_solve, job.procedure)[0] if isinstance(job.procedure, Stages) else model_to_solve
     check_measures(first, [find_measure(name) for name in job.output.measures])
     if job.output.markers:
         from turgor.core.results.measures.markers import check_markers  # here: it loads the engine
 
         check_markers(made, job.output.markers)
     found = (*check_mesh(made), *meridian_would_do(model, geometry), *early)
-    return asked, by_weight((*geometry.findings, *found))
+    return model_to_solve, by_weight((*geometry.findings, *found))
 
 
 def coarse_mesh(job: Job, model: Model) -> Mesh | None:

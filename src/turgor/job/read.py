@@ -166,8 +166,8 @@ def _read(
     if given["loads"] is not None:
         needed = not _alone(given) and not _rigged(given["points"])
         loads = read_loads(given["loads"], geometry, materials, problems, needed, timed)
-    held = "supports" in content or geometry is None or "fixed" in geometry.faces  # by symmetry, inertia or points
-    supports = read_supports(given["supports"] if held else {}, geometry, problems)
+    supported = "supports" in content or geometry is None or "fixed" in geometry.faces  # by symmetry, inertia or points
+    supports = read_supports(given["supports"] if supported else {}, geometry, problems)
     contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
     points = read_points(given["points"], geometry, loads, timed, problems)
     around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))

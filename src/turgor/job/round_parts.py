@@ -10,7 +10,7 @@ from turgor.core.model.supports import Displacement, Fixed
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 
-#: Any number of sectors serves to ask whether an obstacle stays the same when it is turned.
+#: Any number of sectors shows whether an obstacle stays the same when it is turned.
 _SECTORS = 6
 
 
@@ -56,11 +56,11 @@ def meridian_would_do(model: Model, geometry: Geometry) -> tuple[Finding, ...]:
 
 def _same_around(model: Model, wedge: Wedge) -> bool:
     """Whether all that acts on a quarter is the same around its axis; its mirror planes refuse forces across it."""
-    held = [each for each in model.supports if isinstance(each, Fixed | Displacement)]
+    supports = [each for each in model.supports if isinstance(each, Fixed | Displacement)]
     across = ["xyz"[i] for i in wedge.across]
     return (
         not any(isinstance(load, PointForce | LineForce) for load in model.loads)
-        and all(sum(letter in each.directions for letter in across) != 1 for each in held)
+        and all(sum(letter in each.directions for letter in across) != 1 for each in supports)
         and all(fibers.form != DISCRETE for fibers in model.reinforcements)
         and all(same_when_turned(obstacle, wedge) for obstacle in model.contact.obstacles)
     )

@@ -60,8 +60,7 @@ def run_job(
     force : bool
         Whether existing results in the folder are replaced.
     resume : bool
-        Whether a run of this job in the folder that was ended goes on from its last state; where there is none, the run
-        begins.
+        Whether an unfinished run of this job in the folder continues from its last state; without one, the run begins.
     threads : int, optional
         Number of threads; by default that of the job, else all processors.
     notify : callable, optional
@@ -80,7 +79,7 @@ def run_job(
     ------
     TurgorError
         If the folder holds files, is in use or cannot be written (before the computation), the job cannot be meshed,
-        or the run that should go on is one of another job.
+        or the run to continue is one of another job.
     """
     options = EngineOptions()
     wanted = threads if threads is not None else job.threads
@@ -136,14 +135,14 @@ def _written(files: GrowingFiles, solution: Solution, response: Response, findin
 
 
 def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRecord:
-    """Open the record of a run that goes on, or prepare a job and begin one."""
+    """Open the record of a run to continue, or prepare a job and begin one."""
     folder = files.folder / PATH_FOLDER
     if resume and (folder / INDEX).exists():
         record = RunRecord.open(folder)
         files.job = _settled(files.job, record.question.model)
         check_same_job(files.job, files.folder)
         files.go_on()
-        files.say("going on with the path that the folder holds")
+        files.say("continuing the path in the folder")
         return record
     announce_needs(kernel_needs(files.job))
     model, findings = prepare(files.job, files.say)
@@ -184,7 +183,7 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
     """Refine the mesh to the target of a job, if it has one and the path is complete."""
     if job.mesh_target is None or not solution.complete:
         return solution, ()
-    from turgor.accuracy.adaptivity.mesh_to import refine_to  # here: few jobs ask for it
+    from turgor.accuracy.adaptivity.mesh_to import refine_to  # here: few jobs need it
 
     wanted = find_measure(job.mesh_target_measure or job.output.measures[0])
     found = refine_to(
@@ -201,7 +200,7 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
 def _with_errors(
     job: Job, response: Response, solution: Solution, options: EngineOptions, refined: bool
 ) -> tuple[Response, tuple[Finding, ...]]:
-    """Add the mesh errors to a response if the job asks for them, and a finding where these are unknown."""
+    """Add the mesh errors to a response if the job requests them, and a finding where these are unknown."""
     if not job.output.mesh_error or len(solution.states) < 2:
         return response, ()
     from turgor.accuracy.adaptivity.measure import (  # here: not needed before a solve

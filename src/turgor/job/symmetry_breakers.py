@@ -14,7 +14,7 @@ from turgor.core.model.fibers import DISCRETE
 #: Axes across which it breaks mirror planes, axes about which it breaks wedges, and the words for it.
 Reason = tuple[str, str, str]
 
-#: Keys of a procedure or setup that hold a direction.
+#: Keys of a procedure or setup that are a direction.
 _DIRECTIONS = ("direction", "pull")
 
 

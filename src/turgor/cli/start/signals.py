@@ -1,4 +1,4 @@
-"""Signals: Ctrl-C and SIGTERM end a command soon, whatever it is busy with."""
+"""Signals: Ctrl-C and SIGTERM end a command soon, whatever it is doing."""
 
 import os
 import signal
@@ -23,8 +23,8 @@ PATIENCE = 2.0
 SOON = 0.05
 
 #: What a command says that Ctrl-C or SIGTERM ends: one that computes a study, and a run.
-STUDY = "interrupted; the same command goes on with what it has kept."
-RUN = "interrupted; with --resume, a run goes on from its last state."
+STUDY = "interrupted; the same command continues from the saved results."
+RUN = "interrupted; with --resume, a run continues from its last state."
 
 ENDING = (signal.SIGINT, signal.SIGTERM)
 
@@ -88,7 +88,7 @@ def ends_at_once(sentence: str = STUDY) -> Iterator[list[int]]:
 
 @contextmanager
 def _nothing_swallowed(sentence: str) -> Iterator[None]:
-    """Interrupt again where an interrupt came to nothing, as it does in a function that compiled code calls.
+    """Interrupt again if an interrupt was lost, as it is in a function that compiled code calls.
 
     While LLVM compiles, Python runs in such a function only, so that most interrupts of a compilation come there. What
     fails for want of the result of that function has been interrupted, too.
@@ -121,7 +121,7 @@ def _nothing_swallowed(sentence: str) -> Iterator[None]:
 
 @contextmanager
 def kept_in_folder(folder: Path) -> Iterator[None]:
-    """Say of runs that Ctrl-C ends where they are kept, and how to go on.
+    """Report where the runs are saved that Ctrl-C leaves, and how to continue.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def kept_in_folder(folder: Path) -> Iterator[None]:
     except KeyboardInterrupt as ended:
         raise Ended(
             getattr(ended, "number", signal.SIGINT),
-            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there.",
+            f"interrupted; finished runs are saved in {folder}, and the same command continues from there.",
         ) from None
 
 

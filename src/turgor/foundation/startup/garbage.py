@@ -1,28 +1,34 @@
-"""Rare searches for garbage, while libraries are loaded and kernels compiled."""
+"""Searches for garbage: rare in the process of a command, none while kernels are compiled."""
 
 import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-#: How many new objects start a search for garbage, and how many searches a wider one. Python's own numbers are 700, 10
-#: and 10, with which the searches take a tenth of a first run: compilers make millions of objects that stay.
+#: How many new objects start a search for garbage, and how many searches a wider one. With Python's own numbers (700,
+#: 10, 10) the searches take a tenth of a first run: libraries and compilers make millions of objects that stay.
 THRESHOLDS = (100_000, 20, 50)
 
 
+def search_rarely() -> None:
+    """Search for garbage rarely from now on: for the process of a command, which belongs to nobody else."""
+    gc.set_threshold(*THRESHOLDS)
+
+
 @contextmanager
-def rare_garbage_searches() -> Iterator[None]:
-    """Search for garbage rarely while a block runs.
+def no_garbage_searches() -> Iterator[None]:
+    """Search for no garbage while a block runs.
 
     Examples
     --------
     >>> import gc
-    >>> with rare_garbage_searches():
-    ...     gc.get_threshold()
-    (100000, 20, 50)
+    >>> with no_garbage_searches():
+    ...     gc.isenabled()
+    False
     """
-    before = gc.get_threshold()
-    gc.set_threshold(*THRESHOLDS)
+    enabled = gc.isenabled()
+    gc.disable()
     try:
         yield
     finally:
-        gc.set_threshold(*before)
+        if enabled:
+            gc.enable()

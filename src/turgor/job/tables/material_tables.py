@@ -44,7 +44,7 @@ class LibraryTable(Table):
     Keys
     ----
     library : str
-        Material of the library, or a TOML file of records beside the job.
+        Material of the library, or a TOML file of records in the folder of the job.
     record : str, optional
         Record of the material; needed where it has several.
     thickness : float [m]
@@ -119,7 +119,7 @@ class StatedTable(Table):
     density : float [kg/m³]
         Density, for weight and dynamics.
     stretch_range : list of two floats
-        Smallest and largest stretch for which the constants hold; beyond it the report warns.
+        Smallest and largest stretch for which the constants are valid; beyond it the report warns.
     source : table
         Where the constants come from.
     bulk_modulus : float [Pa]

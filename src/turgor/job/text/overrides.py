@@ -83,13 +83,13 @@ def changed(
     TurgorError
         If a key leads through a value that is no table.
     """
-    found: dict[str, Any] = deepcopy(dict(content))
+    merged: dict[str, Any] = deepcopy(dict(content))
     for text, value in changes.items():
         key = _key(text)
         if len(key) > 1 and key[0] in defaults:
-            found.setdefault(key[0], dict(defaults[key[0]]))
-        _table(found, key)[key[-1]] = value
-    return found
+            merged.setdefault(key[0], dict(defaults[key[0]]))
+        _table(merged, key)[key[-1]] = value
+    return merged
 
 
 def changed_places(lines: Mapping[Key, Place], changes: Mapping[str, Any]) -> dict[Key, Place]:
@@ -117,7 +117,7 @@ def _key(text: str) -> Key:
 
 
 def _table(content: dict[str, Any], key: Key) -> dict[str, Any]:
-    """Table that holds the last part of a key; missing ones are added."""
+    """Table with the last part of a key; missing ones are added."""
     table: Any = content
     for depth, part in enumerate(key[:-1], start=1):
         table = _stage(table, key[:depth]) if isinstance(table, list) else table.setdefault(part, {})

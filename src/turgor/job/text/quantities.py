@@ -25,7 +25,7 @@ CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=Fals
 
 @dataclass(frozen=True, slots=True)
 class Says:
-    """What a value is, beside a type that does not say it.
+    """What a value is, if its type does not say it.
 
     Parameters
     ----------

@@ -35,7 +35,7 @@ from turgor.core.engine.warmup.cell_kernels import (
 from turgor.core.engine.warmup.contact_kernels import compile_press, compile_search
 from turgor.core.engine.warmup.needs import Needs
 from turgor.foundation.startup.background_compiler import send_needs, still_compiling
-from turgor.foundation.startup.garbage import rare_garbage_searches
+from turgor.foundation.startup.garbage import no_garbage_searches
 from turgor.foundation.startup.kernel_folder import FIRST, marker
 
 
@@ -94,7 +94,7 @@ def compile_kernels(notify: Callable[[str], None] | None, needs: Needs) -> float
     timer.daemon = True
     timer.start()
     try:
-        with rare_garbage_searches():
+        with no_garbage_searches():
             announce_needs(needs)
             _compile(_groups(needs))
     finally:
@@ -114,7 +114,7 @@ def _compile(groups: Sequence[Group]) -> None:
             _compiled_alone(group, 0.0)
 
 
-@rare_garbage_searches()
+@no_garbage_searches()
 def compile_in_background() -> None:
     """Compile the groups that no other process has begun, the last one first: what the background compiler runs."""
     _compiled_alone(_pressure(), 0.0)  # kernels that any kind of cell needs, while the job is read

@@ -12,19 +12,18 @@ from turgor.core.engine.warmup.compiling import Group, announce_needs, compile_i
 from turgor.core.engine.warmup.needs import Needs
 from turgor.foundation.startup import background_compiler as background
 from turgor.foundation.startup import kernel_folder
-from turgor.foundation.startup.garbage import THRESHOLDS
 
 TOLD = '{"nodes": 10, "sides": 6}'
 
 
 @pytest.fixture
 def done(tmp_path, monkeypatch):
-    """Groups a, b, c and the later one d, which note that they were compiled; garbage is rarely searched for."""
+    """Groups a, b, c and the later one d, which note that they were compiled; no garbage is searched for."""
     noted: list[str] = []
 
     def group(name):
         def touch():
-            assert gc.get_threshold() == THRESHOLDS
+            assert not gc.isenabled()
             noted.append(name)
 
         return Group(name, touch, needed_first=name != "d")
@@ -93,10 +92,9 @@ def test_without_a_place_for_locks_everything_is_compiled(done, tmp_path, monkey
     assert set(done) == set("abcd")
 
 
-def test_garbage_is_searched_for_as_often_as_before_afterwards(done):
-    before = gc.get_threshold()
+def test_garbage_is_searched_for_again_afterwards(done):
     compile_kernels(None, Needs())
-    assert gc.get_threshold() == before
+    assert gc.isenabled()
 
 
 class Started:
