@@ -45,7 +45,7 @@ def run(chosen: RunOptions) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
     if chosen.job.exists():
         start_early()
-    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once(RUN) as came:
+    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once(RUN) as received:
         from turgor.accuracy.adaptivity.findings import matter
 
         outcome, reported = _solve(chosen)
@@ -57,7 +57,7 @@ def run(chosen: RunOptions) -> None:
         if not outcome.solution.complete and not chosen.as_json:
             typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
         if not outcome.solution.complete:
-            code = _ended_early(outcome, came)
+            code = _ended_early(outcome, received)
             if code > ENDED and not chosen.as_json:
                 typer.echo("With --resume, it continues from its last state.", err=True)
             raise typer.Exit(code)
@@ -87,12 +87,12 @@ def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
     return outcome, show.reported
 
 
-def _ended_early(outcome: "RunOutcome", came: list[int]) -> int:
+def _ended_early(outcome: "RunOutcome", received: list[int]) -> int:
     """Exit code of a run that was ended by a signal, or that stopped itself."""
     from turgor.core.solvers.solution import Status
 
     interrupted = outcome.solution.status is Status.INTERRUPTED
-    return ENDED + (came or [signal.SIGINT])[0] if interrupted else NOT_CONVERGED
+    return ENDED + (received or [signal.SIGINT])[0] if interrupted else NOT_CONVERGED
 
 
 def _display(quiet: bool) -> "LiveDisplay | PlainDisplay":

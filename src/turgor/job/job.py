@@ -124,7 +124,7 @@ class Job:
     mesh : MeshSettings
         Sizes and kind of the cells.
     mesh_coarse : float or None [m]
-        Edge length of a coarser mesh whose path leads; None follows the path on the mesh itself.
+        Edge length of a coarser mesh whose path predicts the states; None follows the path on the mesh itself.
     mesh_target : float or None [-]
         Target of the relative mesh error of one measure at the last state; None leaves the mesh as it is.
     mesh_target_measure : str or None

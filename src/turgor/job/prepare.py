@@ -77,7 +77,7 @@ def coarse_mesh(job: Job, model: Model) -> Mesh | None:
     Raises
     ------
     TurgorError
-        If the path on it cannot lead.
+        If the path on it cannot predict that of the model.
     """
     if job.mesh_coarse is None:
         return None

@@ -181,7 +181,7 @@ def test_histories_go_over_the_time_of_their_stage(tmp_path: Path) -> None:
         ('"2.9 mm"', "2.9", "stages.press.moves.plate: 2.9 needs a unit"),
         ("tip = [", "tp = [", "stages.press.displacements.tp: unknown face 'tp'; did you mean 'tip'?"),
         ("tip = [", "outside = [", "a stage moves faces that [supports] fixes, and 'outside' is not among them: fixed"),
-        ('"-0.2 mm", 0, 0', '0, 0, "1 mm"', "stages.press.displacements.tip: it moves along z, but 'tip' is fixed in x"),
+        ('"-0.2 mm", 0, 0', '0, 0, "1 mm"', "press.displacements.tip: it moves along z, but 'tip' is fixed in x"),
         ('"sealed"', '"auto"', "stages.press.procedure"),
         ('cavities = "cavity"', "cavities = 1", "stages.press.procedure.cavities: 1 is neither a name in quotes nor a"),
         ("max_step = 0.5", "max_step = 5.0", "job.toml:42: stages.press.procedure.max_step: 5; allowed is more than 0"),

@@ -27,8 +27,8 @@ def cache_command(
             size = sum(_size(file) for file in files) / 1e6
             typer.echo(f"  {part:10}{len(files):>7} files{size:>10.1f} MB  {PARTS[part]}")
         if clear:
-            gone = sum(_removed(file) for files in files_of.values() for file in files)
-            typer.echo(f"{gone} files removed.")
+            removed = sum(_removed(file) for files in files_of.values() for file in files)
+            typer.echo(f"{removed} files removed.")
         raise typer.Exit(DONE)
 
 

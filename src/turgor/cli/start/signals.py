@@ -19,8 +19,8 @@ from turgor.foundation.errors import TurgorError
 #: Time [s] that a command has to write what is left; a factorization of a large matrix may last longer.
 PATIENCE = 2.0
 
-#: Time [s] after which an interrupt that was swallowed comes again.
-SOON = 0.05
+#: Time [s] after which a lost interrupt is raised again.
+RETRY_AFTER = 0.05
 
 #: What a command says that Ctrl-C or SIGTERM ends: one that computes a study, and a run.
 STUDY = "interrupted; the same command continues from the saved results."
@@ -60,15 +60,15 @@ def ends_at_once(sentence: str = STUDY) -> Iterator[list[int]]:
     Yields
     ------
     list of int
-        The signals that came.
+        The signals that were received.
     """
-    came: list[int] = []
+    received: list[int] = []
     if current_thread() is not main_thread():
-        yield came
+        yield received
         return
 
     def interrupt(number: int, frame: FrameType | None) -> None:
-        came.append(number)
+        received.append(number)
         raise Ended(number, sentence)
 
     here, there = socket.socketpair()
@@ -77,8 +77,8 @@ def ends_at_once(sentence: str = STUDY) -> Iterator[list[int]]:
     handlers = {number: signal.signal(number, interrupt) for number in ENDING}
     Thread(target=_watch, args=(here, sentence), daemon=True).start()
     try:
-        with _nothing_swallowed(sentence):
-            yield came
+        with _lost_interrupts_raised_again(sentence):
+            yield received
     finally:
         for number, handler in handlers.items():
             signal.signal(number, handler)
@@ -87,7 +87,7 @@ def ends_at_once(sentence: str = STUDY) -> Iterator[list[int]]:
 
 
 @contextmanager
-def _nothing_swallowed(sentence: str) -> Iterator[None]:
+def _lost_interrupts_raised_again(sentence: str) -> Iterator[None]:
     """Interrupt again if an interrupt was lost, as it is in a function that compiled code calls.
 
     While LLVM compiles, Python runs in such a function only, so that most interrupts of a compilation come there. What
@@ -100,7 +100,7 @@ def _nothing_swallowed(sentence: str) -> Iterator[None]:
         if not issubclass(lost.exc_type, KeyboardInterrupt):
             before(lost)
             return
-        again.append(Timer(SOON, interrupt_main))
+        again.append(Timer(RETRY_AFTER, interrupt_main))
         again[-1].daemon = True
         again[-1].start()
 

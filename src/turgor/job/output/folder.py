@@ -58,7 +58,7 @@ def claimed(folder: Path, force: bool, resume: bool = False, files: Sequence[str
     force : bool
         Whether the results of an earlier run in it are removed.
     resume : bool
-        Whether an earlier run in it goes on.
+        Whether an earlier run in it continues.
     files : sequence of str
         Names and patterns of what will be written.
 
@@ -105,7 +105,7 @@ def _locked(file: Path) -> Iterator[None]:
 
 
 def _check_empty(folder: Path, force: bool, resume: bool) -> None:
-    """Refuse a folder that holds files, unless these may be replaced or are those of the run that goes on."""
+    """Refuse a folder that holds files, unless these may be replaced or are those of the run to continue."""
     if force or all(each.name == IN_USE for each in folder.iterdir()):
         return
     if resume and not listed(folder):

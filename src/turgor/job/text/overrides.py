@@ -81,7 +81,7 @@ def changed(
     Raises
     ------
     TurgorError
-        If a key leads through a value that is no table.
+        If a part of a key is a value, not a table.
     """
     merged: dict[str, Any] = deepcopy(dict(content))
     for text, value in changes.items():
