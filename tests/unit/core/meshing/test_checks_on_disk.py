@@ -1,4 +1,4 @@
-"""Answers about a mesh: asked once in a process, kept beside the mesh, and found with it by the next one."""
+"""Results of checks of a mesh: computed once in a process, saved with the mesh, and found by the next one."""
 
 import ast
 from pathlib import Path
