@@ -5,6 +5,7 @@ Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not conver
 Heavy imports stand inside the commands, so that help and error messages appear at once.
 """
 
+import os
 import signal
 import sys
 import warnings
@@ -20,10 +21,16 @@ from turgor.foundation.finding import FindingWarning
 from turgor.foundation.startup.garbage import search_rarely
 
 
+#: Variables with the number of threads of OpenBLAS, the linear algebra of NumPy and SciPy.
+BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS")
+
+
 def command() -> int:
     """Run the command line in a process of its own, and return the exit code."""
     warnings.simplefilter("ignore", FindingWarning)  # commands print findings themselves
     search_rarely()
+    if not any(name in os.environ for name in BLAS_THREADS):
+        os.environ[BLAS_THREADS[0]] = "1"  # its products are small here: further threads would only spin
     return main(sys.argv[1:])
 
 
