@@ -20,7 +20,6 @@ from turgor.cli.start.commands import command_line
 from turgor.foundation.finding import FindingWarning
 from turgor.foundation.startup.garbage import search_rarely
 
-
 #: Variables with the number of threads of OpenBLAS, the linear algebra of NumPy and SciPy.
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS")
 
