@@ -73,7 +73,7 @@ def test_a_damaged_file_is_derived_again_and_mended(derived, tmp_path, text):
 def test_nothing_from_disk_is_executed(derived, tmp_path):
     """An entry of the cache into which others have written code."""
     times, derive = derived
-    key = module.sources(Yeoh.__module__.rpartition(".")[0]), f"{Yeoh.__module__}.{Yeoh.__qualname__}", "'a'"
+    key = module.sources(module.__package__), f"{Yeoh.__module__}.{Yeoh.__qualname__}", "'a'"
     mark = tmp_path / "executed"
     for code in (f"open({str(mark)!r}, 'w')", json.dumps([1, [], [[f"open({str(mark)!r}, 'w')", 0]], [1]])):
         module.FORMULAS.put(code, *key)
