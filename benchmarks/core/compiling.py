@@ -31,7 +31,7 @@ def counted(job: str) -> None:
     from numba.core import event
 
     from turgor.cli.app import main as command
-    from turgor.foundation.kernel_cache import beside as process_beside
+    from turgor.foundation.startup.background_compiler import background_process
 
     class Listener(event.Listener):
         def __init__(self) -> None:
@@ -56,7 +56,7 @@ def counted(job: str) -> None:
     listener = Listener()
     with event.install_listener("numba:compile", listener), TemporaryDirectory() as folder:
         code = command(["run", job, "--output", folder, "--force", *LOAD])
-    process = process_beside()
+    process = background_process()
     if process is not None:
         process.wait()  # what it took is counted once it has ended
     beside = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -106,7 +106,7 @@ def section() -> str:
         ("`turgor run` of the demo to its first solved step, wall s", f"{first:.1f}", f"{MOST_WAITING:g}"),
         ("compiling for the demo, all processes, CPU s", f"{compiling:.1f}", f"{MOST_COMPILING:g}"),
     ]
-    text = "No cache of compiled loops, of shapes or of meshes. `python benchmarks/core/compiling.py` tells each loop."
+    text = "No cache of compiled kernels, shapes or meshes. `python benchmarks/core/compiling.py` tells each loop."
     return f"## First run on a machine\n\n{text}\n\n{table(('what', 'measured', 'at most'), rows)}\n"
 
 

@@ -7,7 +7,7 @@ python benchmarks/job/overhead.py --one    what one warm process spends, by part
 The job is the demo with a small pressure and without the estimate of the mesh error. A first process fills the caches,
 and keeps shape and mesh for the next ones. What counts as overhead is all but the mesh, the solve, the pictures and
 plots, fields and the report, which have targets of their own: starting Python, imports, reading, building or finding
-the shape, finding the mesh, checks, loading compiled loops, tables and files of the path, and the end of the process.
+the shape, finding the mesh, checks, loading compiled kernels, tables and files of the path, and the end of the process.
 The code of matplotlib and of what draws is loaded with the first picture, and counts as files. The process ends as that
 of a command does. Output goes to a pipe; on a terminal, the code of the bar takes 0.03 CPU seconds more. Exit code 1
 beyond 1 CPU second.
@@ -23,7 +23,6 @@ from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
-from typing import NoReturn
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # so that `benchmarks` is found
 from benchmarks.shared.tables import table
@@ -33,7 +32,7 @@ DEMO = Path(__file__).parents[2] / "examples" / "fast_pneunet.toml"
 LOAD = ("--set", 'loads.pressure="0.2 kPa"', "--set", "output.mesh_error=false")
 
 
-def one() -> NoReturn:
+def one() -> None:
     """Run the job in this process with a clock around each part; print part and CPU seconds, one a line."""
     spent: dict[str, float] = defaultdict(float)
 
@@ -49,23 +48,21 @@ def one() -> NoReturn:
 
         setattr(owner, name, timed)
 
-    from turgor.cli.app import leave, settle
-    from turgor.cli.app import main as command
-    from turgor.cli.run import loading
+    from turgor.cli.app import command
+    from turgor.foundation.startup.garbage import search_rarely
 
-    settle()
-    with loading():
-        from turgor.cli.console import PlainDisplay  # noqa: F401  what the command loads
-        from turgor.core.solvers import solve
-        from turgor.job import meshes, prepare, read, run
-        from turgor.job.output import tables
+    search_rarely()
+    from turgor.cli.console import PlainDisplay  # noqa: F401  what the command loads
+    from turgor.core.solvers import solve
+    from turgor.job import meshes, prepare, read, run
+    from turgor.job.output import tables
 
     spent["Python and imports"] = process_time()
     clock(read, "_build", "shape")
     clock(meshes, "mesh_on_disk", "mesh looked up on disk")
     clock(meshes, "_made", "mesh")
     clock(prepare, "check_mesh", "checks of the mesh")
-    clock(solve, "compile_kernels", "loading compiled loops")
+    clock(solve, "compile_kernels", "loading compiled kernels")
     clock(run, "prepare", "all before the solve")
     clock(run.RunRecord, "create", "record")
     clock(run, "follow_question", "solve")
@@ -77,7 +74,6 @@ def one() -> NoReturn:
     spent["all"] = process_time()
     for part, seconds in spent.items():
         print(f"= {part}: {seconds:.3f}")
-    leave(0)  # as the command does
 
 
 def parts() -> dict[str, float]:
@@ -91,7 +87,7 @@ def parts() -> dict[str, float]:
         lines = (line[2:].rpartition(": ") for line in told.splitlines() if line.startswith("= "))
         found = defaultdict(float, {part: float(seconds) for part, _, seconds in lines})
         found["end"] = _of_children() - before - found["all"]
-        counted = found["loading compiled loops"] + found["tables"] + found["end"]
+        counted = found["loading compiled kernels"] + found["tables"] + found["end"]
         found["overhead"] = found["all"] - found["mesh"] - found["solve"] - found["files"] + counted
         if not best or found["overhead"] < best["overhead"]:
             best = found

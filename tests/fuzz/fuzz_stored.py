@@ -25,8 +25,8 @@ from turgor.core.materials.laws.derived_formulas import cached_formulas, formula
 from turgor.core.meshing.generate import mesh_with
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.settings import MeshSettings
-from turgor.core.meshing.tetwild.mesh_cache import kept_cells
-from turgor.job.families import MOST, geometry_on_disk, keep, mesh_on_disk
+from turgor.core.meshing.tetwild.mesh_cache import cached_cells
+from turgor.job.family_cache import MOST, geometry_on_disk, mesh_on_disk, save_family
 
 #: A loop that is compiled in a tenth of a second.
 LOOP = "import numba\n@numba.njit(cache=True)\ndef double(x):\n    return 2 * x + 1\n"
@@ -118,7 +118,7 @@ def use_formula() -> None:
 
 def use_mesh() -> None:
     """Read the mesh of an STL file, or make it."""
-    points, cells = kept_cells({"a": 1}, lambda: (POINTS, CELLS))
+    points, cells = cached_cells({"a": 1}, lambda: (POINTS, CELLS))
     assert np.array_equal(points, POINTS) and np.array_equal(cells, CELLS)
 
 
@@ -150,7 +150,7 @@ def caches() -> dict[str, bytes]:
 def _caches() -> dict[str, bytes]:
     with TemporaryDirectory() as folder:
         move_caches(Path(folder))
-        keep(CYLINDER, family()[0], SETTINGS, family()[1])
+        save_family(CYLINDER, family()[0], SETTINGS, family()[1])
         for use in USES.values():
             use()
         return {

@@ -13,24 +13,24 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
         from turgor.cli.answers.results import CheckResult
         from turgor.core.solvers.procedures.stages import Stages
         from turgor.foundation.finding import Severity
-        from turgor.job.meshes import keep_mesh_of
+        from turgor.job.meshes import save_mesh_of
         from turgor.job.prepare import prepare
         from turgor.views.report.describe import contact
         from turgor.views.report.describe_procedure import procedure
 
-        asked = asked_job(job, changes)
-        model, findings = prepare(asked)
-        keep_mesh_of(asked)
+        parsed = asked_job(job, changes)
+        model, findings = prepare(parsed)
+        save_mesh_of(parsed)
         mesh = model.mesh
         typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
         for sentence in contact(model):
             typer.echo(sentence)
-        stages = dict(procedure(asked.procedure)) if isinstance(asked.procedure, Stages) else {}
+        stages = dict(procedure(parsed.procedure)) if isinstance(parsed.procedure, Stages) else {}
         for name, acts in stages.items():
             typer.echo(f"Stage '{name}': {acts}.")
         answer.give(
             lambda: CheckResult(
-                name=asked.name,
+                name=parsed.name,
                 mesh=mesh.name,
                 cells=len(mesh.cells),
                 unknowns=mesh.unknown_count,
@@ -38,5 +38,5 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
                 stages=stages,
             )
         )
-        answer.warn([found for found in findings if found.code != ONLY_WITH_ERROR])
-        raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
+        answer.warn([each for each in findings if each.code != ONLY_WITH_ERROR])
+        raise typer.Exit(FOUND_ERROR if any(each.severity is Severity.ERROR for each in findings) else DONE)

@@ -26,7 +26,7 @@ class Lines(Protocol):
 
 
 class PlainConsole:
-    """A console of lines whose reader may go away, as in ``turgor run job.toml | head``: the run goes on in silence.
+    """A console of lines whose reader may go away, as in ``turgor run job.toml | head``: the run continues in silence.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class PlainConsole:
 
 
 def may_be_terminal() -> bool:
-    """Whether standard output may be a terminal, so that rich, which takes a while to load, has to be asked."""
+    """Return whether standard output may be a terminal, so that importing rich is worthwhile."""
     return sys.stdout.isatty() or any(os.environ.get(name) for name in AS_TERMINAL)
 
 
@@ -82,7 +82,7 @@ class PlainDisplay:
     """Display for files and pipes: one line for each notice and each accepted step."""
 
     def __init__(self, console: Lines) -> None:
-        self.told: list[Finding] = []
+        self.reported: list[Finding] = []
         self._console = console
         self._course = AngleCourse()
         self._began = perf_counter()
@@ -107,9 +107,9 @@ class PlainDisplay:
         left = clock(self._course.seconds_left)
         self._line(f"{describe(iteration, state)}{bending(self._course.angle)}, {left} left")
 
-    def found(self, finding: Finding) -> None:
+    def report(self, finding: Finding) -> None:
         """Print a finding on standard error, also where notices are off."""
-        self.told.append(finding)
+        self.reported.append(finding)
         print(finding, file=sys.stderr, flush=True)
 
     def _line(self, text: str) -> None:

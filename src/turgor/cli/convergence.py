@@ -40,11 +40,11 @@ def convergence_command(
 
         wanted = _sizes(sizes)
         find_measure(measure)
-        asked = asked_job(job, changes)
-        place = output if output is not None else Path(f"{asked.name}-convergence")
+        parsed = asked_job(job, changes)
+        place = output if output is not None else Path(f"{parsed.name}-convergence")
         with claimed(place, force, files=FILES) as folder:
-            study = _solve(asked, wanted, measure)
-            _write(folder, asked, study)
+            study = _solve(parsed, wanted, measure)
+            _write(folder, parsed, study)
         _show(study)
         answer.give(lambda: convergence_result(study, folder))
         typer.echo(f"Table and plot in {folder}.")

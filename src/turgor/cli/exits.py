@@ -29,8 +29,8 @@ ENDED = 128
 
 def warn(findings: "Sequence[Finding]") -> None:
     """Print each finding as one line on standard error."""
-    for found in findings:
-        typer.echo(str(found), err=True)
+    for each in findings:
+        typer.echo(str(each), err=True)
 
 
 @dataclass(slots=True)

@@ -72,7 +72,7 @@ def _files_of_job(chosen: ExportOptions, kinds: list[str]) -> tuple[Path, ...]:
 
 
 def _motions(chosen: ExportOptions) -> tuple[Path, ...]:
-    """Write the motion of a run into the files that are asked for."""
+    """Write the motion of a run into the requested files."""
     if not chosen.to:
         return ()
     if not chosen.job.is_dir():

@@ -36,10 +36,10 @@ def modes_command(
         from turgor.core.solvers.solve import solve
         from turgor.job.prepare import prepare
 
-        asked = asked_job(job, changes)
-        model, findings = prepare(asked)
-        state = solve(model, asked.procedure, progress=False).states[-1] if loaded else None
-        if state is not None and isinstance(asked.procedure, Stages):
+        parsed = asked_job(job, changes)
+        model, findings = prepare(parsed)
+        state = solve(model, parsed.procedure, progress=False).states[-1] if loaded else None
+        if state is not None and isinstance(parsed.procedure, Stages):
             model = state.model  # the model of the last stage
         modes = natural_frequencies(model, state, count)
         _show(modes)
@@ -59,5 +59,5 @@ def _show(modes: "Modes") -> None:
         typer.echo(f"{number:4d}  {frequency:14.5g}  {mass * 1e3:14.4g}")
     typer.echo(modes.message)
     if modes.model.mesh.symmetry_factor > 1:
-        kept = "the same in all sectors" if modes.model.mesh.wedge else "symmetric about its mirror planes"
-        typer.echo(f"Only a part is modeled: these are the modes that are {kept}.")
+        kind = "the same in all sectors" if modes.model.mesh.wedge else "symmetric about its mirror planes"
+        typer.echo(f"Only a part is modeled: these are the modes that are {kind}.")

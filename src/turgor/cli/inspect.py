@@ -32,31 +32,32 @@ def inspect_command(
         from turgor.cli.answers.file_results import inspect_result
         from turgor.core.geometry.cad.inspection import inspect_cad
 
-        found = inspect_cad(part, unit=unit)
-        _show(found)
-        answer.give(lambda: inspect_result(found))
+        inspection = inspect_cad(part, unit=unit)
+        _show(inspection)
+        answer.give(lambda: inspect_result(inspection))
         if picture is not None:
             from turgor.views.pictures.cad_picture import write_cad_picture
 
-            write_cad_picture(picture, found)
+            write_cad_picture(picture, inspection)
             typer.echo(f"Picture in {picture}.")
-        answer.warn(found.findings)
+        answer.warn(inspection.findings)
         raise typer.Exit(DONE)
 
 
-def _show(found: "Inspection") -> None:
-    size = " x ".join(f"{side * 1e3:.4g}" for side in found.size)
+def _show(inspection: "Inspection") -> None:
+    size = " x ".join(f"{side * 1e3:.4g}" for side in inspection.size)
     typer.echo(
-        f"{found.name}: {size} mm (unit {found.unit}); thinnest wall {found.smallest_wall * 1e3:.3g} mm, "
-        f"{_count(found.bodies, 'body', 'bodies')}, {_count(found.faces, 'face', 'faces')}, "
-        f"{_count(found.cavities, 'cavity', 'cavities')}."
+        f"{inspection.name}: {size} mm (unit {inspection.unit}); "
+        f"thinnest wall {inspection.smallest_wall * 1e3:.3g} mm, "
+        f"{_count(inspection.bodies, 'body', 'bodies')}, {_count(inspection.faces, 'face', 'faces')}, "
+        f"{_count(inspection.cavities, 'cavity', 'cavities')}."
     )
-    if found.symmetry:
-        typer.echo(f"Symmetry: {found.symmetry}.")
+    if inspection.symmetry:
+        typer.echo(f"Symmetry: {inspection.symmetry}.")
     _table(
         "Bodies",
         ("region", "color", "volume [mm³]", "from [mm]", "to [mm]"),
-        [(b.region, b.color, f"{b.volume * 1e9:.5g}", _place(b.low), _place(b.high)) for b in found.bodies],
+        [(b.region, b.color, f"{b.volume * 1e9:.5g}", _place(b.low), _place(b.high)) for b in inspection.bodies],
     )
     _table(
         "Cavities",
@@ -68,7 +69,7 @@ def _show(found: "Inspection") -> None:
                 f"{cavity.volume * 1e9:.5g}",
                 "; ".join(f"{area * 1e6:.4g} mm² at {_place(center)} mm" for area, center in cavity.openings),
             )
-            for cavity in found.cavities
+            for cavity in inspection.cavities
         ],
     )
     _table(
@@ -83,7 +84,7 @@ def _show(found: "Inspection") -> None:
                 _place(face.center),
                 "curved" if face.normal is None else _direction(face.normal),
             )
-            for face in found.faces
+            for face in inspection.faces
         ],
     )
 
@@ -92,11 +93,11 @@ def _table(title: str, header: tuple[str, ...], rows: list[tuple[str, ...]]) -> 
     """Print columns of text, without empty columns."""
     if not rows:
         return
-    kept = [i for i in range(len(header)) if any(row[i] for row in rows)]
-    width = {i: max(len(header[i]), *(len(row[i]) for row in rows)) for i in kept}
+    columns = [i for i in range(len(header)) if any(row[i] for row in rows)]
+    width = {i: max(len(header[i]), *(len(row[i]) for row in rows)) for i in columns}
     typer.echo(f"\n{title}")
     for row in (header, *rows):
-        typer.echo("  " + "  ".join(row[i].ljust(width[i]) for i in kept).rstrip())
+        typer.echo("  " + "  ".join(row[i].ljust(width[i]) for i in columns).rstrip())
 
 
 def _count(things: Sequence[object], one: str, several: str) -> str:

@@ -12,7 +12,7 @@ from turgor.foundation.finding import Finding
 
 
 class PatientConsole(Console):
-    """A console whose reader may go away, as in ``turgor run job.toml | head``: the run goes on in silence."""
+    """A console whose reader may go away, as in ``turgor run job.toml | head``: the run continues in silence."""
 
     def on_broken_pipe(self) -> None:
         """Write nothing more."""
@@ -25,7 +25,7 @@ class LiveDisplay(Bar):
 
     def __init__(self, console: Console) -> None:
         super().__init__(console, AngleCourse(), patience=0.0)
-        self.told: list[Finding] = []
+        self.reported: list[Finding] = []
 
     def notify(self, text: str) -> None:
         """Print a notice; results stay on the screen, activities do not."""
@@ -34,9 +34,9 @@ class LiveDisplay(Bar):
         else:
             super().notify(text)
 
-    def found(self, finding: Finding) -> None:
+    def report(self, finding: Finding) -> None:
         """Print a finding above the bar."""
-        self.told.append(finding)
+        self.reported.append(finding)
         self._console.print(str(finding), highlight=False, markup=False)
 
     def progress(self, iteration: Iteration, state: State | None) -> None:

@@ -36,17 +36,17 @@ def mesh_command(
         _check_ending("--picture", picture, ".png")
         from turgor.core.meshing.quality.checks import check_mesh
         from turgor.foundation.finding import Severity
-        from turgor.job.meshes import keep_mesh_of, mesh_of
+        from turgor.job.meshes import mesh_of, save_mesh_of
         from turgor.views.report.mesh_text import describe_mesh
 
-        asked = _with_size(asked_job(job, changes), size)
-        geometry = asked.geometry()
-        mesh = mesh_of(asked, geometry)
-        keep_mesh_of(asked)
+        parsed = _with_size(asked_job(job, changes), size)
+        geometry = parsed.geometry()
+        mesh = mesh_of(parsed, geometry)
+        save_mesh_of(parsed)
         findings = (*geometry.findings, *check_mesh(mesh))
         typer.echo(describe_mesh(mesh))
         answer.give(lambda: mesh_result(mesh))
-        if not any(found.code == "G01" for found in findings):
+        if not any(each.code == "G01" for each in findings):
             typer.echo("  walls: two cells or more through every wall")
         if output is not None:
             from turgor.core.results.files.mesh_vtu import write_mesh_vtu
@@ -54,9 +54,9 @@ def mesh_command(
             write_mesh_vtu(output, mesh)
             typer.echo(f"Mesh in {output}.")
         if picture is not None:
-            _draw(picture, asked.name, mesh)
+            _draw(picture, parsed.name, mesh)
         answer.warn(findings)
-        raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
+        raise typer.Exit(FOUND_ERROR if any(each.severity is Severity.ERROR for each in findings) else DONE)
 
 
 def _draw(picture: Path, name: str, mesh: "Mesh") -> None:

@@ -13,7 +13,7 @@ Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run,
 
 
 def report_command(folder: Folder, as_json: Json = False, debug: Debug = False) -> None:
-    """Write response, pictures and report of a run anew, as far as its path goes."""
+    """Write response, pictures and report of a run again, from the states that it has saved."""
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.cli.answers.results import run_result
         from turgor.job.postprocess import report_folder
@@ -86,11 +86,11 @@ def compare_command(
         from turgor.job.compare import Asked, compare_folder
 
         units = dict(name_and_unit(each) for each in unit or ())
-        found, files = compare_folder(run, experiment, Asked(y=y, x=x, units=units, only_loading=only_loading))
-        typer.echo(found.summary()[:1].upper() + found.summary()[1:])
-        for note in found.notes:
+        comparison, files = compare_folder(run, experiment, Asked(y=y, x=x, units=units, only_loading=only_loading))
+        typer.echo(comparison.summary()[:1].upper() + comparison.summary()[1:])
+        for note in comparison.notes:
             typer.echo(note)
         if files:
             typer.echo(f"Written: {', '.join(map(str, files))}. 'turgor report {run}' adds it to the report.")
-        answer.give(partial(compared_result, found, files))
+        answer.give(partial(compared_result, comparison, files))
         raise typer.Exit(DONE)

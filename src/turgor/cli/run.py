@@ -1,9 +1,6 @@
 """Command ``turgor run``: check, build, mesh, solve, measure, and write everything into a folder."""
 
-import gc
 import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -13,7 +10,7 @@ import typer
 from turgor.cli.exits import DONE, ENDED, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of, output_option
 from turgor.cli.start.signals import RUN, ends_at_once
-from turgor.foundation.kernel_cache import begin_early
+from turgor.foundation.startup.background_compiler import start_early
 
 if TYPE_CHECKING:
     from turgor.cli.console import PlainDisplay
@@ -32,7 +29,7 @@ class RunOptions:
         output_option("Folder of results; by default NAME-results here."),
     ] = None
     force: Annotated[bool, typer.Option("--force", help="Replace the results that the folder holds.")] = False
-    resume: Annotated[bool, typer.Option("--resume", help="Go on with the run in the folder, from its last state.")] = (
+    resume: Annotated[bool, typer.Option("--resume", help="Continue the run in the folder from its last state.")] = (
         False
     )
     quiet: Annotated[bool, typer.Option("--quiet", help="Print errors and warnings only.")] = False
@@ -47,22 +44,22 @@ class RunOptions:
 def run(chosen: RunOptions) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
     if chosen.job.exists():
-        begin_early()
-    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once(RUN) as came:
+        start_early()
+    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once(RUN) as received:
         from turgor.accuracy.adaptivity.findings import matter
 
-        outcome, told = _solve(chosen)
+        outcome, reported = _solve(chosen)
         if not chosen.quiet:
-            _tell(outcome)
+            _report(outcome)
         answer.give(lambda: _result(outcome))
         heavy = matter(outcome.findings, mesh_error=False)
-        answer.warn(outcome.findings, [found for found in heavy if found not in told])
+        answer.warn(outcome.findings, [each for each in heavy if each not in reported])
         if not outcome.solution.complete and not chosen.as_json:
             typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
         if not outcome.solution.complete:
-            code = _ended_early(outcome, came)
+            code = _ended_early(outcome, received)
             if code > ENDED and not chosen.as_json:
-                typer.echo("With --resume, it goes on from its last state.", err=True)
+                typer.echo("With --resume, it continues from its last state.", err=True)
             raise typer.Exit(code)
         raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
 
@@ -71,27 +68,12 @@ def run(chosen: RunOptions) -> None:
 run_command = command_of(RunOptions, run)
 
 
-@contextmanager
-def loading() -> Iterator[None]:
-    """Load code without searches for garbage; later searches leave out what it has made, because that stays."""
-    searching = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.freeze()
-        if searching:
-            gc.enable()
-
-
 def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
     """Run a job; return the outcome, and the findings that were printed before the solve."""
-    with loading():
-        from turgor.job.run import run_job
+    from turgor.job.run import run_job
 
-        job = asked_job(chosen.job, chosen.changes)
-        display = _display(chosen.quiet or chosen.as_json)
-    with display as show:
+    job = asked_job(chosen.job, chosen.changes)
+    with _display(chosen.quiet or chosen.as_json) as show:
         outcome = run_job(
             job,
             chosen.output,
@@ -100,17 +82,17 @@ def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
             threads=chosen.threads,
             notify=show.notify,
             progress=show.progress,
-            found=show.found,
+            found=show.report,
         )
-    return outcome, show.told
+    return outcome, show.reported
 
 
-def _ended_early(outcome: "RunOutcome", came: list[int]) -> int:
+def _ended_early(outcome: "RunOutcome", received: list[int]) -> int:
     """Exit code of a run that was ended by a signal, or that stopped itself."""
     from turgor.core.solvers.solution import Status
 
     interrupted = outcome.solution.status is Status.INTERRUPTED
-    return ENDED + (came or [signal.SIGINT])[0] if interrupted else NOT_CONVERGED
+    return ENDED + (received or [signal.SIGINT])[0] if interrupted else NOT_CONVERGED
 
 
 def _display(quiet: bool) -> "LiveDisplay | PlainDisplay":
@@ -154,7 +136,7 @@ def _numbers(outcome: "RunOutcome") -> tuple[list[str], list[str]]:
     return list(numbers.values()), list(zeros.values())
 
 
-def _tell(outcome: "RunOutcome") -> None:
+def _report(outcome: "RunOutcome") -> None:
     """Print the end of the solve, the last values of the response, the folder of results, and where notes are."""
     from turgor.core.solvers.pressures import pressure_text
     from turgor.foundation.finding import Severity
@@ -170,7 +152,7 @@ def _tell(outcome: "RunOutcome") -> None:
     if zeros:
         typer.echo(f"Zero throughout: {', '.join(zeros)}.")
     typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
-    notes = sum(found.severity is Severity.NOTE for found in outcome.findings)
+    notes = sum(each.severity is Severity.NOTE for each in outcome.findings)
     if notes:
         where = outcome.files[0].name if outcome.job.output.report else LOG
         typer.echo(f"{notes} note{'s' if notes > 1 else ''} on the results in {where}.")

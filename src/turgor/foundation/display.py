@@ -68,8 +68,8 @@ def brief(value: Any) -> str:
     >>> brief(Strain("a strip", np.linspace(0, 0.5, 1000)))
     "Strain(name='a strip', points=<1000 values, 0 to 0.5>)"
     """
-    told = ", ".join(f"{each.name}={_short(getattr(value, each.name))}" for each in fields(value) if each.repr)
-    return f"{type(value).__name__}({told})"
+    listed = ", ".join(f"{each.name}={_short(getattr(value, each.name))}" for each in fields(value) if each.repr)
+    return f"{type(value).__name__}({listed})"
 
 
 def listed(names: Iterable[str], most: int = 8) -> str:

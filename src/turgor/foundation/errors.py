@@ -46,12 +46,12 @@ class TurgorError(ValueError):
     __module__ = "turgor"  # a traceback names the public class
 
     def __init__(self, sentence: str = "", *, python: str = "", command: str = "") -> None:
-        super().__init__(shortened(f"{sentence} {python}".rstrip()))
-        self.on_command_line = shortened(f"{sentence} {command}".rstrip())
+        super().__init__(shortened(f"{sentence} {python}".strip()))
+        self.on_command_line = shortened(f"{sentence} {command}".strip())
 
 
 class CheckError(TurgorError):
-    """A check found an error for which no solve is begun, such as a model that nothing holds."""
+    """A check found an error for which no solve is begun, such as a model without supports."""
 
 
 class NotSolved(TurgorError):

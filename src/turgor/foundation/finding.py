@@ -81,7 +81,7 @@ def by_weight(findings: Iterable[Finding]) -> tuple[Finding, ...]:
 
 
 def not_told(findings: Iterable[Finding], told: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Return the findings of codes that were not told before.
+    """Return the findings of codes that were not reported before.
 
     A check before a solve and the solve itself look at the same model, of which the second may have a finer mesh and
     other digits; what the first said is said once.

@@ -28,15 +28,15 @@ def names_in(file: str) -> dict[str, str]:
     return {name: source for source, name in _LINE.findall(Path(file).read_text("utf-8"))}
 
 
-def found(name: str, names: dict[str, str], held: dict[str, Any]) -> Any:
-    """Import a public name and keep it in its module, so that the next use finds it at once.
+def found(name: str, names: dict[str, str], namespace: dict[str, Any]) -> Any:
+    """Import a public name and store it in its module, so that the next use finds it at once.
 
     Parameters
     ----------
     name : str
     names : dict of str to str
         What `names_in` gave.
-    held : dict of str to object
+    namespace : dict of str to object
         ``globals()`` of the module.
 
     Returns
@@ -49,17 +49,17 @@ def found(name: str, names: dict[str, str], held: dict[str, Any]) -> Any:
         If there is no such name.
     """
     if name not in names:
-        raise AttributeError(f"module '{held['__name__']}' has no attribute '{name}'")
+        raise AttributeError(f"module '{namespace['__name__']}' has no attribute '{name}'")
     source = names[name]
     module = import_module(source)
     # a namespace is a module of the package, which has no such name before it is imported
-    inside = source == held["__name__"] or not hasattr(module, name)
-    held[name] = import_module(f"{source}.{name}") if inside else getattr(module, name)
-    return held[name]
+    inside = source == namespace["__name__"] or not hasattr(module, name)
+    namespace[name] = import_module(f"{source}.{name}") if inside else getattr(module, name)
+    return namespace[name]
 
 
 def public(
-    file: str, held: dict[str, Any], otherwise: Callable[[str], Any] | None = None
+    file: str, namespace: dict[str, Any], otherwise: Callable[[str], Any] | None = None
 ) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
     """Make ``__getattr__``, ``__dir__`` and ``__all__`` of a module that lists its public names.
 
@@ -67,7 +67,7 @@ def public(
     ----------
     file : str
         ``__file__`` of the module.
-    held : dict of str to object
+    namespace : dict of str to object
         Its ``globals()``.
     otherwise : callable, optional
         ``otherwise(name)`` gives other names, or raises an AttributeError.
@@ -80,7 +80,7 @@ def public(
 
     def get(name: str) -> Any:
         if otherwise is None or name in names or name.startswith("_"):
-            return found(name, names, held)
+            return found(name, names, namespace)
         return otherwise(name)
 
-    return get, lambda: sorted({*held, *names}), sorted(names)
+    return get, lambda: sorted({*namespace, *names}), sorted(names)

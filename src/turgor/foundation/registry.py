@@ -15,7 +15,7 @@ Found = TypeVar("Found")
 class Registry(Mapping[str, Found], Generic[Found]):
     """What the files of a folder define, by name.
 
-    A name that a file has too is looked for in that file. All files are imported when another name is asked for, and
+    A name that a file has too is looked for in that file. All files are imported when another name is requested, and
     again looked through once the folder has another path.
 
     Parameters
@@ -37,13 +37,13 @@ class Registry(Mapping[str, Found], Generic[Found]):
         self._package = package
         self._listed = listed
         self._places: tuple[str, ...] = ()
-        self._held: dict[str, Found] = {}
+        self._known: dict[str, Found] = {}
         self._own: dict[tuple[str, tuple[str, ...]], Found | None] = {}
 
     def __getitem__(self, name: str) -> Found:
         places = self._now()
         if places == self._places:
-            return self._held[name]
+            return self._known[name]
         own = self._of_its_file(name, places)
         return self._found()[name] if own is None else own
 
@@ -54,7 +54,7 @@ class Registry(Mapping[str, Found], Generic[Found]):
         return len(self._found())
 
     def _now(self) -> tuple[str, ...]:
-        package = sys.modules.get(self._package) or import_module(self._package)  # asked a thousand times by a run
+        package = sys.modules.get(self._package) or import_module(self._package)  # a run calls it a thousand times
         return tuple(package.__path__)
 
     def _of_its_file(self, name: str, places: tuple[str, ...]) -> Found | None:
@@ -68,17 +68,17 @@ class Registry(Mapping[str, Found], Generic[Found]):
     def _found(self) -> dict[str, Found]:
         places = self._now()
         if places != self._places:
-            held: dict[str, Found] = {}
+            known: dict[str, Found] = {}
             for each in sorted(module.name for module in iter_modules(places)):
                 for name, value in self._listed(import_module(f"{self._package}.{each}")):
-                    if held.setdefault(name, value) is not value:
+                    if known.setdefault(name, value) is not value:
                         raise TurgorError(f"two files of {self._package} define '{name}'; rename one of them.")
-            self._places, self._held = places, held
-        return self._held
+            self._places, self._known = places, known
+        return self._known
 
 
 def class_of_file(suits: Callable[[type], bool]) -> Callable[[ModuleType], Iterable[tuple[str, type]]]:
-    """Make what `Registry` asks of files that define one class each, whose name is that of the file.
+    """Make the function by which a `Registry` reads files that define one class each, named like the file.
 
     Parameters
     ----------

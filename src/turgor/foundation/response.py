@@ -35,20 +35,20 @@ _KINDS = (
     ("J", "mJ"), ("kg", "g"), ("s", "ms"),
 )  # fmt: skip
 
-#: Signs of units beside an axis and in a table, where they differ from those in files.
+#: Signs of units at an axis and in a table, where they differ from those in files.
 _SIGNS: Mapping[str, str] = MappingProxyType(
     {"deg": "°", "um": "µm", "m2": "m²", "mm2": "mm²", "m3": "m³", "Nm": "N m"}
 )
 
 #: Columns that the representation of a response names.
-MOST_TOLD = 6
+MOST_LISTED = 6
 
 #: End of the name of the column that holds the estimated mesh error of another one.
 MESH_ERROR = "_mesh_error"
 
 
 def unit_text(unit: str) -> str:
-    """Write a unit of a column as it stands beside an axis.
+    """Write a unit of a column as an axis shows it.
 
     Examples
     --------
@@ -112,7 +112,7 @@ class Column:
 
     @property
     def label(self) -> str:
-        """Name and unit as they stand beside an axis, such as ``"bending angle [°]"``."""
+        """Name and unit as an axis shows them, such as ``"bending angle [°]"``."""
         return f"{self.words} [{unit_text(self.unit)}]" if self.unit else self.words
 
     @property
@@ -229,10 +229,10 @@ class Response(Saved, Shown):
             raise TurgorError(f"response: {len(self.stages)} stages are named for {len(self)} rows.")
 
     def __repr__(self) -> str:
-        told = [f"{column.name} {column.span}" for column in self.quantities[:MOST_TOLD]]
-        told += [f"and {len(self.quantities) - MOST_TOLD} more"] if len(self.quantities) > MOST_TOLD else []
+        listed = [f"{column.name} {column.span}" for column in self.quantities[:MOST_LISTED]]
+        listed += [f"and {len(self.quantities) - MOST_LISTED} more"] if len(self.quantities) > MOST_LISTED else []
         ended = f"{self.status}, " if self.status else ""
-        return f"Response({len(self)} rows: {', '.join(told)}; {ended}from {self.source.text})"
+        return f"Response({len(self)} rows: {', '.join(listed)}; {ended}from {self.source.text})"
 
     def __len__(self) -> int:
         """Count the rows."""
@@ -282,7 +282,7 @@ class Response(Saved, Shown):
     def mesh_error(self, name: str) -> NDArray[np.float64] | None:
         """Return the estimated mesh error of a column in SI units, (n,); None where none was estimated.
 
-        It stands in a column of its own, ``bending_angle_mesh_error`` beside ``bending_angle``: how far the value is
+        It stands in a column of its own, ``bending_angle_mesh_error`` after ``bending_angle``: how far the value is
         from what finer cells would give, not negative. An unknown name fails with the near match.
 
         Examples
@@ -370,7 +370,7 @@ class Response(Saved, Shown):
     def to_csv(self, path: str | Path) -> None:
         """Write the table as CSV: a header with units (``pressure_kPa``), then one line a row, in these units.
 
-        Every digit is kept: `turgor.files.read_response` returns the same values, to the last bit but one.
+        Every digit is written: `turgor.files.read_response` returns the same values, to the last bit but one.
         """
         with whole(Path(path)) as part, part.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")

@@ -1,4 +1,4 @@
-"""Compare a run with an experiment: the comparison is kept beside the run, and its report shows it."""
+"""Compare a run with an experiment: the comparison is saved in the folder of the run, and its report shows it."""
 
 from codecs import BOM_UTF8 as BOM
 from collections.abc import Mapping
@@ -48,7 +48,7 @@ class Asked:
 def compare_folder(
     run: str | Path, experiment: str | Path, asked: Asked | None = None
 ) -> tuple[Comparison, list[Path]]:
-    """Compare the response of a run with a table from a laboratory, and write the comparison beside the run.
+    """Compare the response of a run with a table from a laboratory, and write the comparison into its folder.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def comparisons_of(folder: Path, computed: Response) -> list[tuple[str, Comparis
     for file in sorted((folder / COMPARISONS).glob("*_measured.csv")):
         measured = read_response(file, Source(text=file.name.removesuffix("_measured.csv")))
         x, y = measured.names[:2]
-        if x in computed and y in computed:  # the run may have been measured anew with less
+        if x in computed and y in computed:  # the run may have been measured again with less
             found.append((measured.source.text, compare(computed, measured, y, x=x)))
     return found
 
@@ -119,7 +119,7 @@ def comparison_sections(folder: Path, computed: Response) -> tuple[tuple[str, st
 
 
 def measured_points(folder: Path, computed: Response) -> tuple[Measured, ...]:
-    """Return the measured points of each comparison, for the curves beside the viewer; see `comparisons_of`."""
+    """Return the measured points of each comparison, for the curves next to the viewer; see `comparisons_of`."""
     return tuple(
         Measured(
             name=name, x=found.x, y=found.y,
@@ -138,14 +138,14 @@ def _write(folder: Path, name: str, found: Comparison) -> list[Path]:
     folder.mkdir(exist_ok=True)
     files = [folder / f"{name}_measured.csv", folder / f"{name}_compared.csv", folder / f"{name}.png"]
     x, y = found.computed.find(found.x), found.computed.find(found.y)
-    kept = [
+    columns = [
         Column(found.x, x.unit, found.measured.column(found.measured_x)),
         Column(found.y, y.unit, found.measured.column(found.measured_y)),
     ]
     spread = found.measured_y + SPREAD
     if spread in found.measured:
-        kept.append(Column(found.y + SPREAD, y.unit, found.measured.column(spread)))
-    Response(columns=tuple(kept), source=found.measured.source).to_csv(files[0])
+        columns.append(Column(found.y + SPREAD, y.unit, found.measured.column(spread)))
+    Response(columns=tuple(columns), source=found.measured.source).to_csv(files[0])
     found.to_response().to_csv(files[1])
     write_figure(files[2], comparison_figure(found), dpi=160)
     return files

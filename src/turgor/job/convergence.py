@@ -110,7 +110,7 @@ def study_sizes(question: Question, sizes: int | Sequence[float]) -> tuple[float
     """
     count = sizes if isinstance(sizes, int) else len(sizes)
     if isinstance(sizes, bool) or not 3 <= count <= MOST_SIZES:
-        raise TurgorError(f"{count} mesh sizes are asked for; allowed is 3 to {MOST_SIZES}.")
+        raise TurgorError(f"{count} mesh sizes are requested; allowed is 3 to {MOST_SIZES}.")
     limits = _limits(question) if isinstance(question, Job) else None
     if isinstance(sizes, int):
         if limits is None:

@@ -123,7 +123,7 @@ class Job:
     mesh : MeshSettings
         Sizes and kind of the cells.
     mesh_coarse : float or None [m]
-        Edge length of a coarser mesh whose path leads; None follows the path on the mesh itself.
+        Edge length of a coarser mesh whose path predicts the states; None follows the path on the mesh itself.
     mesh_target : float or None [-]
         Target of the relative mesh error of one measure at the last state; None leaves the mesh as it is.
     mesh_target_measure : str or None
@@ -139,7 +139,7 @@ class Job:
     fibers : mapping of str to Fibers
         Windings by name.
     points : mapping of str to Rig
-        Reference points by name, with what holds them and acts on them.
+        Reference points by name, with their supports and loads.
     contact : Contact
         Surfaces that may come into contact.
     rigid_files : mapping of str to RigidFile
@@ -153,7 +153,7 @@ class Job:
     threads : int or None
         Number of threads; None takes all processors. Only the last digits of the results depend on it.
     built : (Actuator, Geometry) or None
-        What was built when the job was read, so that it is not built twice; another actuator is built anew.
+        What was built when the job was read, so that it is not built twice.
     """
 
     name: str

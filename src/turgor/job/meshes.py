@@ -7,7 +7,7 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.settings import MeshSettings
-from turgor.job.families import is_known, keep, mesh_on_disk
+from turgor.job.family_cache import is_cached, mesh_on_disk, save_family
 from turgor.job.job import Actuator, Job
 
 
@@ -15,8 +15,7 @@ def mesh_of(job: Job, geometry: Geometry) -> Mesh:
     """Mesh a geometry with the settings of a job.
 
     Runs of one process whose actuators and settings are equal share a mesh, because a sweep of constants or a
-    calibration would make the same one again and again. What `keep_mesh_of` has kept is found on disk, by other
-    processes, too.
+    calibration would make the same one again and again. What `save_mesh_of` has saved is found by other processes, too.
 
     Parameters
     ----------
@@ -29,27 +28,27 @@ def mesh_of(job: Job, geometry: Geometry) -> Mesh:
     -------
     Mesh
     """
-    if not is_known(job.actuator):  # a file, whose content may change
+    if not is_cached(job.actuator):  # a file, whose content may change
         return new_mesh_of(job, geometry)
-    return _mesh_of_family(_Asked(job.actuator, job.mesh, geometry))
+    return _mesh_of_family(_Key(job.actuator, job.mesh, geometry))
 
 
-def keep_mesh_of(job: Job) -> None:
-    """Keep geometry and mesh of a job on disk for the next run, if its actuator is of a family.
+def save_mesh_of(job: Job) -> None:
+    """Save geometry and mesh of a job on disk for the next run, if its actuator is of a family.
 
-    Runs and checks do so, but no studies: their many designs hardly come again, and would push out the others.
+    Runs and checks do so, but no studies: their designs are many, rarely return, and would push out the others.
 
     Parameters
     ----------
     job : Job
     """
-    if is_known(job.actuator):
+    if is_cached(job.actuator):
         geometry = job.geometry()
-        keep(job.actuator, geometry, job.mesh, mesh_of(job, geometry))
+        save_family(job.actuator, geometry, job.mesh, mesh_of(job, geometry))
 
 
 def new_mesh_of(job: Job, geometry: Geometry) -> Mesh:
-    """Mesh a geometry with the settings of a job, even where there is such a mesh already.
+    """Mesh a geometry with the settings of a job, even where there is such a mesh.
 
     Parameters
     ----------
@@ -66,7 +65,7 @@ def new_mesh_of(job: Job, geometry: Geometry) -> Mesh:
 
 
 @dataclass(frozen=True, slots=True)
-class _Asked:
+class _Key:
     """An actuator that its dimensions describe and settings; the geometry follows from the dimensions."""
 
     actuator: Actuator
@@ -78,9 +77,9 @@ class _Asked:
 
 
 @lru_cache(maxsize=2)
-def _mesh_of_family(asked: _Asked) -> Mesh:
-    on_disk = mesh_on_disk(asked.actuator, asked.settings)
-    return _made(asked.geometry, asked.settings) if on_disk is None else on_disk
+def _mesh_of_family(key: _Key) -> Mesh:
+    on_disk = mesh_on_disk(key.actuator, key.settings)
+    return _made(key.geometry, key.settings) if on_disk is None else on_disk
 
 
 def _made(geometry: Geometry, settings: MeshSettings) -> Mesh:

@@ -25,7 +25,7 @@ from turgor.job.read import read_job
 
 
 def measure_folder(folder: str | Path, names: tuple[str, ...] = ()) -> Response:
-    """Measure the path that a folder of results holds, as far as it goes.
+    """Measure the states of a run in a folder of results.
 
     Parameters
     ----------
@@ -52,10 +52,10 @@ def measure_folder(folder: str | Path, names: tuple[str, ...] = ()) -> Response:
 
 
 def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutcome:
-    """Write all files of a run anew from the path that its folder holds, as far as it goes.
+    """Write all files of a run again from the states in its folder.
 
     Fields for ParaView that are complete and younger than the path are left as they are, and so are pictures that show
-    it. Mesh errors are not estimated, because that would solve again; those that the run has written are kept.
+    it. Mesh errors are not estimated, because that would solve again; those that the run has written stay.
 
     Parameters
     ----------
@@ -113,5 +113,9 @@ def _job(folder: Path) -> Job:
     if not file.exists():
         raise TurgorError(f"'{folder}' holds no {LOCK}, which says what its run was.")
     if read_lock(file) is None:
-        raise TurgorError(f"'{file}' is damaged; `turgor run JOB --output {folder} --resume` writes it again.")
+        raise TurgorError(
+            f"'{file}' is damaged.",
+            python="run_job(job, output, resume=True) writes it again.",
+            command=f"turgor run JOB --output {folder} --resume writes it again.",
+        )
     return read_job(file)

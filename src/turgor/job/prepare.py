@@ -8,12 +8,9 @@ from turgor.core.meshing.quality.checks import check_mesh
 from turgor.core.model.model import Model
 from turgor.core.results.measures.measures import check_measures, find_measure
 from turgor.core.setups.with_setup import with_setup
-from turgor.core.solvers.checks.early_findings import early_findings
-from turgor.core.solvers.checks.supports import check_supports
+from turgor.core.solvers.checks.early_findings import check_before_solve
 from turgor.core.solvers.coarse_path import check_coarse
-from turgor.core.solvers.methods import may_be_free, method_of
 from turgor.core.solvers.procedures.stages import Stages
-from turgor.core.solvers.solution import Procedure
 from turgor.core.solvers.stage_sequence import questions
 from turgor.foundation.finding import Finding, by_weight
 from turgor.job.job import Job
@@ -43,7 +40,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     Raises
     ------
     TurgorError
-        If the job cannot be meshed, held or measured.
+        If the job cannot be meshed, supported or measured.
     """
     say = notify or silent
     say("building the actuator")
@@ -52,15 +49,16 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     made = mesh_of(job, geometry)
     say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
     model = model_of(job, made)
-    asked = with_setup(model, job.setup, say)
-    first = _checked(asked, job.procedure)
+    model_to_solve = with_setup(model, job.setup, say)
+    early = check_before_solve(model_to_solve, job.procedure)
+    first = questions(model_to_solve, job.procedure)[0] if isinstance(job.procedure, Stages) else model_to_solve
     check_measures(first, [find_measure(name) for name in job.output.measures])
     if job.output.markers:
         from turgor.core.results.measures.markers import check_markers  # here: it loads the engine
 
         check_markers(made, job.output.markers)
-    found = (*check_mesh(made), *meridian_would_do(model, geometry), *early_findings(asked, job.procedure))
-    return asked, by_weight((*geometry.findings, *found))
+    found = (*check_mesh(made), *meridian_would_do(model, geometry), *early)
+    return model_to_solve, by_weight((*geometry.findings, *found))
 
 
 def coarse_mesh(job: Job, model: Model) -> Mesh | None:
@@ -79,7 +77,7 @@ def coarse_mesh(job: Job, model: Model) -> Mesh | None:
     Raises
     ------
     TurgorError
-        If the path on it cannot lead.
+        If the path on it cannot predict that of the model.
     """
     if job.mesh_coarse is None:
         return None
@@ -108,18 +106,6 @@ def model_of(job: Job, mesh: Mesh) -> Model:
         reinforcements=tuple(job.fibers.values()),
         contact=job.contact,
     )
-
-
-def _checked(model: Model, procedure: Procedure) -> Model:
-    """Raise an error for a model that cannot be solved; return it, or that of the first stage."""
-    if not isinstance(procedure, Stages):
-        check_supports(model, inertia=may_be_free(model, procedure))
-        method_of(procedure).controlled(model, procedure)
-        return model
-    asked = questions(model, procedure)
-    for question, stage in zip(asked, procedure.stages, strict=True):
-        check_supports(question, inertia=may_be_free(question, stage.procedure))
-    return asked[0]
 
 
 def silent(_: str) -> None:

@@ -12,7 +12,7 @@ from turgor.core.setups.setup_values import Setup
 from turgor.core.solvers.procedures.stages import OneProcedure, Stages
 from turgor.foundation.errors import TurgorError, near_file, near_match
 from turgor.foundation.toml_text import read_text, read_toml
-from turgor.job.families import geometry_on_disk
+from turgor.job.family_cache import geometry_on_disk
 from turgor.job.job import Actuator, Job
 from turgor.job.symmetry_breakers import with_broken_planes
 from turgor.job.tables.contact import read_contact
@@ -167,8 +167,8 @@ def _read(
     if given["loads"] is not None:
         needed = not _alone(given) and not _rigged(given["points"])
         loads = read_loads(given["loads"], geometry, materials, problems, needed, timed)
-    held = "supports" in content or geometry is None or "fixed" in geometry.faces  # by symmetry, inertia or points
-    supports = read_supports(given["supports"] if held else {}, geometry, problems)
+    supported = "supports" in content or geometry is None or "fixed" in geometry.faces  # by symmetry, inertia or points
+    supports = read_supports(given["supports"] if supported else {}, geometry, problems)
     contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
     points = read_points(given["points"], geometry, loads, timed, problems)
     around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))

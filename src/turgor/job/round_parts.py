@@ -8,7 +8,7 @@ from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 
-#: Any number of sectors serves to ask whether an obstacle stays the same when it is turned.
+#: Any number of sectors shows whether an obstacle stays the same when it is turned.
 _SECTORS = 6
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from turgor.accuracy.adaptivity.findings import matter, mesh_error_findings
 from turgor.core.engine.runtime import EngineOptions
+from turgor.core.engine.warmup.compiling import announce_needs
 from turgor.core.model.model import Model
 from turgor.core.results.measures.measures import find_measure
 from turgor.core.setups.with_setup import with_choices
@@ -20,7 +21,8 @@ from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, by_weight, not_told, show_warning
 from turgor.foundation.response import Response
 from turgor.job.job import Job
-from turgor.job.meshes import keep_mesh_of
+from turgor.job.kernel_needs import kernel_needs
+from turgor.job.meshes import save_mesh_of
 from turgor.job.output.folder import claimed, default_folder
 from turgor.job.output.growing_files import GrowingFiles
 from turgor.job.output.identity import check_same_job
@@ -28,7 +30,6 @@ from turgor.job.output.manifest import MOVING, bring_back, drop_previous, set_as
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
-from turgor.job.precompile import compile_for
 from turgor.job.prepare import Notify, coarse_mesh, prepare, silent
 
 Found = Callable[[Finding], None]
@@ -59,8 +60,7 @@ def run_job(
     force : bool
         Whether existing results in the folder are replaced.
     resume : bool
-        Whether a run of this job in the folder that was ended goes on from its last state; where there is none, the run
-        begins.
+        Whether an unfinished run of this job in the folder continues from its last state; without one, the run begins.
     threads : int, optional
         Number of threads; by default that of the job, else all processors.
     notify : callable, optional
@@ -79,7 +79,7 @@ def run_job(
     ------
     TurgorError
         If the folder holds files, is in use or cannot be written (before the computation), the job cannot be meshed,
-        or the run that should go on is one of another job.
+        or the run to continue is one of another job.
     """
     options = EngineOptions()
     wanted = threads if threads is not None else job.threads
@@ -91,7 +91,7 @@ def run_job(
         options = replace(options, notify=files.say)
         with _earlier_results(folder):
             record = _record(files, options, resume)
-            early = matter(record.question.findings, bool(job.output.mesh_error))
+            early = matter(record.question.findings or (), bool(job.output.mesh_error))
             for each in early:
                 (found or show_warning)(each)
             solution, response, findings = _solved(files, record, options, watcher.progress)
@@ -135,19 +135,19 @@ def _written(files: GrowingFiles, solution: Solution, response: Response, findin
 
 
 def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRecord:
-    """Open the record of a run that goes on, or prepare a job and begin one."""
+    """Open the record of a run to continue, or prepare a job and begin one."""
     folder = files.folder / PATH_FOLDER
     if resume and (folder / INDEX).exists() and not (files.folder / MOVING).exists():  # else a new run was to begin
         record = RunRecord.open(folder)
         files.job = _settled(files.job, record.question.model)
         check_same_job(files.job, files.folder)
         files.go_on()
-        files.say("going on with the path that the folder holds")
+        files.say("continuing the path in the folder")
         return record
-    compile_for(files.job)
+    announce_needs(kernel_needs(files.job))
     model, findings = prepare(files.job, files.say)
     files.job = _settled(files.job, model)
-    keep_mesh_of(files.job)
+    save_mesh_of(files.job)
     set_aside(files.folder)
     files.begin()
     coarse = coarse_mesh(files.job, model)
@@ -164,7 +164,7 @@ def _solved(
     files: GrowingFiles, record: RunRecord, options: EngineOptions, progress: Heard | None
 ) -> tuple[Solution, Response, tuple[Finding, ...]]:
     """Solve a job, refine its mesh where it has a target, and measure."""
-    job, findings = files.job, record.question.findings
+    job, findings = files.job, record.question.findings or ()
     files.say("solving")
     record.told = lambda: files.grow(record)
     question = replace(record.question, options=options)
@@ -183,7 +183,7 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
     """Refine the mesh to the target of a job, if it has one and the path is complete."""
     if job.mesh_target is None or not solution.complete:
         return solution, ()
-    from turgor.accuracy.adaptivity.mesh_to import refine_to  # here: few jobs ask for it
+    from turgor.accuracy.adaptivity.mesh_to import refine_to  # here: few jobs need it
 
     wanted = find_measure(job.mesh_target_measure or job.output.measures[0])
     found = refine_to(
@@ -200,7 +200,7 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
 def _with_errors(
     job: Job, response: Response, solution: Solution, options: EngineOptions, refined: bool
 ) -> tuple[Response, tuple[Finding, ...]]:
-    """Add the mesh errors to a response if the job asks for them, and a finding where these are unknown."""
+    """Add the mesh errors to a response if the job requests them, and a finding where these are unknown."""
     if not job.output.mesh_error or len(solution.states) < 2:
         return response, ()
     from turgor.accuracy.adaptivity.measure import (  # here: not needed before a solve

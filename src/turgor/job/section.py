@@ -9,7 +9,7 @@ from turgor.fast_models.section.solution import SectionSolution
 from turgor.foundation.errors import TurgorError
 from turgor.job.job import Job
 
-#: Rows of a section that may be asked for.
+#: Rows of a section that may be requested.
 MOST_ROWS = 1000
 
 

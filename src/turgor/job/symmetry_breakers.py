@@ -15,7 +15,7 @@ from turgor.job.text.listed_loads import listed_kinds
 #: Axes across which it breaks mirror planes, axes about which it breaks wedges, and the words for it.
 Reason = tuple[str, str, str]
 
-#: Keys of a procedure or setup that hold a direction.
+#: Keys of a procedure or setup that are a direction.
 _DIRECTIONS = ("direction", "pull")
 
 

@@ -17,7 +17,7 @@ import turgor.job.prepare
 import turgor.job.run
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
-from turgor.cli.start.commands import app_of
+from turgor.cli.start.commands import command_line
 from turgor.core.solvers.checkpoints.record import Question, RunRecord
 from turgor.core.solvers.listeners import Listeners
 from turgor.core.solvers.solve import follow_question
@@ -204,7 +204,7 @@ def test_usual_words_for_help_and_version(
 
 
 def test_every_output_has_a_short_option() -> None:
-    commands = get_command(app_of()).commands  # type: ignore[attr-defined]
+    commands = get_command(command_line()).commands  # type: ignore[attr-defined]
     named = [option.opts for each in commands.values() for option in each.params if "--output" in option.opts]
     assert len(named) > 12
     assert all("-o" in opts for opts in named)

@@ -106,7 +106,7 @@ def test_compression_is_fitted(run, tmp_path):
         (["--preload", "7"], "'7' needs a unit"),
         (["--cycle", "0"], "cycles are counted from 1: 1 is the first and -1 the last"),
         (["--cycle", "9"], "has one loading curve; there is no number 9"),
-        (["--average"], "--average found one uniaxial test only"),
+        (["--average"], "--average has one uniaxial test only"),
         (["--average", "--each"], "--average goes with neither --each"),
         (["--weights", "none"], "unknown weights 'none'"),
     ],

@@ -105,7 +105,7 @@ def test_mesh_writes_and_draws(folder: Path, capsys: pytest.CaptureFixture[str])
         (["mesh", "one.toml", "--output", "one.stl"], "--output is 'one.stl'; the name must end in .vtu."),
         (["mesh", "one.toml", "--picture", "one.jpg"], "--picture is 'one.jpg'; the name must end in .png."),
         (["mesh", "on.toml"], "there is no job file 'on.toml'; did you mean 'one.toml'"),
-        (["convergence", "one.toml", "--sizes", "2"], "2 mesh sizes are asked for; allowed is 3 to 6."),
+        (["convergence", "one.toml", "--sizes", "2"], "2 mesh sizes are requested; allowed is 3 to 6."),
         (["convergence", "one.toml", "--sizes", "4 mm, 3"], "--sizes: '3' needs a unit"),
         (["convergence", "one.toml", "--sizes", "4 mm, 3 mm, 9 mm"], "mesh size is 9 mm; allowed for this job is"),
         (["convergence", "one.toml", "--measure", "angle"], "unknown measure 'angle'"),

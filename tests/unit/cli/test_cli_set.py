@@ -7,10 +7,10 @@ import typer.main
 
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
-from turgor.cli.start.commands import app_of
+from turgor.cli.start.commands import command_line
 
 FINGER = str(Path(__file__).parents[3] / "examples" / "actuators" / "slow_pneunet.toml")
-COMMANDS = typer.main.get_command(app_of()).commands
+COMMANDS = typer.main.get_command(command_line()).commands
 WITH_JOB = [name for name, command in COMMANDS.items() if any(each.name == "job" for each in command.params)]
 
 

@@ -81,15 +81,15 @@ def test_the_bar_fits_its_terminal_in_one_line_with_the_time_left(width):
 def test_findings_before_the_solve_go_to_standard_error_also_when_quiet(quiet, capsys):
     stream = io.StringIO()
     display = PlainDisplay(Console(file=stream, quiet=quiet))
-    display.found(WARNING)
+    display.report(WARNING)
     assert capsys.readouterr().err == "P02 warning: Pressure in 'cavity': 1 MPa. Check it.\n"
-    assert display.told == [WARNING]
+    assert display.reported == [WARNING]
 
 
 def test_findings_stand_above_the_bar():
     console, stream = written(terminal=True)
     with LiveDisplay(console) as display:
-        display.found(WARNING)
+        display.report(WARNING)
     assert "P02 warning: Pressure in 'cavity': 1 MPa. Check it." in stream.getvalue()
 
 

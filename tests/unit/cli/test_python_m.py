@@ -39,7 +39,7 @@ def test_a_wrong_word_ends_with_one_sentence_and_exit_code_1(tmp_path):
 )
 def test_openblas_has_one_thread_unless_the_user_says_otherwise(stated, seen):
     asked = "print(*(os.environ.get(f'{name}_NUM_THREADS') for name in ('OPENBLAS', 'OMP')))"
-    script = f"import os, sys; from turgor.cli import main; sys.argv[1:] = ['--version']; main(); {asked}"
+    script = f"import os, sys; from turgor.cli import command; sys.argv[1:] = ['--version']; command(); {asked}"
     clean = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
     said = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, env=clean | stated, check=True

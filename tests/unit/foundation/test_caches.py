@@ -12,8 +12,9 @@ import pytest
 from turgor.cli import main
 from turgor.core.materials.laws.derived_formulas import cached_formulas
 from turgor.core.materials.laws.laws import NeoHooke
-from turgor.core.meshing.tetwild.mesh_cache import kept_cells
-from turgor.foundation import kernel_cache as loops
+from turgor.core.meshing.tetwild.mesh_cache import cached_cells
+from turgor.foundation.startup import kernel_folder
+from turgor.foundation.startup import kernel_folder as loops
 from turgor.foundation.store.caches import PARTS, cache_folder, private
 
 posix = pytest.mark.skipif(not hasattr(os, "getuid"), reason="owners and modes are those of POSIX")
@@ -81,10 +82,10 @@ def test_a_stated_folder_that_others_can_write_is_not_used(tmp_path, monkeypatch
 def test_loops_of_another_user_are_not_loaded(tmp_path, monkeypatch):
     """Neither package nor cache can be written, and somebody else has made the folder whose name can be predicted."""
     (tmp_path / "file").touch()
-    monkeypatch.setattr(loops, "usual", lambda: (tmp_path / "file" / "a", tmp_path / "file" / "b"))
+    monkeypatch.setattr(kernel_folder, "usual", lambda: (tmp_path / "file" / "a", tmp_path / "file" / "b"))
     monkeypatch.delenv("TURGOR_CACHE")
-    monkeypatch.setenv(loops.VARIABLE, "")
-    monkeypatch.setattr(loops.tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setenv(kernel_folder.VARIABLE, "")
+    monkeypatch.setattr(kernel_folder.tempfile, "tempdir", str(tmp_path))
     planted = tmp_path / f"turgor-compiled-{os.getuid()}"
     planted.mkdir()
     os.chown(planted, 4321, 4321)
@@ -99,7 +100,7 @@ def test_loops_of_another_user_are_not_loaded(tmp_path, monkeypatch):
 
 def test_one_variable_moves_all_caches(tmp_path, monkeypatch):
     monkeypatch.setenv("TURGOR_CACHE", str(tmp_path))
-    monkeypatch.delenv(loops.VARIABLE, raising=False)
+    monkeypatch.delenv(kernel_folder.VARIABLE, raising=False)
     assert loops.folder() == tmp_path / "compiled"
     assert {cache_folder(part) for part in PARTS} == {tmp_path / part for part in PARTS}
 
@@ -108,8 +109,8 @@ PROGRAM = """
 import warnings
 warnings.simplefilter("error")
 warnings.filterwarnings("default", message="a damaged file")
-from turgor.core.engine.cache_folder import keep_compiled_loops
-keep_compiled_loops()
+from turgor.core.engine.warmup.numba_cache import prepare_kernel_cache
+prepare_kernel_cache()
 import lone
 print(lone.double(3))
 """
@@ -132,7 +133,7 @@ def test_damaged_compiled_loops_are_compiled_again(tmp_path, ending):
         file.write_bytes(b"" if ending == "nbi" else b"\x80\x05nonsense")
     mended = run()
     assert mended.stdout == "6\n"
-    assert "a damaged file in the cache of compiled loops was dropped" in mended.stderr
+    assert "a damaged file in the cache of compiled kernels was removed" in mended.stderr
     again = run()
     assert (again.stdout, again.stderr) == ("6\n", "")
 
@@ -178,7 +179,7 @@ def test_damaged_meshes_are_made_again(tmp_path, monkeypatch):
         made.append(1)
         return points, cells
 
-    kept_cells({"a": 1}, make)
+    cached_cells({"a": 1}, make)
     (file,) = (tmp_path / "meshes").iterdir()
     whole = file.read_bytes()
     random = np.random.default_rng(1)
@@ -189,7 +190,7 @@ def test_damaged_meshes_are_made_again(tmp_path, monkeypatch):
             for place in random.integers(len(whole), size=4):
                 damaged[place] = random.integers(256)
             file.write_bytes(bytes(damaged))
-            got = kept_cells({"a": 1}, make)
+            got = cached_cells({"a": 1}, make)
             assert got[0].shape == points.shape
     assert len(made) > 100
     assert told
@@ -197,8 +198,8 @@ def test_damaged_meshes_are_made_again(tmp_path, monkeypatch):
 
 def test_caches_are_shown_and_emptied(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("TURGOR_CACHE", str(tmp_path))
-    monkeypatch.delenv(loops.VARIABLE, raising=False)
-    cached = [tmp_path / "meshes" / "a.npz", tmp_path / "compiled" / "cells_1" / "b.nbi"]
+    monkeypatch.delenv(kernel_folder.VARIABLE, raising=False)
+    cached = [tmp_path / "meshes" / "a.turgor", tmp_path / "compiled" / "cells_1" / "b.nbi"]
     theirs = [tmp_path / "notes.txt", tmp_path / "other" / "c.npz"]
     for file in (*cached, *theirs):
         file.parent.mkdir(parents=True, exist_ok=True)

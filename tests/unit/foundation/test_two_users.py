@@ -12,7 +12,7 @@ from pathlib import Path
 import numba
 import pytest
 
-from turgor.foundation import kernel_cache as loops
+from turgor.foundation.startup import kernel_folder as loops
 
 #: The user who makes folders first, and the user who comes later.
 FIRST, LATER = 4321, 1234
@@ -55,13 +55,13 @@ mesh_error = false
 COMPILE = """
 from turgor.core.engine.warmup.cell_loops import compile_pattern
 compile_pattern()
-from turgor.foundation.kernel_cache import folder
+from turgor.foundation.startup.kernel_folder import folder
 print(folder())
 """
 
 #: Uses folders without looking at owners and modes, as a program without care would.
 CARELESS = """
-from turgor.foundation import kernel_cache as loops
+from turgor.foundation.startup import kernel_folder as loops
 loops.caches.private = loops.writable
 """
 

@@ -32,8 +32,8 @@ from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.source import Source
 from turgor.job.job import Job
+from turgor.job.kernel_needs import kernel_needs
 from turgor.job.output.lock import lock_text
-from turgor.job.precompile import needs_of
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.text.lines import key_lines
@@ -505,4 +505,4 @@ def test_jobs_of_one_actuator_and_equal_settings_share_a_mesh(tmp_path: Path) ->
 )
 def test_what_is_compiled_ahead_is_what_the_model_needs(before: str, after: str, tmp_path: Path) -> None:
     job = read(tmp_path, SMALL.replace(before, after))
-    assert needs_of(job) == Needs.of(prepare(job)[0])
+    assert kernel_needs(job) == Needs.of(prepare(job)[0])

@@ -72,10 +72,10 @@ def test_nor_is_one_that_a_function_returns() -> None:
 @pytest.mark.parametrize(
     ("sizes", "sentence"),
     [
-        (2, "2 mesh sizes are asked for; allowed is 3 to 6"),
-        (7, "7 mesh sizes are asked for; allowed is 3 to 6"),
-        (True, "mesh sizes are asked for"),
-        ([4 * mm, 2 * mm], "2 mesh sizes are asked for"),
+        (2, "2 mesh sizes are requested; allowed is 3 to 6"),
+        (7, "7 mesh sizes are requested; allowed is 3 to 6"),
+        (True, "mesh sizes are requested"),
+        ([4 * mm, 2 * mm], "2 mesh sizes are requested"),
         ([4 * mm, 2 * mm, -1 * mm], "mesh size is -1 mm; allowed is more than 0"),
         ([4 * mm, 2 * mm, float("nan")], "mesh size is nan mm"),
         ([4 * mm, 2 * mm, 2 * mm], "two of the mesh sizes are equal"),

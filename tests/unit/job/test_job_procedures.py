@@ -129,7 +129,7 @@ def test_the_lock_file_repeats_them(tmp_path: Path, text: str) -> None:
         (BLOCKED, '"blocked_force"', '"blocked"', "unknown procedure 'blocked'; did you mean 'blocked_force'?"),
         (GRASP, 'pull_distance = "8 mm"\n', "", "'pull_distance' is missing"),
         (GRASP, "closing = 0.6", "closing = 1.0", "procedure.closing: 1; it lies between 0 and 1"),
-        (GRASP, "[0.3]", '["4 kPa"]', "the pressure rises until closing and is held then; request load factors"),
+        (GRASP, "[0.3]", '["4 kPa"]', "the pressure rises until closing and is constant then; request load factors"),
     ],
 )
 def test_every_mistake_has_its_sentence(tmp_path: Path, text: str, old: str, new: str, message: str) -> None:

@@ -58,7 +58,7 @@ class FitResult:
         ``law``, ``parameters`` and their standard ``errors`` in SI units, ``aic``, ``relative_error`` and
         ``stretch_range``.
     history : table or null
-        Relaxation and softening, where they were asked for: ``parameters`` and ``errors``.
+        Relaxation and softening, if they were requested: ``parameters`` and ``errors``.
     folder : str or null
         Folder of plots and constants.
     """
@@ -100,21 +100,21 @@ class FamiliesResult:
     keys: Sequence[Any] = ()
 
 
-def inspect_result(found: "Inspection") -> InspectResult:
+def inspect_result(inspection: "Inspection") -> InspectResult:
     """Make the result on a CAD file, without the triangles of its pictures."""
     faces = [
         {name: getattr(face, name) for name in ("name", "name_in_file", "color", "area", "center", "normal")}
-        for face in found.faces
+        for face in inspection.faces
     ]
     return InspectResult(
-        name=found.name,
-        unit=found.unit,
-        size_m=found.size,
-        smallest_wall_m=found.smallest_wall,
-        bodies=found.bodies,
+        name=inspection.name,
+        unit=inspection.unit,
+        size_m=inspection.size,
+        smallest_wall_m=inspection.smallest_wall,
+        bodies=inspection.bodies,
         faces=faces,
-        cavities=found.cavities,
-        symmetry=found.symmetry,
+        cavities=inspection.cavities,
+        symmetry=inspection.symmetry,
     )
 
 

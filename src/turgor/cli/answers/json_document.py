@@ -21,7 +21,7 @@ def document(code: int, result: object, findings: "Iterable[Finding]", error: st
     code : int
         Exit code.
     result : dataclass or None
-        What the command found; one of `turgor.cli.answers.results`.
+        Result of the command; one of `turgor.cli.answers.results`.
     findings : iterable of Finding
     error : str
         Sentences, one in a line; empty where there is none.
@@ -35,7 +35,7 @@ def document(code: int, result: object, findings: "Iterable[Finding]", error: st
         "turgor": __version__,
         "exit_code": code,
         "error": {"message": error, "problems": error.splitlines()} if error else None,
-        "findings": [plain(found) for found in findings],
+        "findings": [plain(each) for each in findings],
         "result": plain(result),
     }
     return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)

@@ -241,19 +241,19 @@ def mesh_result(mesh: "Mesh") -> MeshResult:
     """Make the result on a mesh."""
     from turgor.core.meshing.quality.cell_quality import quality
 
-    found = quality(mesh)
+    measured = quality(mesh)
     return MeshResult(
         name=mesh.name,
         cell_type=mesh.cell_type.name,
-        cells=found.cells,
-        points=found.points,
-        unknowns=found.unknowns,
-        min_edge_m=found.min_edge,
-        mean_edge_m=found.mean_edge,
-        max_edge_m=found.max_edge,
-        min_shape=found.min_shape,
-        mean_shape=found.mean_shape,
-        min_jacobian_ratio=found.min_jacobian_ratio,
+        cells=measured.cells,
+        points=measured.points,
+        unknowns=measured.unknowns,
+        min_edge_m=measured.min_edge,
+        mean_edge_m=measured.mean_edge,
+        max_edge_m=measured.max_edge,
+        min_shape=measured.min_shape,
+        mean_shape=measured.mean_shape,
+        min_jacobian_ratio=measured.min_jacobian_ratio,
         regions={name: len(cells) for name, cells in mesh.regions.items()},
         faces={name: len(sides) for name, sides in mesh.faces.items()},
     )
@@ -269,17 +269,17 @@ def modes_result(modes: "Modes") -> ModesResult:
     )
 
 
-def compared_result(found: "Comparison", files: Sequence[Path]) -> ComparedResult:
+def compared_result(made: "Comparison", files: Sequence[Path]) -> ComparedResult:
     """Return the numbers of a comparison.
 
     Parameters
     ----------
-    found : Comparison
+    made : Comparison
     files : sequence of Path
     """
     return ComparedResult(
-        x=found.x, y=found.y, rows=len(found.rows), rms=found.rms, largest=found.largest, largest_at=found.largest_at,
-        relative=found.relative, shift=found.shift, rms_shifted=found.rms_shifted, notes=found.notes, files=files,
+        x=made.x, y=made.y, rows=len(made.rows), rms=made.rms, largest=made.largest, largest_at=made.largest_at,
+        relative=made.relative, shift=made.shift, rms_shifted=made.rms_shifted, notes=made.notes, files=files,
     )  # fmt: skip
 
 

@@ -47,7 +47,7 @@ class FitOptions:
     ] = None
     preload: Annotated[str, typer.Option(help="Nominal stress at which the specimen is taut, such as '0.7 kPa'.")] = ""
     keep_tail: Annotated[bool, typer.Option("--keep-tail", help="Keep the points after the break.")] = False
-    points: Annotated[int, typer.Option(help="Number of points that a curve is thinned to; 0 keeps all.")] = 60
+    points: Annotated[int, typer.Option(help="Number of points that a curve is thinned to; 0 takes all.")] = 60
     each: Annotated[bool, typer.Option("--each", help="Every file is a material of its own.")] = False
     average: Annotated[
         bool, typer.Option("--average", help="Files are replicates: fit the mean of those of each mode.")
@@ -74,8 +74,8 @@ def fit_files(chosen: FitOptions) -> None:
         if chosen.average and (chosen.each or chosen.relaxation or chosen.softening):
             raise TurgorError("--average goes with neither --each nor --relaxation nor --softening.")
         if chosen.relaxation or chosen.softening:
-            tests, found = _fit_over_time(chosen, modes, names)
-            answer.give(lambda: fit_result(tests, (), found, chosen.output))
+            tests, fit = _fit_over_time(chosen, modes, names)
+            answer.give(lambda: fit_result(tests, (), fit, chosen.output))
             return
         if chosen.average:
             tests = _means(chosen, modes)
@@ -88,7 +88,7 @@ def fit_files(chosen: FitOptions) -> None:
         if chosen.output is not None:
             _write(chosen.output, rankings)
         answer.give(lambda: fit_result(tests, rankings, folder=chosen.output))
-        answer.findings.extend(dict.fromkeys(found for _, ranking in rankings for found in ranking.best.findings))
+        answer.findings.extend(dict.fromkeys(each for _, ranking in rankings for each in ranking.best.findings))
 
 
 #: The command.
@@ -119,7 +119,7 @@ def _means(chosen: FitOptions, modes: Sequence[str | None]) -> "list[MaterialTes
     means = []
     for mode, group in by_mode.items():
         if len(group) == 1:
-            raise TurgorError(f"--average found one {mode} test only; give two replicates or more of each mode.")
+            raise TurgorError(f"--average has one {mode} test only; give two replicates or more of each mode.")
         mean = average(group, points=chosen.points or AVERAGE_POINTS, name=f"mean of {len(group)} {mode}")
         typer.echo(f"{mean!r}\n  {mean.edits[-1].text}\n  {_spread(mean)}")
         means.append(mean)
@@ -171,10 +171,10 @@ def _fit_over_time(
         _tell(file, test)
         tests.append(test)
     name = _common_name(chosen.files)
-    found = fit_over_time(tests, names, terms=chosen.relaxation, softening=chosen.softening, name=name)
+    fit = fit_over_time(tests, names, terms=chosen.relaxation, softening=chosen.softening, name=name)
     if chosen.output is not None:
-        write_history_fit(chosen.output, found, tests)
-    return tests, found
+        write_history_fit(chosen.output, fit, tests)
+    return tests, fit
 
 
 def _read(chosen: FitOptions, file: Path, mode: str | None, cyclic: bool) -> "MaterialTest":

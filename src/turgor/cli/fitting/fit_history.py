@@ -39,23 +39,23 @@ def fit_over_time(
     virgin = [_first_loading(test) for test in tests]
     best = rank(laws, virgin).best
     typer.echo(f"Law of the first loading: {best.spec.name}, {', '.join(best.parameter(p) for p in best.spec.names)}")
-    found = fit_history(best.law, tests, terms=terms, stress_softening=softening)
-    typer.echo(found.describe())
+    fit = fit_history(best.law, tests, terms=terms, stress_softening=softening)
+    typer.echo(fit.describe())
     if softening:
-        typer.echo(f"Softening after the largest stretch of the tests: {100 * found.largest_softening:.2g} % near rest")
-    for quality in found.quality:
+        typer.echo(f"Softening after the largest stretch of the tests: {100 * fit.largest_softening:.2g} % near rest")
+    for quality in fit.quality:
         typer.echo(f"{quality.name}: R² = {quality.r2:.5f}, {quality.points} points")
-    return replace(found, material=replace(found.material, name=name))
+    return replace(fit, material=replace(fit.material, name=name))
 
 
-def write_history_fit(folder: Path, found: "HistoryFit", tests: "Sequence[MaterialTest]") -> None:
+def write_history_fit(folder: Path, fit: "HistoryFit", tests: "Sequence[MaterialTest]") -> None:
     """Write the material as a file of records, and the plot.
 
     Parameters
     ----------
     folder : Path
         Folder, created if missing.
-    found : HistoryFit
+    fit : HistoryFit
         The fit.
     tests : sequence of MaterialTest
         Tests for the plot.
@@ -65,9 +65,9 @@ def write_history_fit(folder: Path, found: "HistoryFit", tests: "Sequence[Materi
     from turgor.views.plots.history import history_figure
 
     folder.mkdir(parents=True, exist_ok=True)
-    stem = "-".join(found.material.name.lower().split())
-    write_fit_plot(folder / f"{stem}.png", history_figure(found.material, tests, title=found.material.name))
-    save_material(folder / f"{stem}.toml", found.material)
+    stem = "-".join(fit.material.name.lower().split())
+    write_fit_plot(folder / f"{stem}.png", history_figure(fit.material, tests, title=fit.material.name))
+    save_material(folder / f"{stem}.toml", fit.material)
     typer.echo(f"Plot and constants in {folder}.")
 
 

@@ -37,8 +37,8 @@ def show_each(rankings: "Sequence[tuple[str, Ranking]]", laws: Sequence[str]) ->
     for name in names:
         table.add_column(f"{name} [%]", justify="right")
     for material, ranking in rankings:
-        found = {fit.spec.name: fit for fit in ranking.fits}
-        cells = [_cell(found.get(name), ranking) for name in names]
+        by_law = {fit.spec.name: fit for fit in ranking.fits}
+        cells = [_cell(by_law.get(name), ranking) for name in names]
         low, high = ranking.best.stretch_range
         table.add_row(material, f"{low:.3g} to {high:.3g}", *cells)
     console.print(table)
@@ -51,13 +51,13 @@ def show_each(rankings: "Sequence[tuple[str, Ranking]]", laws: Sequence[str]) ->
 def _tell_findings(rankings: "Sequence[tuple[str, Ranking]]") -> None:
     """Print common findings once, and the materials whose tests end before the wanted range."""
     fits = [fit for _, ranking in rankings for fit in ranking.fits]
-    common = dict.fromkeys(str(found) for fit in fits for found in fit.findings if found.code != "M01")
+    common = dict.fromkeys(str(each) for fit in fits for each in fit.findings if each.code != "M01")
     for text in common:
         typer.echo(text)
     short = [
         f"{material} ({ranking.best.stretch_range[1]:.3g})"
         for material, ranking in rankings
-        if any(found.code == "M01" for found in ranking.best.findings)
+        if any(each.code == "M01" for each in ranking.best.findings)
     ]
     if short:
         typer.echo(f"M01 warning: tests end before the stretch that is wanted: {', '.join(short)}.")

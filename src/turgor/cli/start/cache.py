@@ -17,18 +17,18 @@ def cache_command(
 ) -> None:
     """Show the caches and their sizes, or empty them."""
     with errors_as_sentences(debug):
-        from turgor.foundation.kernel_cache import compiled_files
+        from turgor.foundation.startup.kernel_folder import compiled_files
         from turgor.foundation.store.caches import PARTS, caches
 
-        found = {part: _files(caches() / part) for part in PARTS}
-        found["compiled"] += [file for file in compiled_files() if file not in found["compiled"]]
+        files_of = {part: _files(caches() / part) for part in PARTS}
+        files_of["compiled"] += [file for file in compiled_files() if file not in files_of["compiled"]]
         typer.echo(f"Caches in {caches()}:")
-        for part, files in found.items():
+        for part, files in files_of.items():
             size = sum(_size(file) for file in files) / 1e6
             typer.echo(f"  {part:10}{len(files):>7} files{size:>10.1f} MB  {PARTS[part]}")
         if clear:
-            gone = sum(_removed(file) for files in found.values() for file in files)
-            typer.echo(f"{gone} files removed.")
+            removed = sum(_removed(file) for files in files_of.values() for file in files)
+            typer.echo(f"{removed} files removed.")
         raise typer.Exit(DONE)
 
 

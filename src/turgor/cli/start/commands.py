@@ -1,4 +1,4 @@
-"""Commands by their names, each in a file of its own, which is imported once the command is asked for."""
+"""Commands by their names, each in a file of its own."""
 
 from collections.abc import Mapping
 from importlib import import_module
@@ -9,7 +9,7 @@ import typer
 from turgor import __version__
 from turgor.cli.start.extensions import add_extensions
 
-#: Where each command is, in the order of the help text; a name that ends in ``_app`` is that of a group of commands.
+#: Where each command is defined, in the order of the help text. A name that ends in ``_app`` is a group of commands.
 COMMANDS: Mapping[str, str] = {
     "run": "run.run_command",
     "materials": "materials.materials_app",
@@ -38,16 +38,14 @@ COMMANDS: Mapping[str, str] = {
 }
 
 
-def app_of(*given: str) -> typer.Typer:
-    """Make the command line: of one command where the arguments begin with its name, else of all.
-
-    Making all takes a fifth of the time that a run needs to load its code. All are those of turgor and those of
-    installed packages, see `turgor.cli.start.extensions`.
+def command_line(first: str = "") -> typer.Typer:
+    """Make the command line with all commands of turgor.
 
     Parameters
     ----------
-    *given : str
-        Arguments of the command line; without them, all commands are there.
+    first : str
+        First argument. Where it is no command of turgor, the commands of installed packages are added, see
+        `turgor.cli.start.extensions`.
 
     Returns
     -------
@@ -62,15 +60,14 @@ def app_of(*given: str) -> typer.Typer:
         context_settings={"help_option_names": ["-h", "--help"]},
     )
     app.callback()(_options)
-    one = given[0] if given and given[0] in COMMANDS else None
-    for name in COMMANDS if one is None else (one,):
-        module, _, what = COMMANDS[name].rpartition(".")
-        found = getattr(import_module(f"turgor.cli.{module}"), what)
-        if what.endswith("_app"):
-            app.add_typer(found, name=name)
+    for name, place in COMMANDS.items():
+        module, _, function = place.rpartition(".")
+        command = getattr(import_module(f"turgor.cli.{module}"), function)
+        if function.endswith("_app"):
+            app.add_typer(command, name=name)
         else:
-            app.command(name)(found)
-    if one is None:
+            app.command(name)(command)
+    if first not in COMMANDS:
         add_extensions(app, set(COMMANDS))
     return app
 

@@ -1,4 +1,4 @@
-"""Signals: Ctrl-C and SIGTERM end a command soon, whatever it is busy with."""
+"""Signals: Ctrl-C and SIGTERM end a command soon, whatever it is doing."""
 
 import os
 import signal
@@ -19,12 +19,12 @@ from turgor.foundation.errors import TurgorError
 #: Time [s] that a command has to write what is left; a factorization of a large matrix may last longer.
 PATIENCE = 2.0
 
-#: Time [s] after which an interrupt that was swallowed comes again.
-SOON = 0.05
+#: Time [s] after which a lost interrupt is raised again.
+RETRY_AFTER = 0.05
 
 #: What a command says that Ctrl-C or SIGTERM ends: one that computes a study, and a run.
-STUDY = "interrupted; the same command goes on with what it has kept."
-RUN = "interrupted; with --resume, a run goes on from its last state."
+STUDY = "interrupted; the same command continues from the saved results."
+RUN = "interrupted; with --resume, a run continues from its last state."
 
 ENDING = (signal.SIGINT, signal.SIGTERM)
 
@@ -60,15 +60,15 @@ def ends_at_once(sentence: str = STUDY) -> Iterator[list[int]]:
     Yields
     ------
     list of int
-        The signals that came.
+        The signals that were received.
     """
-    came: list[int] = []
+    received: list[int] = []
     if current_thread() is not main_thread():
-        yield came
+        yield received
         return
 
     def interrupt(number: int, frame: FrameType | None) -> None:
-        came.append(number)
+        received.append(number)
         raise Ended(number, sentence)
 
     here, there = socket.socketpair()
@@ -77,8 +77,8 @@ def ends_at_once(sentence: str = STUDY) -> Iterator[list[int]]:
     handlers = {number: signal.signal(number, interrupt) for number in ENDING}
     Thread(target=_watch, args=(here, sentence), daemon=True).start()
     try:
-        with _nothing_swallowed(sentence):
-            yield came
+        with _lost_interrupts_raised_again(sentence):
+            yield received
     finally:
         for number, handler in handlers.items():
             signal.signal(number, handler)
@@ -87,8 +87,8 @@ def ends_at_once(sentence: str = STUDY) -> Iterator[list[int]]:
 
 
 @contextmanager
-def _nothing_swallowed(sentence: str) -> Iterator[None]:
-    """Interrupt again where an interrupt came to nothing, as it does in a function that compiled code calls.
+def _lost_interrupts_raised_again(sentence: str) -> Iterator[None]:
+    """Interrupt again if an interrupt was lost, as it is in a function that compiled code calls.
 
     While LLVM compiles, Python runs in such a function only, so that most interrupts of a compilation come there. What
     fails for want of the result of that function has been interrupted, too.
@@ -100,7 +100,7 @@ def _nothing_swallowed(sentence: str) -> Iterator[None]:
         if not issubclass(lost.exc_type, KeyboardInterrupt):
             before(lost)
             return
-        again.append(Timer(SOON, interrupt_main))
+        again.append(Timer(RETRY_AFTER, interrupt_main))
         again[-1].daemon = True
         again[-1].start()
 
@@ -121,7 +121,7 @@ def _nothing_swallowed(sentence: str) -> Iterator[None]:
 
 @contextmanager
 def kept_in_folder(folder: Path) -> Iterator[None]:
-    """Say of runs that Ctrl-C ends where they are kept, and how to go on.
+    """Report where the runs are saved that Ctrl-C leaves, and how to continue.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def kept_in_folder(folder: Path) -> Iterator[None]:
     except KeyboardInterrupt as ended:
         raise Ended(
             getattr(ended, "number", signal.SIGINT),
-            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there.",
+            f"interrupted; finished runs are saved in {folder}, and the same command continues from there.",
         ) from None
 
 

@@ -1,5 +1,5 @@
-"""Engine: residuals and tangents of cells, faces, fibers and contact in compiled loops, and linear solvers."""
+"""Engine: residuals and tangents of cells, faces, fibers and contact in compiled kernels, and linear solvers."""
 
-from turgor.core.engine.cache_folder import keep_compiled_loops
+from turgor.core.engine.warmup.numba_cache import prepare_kernel_cache
 
-keep_compiled_loops()  # before the first loop is defined, because numba fails where it can write nowhere
+prepare_kernel_cache()  # before the first kernel is defined, because numba fails where it can write nowhere

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, TypeVar
 
-from turgor.foundation.kernel_cache import POOL, processors
+from turgor.foundation.processors import processors
 
 Loop = TypeVar("Loop", bound=Callable)
 
@@ -48,7 +48,7 @@ def over(count: int, loop: Callable[..., None], *arguments: Any) -> None:
 @cache
 def _pool(threads: int, _process: int) -> ThreadPoolExecutor:
     """Threads that wait for the next loop; a process that was forked has its own."""
-    return ThreadPoolExecutor(threads, thread_name_prefix=POOL)
+    return ThreadPoolExecutor(threads, thread_name_prefix="turgor-kernels")
 
 
 def calls(*modules: ModuleType) -> Callable[[Loop], Loop]:

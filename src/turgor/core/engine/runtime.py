@@ -8,7 +8,7 @@ from threadpoolctl import threadpool_limits
 
 from turgor.core.engine.compiled import THREADS
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.foundation.kernel_cache import processors
+from turgor.foundation.processors import processors
 
 #: Ways of Newton's method, for measurements: all that is done; without mixed integration points; and without
 #: extrapolation and kept factors too, which is the textbook.

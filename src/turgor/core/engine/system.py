@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.additions import Addition
 from turgor.core.engine.algebra.boundary import held_components
 from turgor.core.engine.algebra.pattern import Pattern, build_pattern
-from turgor.core.engine.algebra.result_cache import kept
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.internal_variables import History, Memory, friction_of, joined_memory
 from turgor.core.engine.contact.couplings import Layout
@@ -38,9 +37,6 @@ Array = NDArray[np.float64]
 
 #: Scaled stiffness and compliance that make the equations of reference points definite for the factorization.
 DEFINITE = 1e-7
-
-#: A run often has the mesh of the last one; two, because the mesh error is found on a second mesh.
-_pattern_of = kept(2)(build_pattern)
 
 
 class System:
@@ -134,7 +130,7 @@ class System:
         """Where the entries of the tangent stand; made when one is first asked for, because a residual needs none."""
         pieces = (self.rubber.unknowns, *self.terms.couplings)
         tied = [self._ties.extended(rows) for rows in pieces] if len(self._ties.followers) else []
-        base = _pattern_of(pieces[0], self.size, *pieces[1:], *tied)
+        base = build_pattern(pieces[0], self.size, *pieces[1:], *tied)
         self.rubber.locate(base)
         self.terms.locate(base)
         return Layout(base, self.held, self._ties)

@@ -16,12 +16,11 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
 from turgor.core.solvers.checkpoints.record import Question, RunRecord
 from turgor.core.solvers.checks.contact import deep_penetrations, elastic_slips, meeting_walls
-from turgor.core.solvers.checks.early_findings import early_findings
+from turgor.core.solvers.checks.early_findings import check_before_solve
 from turgor.core.solvers.checks.explanations import explained
 from turgor.core.solvers.checks.materials import laws_beyond_their_tests
 from turgor.core.solvers.checks.membranes import compressed_membranes
 from turgor.core.solvers.checks.plate import plate_findings
-from turgor.core.solvers.checks.supports import check_supports
 from turgor.core.solvers.checks.time_steps import too_long_steps
 from turgor.core.solvers.coarse_path import COARSE, check_coarse, iterations_only, led_by, on_coarse_mesh
 from turgor.core.solvers.continuation.guide import check_guide
@@ -190,7 +189,7 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     if solution is not None:
         listeners.tell(solution.findings)
     else:
-        early = early_findings(model, procedure)
+        early = check_before_solve(model, procedure) if question.findings is None else question.findings
         listeners.tell(early)
         led = _led(question, listeners, record)
         if led is not None and led.status is Status.INTERRUPTED:
@@ -237,7 +236,6 @@ def _solved(
     options, method = question.options, method_of(procedure)
     start = perf_counter()
     stage, model = (None, model) if record is None else record.stage(model)
-    check_supports(model, inertia=method.may_be_free(model))
     threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
         compiling = compile_kernels(options.notify, Needs.of(model))

@@ -114,7 +114,7 @@ def _check(head: Any, named: str) -> None:
 
 
 def _array(archive: ZipFile, name: str) -> NDArray[Any]:
-    """Read an array whose header asks for as many bytes as follow."""
+    """Read an array whose header states as many bytes as follow."""
     with archive.open(name) as member:
         form = npy.read_magic(member)
         shape, _, kind = npy.read_array_header_1_0(member) if form == (1, 0) else npy.read_array_header_2_0(member)

@@ -16,7 +16,7 @@ PART = ".turgor-part"
 
 @contextmanager
 def whole(file: Path) -> Iterator[Path]:
-    """Give a path beside a file to write to, which takes the place of the file at the end.
+    """Give a path in the same folder to write to, which replaces the file at the end.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Caches: folders of this user alone for what may be lost, such as meshes and compiled loops."""
+"""Caches: folders of this user alone for what may be lost, such as meshes and compiled kernels."""
 
 import os
 import stat
@@ -14,7 +14,7 @@ PARTS = {
     "families": "shapes and meshes of actuator families",
     "meshes": "tetrahedral meshes of STL files",
     "laws": "derivatives of laws",
-    "compiled": "compiled loops",
+    "compiled": "compiled kernels",
 }
 
 
@@ -33,8 +33,8 @@ def cache_folder(part: str) -> Path | None:
 def private(folder: Path) -> bool:
     """Make a folder, and return whether it belongs to this user and nobody else can write into it.
 
-    What a process reads from a cache it trusts, and compiled loops are code. So a folder of another user, or a link, is
-    not used, and a folder of this user that others could write into is closed to them. Nor is one that others could
+    A process trusts what it reads from a cache, and compiled kernels are code. So a folder of another user, or a link,
+    is not used, and a folder of this user that others could write into is closed to them. Nor is one that others could
     replace by their own after it was checked, because they may rename what lies in a folder above it.
 
     Parameters

@@ -33,7 +33,7 @@ def unknown_to_all(value: object) -> None:
 
 @dataclass(slots=True, eq=False)
 class Encoder:
-    """Writes values as JSON; arrays are collected beside it.
+    """Writes values as JSON; arrays are collected separately.
 
     Parameters
     ----------

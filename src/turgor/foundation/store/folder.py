@@ -186,20 +186,22 @@ class Store:
                 whole.add(name)
                 stack.extend(self._needs[name].whole if name in self._needs else ())
         needed = whole.union(*(self._needs[name].arrays for name in whole if name in self._needs))
-        gone = {name for name in self._needs if name not in needed}
+        obsolete = {name for name in self._needs if name not in needed}
         if all(name in self._needs or not self.has(name) for name in whole):  # else it is not known what is needed
-            gone |= self._found - needed
+            obsolete |= self._found - needed
             self._found.clear()
-        if not gone:
+        if not obsolete:
             return
-        for name in gone:
+        for name in obsolete:
             with suppress(OSError):
                 self._file(name).unlink(missing_ok=True)
             for table in (self._needs, self._opened, self._read):
                 table.pop(name, None)
-        self._objects = {key: held for key, held in self._objects.items() if _archive(held[1]) not in gone}
+        self._objects = {key: held for key, held in self._objects.items() if _archive(held[1]) not in obsolete}
         self._arrays = {
-            key: held for key, held in self._arrays.items() if held[0]() is not None and _archive(held[1]) not in gone
+            key: held
+            for key, held in self._arrays.items()
+            if held[0]() is not None and _archive(held[1]) not in obsolete
         }
 
     def _file(self, name: str) -> Path:

@@ -1,4 +1,4 @@
-"""Limits: how much a file of a stranger may ask for, checked before memory is taken."""
+"""Limits: how much memory a file of a stranger may need, checked before it is allocated."""
 
 import os
 

@@ -59,7 +59,7 @@ def claimed(folder: Path, force: bool, resume: bool = False, files: Sequence[str
     force : bool
         Whether the results of an earlier run in it are removed.
     resume : bool
-        Whether an earlier run in it goes on.
+        Whether an earlier run in it continues.
     files : sequence of str
         Names and patterns of what will be written.
 
@@ -96,22 +96,22 @@ def claimed(folder: Path, force: bool, resume: bool = False, files: Sequence[str
 def _locked(file: Path) -> Iterator[None]:
     """Hold the lock of a file, which is removed at the end."""
     with FileLock(file, timeout=0):
-        if not file.exists():  # the run that held it removed it in this very moment
+        if not file.exists():  # the run that had locked it removed it in this moment
             raise Timeout(str(file))
         try:
             yield
         finally:
-            with suppress(OSError):  # Windows keeps a file that is open
+            with suppress(OSError):  # Windows does not remove a file that is open
                 file.unlink()
 
 
 def _check_empty(folder: Path, force: bool, resume: bool) -> None:
-    """Refuse a folder that holds files, unless these may be replaced or are those of the run that goes on."""
+    """Refuse a folder that holds files, unless these may be replaced or are those of the run to continue."""
     if force or all(each.name in {IN_USE, f"{MANIFEST}{PART}"} for each in folder.iterdir()):
         return
     if resume and not listed(folder):
         raise TurgorError(
-            f"the output folder '{folder}' holds files, and none of a run that could go on.",
+            f"the output folder '{folder}' holds files, and none of a run that could continue.",
             python="Name another one.",
             command="Name another with --output OTHER.",
         )
@@ -133,8 +133,8 @@ def _unfinished(folder: Path) -> bool:
     return (path / INDEX).exists() and not (path / f"{SOLUTION}.turgor").exists()
 
 
-def clear_drawn(folder: Path, kept: Collection[str] = ()) -> None:
-    """Remove what turgor drew of a run: pictures, plot, report and fields, but for what of `RESULTS` is kept."""
-    patterns = [each for each in RESULTS if each not in (RESPONSE, STEPS, LOG, LOCK, *kept)]
+def clear_drawn(folder: Path, current: Collection[str] = ()) -> None:
+    """Remove what turgor drew of a run: pictures, plot, report and fields, but for what of `RESULTS` is current."""
+    patterns = [each for each in RESULTS if each not in (RESPONSE, STEPS, LOG, LOCK, *current)]
     drawn = {file for pattern in patterns for file in folder.glob(pattern)}
     remove(folder, [file for file in own_files(folder) if file in drawn])

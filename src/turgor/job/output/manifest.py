@@ -154,7 +154,7 @@ def set_aside(folder: Path) -> None:
     """Move the results of an earlier run into a folder of their own, where they stay until `drop_previous`.
 
     A run that had not ended is removed if complete results of an earlier one wait there already. A process that is
-    killed here leaves a part of the files in `MOVING`, from where the next call goes on.
+    killed here leaves a part of the files in `MOVING`, from where the next call continues.
     """
     previous, moving = folder / PREVIOUS, folder / MOVING
     files = own_files(folder)

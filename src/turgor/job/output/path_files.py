@@ -20,7 +20,7 @@ SERIES = "state"
 FIELD_FILES = frozenset({f"{FIELDS}/*.vtu", f"{FIELDS}/*.pvd"})
 
 
-def kept_files(outcome: RunOutcome, note: str) -> frozenset[str]:
+def current_files(outcome: RunOutcome, note: str) -> frozenset[str]:
     """Return which of `turgor.job.output.folder.RESULTS` the folder holds as they would be written now.
 
     Parameters

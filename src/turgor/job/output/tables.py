@@ -17,11 +17,11 @@ STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted"
 
 
 def write_tables(
-    outcome: RunOutcome, notify: Callable[[str], None], kept: frozenset[str] = frozenset()
+    outcome: RunOutcome, notify: Callable[[str], None], current: frozenset[str] = frozenset()
 ) -> tuple[Path, ...]:
     """Write the response, the lock file, the steps and the log alone, in place of the results of an earlier run.
 
-    ``kept`` are those of `turgor.job.output.folder.RESULTS` that are not removed.
+    ``current`` are those of `turgor.job.output.folder.RESULTS` that are not removed.
     """
     folder = outcome.folder
     notify("writing the response")
@@ -30,7 +30,7 @@ def write_tables(
     write_whole(folder / LOCK, lock_text(outcome.job, outcome.written_by))
     write_steps(folder / STEPS, outcome.solution)
     write_whole(folder / LOG, log_text(outcome))
-    clear_drawn(folder, kept)
+    clear_drawn(folder, current)
     return folder / RESPONSE, folder / LOCK, folder / STEPS, folder / LOG
 
 

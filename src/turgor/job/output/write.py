@@ -23,7 +23,7 @@ from turgor.job.output.folder import (
 from turgor.job.output.lock import dimensions, lock_text
 from turgor.job.output.manifest import list_files
 from turgor.job.output.outcome import RunOutcome
-from turgor.job.output.path_files import FIELD_FILES, PICTURES, SERIES, drawn_from, kept_files
+from turgor.job.output.path_files import FIELD_FILES, PICTURES, SERIES, current_files, drawn_from
 from turgor.job.output.tables import write_tables
 from turgor.views.pictures.path_pictures import CAPTIONS, path_figures, pictured
 from turgor.views.pictures.state_picture import picture_title
@@ -39,7 +39,7 @@ CONTENTS: Mapping[str, str] = {
     STEPS: "every attempted step of the solve",
     LOG: "how the run went",
     f"{FIELDS}/state.pvd": "the fields of every state, for ParaView",
-    f"{FIELDS}/state_obstacles.pvd": "the obstacles at every state, to open beside it",
+    f"{FIELDS}/state_obstacles.pvd": "the obstacles at every state, to open together with it",
     PLOT: "the response as a plot",
     UNDEFORMED: "the actuator at rest",
     DEFORMED: "the actuator at the last state",
@@ -50,7 +50,7 @@ CONTENTS: Mapping[str, str] = {
 def write_results(
     outcome: RunOutcome, notify: Callable[[str], None], *, fields: PathFields | None = None, again: bool = False
 ) -> tuple[Path, ...]:
-    """Write all files that the job asks for, tables first; return them with the most important first.
+    """Write all files that the job requests, tables first; return them with the most important first.
 
     The results of an earlier run in the folder are removed. Fields and pictures are most of the work; where ``again``
     is true, those that show this path are left as they are. ``fields`` are those of the solution that others read, too.
@@ -58,18 +58,18 @@ def write_results(
     folder, output = outcome.folder, outcome.job.output
     path = fields or PathFields(outcome.solution)
     note = drawn_from(outcome)
-    kept = kept_files(outcome, note) if again else frozenset()
-    files = list(write_tables(outcome, notify, kept))
+    current = current_files(outcome, note) if again else frozenset()
+    files = list(write_tables(outcome, notify, current))
     if output.fields:
-        files += _write_fields(outcome, path, notify, kept)
+        files += _write_fields(outcome, path, notify, current)
     notify("drawing")
     list_files(folder, (PLOT,))
-    if PLOT not in kept:
+    if PLOT not in current:
         title = picture_title(outcome.response, name=outcome.job.name)
         write_plot(folder / PLOT, outcome.response, title=title, note=note)
     files.append(folder / PLOT)
     if output.pictures:
-        files += write_pictures(outcome, path, note, kept)
+        files += write_pictures(outcome, path, note, current)
     if output.report:
         notify("writing the report")
         list_files(folder, (REPORT,))
@@ -79,11 +79,11 @@ def write_results(
 
 
 def _write_fields(
-    outcome: RunOutcome, path: PathFields, notify: Callable[[str], None], kept: frozenset[str]
+    outcome: RunOutcome, path: PathFields, notify: Callable[[str], None], current: frozenset[str]
 ) -> list[Path]:
-    """Write the fields of all states unless they are kept; return the files to open."""
+    """Write the fields of all states unless they are up to date; return the files to open."""
     folder = outcome.folder / FIELDS
-    if not kept.issuperset(FIELD_FILES):
+    if not current.issuperset(FIELD_FILES):
         notify("writing the fields")
         list_files(outcome.folder, (f"{FIELDS}/{name}" for name in series_files(SERIES, len(outcome.solution.states))))
         write_series(folder, outcome.solution, SERIES, path)
@@ -94,7 +94,7 @@ def _write_fields(
 def report_of(outcome: RunOutcome, files: Sequence[Path], fields: PathFields) -> Report:
     """Collect the content of the report about a run and its files."""
     job, solution = outcome.job, outcome.solution
-    beside = {str(file.relative_to(outcome.folder)): file for file in files}
+    by_name = {str(file.relative_to(outcome.folder)): file for file in files}
     return Report(
         title=headline(solution),
         solution=solution,
@@ -103,13 +103,13 @@ def report_of(outcome: RunOutcome, files: Sequence[Path], fields: PathFields) ->
         dimensions={name: str(value) for name, value in dimensions(job.actuator).items()},
         quality=quality(solution.model.mesh),
         pictures=tuple(
-            Picture(caption=CAPTIONS[kind], png=beside[name].read_bytes())
+            Picture(caption=CAPTIONS[kind], png=by_name[name].read_bytes())
             for kind, name in PICTURES.items()
-            if name in beside
+            if name in by_name
         ),
         versions={**outcome.written_by, "threads": job.threads or ""},
         repeat=f"turgor run {LOCK} --output {job.name}-again",
-        files={name: CONTENTS[name] for name in beside},
+        files={name: CONTENTS[name] for name in by_name},
         job=lock_text(job, outcome.written_by),
         comparisons=comparison_sections(outcome.folder, outcome.response),
         measured=measured_points(outcome.folder, outcome.response),
@@ -118,11 +118,11 @@ def report_of(outcome: RunOutcome, files: Sequence[Path], fields: PathFields) ->
     )
 
 
-def write_pictures(outcome: RunOutcome, path: PathFields, note: str, kept: frozenset[str]) -> list[Path]:
-    """Draw the states of `path_figures` into files, unless these are kept."""
+def write_pictures(outcome: RunOutcome, path: PathFields, note: str, current: frozenset[str]) -> list[Path]:
+    """Draw the states of `path_figures` into files, unless these are up to date."""
     files = {kind: PICTURES[kind] for kind in pictured(outcome.solution)}
     list_files(outcome.folder, files.values())
-    if not kept.issuperset(files.values()):
+    if not current.issuperset(files.values()):
         for kind, figure in path_figures(path, outcome.response, outcome.job.name):
             write_figure(outcome.folder / files[kind], figure, kind="picture", note=note)
     return [outcome.folder / name for name in files.values()]

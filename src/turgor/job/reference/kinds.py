@@ -80,7 +80,7 @@ def _of(annotation: Any) -> Kind:
 
 
 def _of_metadata(metadata: Iterable[Any]) -> Kind | None:
-    """Kind that is stated beside the type: in words, or by the function that reads the value."""
+    """Kind that is stated in addition to the type: in words, or by the function that reads the value."""
     for each in metadata:
         if isinstance(each, Says):
             return Kind(words=each.words, dimension=each.dimension, example=each.example)

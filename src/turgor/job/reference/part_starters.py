@@ -83,7 +83,7 @@ def part_starter(file: Path, folder: Path, unit: str | None = None) -> str:
     faces = {name: {"normal": normal} for name, normal in part.ends.items()}
     table = {"type": part.kind, "file": _from(folder, file), "unit": unit, "faces": faces}
     lines = [f"{key} = {toml(value, Kind(words=''))}" for key, value in table.items() if value]
-    head = [f"A job for {file.name}, to begin with: choose your material, and check which faces are held and measured."]
+    head = [f"A job for {file.name}, to begin with: choose your material; check which faces are fixed and measured."]
     text = "".join(f"# {line}\n" for line in (*head, *part.comment))
     text += "\n".join(["[actuator]", *lines, "", first_materials(part.shape), _loads(part.shape), ""])
     return commented(text, part.shape, file_tables()[part.kind])

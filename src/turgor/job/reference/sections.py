@@ -131,17 +131,17 @@ def _top() -> JobTable:
 
 def _supports() -> JobTable:
     """Supports: the faces are the keys."""
-    held = JobKey(
+    directions = JobKey(
         name="FACE",
         kind="text",
         default=toml(DEFAULTS["supports"]["fixed"], Kind(words="text")),
         allowed=f"some of x, y and z; or {', '.join((*RADIAL, PLANE))}",
-        meaning="Directions in which the face is held, or that its radius is, or that it stays plane. The default is "
+        meaning="Directions in which the face is fixed, or that its radius is, or that it stays plane. The default is "
         "that of the face `fixed`, where the part has one.",
         example='"xyz"',
     )
     return JobTable(
-        header="[supports]", words="How faces are held; mirror planes are held by themselves.", keys=(held,)
+        header="[supports]", words="How faces are fixed; mirror planes are supported by themselves.", keys=(directions,)
     )
 
 

@@ -83,7 +83,7 @@ class Source:
     described : tuple of classes and functions
         Docstrings that say what the keys mean; that of the model comes first.
     read : callable or None
-        ``read(values, problems)``, asked for ranges.
+        ``read(values, problems)``, called for ranges.
     base : mapping
         A table that it accepts.
     without : iterable of str

@@ -1,1 +1,1 @@
-"""Tables: what each table of a job file may hold, and the value that is made from it."""
+"""Tables: what each table of a job file may contain, and the value that is made from it."""

@@ -2,7 +2,6 @@
 
 from dataclasses import Field as DataclassField
 from dataclasses import fields
-from functools import cache
 from math import inf
 from typing import Annotated, Any, get_args, get_origin
 
@@ -45,7 +44,7 @@ class LibraryTable(Table):
     Keys
     ----
     library : str
-        Material of the library, or a TOML file of records beside the job.
+        Material of the library, or a TOML file of records in the folder of the job.
     record : str, optional
         Record of the material; needed where it has several.
     thickness : float [m]
@@ -120,7 +119,7 @@ class StatedTable(Table):
     density : float [kg/m³]
         Density, for weight and dynamics.
     stretch_range : list of two floats
-        Smallest and largest stretch for which the constants hold; beyond it the report warns.
+        Smallest and largest stretch for which the constants are valid; beyond it the report warns.
     source : table
         Where the constants come from.
     bulk_modulus : float [Pa]
@@ -143,7 +142,6 @@ class StatedTable(Table):
     source: SourceTable | None = Field(default=None, examples=['{ text = "own tests of 2026" }'])
 
 
-@cache
 def law_table(law: type) -> type[Table]:
     """Make the table of a material stated by its law: the coefficients are the fields of the law."""
     keys: dict[str, Any] = {item.name: (_constant_type(item), default_of(item)) for item in fields(law)}

@@ -131,8 +131,8 @@ def _sheet(table: Any, form: str | None, material: Material, key: Key, problems:
     if form != MEMBRANE:
         return problems.attempt(key, lambda: Shell(material, table.thickness), fields=("thickness",))
     free = replace(material, bending_stiffness=None)
-    kept = 1.0 if table.compression is None else table.compression
-    return problems.attempt(key, lambda: Membrane(free, table.thickness, kept), fields=("thickness", "compression"))
+    share = 1.0 if table.compression is None else table.compression
+    return problems.attempt(key, lambda: Membrane(free, table.thickness, share), fields=("thickness", "compression"))
 
 
 def _form_of(entry: Any, key: Key, geometry: Geometry | None, problems: Problems) -> str | None:
@@ -190,7 +190,7 @@ def _from_library(table: LibraryTable, key: Key, problems: Problems) -> Material
 
 
 def read_library(name: str, record: str | None, density: float | None, key: Key, problems: Problems) -> Material | None:
-    """Return a material of the library or of a file beside the job; a stated density replaces its own."""
+    """Return a material of the library or of a file in the folder of the job; a stated density replaces its own."""
     wrong = "record" if name in library() else "library"
     file = _file(name, problems)
     material = problems.attempt((*key, wrong), lambda: from_library(file, record=record))

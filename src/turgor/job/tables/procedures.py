@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import Field
-from functools import cache, partial
+from functools import partial
 from typing import Annotated, Any, get_args, get_origin
 
 from pydantic import BeforeValidator
@@ -86,7 +86,6 @@ def duration_of(values: Any) -> float | None:
         return None
 
 
-@cache
 def procedure_table(value: type) -> type[Table]:
     """Make the table of a procedure: one key per field, and ``at`` as pressures or load factors.
 

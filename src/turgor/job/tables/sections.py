@@ -70,7 +70,7 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
 
 
 def check_coarse_size(mesh: MeshTable | None, procedure: object, problems: Problems) -> None:
-    """Report a coarse mesh that is not coarser than the mesh, or that cannot lead a procedure."""
+    """Report a coarse mesh that is not coarser than the mesh, or whose path cannot predict that of a procedure."""
     key = ("mesh", "coarse_size")
     if mesh is None or mesh.coarse_size is None or mesh.size is None or procedure is None:
         return

@@ -5,7 +5,6 @@ Such a table states the change of the model and the steps of the procedure, whic
 
 from collections.abc import Mapping
 from dataclasses import fields
-from functools import cache
 from types import MappingProxyType
 from typing import Any
 
@@ -54,17 +53,16 @@ def read_setup(name: str, values: Any, loads: tuple[Load, ...], problems: Proble
     if table is None:
         return None
     given = fields_of_table(table)
-    why = "in a grasp the pressure rises until closing and is held then" if kind is Grasp else ""
+    why = "in a grasp the pressure rises until closing and is constant then" if kind is Grasp else ""
     if not states_requested(given["at"], why, problems):
         return None
     given["at"] = tuple(requested_factors(given["at"], loads, problems))
-    asked = {item.name: given.pop(item.name) for item in fields(kind)}
-    setup = problems.attempt(key, lambda: kind(**asked), fields=asked)
+    stated = {item.name: given.pop(item.name) for item in fields(kind)}
+    setup = problems.attempt(key, lambda: kind(**stated), fields=stated)
     procedure = problems.attempt(key, lambda: Static(**given), fields=given)
     return None if setup is None or procedure is None else (setup, procedure)
 
 
-@cache
 def setup_table(kind: type) -> type[Table]:
     """Make the table of a setup: a key for each of its fields and each of `Static`."""
     steps = field_keys(procedure_fields(Static))
@@ -76,5 +74,5 @@ def written_setup(setup: Setup, procedure: Static, loads: tuple[Load, ...]) -> d
     """Write a setup and its procedure as the table of a job file; `read_setup` returns both."""
     name = next(name for name, kind in SETUPS.items() if type(setup) is kind)
     top = None if isinstance(setup, Grasp) else only_pressure(loads)
-    asked = stated_fields(setup, fields(setup)) | stated_fields(procedure, procedure_fields(Static))
-    return {"type": name} | asked | {"at": requested(procedure.at, top)}
+    stated = stated_fields(setup, fields(setup)) | stated_fields(procedure, procedure_fields(Static))
+    return {"type": name} | stated | {"at": requested(procedure.at, top)}

@@ -42,9 +42,9 @@ class StageTable(Table):
     procedure : table
         Procedure of the stage, as ``[procedure]``; static by default.
     loads : table
-        Loads at the end of the stage, as ``[loads]``; the others keep their values.
+        Loads at the end of the stage, as ``[loads]``; the others do not change.
     displacements : table
-        Displacement of faces that ``[supports]`` holds, by the name of the face.
+        Displacement of faces that ``[supports]`` fixes, by the name of the face.
     moves : table
         Displacement of obstacles at the end of the stage, by the name of the obstacle.
     """
@@ -150,10 +150,10 @@ def _read_stage(entry: Any, number: int, around: Around, problems: Problems) -> 
         problems.add((), f"{shown(entry)} is no table; write [[stages]] and its keys below it.")
         return None
     table: StageTable | None = read_table(StageTable, entry, (), problems)
-    asked = entry.get("procedure", {"type": "static"})
-    refused = refuse_setup(asked, problems.within[-1], problems)
-    procedure = None if refused else read_procedure(asked, (), problems)
-    duration, stated = duration_of(asked), entry.get("loads", {})
+    entry_procedure = entry.get("procedure", {"type": "static"})
+    refused = refuse_setup(entry_procedure, problems.within[-1], problems)
+    procedure = None if refused else read_procedure(entry_procedure, (), problems)
+    duration, stated = duration_of(entry_procedure), entry.get("loads", {})
     loads = read_loads(stated, around.geometry, around.materials, problems, False, duration)
     if table is None:
         return None
@@ -169,21 +169,21 @@ def _read_stage(entry: Any, number: int, around: Around, problems: Problems) -> 
 
 
 def _displacements(stated: Mapping[str, Vector], around: Around, problems: Problems) -> tuple[Displacement, ...]:
-    """Displacements of faces, in the directions in which ``[supports]`` holds them."""
-    held = dict(support.prescribed for support in around.supports if support.prescribed[0])
+    """Displacements of faces, in the directions in which ``[supports]`` fixes them."""
+    fixed = dict(support.prescribed for support in around.supports if support.prescribed[0])
     found = []
     for face, vector in stated.items():
         key = ("displacements", face)
         if around.geometry is not None and face not in around.geometry.faces:
             problems.add(key, str(unknown("face", face, around.geometry.faces)))
-        elif face not in held:
-            known = ", ".join(held) or "none"
-            problems.add(key, f"a stage moves faces that [supports] holds, and '{face}' is not among them: {known}.")
+        elif face not in fixed:
+            known = ", ".join(fixed) or "none"
+            problems.add(key, f"a stage moves faces that [supports] fixes, and '{face}' is not among them: {known}.")
         else:
-            free = [axis for axis, part in zip("xyz", vector, strict=True) if part and axis not in held[face]]
+            free = [axis for axis, part in zip("xyz", vector, strict=True) if part and axis not in fixed[face]]
             if free:
-                problems.add(key, f"it moves along {', '.join(free)}, but '{face}' is held in {held[face]} only.")
-            found.append(Displacement(face, Shift(vector), held[face]))
+                problems.add(key, f"it moves along {', '.join(free)}, but '{face}' is fixed in {fixed[face]} only.")
+            found.append(Displacement(face, Shift(vector), fixed[face]))
     return tuple(found)
 
 

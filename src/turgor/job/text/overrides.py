@@ -7,10 +7,12 @@ from typing import Any
 
 from turgor.foundation.errors import TurgorError, near_match
 from turgor.job.text.lines import Key, Place, dotted_key
+from turgor.job.text.problems import ARGUMENT, OPTION
 from turgor.job.text.quantities import shown
 
-#: The option of the command line that states changes; messages about a changed key begin with it.
-OPTION = "--set"
+
+def _error(sentence: str, colon: str = ": ") -> TurgorError:
+    return TurgorError(python=f"{ARGUMENT}{colon}{sentence}", command=f"{OPTION}{colon}{sentence}")
 
 
 def parse_changes(texts: Iterable[str]) -> dict[str, Any]:
@@ -40,7 +42,7 @@ def parse_changes(texts: Iterable[str]) -> dict[str, Any]:
     for text in texts:
         key, equals, value = text.partition("=")
         if not (key.strip() and equals and value.strip()):
-            raise TurgorError(f"{OPTION} is '{text}'; write a key and its value, such as loads.pressure='30 kPa'.")
+            raise _error(f"is '{text}'; write a key and its value, such as loads.pressure='30 kPa'.", " ")
         changes[key.strip()] = _value(key.strip(), value.strip())
     return changes
 
@@ -51,7 +53,7 @@ def _value(key: str, text: str) -> Any:
         (value,) = tomllib.loads(f"value = {text}").values()
     except tomllib.TOMLDecodeError as error:
         if text.startswith(("[", "{", '"', "'")):
-            raise TurgorError(f"{OPTION}: {key}: {text} is not valid TOML: {str(error).split(' (at')[0]}.") from None
+            raise _error(f"{key}: {text} is not valid TOML: {str(error).split(' (at')[0]}.") from None
         return text
     except ValueError:  # several lines with keys of their own
         return text
@@ -79,15 +81,15 @@ def changed(
     Raises
     ------
     TurgorError
-        If a key leads through a value that is no table.
+        If a part of a key is a value, not a table.
     """
-    found: dict[str, Any] = deepcopy(dict(content))
+    merged: dict[str, Any] = deepcopy(dict(content))
     for text, value in changes.items():
         key = _key(text)
         if len(key) > 1 and key[0] in defaults:
-            found.setdefault(key[0], dict(defaults[key[0]]))
-        _table(found, key)[key[-1]] = value
-    return found
+            merged.setdefault(key[0], dict(defaults[key[0]]))
+        _table(merged, key)[key[-1]] = value
+    return merged
 
 
 def changed_places(lines: Mapping[Key, Place], changes: Mapping[str, Any]) -> dict[Key, Place]:
@@ -96,33 +98,33 @@ def changed_places(lines: Mapping[Key, Place], changes: Mapping[str, Any]) -> di
     Examples
     --------
     >>> changed_places({("mesh",): 1, ("mesh", "size"): 2}, {"mesh.size": "2 mm", "loads.pressure": "1 kPa"})
-    {('mesh',): 1, ('mesh', 'size'): '--set', ('loads',): '--set', ('loads', 'pressure'): '--set'}
+    {('mesh',): 1, ('mesh', 'size'): 'changes', ('loads',): 'changes', ('loads', 'pressure'): 'changes'}
     """
     places = dict(lines)
     for key in map(_key, changes):
         places = {other: place for other, place in places.items() if other[: len(key)] != key or other == key}
         for length in range(1, len(key)):
-            places.setdefault(key[:length], OPTION)
-        places[key] = OPTION
+            places.setdefault(key[:length], ARGUMENT)
+        places[key] = ARGUMENT
     return places
 
 
 def _key(text: str) -> Key:
     key = dotted_key(text)
     if key is None:
-        raise TurgorError(f"{OPTION}: '{text}' is no key; write names with points between them: loads.pressure.")
+        raise _error(f"'{text}' is no key; write names with points between them: loads.pressure.")
     return key
 
 
 def _table(content: dict[str, Any], key: Key) -> dict[str, Any]:
-    """Table that holds the last part of a key; missing ones are added."""
+    """Table with the last part of a key; missing ones are added."""
     table: Any = content
     for depth, part in enumerate(key[:-1], start=1):
         table = _stage(table, key[:depth]) if isinstance(table, list) else table.setdefault(part, {})
         inner = key[depth:]
         if not isinstance(table, dict) and not (_are_tables(table) and len(inner) > 1):
             whole, outer = ".".join(key), ".".join(key[:depth])
-            raise TurgorError(f"{OPTION}: {whole}: {outer} is {_said(table)}, which has no key '{inner[0]}'.")
+            raise _error(f"{whole}: {outer} is {_said(table)}, which has no key '{inner[0]}'.")
     return table
 
 
@@ -142,4 +144,4 @@ def _stage(tables: list[dict[str, Any]], key: Key) -> dict[str, Any]:
     if key[-1].isdigit() and 1 <= int(key[-1]) <= len(tables):
         return tables[int(key[-1]) - 1]
     hint = near_match(key[-1], names) or "."
-    raise TurgorError(f"{OPTION}: {'.'.join(key)}: there is no '{key[-1]}'{hint} Known: {', '.join(names)}.")
+    raise _error(f"{'.'.join(key)}: there is no '{key[-1]}'{hint} Known: {', '.join(names)}.")

@@ -10,6 +10,9 @@ from turgor.job.text.lines import Key, Place
 
 Made = TypeVar("Made")
 
+#: What problems of a changed key begin with: the argument of `read_job` in Python, the option on the command line.
+ARGUMENT, OPTION = "changes", "--set"
+
 #: Line number of keys that are absent from the file; their problems come last.
 _NOWHERE = 10**9
 
@@ -25,7 +28,12 @@ class JobError(TurgorError):
 
     def __init__(self, problems: Iterable[str]) -> None:
         self.problems = tuple(map(shortened, problems))
-        super().__init__("\n".join(self.problems))
+        beginning = f"{ARGUMENT}: "
+        on_command_line = (
+            f"{OPTION}: {each.removeprefix(beginning)}" if each.startswith(beginning) else each
+            for each in self.problems
+        )
+        super().__init__(python="\n".join(self.problems), command="\n".join(on_command_line))
 
 
 @dataclass(slots=True)
@@ -37,7 +45,7 @@ class Problems:
     file : str
         Name of the file as the user gave it.
     lines : mapping of key to int or str
-        Line of each key, from `key_lines`, or the option that states it.
+        Line of each key, from `key_lines`, or `ARGUMENT` if a change states it.
     found : list of (int, str)
         Line and sentence of each problem noted so far.
     within : tuple of str

@@ -6,7 +6,7 @@ The keys of an actuator are the fields of its dataclass, so a new family needs n
 from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, dataclass, fields
 from dataclasses import Field as DataclassField
-from functools import cache, partial
+from functools import partial
 from types import MappingProxyType
 from typing import Annotated, Any, get_args
 
@@ -25,7 +25,7 @@ CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=Fals
 
 @dataclass(frozen=True, slots=True)
 class Says:
-    """What a value is, beside a type that does not say it.
+    """What a value is, if its type does not say it.
 
     Parameters
     ----------
@@ -201,7 +201,6 @@ MEANT: Mapping[str, str] = MappingProxyType(
 )
 
 
-@cache
 def dataclass_table(value: type) -> type[Table]:
     """Make the table of a dataclass: one key per field, and a ``type``.
 

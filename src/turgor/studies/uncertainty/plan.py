@@ -154,7 +154,7 @@ class Plan:
     def problem_of(self, ended: Ended, nominal: Response, drive: str) -> str:
         """Return why the run of a set with a name is not part of the bands; empty where it is."""
         if ended.found is None:
-            return ended.problem.removeprefix("--set: ")
+            return ended.problem.removeprefix("changes: ")
         end, top = (float(np.nanmax(each.column(drive))) for each in (ended.found.response, nominal))
         if len(ended.found.response) > 1 and end > top - 1e-6 * abs(top):
             return ""

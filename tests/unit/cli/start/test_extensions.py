@@ -9,7 +9,7 @@ import typer
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.cli.start import extensions
-from turgor.cli.start.commands import app_of
+from turgor.cli.start.commands import command_line
 
 
 def greet(name: str) -> None:
@@ -68,7 +68,7 @@ def test_one_that_cannot_be_imported_leaves_the_others(install, capsys):
 
 def test_no_package_replaces_a_command_of_turgor(install):
     install(run="test_extensions:greet")
-    commands = app_of().registered_commands
+    commands = command_line().registered_commands
     assert [command.name for command in commands].count("run") == 1
     assert all(command.callback is not greet for command in commands)
 

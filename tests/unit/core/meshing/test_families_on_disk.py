@@ -19,11 +19,12 @@ from turgor.core.meshing.generator_override import meshing_instead
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.sizing.sizes import size_range
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.store import cached_values
 from turgor.foundation.store.codec import Encoder
-from turgor.job import families, meshes
-from turgor.job.families import geometry_on_disk, keep, mesh_on_disk
+from turgor.job import family_cache, meshes
+from turgor.job.family_cache import geometry_on_disk, mesh_on_disk, save_family
 from turgor.job.job import ACTUATORS
-from turgor.job.meshes import keep_mesh_of
+from turgor.job.meshes import save_mesh_of
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 
@@ -46,6 +47,11 @@ def made():
     return geometry, mesh_with(geometry, SETTINGS)
 
 
+def entry(*key: object) -> Path:
+    """File of an entry."""
+    return family_cache._entries(FINGER).file(*family_cache._key(*key))
+
+
 def as_text(value: object) -> tuple[str, list[bytes]]:
     """All that a value holds, but for its CAD shape: text, and the bytes of its arrays."""
     shape = getattr(value, "_shape", None)
@@ -60,7 +66,7 @@ def test_what_was_kept_is_found_with_the_same_bits(made, folder):
     geometry, mesh = made
     assert geometry_on_disk(FINGER) is None
     assert mesh_on_disk(FINGER, SETTINGS) is None
-    keep(FINGER, geometry, SETTINGS, mesh)
+    save_family(FINGER, geometry, SETTINGS, mesh)
     assert len(list(folder.iterdir())) == 2
     found = geometry_on_disk(FINGER)
     assert isinstance(found._shape, LateShape)
@@ -75,7 +81,7 @@ def test_what_was_kept_is_found_with_the_same_bits(made, folder):
 def test_every_family_is_found_as_it_was_built(name, made):
     actuator = ACTUATORS[name]()
     geometry = actuator.build()
-    keep(actuator, geometry, SETTINGS, made[1])
+    save_family(actuator, geometry, SETTINGS, made[1])
     found = geometry_on_disk(actuator)
     assert as_text(found) == as_text(geometry)
     assert size_range(found) == size_range(geometry)
@@ -85,7 +91,7 @@ def test_every_family_is_found_as_it_was_built(name, made):
 
 def test_the_shape_is_made_when_it_is_asked_for_and_gives_the_same_mesh(made, tmp_path):
     geometry, mesh = made
-    keep(FINGER, geometry, SETTINGS, mesh)
+    save_family(FINGER, geometry, SETTINGS, mesh)
     found = pickle.loads(pickle.dumps(geometry_on_disk(FINGER)))
     assert found._shape._made is None
     assert as_text(mesh_with(found, SETTINGS)) == as_text(mesh)
@@ -95,29 +101,30 @@ def test_the_shape_is_made_when_it_is_asked_for_and_gives_the_same_mesh(made, tm
 
 
 def test_every_field_changes_the_name():
-    names = {families._file((FINGER,)), families._file((FINGER, SETTINGS))}
+    names = {entry(FINGER), entry(FINGER, SETTINGS)}
     for item in fields(FINGER):
         changed = copy.copy(FINGER)
         object.__setattr__(changed, item.name, "another")  # without the rules, which few values of all fields meet
-        names.add(families._file((changed,)))
+        names.add(entry(changed))
     other = {"size": 4e-3, "grading": 0.4, "face_sizes": {"cavity": 2e-3}, "wall_cells": 2, "cells": "hexahedra"}
     other |= {"ignore_features_below": 1e-4}
     assert set(other) == {item.name for item in fields(SETTINGS)}
-    names |= {families._file((FINGER, replace(SETTINGS, **{name: value}))) for name, value in other.items()}
+    names |= {entry(FINGER, replace(SETTINGS, **{name: value})) for name, value in other.items()}
     assert len(names) == 2 + len(fields(FINGER)) + len(other)
     assert None not in names
 
 
 def test_other_sources_and_versions_change_the_name(monkeypatch, tmp_path):
-    before = families._file((FINGER,))
-    monkeypatch.setattr(families, "_made_by", lambda: ["another version"])
-    assert families._file((FINGER,)) != before
+    before = entry(FINGER)
+    monkeypatch.setattr(family_cache, "version", lambda library: "another version")
+    assert entry(FINGER) != before
     (tmp_path / "room").mkdir()
     (tmp_path / "room" / "one.py").write_text("a = 1")
     monkeypatch.syspath_prepend(tmp_path)
-    written = families._sources("room")
+    written = cached_values.sources("room")
     (tmp_path / "room" / "one.py").write_text("a = 12")
-    assert families._sources("room") != written
+    cached_values.sources.cache_clear()
+    assert cached_values.sources("room") != written
 
 
 def test_families_of_others_and_files_are_not_kept(made, folder):
@@ -127,18 +134,18 @@ def test_families_of_others_and_files_are_not_kept(made, folder):
 
     geometry, mesh = made
     mine = Mine(chambers=2, length=20e-3)
-    keep(mine, geometry, SETTINGS, mesh)
+    save_family(mine, geometry, SETTINGS, mesh)
     assert not folder.exists()
-    keep(FINGER, geometry, SETTINGS, mesh)
+    save_family(FINGER, geometry, SETTINGS, mesh)
     assert mesh_on_disk(mine, SETTINGS) is None
 
 
 def test_a_mesh_that_moves_is_neither_kept_nor_replaced(made, folder):
     geometry, mesh = made
     with meshing_instead(lambda geometry, settings: mesh):
-        keep(FINGER, geometry, SETTINGS, mesh)
+        save_family(FINGER, geometry, SETTINGS, mesh)
         assert not folder.exists()
-    keep(FINGER, geometry, SETTINGS, mesh)
+    save_family(FINGER, geometry, SETTINGS, mesh)
     with meshing_instead(lambda geometry, settings: mesh):
         assert mesh_on_disk(FINGER, SETTINGS) is None
 
@@ -146,49 +153,50 @@ def test_a_mesh_that_moves_is_neither_kept_nor_replaced(made, folder):
 @pytest.mark.parametrize("share", [0.0, 0.5, 0.999])
 def test_damaged_entries_are_made_anew(made, folder, share):
     geometry, mesh = made
-    keep(FINGER, geometry, SETTINGS, mesh)
+    save_family(FINGER, geometry, SETTINGS, mesh)
     for file in folder.iterdir():
         file.write_bytes(file.read_bytes()[: int(share * file.stat().st_size)])
-    with pytest.warns(UserWarning, match="a damaged mesh in the cache is made again"):
+    with pytest.warns(UserWarning, match="a damaged entry in the cache of families was removed"):
         assert geometry_on_disk(FINGER) is None
-    with pytest.warns(UserWarning, match="a damaged mesh in the cache is made again"):
+    with pytest.warns(UserWarning, match="a damaged entry in the cache of families was removed"):
         assert mesh_on_disk(FINGER, SETTINGS) is None
-    keep(FINGER, geometry, SETTINGS, mesh)
+    save_family(FINGER, geometry, SETTINGS, mesh)
     assert geometry_on_disk(FINGER) is not None
     assert mesh_on_disk(FINGER, SETTINGS) is not None
 
 
 def test_a_changed_byte_is_noticed(made, folder):
     geometry, mesh = made
-    keep(FINGER, geometry, SETTINGS, mesh)
+    save_family(FINGER, geometry, SETTINGS, mesh)
     file = max(folder.iterdir(), key=lambda each: each.stat().st_size)
     content = bytearray(file.read_bytes())
     content[len(content) // 2] ^= 1
     file.write_bytes(content)
-    assert mesh_on_disk(FINGER, SETTINGS) is None
+    with pytest.warns(UserWarning, match="a damaged entry in the cache of families was removed"):
+        assert mesh_on_disk(FINGER, SETTINGS) is None
 
 
 def test_the_oldest_used_go_first(made, folder, monkeypatch):
     geometry, mesh = made
     sizes = [replace(SETTINGS, grading=0.1 * k) for k in range(1, 5)]
     for k, settings in enumerate(sizes[:3]):
-        keep(FINGER, geometry, settings, mesh)
-        os.utime(families._file((FINGER, settings)), (k, k))
-    os.utime(families._file((FINGER,)), (9, 9))
+        save_family(FINGER, geometry, settings, mesh)
+        os.utime(entry(FINGER, settings), (k, k))
+    os.utime(entry(FINGER), (9, 9))
     assert mesh_on_disk(FINGER, sizes[0]) is not None  # used now
-    one, shape = (families._file(asked).stat().st_size for asked in ((FINGER, sizes[0]), (FINGER,)))
+    one, shape = (entry(*key).stat().st_size for key in ((FINGER, sizes[0]), (FINGER,)))
     monkeypatch.setenv("TURGOR_CACHE_MB", str((2.5 * one + shape) / 1e6))
-    monkeypatch.setattr(families, "LARGEST_SHARE", 1.0)
-    keep(FINGER, geometry, sizes[3], mesh)
+    monkeypatch.setattr(cached_values, "LARGEST_SHARE", 1.0)
+    save_family(FINGER, geometry, sizes[3], mesh)
     assert [mesh_on_disk(FINGER, settings) is not None for settings in sizes] == [True, False, False, True]
-    monkeypatch.setattr(families, "LARGEST_SHARE", 0.1)
-    keep(FINGER, geometry, sizes[1], mesh)
+    monkeypatch.setattr(cached_values, "LARGEST_SHARE", 0.1)
+    save_family(FINGER, geometry, sizes[1], mesh)
     assert mesh_on_disk(FINGER, sizes[1]) is None  # too large
 
 
 def test_it_can_be_switched_off(made, folder, monkeypatch):
     geometry, mesh = made
-    keep(FINGER, geometry, SETTINGS, mesh)
+    save_family(FINGER, geometry, SETTINGS, mesh)
     monkeypatch.setenv("TURGOR_CACHE_MB", "0")
     assert mesh_on_disk(FINGER, SETTINGS) is None
     assert geometry_on_disk(FINGER) is None
@@ -201,7 +209,7 @@ def test_a_folder_that_cannot_be_written_is_no_error(made, tmp_path, monkeypatch
     geometry, mesh = made
     (tmp_path / "file").write_text("no folder")
     monkeypatch.setenv("TURGOR_CACHE", str(tmp_path / "file"))
-    keep(FINGER, geometry, SETTINGS, mesh)
+    save_family(FINGER, geometry, SETTINGS, mesh)
     assert mesh_on_disk(FINGER, SETTINGS) is None
 
 
@@ -229,7 +237,7 @@ def test_a_job_is_prepared_without_its_shape_and_without_meshing(tmp_path, folde
     job = read_job(tmp_path / "job.toml")
     model, findings = prepare(job)
     assert not list(folder.glob("*"))  # studies prepare jobs, too, and keep nothing
-    keep_mesh_of(job)
+    save_mesh_of(job)
     meshes._mesh_of_family.cache_clear()
     for owner, name in ((meshes, "_made"), (FastPneuNet, "build")):
         monkeypatch.setattr(owner, name, refused)
@@ -241,7 +249,7 @@ def test_a_job_is_prepared_without_its_shape_and_without_meshing(tmp_path, folde
 
 WRITER = """
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
-from turgor.job.families import keep, mesh_on_disk
+from turgor.job.family_cache import mesh_on_disk, save_family
 from turgor.core.meshing.generate import mesh_with
 from turgor.core.meshing.settings import MeshSettings
 
@@ -250,12 +258,12 @@ geometry = finger.build()
 mesh = mesh_with(geometry, settings)
 from turgor.foundation.store.caches import cache_folder
 for _ in range(20):
-    keep(finger, geometry, settings, mesh)
+    save_family(finger, geometry, settings, mesh)
     found = mesh_on_disk(finger, settings)
     assert found is None or (found.points == mesh.points).all()
     for file in cache_folder("families").iterdir():
         file.unlink(missing_ok=True)
-keep(finger, geometry, settings, mesh)
+save_family(finger, geometry, settings, mesh)
 """
 
 

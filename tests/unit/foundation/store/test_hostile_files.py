@@ -97,7 +97,8 @@ def test_another_limit_can_be_stated(file, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "name", ["os:system", "subprocess:Popen", "pty:spawn", "turgor.foundation.kernel_cache:subprocess.Popen"]
+    "name",
+    ["os:system", "subprocess:Popen", "pty:spawn", "turgor.foundation.startup.background_compiler:subprocess.Popen"],
 )
 def test_only_classes_of_turgor_are_made(file, name):
     """A file names classes; those of others count where the program has loaded them, and are never called."""

@@ -280,7 +280,7 @@ def test_a_run_is_known_by_what_it_computes(file, tmp_path, monkeypatch):
     file.rename(renamed)
     monkeypatch.chdir(tmp_path / "elsewhere")
     run(renamed, folder, resume=True)
-    assert "going on with the path" in (folder / "run.log").read_text()
+    assert "continuing the path" in (folder / "run.log").read_text()
 
 
 @pytest.mark.parametrize("length", [0, 300, 700])

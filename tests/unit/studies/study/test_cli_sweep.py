@@ -152,7 +152,7 @@ def test_interrupted_and_called_again(folder):
     assert before
     if study.returncode:  # unless it was done by then
         assert study.returncode == 128 + signal.SIGINT
-        assert "interrupted; what has ended is kept in again, and the same command goes on from there." in said
+        assert "interrupted; finished runs are saved in again, and the same command continues from there." in said
     assert subprocess.run(command, cwd=folder, env=paths, capture_output=True, check=False).returncode == DONE
     assert len(list(runs.glob("*.json"))) == 4
     assert all(file.stat().st_mtime_ns == time_ for file, time_ in before.items())

@@ -94,4 +94,4 @@ def test_interrupted_it_says_how_to_go_on(folder):
     _, said = fitted.communicate(timeout=60)
     assert len(list(runs.glob("*.json"))) < 9
     assert fitted.returncode == 128 + signal.SIGINT
-    assert "interrupted; what has ended is kept in again-study, and the same command goes on from there." in said
+    assert "interrupted; finished runs are saved in again-study, and the same command continues from there." in said

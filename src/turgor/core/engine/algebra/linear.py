@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.iterative.krylov import gmres
 from turgor.core.engine.algebra.pardiso import Pardiso, load_mkl
 from turgor.core.engine.algebra.pattern import Pattern
-from turgor.core.engine.algebra.result_cache import kept
+from turgor.core.engine.algebra.result_cache import last_results
 from turgor.core.engine.algebra.singular import SingularTangentError as SingularTangentError
 from turgor.foundation.errors import unknown
 
@@ -165,7 +165,7 @@ class MixedPrecision:
         return negative
 
 
-@kept(2)  # a run often has the mesh of the last one; two, because the mesh error is found on a second mesh
+@last_results(2)  # a run often has the mesh of the last one; two, because the mesh error needs a second mesh
 def _analyzed(indptr: NDArray[np.int64], indices: NDArray[np.int32], threads: int, ordering: str) -> rslab.LdltSymbolic:
     """Order of elimination and structure of the factors of a lower triangle; its values do not matter."""
     pattern = Pattern(len(indptr) - 1, indptr, indices)

@@ -1,7 +1,6 @@
-"""Results of the last calls of a pure function, found again by the content of the arguments.
+"""Results of the last calls of a pure function of arrays, found by the content of the arguments.
 
-Runs of a calibration or a sweep build the same arrays anew from one mesh. What is slow to compute from them, and not to
-be changed by anyone, is kept for the next run.
+Runs of a calibration or a sweep build equal arrays from one mesh. What is slow to compute from them is computed once.
 """
 
 from collections import OrderedDict
@@ -17,18 +16,18 @@ P = ParamSpec("P")
 Result = TypeVar("Result")
 
 
-def kept(count: int) -> Callable[[Callable[P, Result]], Callable[P, Result]]:
-    """Keep the last ``count`` results of a function of arrays and plain values.
+def last_results(count: int) -> Callable[[Callable[P, Result]], Callable[P, Result]]:
+    """Decorate a function of arrays and plain values: the results of its last ``count`` calls are computed once.
 
     Results are handed out again, not copied: neither the function nor its callers may change them.
     """
 
-    def keeping(function: Callable[P, Result]) -> Callable[P, Result]:
+    def decorated(function: Callable[P, Result]) -> Callable[P, Result]:
         results: OrderedDict[bytes, Result] = OrderedDict()
         lock = Lock()
 
         @wraps(function)
-        def found(*arguments: P.args, **named: P.kwargs) -> Result:
+        def cached(*arguments: P.args, **named: P.kwargs) -> Result:
             key = _digest((arguments, sorted(named.items())))
             with lock:
                 if key in results:
@@ -41,9 +40,9 @@ def kept(count: int) -> Callable[[Callable[P, Result]], Callable[P, Result]]:
                     results.popitem(last=False)
             return result
 
-        return found
+        return cached
 
-    return keeping
+    return decorated
 
 
 def _digest(value: object) -> bytes:

@@ -7,7 +7,6 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.core.engine.algebra.result_cache import kept
 from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.contact.shapes import scaled
@@ -198,7 +197,6 @@ def _reach(weights: Array) -> float:
     return REACH * float(np.sqrt(weights.sum(axis=1)).mean())
 
 
-@kept(2)  # the search at rest is slow, and the next run often has the same mesh
 def _partners(
     sides: Ints, tables: tuple[Array, Array, Array, Array], points: Array, mirrored: NDArray[np.bool_]
 ) -> Partners:

@@ -1,1 +1,1 @@
-"""Warm-up: which loops a model needs, and their compilation at a known time, shared among processes."""
+"""Warm-up: which kernels a model needs, and their compilation at a known time, shared among processes."""

@@ -1,20 +1,19 @@
-"""Compile loops at a known time; processes that begin at the same time share the work.
+"""Compile kernels at a known time, shared among processes that start together.
 
-The loops come in groups. Who compiles a group holds a lock file meanwhile; who finds it locked goes on with another
-group, and takes the result from the cache on disk later. So the process beside, which `turgor.foundation.kernel_cache`
-starts before anything heavy is loaded, needs no orders but what the model needs: it begins at the other end of the
-list. Runs that somebody starts together on a new machine share the work in the same way.
+The kernels come in groups. Each group has a lock file: a process that finds a group locked compiles another one and
+loads the result from disk later. So the background compiler (`turgor.foundation.startup.background_compiler`) needs no
+orders: it takes the groups from the other end of the list. Runs that start together on a new machine share the work in
+the same way.
 
-Loops that no first step needs come last, and a process that has another one beside it leaves them to that. Once they
-are compiled, they are loaded where they are first called, which takes some milliseconds.
+Kernels that no first step needs come last. The background compiler compiles them at low priority while the run solves.
+A compiled kernel is loaded where it is first called, which takes some milliseconds.
 """
 
-import gc
 import json
 import os
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from functools import partial
 from threading import Timer
@@ -22,7 +21,7 @@ from time import perf_counter
 
 from filelock import FileLock, Timeout
 
-from turgor.core.engine.warmup.cell_loops import (
+from turgor.core.engine.warmup.cell_kernels import (
     compile_geometry,
     compile_gradients,
     compile_pattern,
@@ -33,51 +32,61 @@ from turgor.core.engine.warmup.cell_loops import (
     compile_tangent,
     compile_updates,
 )
-from turgor.core.engine.warmup.contact_loops import compile_press, compile_search
+from turgor.core.engine.warmup.contact_kernels import compile_press, compile_search
 from turgor.core.engine.warmup.needs import Needs
-from turgor.foundation.kernel_cache import FIRST, at_work, kept, tell
+from turgor.foundation.startup.background_compiler import send_needs, still_compiling
+from turgor.foundation.startup.garbage import no_garbage_searches
+from turgor.foundation.startup.kernel_folder import FIRST, marker
 
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Loops that are compiled by one process.
+    """Kernels that one process compiles together.
 
     Parameters
     ----------
     name : str
-    touch : callable
-        ``touch()`` calls each of them once.
-    soon : bool
+    compile : callable
+        ``compile()`` calls each kernel once.
+    needed_first : bool
         Whether a first step needs them.
     """
 
     name: str
-    touch: Callable[[], None]
-    soon: bool = True
+    compile: Callable[[], None]
+    needed_first: bool = True
 
 
-#: Compilation that lasts longer than this [s] is announced.
+#: A compilation that takes longer [s] is announced.
 QUIET_SECONDS = 1.5
 
-#: No group takes longer [s]; who waits longer for another process compiles it himself.
+#: No group takes longer [s]; a process that has waited so long for another one compiles the group itself.
 LONGEST = 120.0
 
-#: By how much the process beside lowers its priority once all that a first step needs is compiled.
-KINDNESS = 15
+#: By how much the background compiler lowers its priority once all that a first step needs is compiled.
+NICENESS = 15
 
 
-def compile_ahead(needs: Needs) -> bool:
-    """Begin to compile in another process, or tell it what is needed; return whether something is not compiled yet."""
-    missing = not all(kept(group.name).exists() for group in _groups(needs))
-    if missing:
-        tell(asdict(needs))
-    return missing
+def announce_needs(needs: Needs) -> None:
+    """Send the background compiler what a model needs, where some of it is not compiled yet."""
+    if not all(marker(group.name).exists() for group in _groups(needs)):
+        send_needs(asdict(needs))
 
 
 def compile_kernels(notify: Callable[[str], None] | None, needs: Needs) -> float:
-    """Load the loops that a model needs, compiled first where this machine has not; return the seconds.
+    """Load the kernels that a model needs, compiled first if this machine has not compiled them.
 
-    That it takes long is told by ``notify``; where that is None, on the standard error stream if it is a terminal.
+    Parameters
+    ----------
+    notify : callable or None
+        ``notify(text)``, called if the compilation takes long; None writes to the standard error stream if that is a
+        terminal.
+    needs : Needs
+
+    Returns
+    -------
+    float
+        Duration [s].
     """
     start = perf_counter()
     text = "compiling the element kernels (once per machine and kind of cell, up to half a minute)"
@@ -85,43 +94,47 @@ def compile_kernels(notify: Callable[[str], None] | None, needs: Needs) -> float
     timer.daemon = True
     timer.start()
     try:
-        with _without_collection() as left:
-            left.much = compile_ahead(needs)
-            groups = _groups(needs)
-            later = [group for group in groups if group.soon and not _alone(group, 0.0)]
-            for group in later:
-                if not _alone(group, LONGEST):
-                    group.touch()
-            rest = [group for group in groups if not (group.soon or kept(group.name).exists())]
-            if rest and not at_work():  # nobody else compiles them
-                for group in rest:
-                    _alone(group, 0.0)
+        with no_garbage_searches():
+            announce_needs(needs)
+            _compile(_groups(needs))
     finally:
         timer.cancel()
     return perf_counter() - start
 
 
-def compile_beside() -> None:
-    """Compile what others have not begun, the last group first: the work of `foundation.kernel_cache.beside`."""
-    with _without_collection():
-        _alone(_pressure(), 0.0)  # the loops that any kind of cell needs, while the job is read
-        told = sys.stdin.readline()
-        if not told:  # the other process has ended
-            return
-        groups = _groups(Needs(**json.loads(told)))
-        soon = [group for group in reversed(groups) if group.soon]
-        for group in soon:
-            _alone(group, 0.0)
-        _step_back()
-        for group in groups:
-            if not group.soon:
-                _alone(group, 0.0)
+def _compile(groups: Sequence[Group]) -> None:
+    """Compile all groups but those that another process compiles for later."""
+    locked = [group for group in groups if group.needed_first and not _compiled_alone(group, 0.0)]
+    for group in locked:
+        if not _compiled_alone(group, LONGEST):
+            group.compile()
+    rest = [group for group in groups if not (group.needed_first or marker(group.name).exists())]
+    if rest and not still_compiling():
+        for group in rest:
+            _compiled_alone(group, 0.0)
 
 
-def _step_back() -> None:
-    """Leave the processors to others: the run has begun to solve, and needs what comes now later or never."""
+@no_garbage_searches()
+def compile_in_background() -> None:
+    """Compile the groups that no other process has begun, the last one first: what the background compiler runs."""
+    _compiled_alone(_pressure(), 0.0)  # kernels that any kind of cell needs, while the job is read
+    line = sys.stdin.readline()
+    if not line:  # the other process has ended
+        return
+    groups = _groups(Needs(**json.loads(line)))
+    for group in reversed(groups):
+        if group.needed_first:
+            _compiled_alone(group, 0.0)
+    _lower_priority()
+    for group in groups:
+        if not group.needed_first:
+            _compiled_alone(group, 0.0)
+
+
+def _lower_priority() -> None:
+    """Leave the processors to the run, which has begun to solve and may not need the kernels that follow."""
     if hasattr(os, "nice"):  # not on Windows
-        os.nice(KINDNESS)
+        os.nice(NICENESS)
 
 
 def _groups(needs: Needs) -> Sequence[Group]:
@@ -131,7 +144,7 @@ def _groups(needs: Needs) -> Sequence[Group]:
     between, so that the two end at about the same time.
     """
     kind, cell = f"{needs.nodes}-{needs.mixed}", (needs.nodes, needs.mixed)
-    gradients = Group(f"gradients-{kind}", partial(compile_gradients, *cell), soon=needs.stretches)
+    gradients = Group(f"gradients-{kind}", partial(compile_gradients, *cell), needed_first=needs.stretches)
     groups = [
         Group(f"tangent-{kind}", partial(compile_tangent, *cell)),
         Group(f"updates-{kind}", partial(compile_updates, *cell)),
@@ -148,7 +161,7 @@ def _groups(needs: Needs) -> Sequence[Group]:
     groups.append(_pressure())
     if needs.sides:
         groups.append(Group("search", partial(compile_search, needs.sides)))
-        groups.append(Group("press", partial(compile_press, needs.sides), soon=False))
+        groups.append(Group("press", partial(compile_press, needs.sides), needed_first=False))
     if not needs.stretches:
         groups.append(gradients)
     return groups
@@ -158,47 +171,19 @@ def _pressure() -> Group:
     return Group("pressure", partial(compile_pressure, Needs().nodes))
 
 
-def _alone(group: Group, patience: float) -> bool:
-    """Load or compile a group while no other process does; return whether it did, having waited ``patience`` [s]."""
-    file = kept(group.name)
+def _compiled_alone(group: Group, patience: float) -> bool:
+    """Compile or load a group while no other process does; return False if one still does after ``patience`` [s]."""
+    file = marker(group.name)
     try:
         with FileLock(file.with_suffix(".lock"), timeout=patience):
-            group.touch()
+            group.compile()
     except Timeout:
         return False
-    except OSError:  # no lock can be held here, so the work is not shared
-        group.touch()
+    except OSError:  # there is no place for a lock, so the work is not shared
+        group.compile()
     with suppress(OSError):
         file.touch()
     return True
-
-
-@dataclass(slots=True)
-class Garbage:
-    """Whether there is much garbage to look for."""
-
-    much: bool = False
-
-
-@contextmanager
-def _without_collection() -> Iterator[Garbage]:
-    """Leave garbage alone: numba makes millions of objects, and looking through them takes a tenth of its time.
-
-    Where there is ``much`` in the end, all objects count as old, so that the first step does not wait for the search
-    for it: that comes with the next search of old objects.
-    """
-    before, left = gc.isenabled(), Garbage()
-    gc.disable()
-    try:
-        yield left
-    finally:
-        if left.much:
-            frozen = gc.get_freeze_count()  # which looks at all of them
-            gc.freeze()
-            if not frozen:  # else the command has frozen what it loaded, and ends after this run
-                gc.unfreeze()
-        if before:
-            gc.enable()
 
 
 def _say(text: str) -> None:

@@ -1,4 +1,4 @@
-"""Needs: which compiled loops a model has to have."""
+"""Needs: which kernels a model needs."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -11,18 +11,18 @@ from turgor.core.model.model import DISPLACEMENT, Model
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Needs:
-    """Which loops a model needs, beside those that all need.
+    """Which kernels a model needs, besides those that all models need.
 
     Parameters
     ----------
     nodes : int
-        Nodes of a cell.
+        Nodes of an element.
     mixed : bool
-        Whether cells have mean stresses.
+        Whether elements have mean stresses.
     sides : int
-        Nodes of the sides that may touch each other or an obstacle; 0 where nothing can.
+        Nodes of the sides that may touch each other or an obstacle; 0 if none can.
     stretches : bool
-        Whether a law is one in stretches, or a rubber remembers.
+        Whether a law is one in stretches, or a material is history-dependent.
     sheets : bool
         Whether faces have membranes.
     """
@@ -35,7 +35,7 @@ class Needs:
 
     @staticmethod
     def of(model: Model) -> "Needs":
-        """Those of a model."""
+        """Return the needs of a model."""
         kind = model.mesh.cell_type
         return Needs(
             nodes=kind.nodes,
@@ -47,7 +47,7 @@ class Needs:
 
 
 def in_stretches(materials: Iterable[Material]) -> bool:
-    """Whether any material needs the loops of laws in stretches."""
+    """Return whether any material needs the kernels of laws in stretches."""
     return any(
         isinstance(each.law, StretchLaw) or each.viscoelasticity is not None or each.stress_softening is not None
         for each in materials

@@ -1,30 +1,25 @@
 """Formulas that SymPy has derived, cached on disk as data: deriving them takes most of a second in every process.
 
-A formula is a list of arithmetic operations, one after the other. The file of a cached one holds their names and
-operands as JSON; nothing in it is executed. Its name is a hash of what was derived from what: the files of all laws,
-the law, and what was requested. So a change of any law derives again. Laws from outside of the package are derived in
-every process, since their files may call others that are not known here.
+A formula is a list of arithmetic operations, one after the other. An entry of the cache holds their names and operands
+as text; nothing in it is executed. Its key is what was derived from what: the files of all laws, the law, and what was
+requested. So a change of any law derives again. Laws from outside of the package are derived in every process, since
+their files may call others that are not known here.
 """
 
 import ast
-import hashlib
 import inspect
 import json
 import operator
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import cache
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from turgor.foundation.errors import TurgorError
-from turgor.foundation.store.atomic_files import write_whole
-from turgor.foundation.store.caches import cache_folder
+from turgor.foundation.store.cached_values import Cache, sources
 
 #: Operations of a formula by the name that a file gives them.
 OPERATIONS: Mapping[str, Callable[..., Any]] = MappingProxyType(
@@ -40,7 +35,8 @@ UNARY = frozenset({"USub", "log", "exp", "sqrt"})
 #: Most operations of a formula; the longest of the laws here has some hundred.
 MOST_OPERATIONS = 100_000
 
-_HERE = Path(__file__).parent
+#: The formulas that were derived before.
+FORMULAS = Cache("laws", 20e6)
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,33 +136,14 @@ def cached_formulas(law_type: type, requested: object, derive: Callable[[], Call
     """
     if not law_type.__module__.startswith(f"{__package__}."):
         return derive()
-    folder = cache_folder("laws")
-    if folder is None:
-        return formulas_of(derive())
-    key = f"{_laws()} {law_type.__module__} {law_type.__qualname__} {requested!r}"
-    file = folder / f"{hashlib.sha256(key.encode()).hexdigest()[:24]}.json"
-    try:
-        return Formulas.read(_checked(file.read_text("utf-8")))
-    except FileNotFoundError:
-        pass
-    except (OSError, ValueError) as error:
-        warnings.warn(f"a damaged law in the cache is derived again ({type(error).__name__}).", stacklevel=2)
+    key = sources(__package__), f"{law_type.__module__}.{law_type.__qualname__}", repr(requested)
+    text = FORMULAS.get(*key)
+    if isinstance(text, str):
+        with suppress(ValueError):  # an entry that others have changed
+            return Formulas.read(text)
     found = formulas_of(derive())
-    with suppress(OSError):  # nothing can be cached, and the formulas serve all the same
-        write_whole(file, f"{_hash(found.text)}\n{found.text}")
+    FORMULAS.put(found.text, *key)
     return found
-
-
-def _checked(content: str) -> str:
-    """Return the text below its hash; a `ValueError` if it is not as it was written: another digit is another law."""
-    stated, _, text = content.partition("\n")
-    if stated != _hash(text):
-        raise ValueError("the file is damaged.")
-    return text
-
-
-def _hash(text: str) -> str:
-    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def formulas_of(function: Callable[..., Any]) -> Formulas:
@@ -229,10 +206,3 @@ class _Reader:
 
         operations = tuple((name, *map(number, operands)) for name, *operands in self.operations)
         return Formulas(self.inputs, tuple(self.constants), operations, tuple(map(number, results)))
-
-
-@cache
-def _laws() -> str:
-    """Hash of the files of all laws."""
-    files = sorted(_HERE.rglob("*.py"))
-    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()

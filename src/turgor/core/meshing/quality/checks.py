@@ -7,7 +7,7 @@ from turgor.core.geometry.cad.walls import thinnest_wall
 from turgor.core.meshing.cells import TETRAHEDRON, six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.core.meshing.quality.facing import OPPOSED, edge_keys, unit_normals
-from turgor.core.meshing.quality.quality_cache import asked_once
+from turgor.core.meshing.quality.quality_cache import once_per_mesh
 from turgor.core.meshing.surface import among, check_surface, outer_triangles
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
@@ -50,7 +50,7 @@ def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
     return (*mesh.findings, *_checked(mesh))
 
 
-@asked_once
+@once_per_mesh
 def _checked(mesh: Mesh) -> tuple[Finding, ...]:
     return (*_thin_walls(mesh), *check_surface(mesh))
 

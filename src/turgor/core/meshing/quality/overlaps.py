@@ -8,7 +8,7 @@ from turgor.core.meshing.bodies.bodies import find_bodies
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.core.meshing.quality.facing import edge_keys, unit_normals
-from turgor.core.meshing.quality.quality_cache import asked_once
+from turgor.core.meshing.quality.quality_cache import once_per_mesh
 from turgor.core.meshing.surface import outer_triangles
 
 Array = NDArray[np.float64]
@@ -85,7 +85,7 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
     return np.concatenate([found, middle])[inside]
 
 
-@asked_once  # a run checks before it solves, and `solve` itself does
+@once_per_mesh  # a run checks before it solves, and `solve` itself does
 def overlap_at_rest(mesh: Mesh) -> tuple[float, float, float] | None:
     """A place [m] where a mesh overlaps itself at rest; None where it does not.
 

@@ -1,4 +1,4 @@
-"""Answers to questions about a mesh alone: asked once in a process, and kept on disk with the mesh."""
+"""Results of checks of a mesh alone: computed once per mesh in a process, and saved on disk with the mesh."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -7,28 +7,28 @@ from typing import TypeVar
 
 from turgor.core.meshing.mesh import Mesh
 
-Answer = TypeVar("Answer")
+Result = TypeVar("Result")
 
 
 @dataclass(slots=True, eq=False)
-class Answers:
-    """What is known of a mesh.
+class CheckResults:
+    """Results of checks of a mesh.
 
     Parameters
     ----------
-    known : dict of str to object
-        Answers by the names of the questions.
-    on_disk : int
+    by_check : dict of str to object
+        Results by the names of the checks.
+    saved : int
         How many of them are on disk.
     """
 
-    known: dict[str, object] = field(default_factory=dict)
-    on_disk: int = 0
+    by_check: dict[str, object] = field(default_factory=dict)
+    saved: int = 0
 
 
 @lru_cache(maxsize=4)  # the next run of a sweep often has the same mesh
-def answers_of(mesh: Mesh) -> Answers:
-    """Answers about a mesh; whoever asks or finds one adds it.
+def check_results(mesh: Mesh) -> CheckResults:
+    """Return the results for a mesh, to which each check adds its own.
 
     Parameters
     ----------
@@ -36,35 +36,34 @@ def answers_of(mesh: Mesh) -> Answers:
 
     Returns
     -------
-    Answers
+    CheckResults
         The same object for each call, while the mesh is one of the last ones.
     """
-    return Answers()
+    return CheckResults()
 
 
-def asked_once(question: Callable[[Mesh], Answer]) -> Callable[[Mesh], Answer]:
-    """Keep the answers of a function of a mesh alone.
+def once_per_mesh(check: Callable[[Mesh], Result]) -> Callable[[Mesh], Result]:
+    """Decorate a function of a mesh alone: its result is computed once.
 
-    An entry on disk is named after the sources of `turgor.core.geometry` and `turgor.core.meshing`, and so is true as
-    long as the function, and all that it calls, lies there. The answer is plain, or of dataclasses: what a file can
-    hold.
+    An entry on disk is named after the sources of `turgor.core.geometry` and `turgor.core.meshing`. So the function,
+    and all that it calls, must lie there. The result is plain, or of dataclasses: what a file can hold.
 
     Parameters
     ----------
-    question : callable
-        ``question(mesh)``; nobody may change what it returns.
+    check : callable
+        ``check(mesh)``; nobody may change what it returns.
 
     Returns
     -------
     callable
     """
-    name = f"{question.__module__}.{question.__qualname__}"
+    name = f"{check.__module__}.{check.__qualname__}"
 
-    @wraps(question)
-    def asked(mesh: Mesh) -> Answer:
-        known = answers_of(mesh).known
-        if name not in known:
-            known[name] = question(mesh)
-        return known[name]  # type: ignore[return-value]  # by its name, it is what the question returned
+    @wraps(check)
+    def checked(mesh: Mesh) -> Result:
+        results = check_results(mesh).by_check
+        if name not in results:
+            results[name] = check(mesh)
+        return results[name]  # type: ignore[return-value]  # by its name, it is what the check returned
 
-    return asked
+    return checked

@@ -4,10 +4,10 @@ from turgor.core.meshing.bodies.bodies import find_bodies
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.mirror_gap import faces_its_image
 from turgor.core.meshing.quality.proximity import find_facing_walls
-from turgor.core.meshing.quality.quality_cache import asked_once
+from turgor.core.meshing.quality.quality_cache import once_per_mesh
 
 
-@asked_once  # by every check, and by the engine
+@once_per_mesh  # by every check, and by the engine
 def may_meet(mesh: Mesh) -> bool:
     """Whether a mesh has several bodies, or walls that face each other or their image.
 

@@ -20,7 +20,7 @@ from turgor.core.meshing.mesh import TETRAHEDRON_EDGES
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.tetwild.background import background
 from turgor.core.meshing.tetwild.boundary import boundary_of, faces_of
-from turgor.core.meshing.tetwild.mesh_cache import kept_cells
+from turgor.core.meshing.tetwild.mesh_cache import cached_cells
 from turgor.core.meshing.tetwild.nearest import NearestPlaces, sharp_edges
 from turgor.core.meshing.tetwild.snapping import faces_at, on_mirrors, snapped, unspoiled
 from turgor.foundation.errors import TurgorError
@@ -101,7 +101,7 @@ def _filled(shape: SurfaceShape, settings: MeshSettings, size: float, envelope: 
         "stop_energy": STOP_ENERGY,
         "coarsen": not settings.face_sizes,
     }
-    points, cells = kept_cells(inputs, lambda: _tetrahedralized(inputs))
+    points, cells = cached_cells(inputs, lambda: _tetrahedralized(inputs))
     if not len(cells):
         raise TurgorError(f"'{name}' could not be meshed: nothing lies within its surface; is the STL file closed?")
     return _whole(points, cells)

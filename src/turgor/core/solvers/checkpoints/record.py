@@ -29,12 +29,23 @@ _GOES = re.compile(r"(model|state|path|loop)(-\d+)+")
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Question:
-    """What a run was asked, which similar run or coarser mesh guides it, and what checks found before it began."""
+    """What a run solves, which similar run or coarser mesh guides it, and what is known before it begins.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Procedure
+    options : EngineOptions
+    findings : tuple of Finding or None
+        Findings of the checks before the solve; None where these are still to run.
+    guide : Solution or None
+    coarse : Mesh or None
+    """
 
     model: Model
     procedure: Procedure
     options: EngineOptions
-    findings: tuple[Finding, ...] = ()
+    findings: tuple[Finding, ...] | None = None
     guide: Solution | None = None
     coarse: Mesh | None = None
 

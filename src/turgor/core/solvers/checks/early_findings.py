@@ -9,15 +9,44 @@ from turgor.core.solvers.checks.plausibility.check import implausible
 from turgor.core.solvers.checks.plausibility.question import Question
 from turgor.core.solvers.checks.supports import (
     added_pressures,
+    check_supports,
     everything_held,
     held_cavities,
     tip_held,
     unloaded_cavities,
 )
+from turgor.core.solvers.methods import may_be_free, method_of
 from turgor.core.solvers.procedures.stages import Stages
 from turgor.core.solvers.solution import Procedure
 from turgor.core.solvers.stage_sequence import questions
 from turgor.foundation.finding import Finding, by_weight
+
+
+def check_before_solve(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
+    """Refuse a model that cannot be solved; return the early findings of any other.
+
+    A run needs one call: what it returns goes into the question that is solved.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Static, …, or Stages
+
+    Returns
+    -------
+    tuple of Finding
+        Those of `early_findings`.
+
+    Raises
+    ------
+    TurgorError
+        If the supports of a stage leave a rigid motion free or prescribe the whole surface of an incompressible body,
+        or the procedure fills cavities that the model does not have.
+    """
+    for each in _questions(model, procedure):
+        check_supports(each.model, inertia=may_be_free(each.model, each.procedure))
+        method_of(each.procedure).controlled(each.model, each.procedure)
+    return early_findings(model, procedure)
 
 
 def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:

@@ -53,7 +53,7 @@ READING = (
 #: What the job does before its solve; the mesh is kept for the next process.
 PREPARING = (
     f"{READING}; from turgor.job.prepare import prepare; prepare(job); "
-    "from turgor.job.meshes import keep_mesh_of; keep_mesh_of(job)"
+    "from turgor.job.meshes import save_mesh_of; save_mesh_of(job)"
 )
 
 
@@ -74,7 +74,10 @@ def test_a_run_that_finds_its_mesh_on_disk_is_light_up_to_the_solve(tmp_path, mo
 @pytest.mark.parametrize(
     ("script", "refused"),
     [
-        ("from turgor.cli.run import run; from turgor.foundation.kernel_cache import begin_early", HEAVY),
+        (
+            "from turgor.cli.run import run; from turgor.foundation.startup.background_compiler import start_early",
+            HEAVY,
+        ),
         ("import turgor.core.engine.warmup.compiling", {"netgen", "netgen.occ", "typer"}),
         ("import turgor.job.run; from turgor.job.job import ACTUATORS; list(ACTUATORS.values())", {"netgen"}),
         ("from turgor.core.results.measures.measures import find_measure as f; f('reaction')", {"scipy.optimize"}),

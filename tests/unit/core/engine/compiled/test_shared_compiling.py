@@ -1,4 +1,4 @@
-"""Processes that compile at the same time share the groups of loops, and wait for each other's."""
+"""Processes that compile at the same time share the groups of kernels, and wait for each other's."""
 
 import gc
 import io
@@ -8,16 +8,17 @@ import pytest
 from filelock import FileLock
 
 from turgor.core.engine.warmup import compiling
-from turgor.core.engine.warmup.compiling import Group, compile_ahead, compile_beside, compile_kernels
+from turgor.core.engine.warmup.compiling import Group, announce_needs, compile_in_background, compile_kernels
 from turgor.core.engine.warmup.needs import Needs
-from turgor.foundation import kernel_cache as loops
+from turgor.foundation.startup import background_compiler as background
+from turgor.foundation.startup import kernel_folder
 
 TOLD = '{"nodes": 10, "sides": 6}'
 
 
 @pytest.fixture
 def done(tmp_path, monkeypatch):
-    """Groups a, b, c and the later one d, which note that they were compiled, and whether garbage was collected."""
+    """Groups a, b, c and the later one d, which note that they were compiled; no garbage is searched for."""
     noted: list[str] = []
 
     def group(name):
@@ -25,12 +26,12 @@ def done(tmp_path, monkeypatch):
             assert not gc.isenabled()
             noted.append(name)
 
-        return Group(name, touch, soon=name != "d")
+        return Group(name, touch, needed_first=name != "d")
 
     monkeypatch.setattr(compiling, "_groups", lambda needs: [group(name) for name in "abcd"])
     monkeypatch.setattr(compiling, "_pressure", lambda: group("b"))
-    monkeypatch.setattr(compiling, "kept", lambda name: tmp_path / f"{name}.compiled")
-    monkeypatch.setattr(loops, "beside", lambda: None)
+    monkeypatch.setattr(compiling, "marker", lambda name: tmp_path / f"{name}.compiled")
+    monkeypatch.setattr(background, "background_process", lambda: None)
     monkeypatch.setattr("sys.stdin", io.StringIO(TOLD))
     monkeypatch.setattr(compiling.os, "nice", lambda more: noted.append(f"nice {more > 0}"), raising=False)
     return noted
@@ -49,22 +50,22 @@ def test_a_group_that_another_process_compiles_comes_last(done, tmp_path):
     assert done[:3] == ["b", "c", "a"]
 
 
-def test_the_process_beside_begins_at_the_other_end_and_leaves_what_others_compile(done, tmp_path):
+def test_the_background_compiler_begins_at_the_other_end_and_leaves_what_others_compile(done, tmp_path):
     with FileLock(tmp_path / "a.lock"):
-        compile_beside()
+        compile_in_background()
     # b before it is told what is needed, which it only loads again; what no first step needs with a low priority
     assert done == ["b", "c", "b", "nice True", "d"]
 
 
-def test_the_process_beside_ends_where_it_is_told_nothing(done, monkeypatch):
+def test_the_background_compiler_ends_if_it_reads_no_needs(done, monkeypatch):
     monkeypatch.setattr("sys.stdin", io.StringIO())
-    compile_beside()
+    compile_in_background()
     assert done == ["b"]
 
 
 @pytest.mark.parametrize("at_work", [True, False])
-def test_later_groups_are_left_to_a_process_beside(done, monkeypatch, at_work):
-    monkeypatch.setattr(compiling, "at_work", lambda: at_work)
+def test_later_groups_are_left_to_the_background_compiler(done, monkeypatch, at_work):
+    monkeypatch.setattr(compiling, "still_compiling", lambda: at_work)
     compile_kernels(None, Needs())
     assert ("d" in done) is not at_work
     assert done[:3] == ["a", "b", "c"]
@@ -86,29 +87,14 @@ def test_who_has_waited_too_long_compiles_himself(done, tmp_path, monkeypatch):
 def test_without_a_place_for_locks_everything_is_compiled(done, tmp_path, monkeypatch):
     file = tmp_path / "file"
     file.touch()
-    monkeypatch.setattr(compiling, "kept", lambda name: file / name)
+    monkeypatch.setattr(compiling, "marker", lambda name: file / name)
     compile_kernels(None, Needs())
     assert set(done) == set("abcd")
 
 
-def test_garbage_is_collected_again_afterwards(done):
+def test_garbage_is_searched_for_again_afterwards(done):
     compile_kernels(None, Needs())
     assert gc.isenabled()
-
-
-@pytest.mark.parametrize("compiled", [True, False])
-def test_what_compiling_leaves_counts_as_old_and_is_not_searched_before_the_first_step(monkeypatch, tmp_path, compiled):
-    made: list[list[int]] = []
-    group = Group("a", lambda: made.append([1]))
-    monkeypatch.setattr(compiling, "_groups", lambda needs: [group])
-    monkeypatch.setattr(compiling, "kept", lambda name: tmp_path / f"{name}.compiled")
-    monkeypatch.setattr(loops, "beside", lambda: None)
-    if not compiled:
-        (tmp_path / "a.compiled").touch()
-    frozen = gc.get_freeze_count()
-    compile_kernels(None, Needs())
-    assert any(each is made[0] for each in gc.get_objects(generation=2)) is compiled
-    assert gc.get_freeze_count() == frozen
 
 
 class Started:
@@ -129,43 +115,45 @@ class Started:
 def started(tmp_path, monkeypatch):
     """Processes that are begun, with two processors and an empty folder for what is compiled."""
     found: list[Started] = []
-    monkeypatch.setattr(loops.subprocess, "Popen", lambda command, **_: found.append(Started(command)) or found[-1])
-    monkeypatch.setattr(loops, "processors", lambda: 2)
-    monkeypatch.setenv(loops.VARIABLE, str(tmp_path))
-    loops.beside.cache_clear()
+    monkeypatch.setattr(
+        background.subprocess, "Popen", lambda command, **_: found.append(Started(command)) or found[-1]
+    )
+    monkeypatch.setattr(background, "processors", lambda: 2)
+    monkeypatch.setenv(kernel_folder.VARIABLE, str(tmp_path))
+    background.background_process.cache_clear()
     yield found
-    loops.beside.cache_clear()
+    background.background_process.cache_clear()
 
 
 def test_another_process_begins_early_and_is_told_once_what_is_needed(started, monkeypatch):
-    loops.begin_early()
-    compile_ahead(Needs(sides=6))
-    compile_ahead(Needs(sides=9))
+    background.start_early()
+    announce_needs(Needs(sides=6))
+    announce_needs(Needs(sides=9))
     assert len(started) == 1
     assert ['"sides": 6' in text for text in started[0].told] == [True]
     heard: list[bool] = []
-    monkeypatch.setattr(compiling, "compile_beside", lambda: heard.append(True))
+    monkeypatch.setattr(compiling, "compile_in_background", lambda: heard.append(True))
     exec(started[0].command[-1])
     assert heard == [True]
 
 
 def test_no_other_process_begins_on_a_single_processor(started, monkeypatch):
-    monkeypatch.setattr(loops, "processors", lambda: 1)
-    loops.begin_early()
-    compile_ahead(Needs())
+    monkeypatch.setattr(background, "processors", lambda: 1)
+    background.start_early()
+    announce_needs(Needs())
     assert started == []
 
 
 def test_no_other_process_begins_where_everything_is_compiled(started):
-    loops.kept(loops.FIRST).touch()
-    loops.begin_early()
+    kernel_folder.marker(kernel_folder.FIRST).touch()
+    background.start_early()
     assert started == []
-    compile_ahead(Needs())  # other loops are not
+    announce_needs(Needs())  # other loops are not
     assert len(started) == 1
-    loops.beside.cache_clear()
+    background.background_process.cache_clear()
     for group in compiling._groups(Needs()):
-        loops.kept(group.name).touch()
-    compile_ahead(Needs())
+        kernel_folder.marker(group.name).touch()
+    announce_needs(Needs())
     assert len(started) == 1
 
 
@@ -184,5 +172,5 @@ def test_groups_are_those_that_a_model_needs():
 
 @pytest.mark.parametrize("stretches", [True, False])
 def test_deformation_gradients_are_compiled_soon_where_a_law_takes_them(stretches):
-    groups = {group.name: group.soon for group in compiling._groups(Needs(stretches=stretches))}
+    groups = {group.name: group.needed_first for group in compiling._groups(Needs(stretches=stretches))}
     assert groups["gradients-10-True"] is stretches

@@ -49,7 +49,7 @@ def test_another_question_law_or_text_of_a_law_is_derived(derived, monkeypatch):
     times, derive = derived
     for law, requested in ((Yeoh, "a"), (Yeoh, "b"), (Gent, "a")):
         cached_formulas(law, requested, derive)
-    monkeypatch.setattr(module, "_laws", lambda: "other files")
+    monkeypatch.setattr(module, "sources", lambda package: "other files")
     cached_formulas(Yeoh, "a", derive)
     assert len(times) == 4
 
@@ -75,15 +75,18 @@ def test_a_damaged_file_is_derived_again_and_mended(derived, tmp_path, text):
 
 
 def test_nothing_from_disk_is_executed(derived, tmp_path):
-    """A file of the cache in which others have written code, as an earlier version executed it."""
-    _, derive = derived
-    cached_formulas(Yeoh, "a", derive)
-    (file,) = (tmp_path / "laws").iterdir()
+    """An entry of the cache into which others have written code."""
+    times, derive = derived
+    key = module.sources(module.__package__), f"{Yeoh.__module__}.{Yeoh.__qualname__}", "'a'"
     mark = tmp_path / "executed"
     for code in (f"open({str(mark)!r}, 'w')", json.dumps([1, [], [[f"open({str(mark)!r}, 'w')", 0]], [1]])):
-        file.write_text(code)
+        module.FORMULAS.put(code, *key)
+        assert module.FORMULAS.get(*key) == code
         cached_formulas(Yeoh, "a", derive)
         assert not mark.exists()
+    assert len(times) == 2
+    cached_formulas(Yeoh, "a", derive)
+    assert len(times) == 2
 
 
 def test_a_folder_that_cannot_be_written_costs_only_time(derived, tmp_path):

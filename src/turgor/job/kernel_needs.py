@@ -1,6 +1,5 @@
-"""Compile the loops of a job while its mesh is made: which they are is known before."""
+"""Compile the kernels of a job while its mesh is made: which they are is known before."""
 
-from turgor.core.engine.warmup.compiling import compile_ahead
 from turgor.core.engine.warmup.needs import Needs, in_stretches
 from turgor.core.materials.material import Material
 from turgor.core.meshing.cells import cell_type
@@ -10,23 +9,21 @@ from turgor.core.model.sheets import Sheet
 from turgor.job.job import Job
 
 
-def compile_for(job: Job) -> None:
-    """Begin to compile in another process what a job needs, where this machine has nothing compiled yet."""
-    compile_ahead(needs_of(job))
+def kernel_needs(job: Job) -> Needs:
+    """Return which kernels the model of a job will need.
 
-
-def needs_of(job: Job) -> Needs:
-    """What the model of a job will need; whether walls can meet shows in the mesh, so they count as if they could."""
+    Whether walls can meet shows in the mesh, so they count as if they could.
+    """
     geometry = job.geometry()
     if isinstance(geometry._shape, MeshedShape):
         kind = geometry._shape.mesh.cell_type
     else:
         kind = cell_type(10 if chosen_cells(geometry, job.mesh) == "tetrahedra" else 27)
-    touch = job.contact.self_contact is not None or job.contact.obstacles or job.setup is not None
+    may_touch = job.contact.self_contact is not None or job.contact.obstacles or job.setup is not None
     materials = job.materials.values()
     return Needs(
         nodes=kind.nodes,
-        sides=kind.side.nodes if touch else 0,
+        sides=kind.side.nodes if may_touch else 0,
         stretches=in_stretches(each for each in materials if isinstance(each, Material)),
         sheets=any(isinstance(each, Sheet) for each in materials),
     )

@@ -1,4 +1,4 @@
-"""Call every loop of contact once on two sides, so that compilation happens at a known time."""
+"""Call every kernel of contact once on two sides, so that it is compiled at a known time."""
 
 from dataclasses import replace
 
@@ -11,12 +11,12 @@ from turgor.core.engine.contact.pair_part import PairPart, Partners
 from turgor.core.engine.contact.surface import DEGREE, Surface, overhangs, strangers
 from turgor.core.meshing.cells import side_type
 
-#: Depth to which the two sides lie in each other.
+#: Penetration of the two sides.
 INSIDE = 0.05
 
 
 def compile_search(nodes: int) -> None:
-    """Call the loops that look for what points may touch, which a model needs from its first step on."""
+    """Compile the kernels that search for contact, which a model needs from its first step on."""
     points, part = _pressed(nodes)
     found = part.look(points, np.zeros(3))
     found = part.look(points, np.zeros(3), found)
@@ -24,7 +24,7 @@ def compile_search(nodes: int) -> None:
 
 
 def compile_press(nodes: int) -> None:
-    """Call the loops that a model needs once walls meet, after those that look for it."""
+    """Compile the kernels of contact forces, which a model needs once walls meet, after those that search."""
     points, part = _pressed(nodes)
     found = part.look(points, np.zeros(3))
     found = replace(found, friction=part.anchored(points, found))
@@ -40,7 +40,7 @@ def compile_press(nodes: int) -> None:
 
 
 def _pressed(nodes: int) -> tuple[np.ndarray, PairPart]:
-    """Two sides of ``nodes`` nodes that face each other and are pressed together."""
+    """Return two sides of ``nodes`` nodes that face each other and are pressed together."""
     kind, r = side_type(nodes), reference_cell(nodes, DEGREE[nodes])
     flat = np.zeros((nodes, 3))
     flat[:, :2] = reference_nodes(nodes)

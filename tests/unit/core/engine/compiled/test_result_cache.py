@@ -1,20 +1,18 @@
-"""Results are kept by the content of the arguments: equal arrays find them again, others do not."""
+"""The last results are found by the content of the arguments: of equal arrays, and of no others."""
 
 import numpy as np
 import rslab
 import scipy.sparse as sp
-from results_cases import body, model
 
 from turgor.core.engine.algebra.linear import Rslab
 from turgor.core.engine.algebra.pattern import build_pattern
-from turgor.core.engine.algebra.result_cache import kept
-from turgor.core.engine.system import System
+from turgor.core.engine.algebra.result_cache import last_results
 
 
 def counted(count):
     asked = []
 
-    @kept(count)
+    @last_results(count)
     def total(array, factor=1.0):
         asked.append(factor)
         return [array.sum() * factor]
@@ -59,12 +57,6 @@ def test_solvers_of_equal_patterns_share_one_analysis_and_nothing_else(monkeypat
     two.factor(values[1], False)
     for solver, data in zip((one, two), values, strict=True):
         np.testing.assert_allclose(sp.csc_matrix(pattern.full(data)) @ solver.solve(right), right, rtol=1e-9)
-
-
-def test_equations_of_equal_meshes_share_one_pattern_and_others_do_not():
-    one, two, hollow = (System(model(body(hollow=hollow, shift=1e-3))) for hollow in (True, True, False))
-    assert one.pattern is two.pattern
-    assert hollow.pattern is not one.pattern
 
 
 def _diagonal(pattern):

@@ -1,4 +1,4 @@
-"""Cache of compiled loops: where numba keeps them, and what happens to damaged ones."""
+"""Numba's cache of compiled kernels: its folder, and what happens to damaged files."""
 
 import os
 import warnings
@@ -12,19 +12,19 @@ from typing import IO, Any
 import numba
 from numba.core.caching import Cache, IndexDataCacheFile
 
-from turgor.foundation.kernel_cache import VARIABLE, folder
+from turgor.foundation.startup.kernel_folder import VARIABLE, folder
 
 
-def keep_compiled_loops() -> Path | None:
-    """See to it that compiled loops can be kept.
+def prepare_kernel_cache() -> Path | None:
+    """Choose a folder in which numba can save compiled kernels.
 
-    numba keeps them beside its sources, or else in the user's cache folder, and fails where it can write neither, as
+    Numba saves them next to its sources, or else in the user's cache folder, and fails where it can write neither, as
     in a container with a read-only home.
 
     Returns
     -------
     Path or None
-        The folder; None where numba looks by itself.
+        The folder; None where numba chooses one by itself.
     """
     place = folder()
     Cache.load_overload = _load_or_drop
@@ -43,13 +43,13 @@ _SEAL = b"turgor sha256"
 
 
 def _load_or_drop(cache: Any, *which: Any) -> Any:
-    """Load a compiled loop; what is damaged, as after a power failure, is dropped and compiled again."""
+    """Load a compiled kernel; a damaged file, as after a power failure, is removed and the kernel compiled again."""
     try:
         return _load(cache, *which)
     except Exception as error:  # pickles of a damaged file fail in any way
         cache.flush()
         warnings.warn(
-            f"a damaged file in the cache of compiled loops was dropped ({type(error).__name__}) and is made again.",
+            f"a damaged file in the cache of compiled kernels was removed ({type(error).__name__}) and is made again.",
             stacklevel=2,
         )
         return None

@@ -1,4 +1,4 @@
-"""Call the loops of cells, pressure and membranes once on one cell, so that compilation happens at a known time.
+"""Call the kernels of cells, pressure and membranes once on one cell, so that they are compiled at a known time.
 
 The types are those with which `turgor.core.engine.system.System` calls them.
 """
@@ -16,7 +16,7 @@ Array = np.ndarray
 
 
 def compile_pattern() -> None:
-    """Call the loops of the sparsity pattern."""
+    """Compile the kernels of the sparsity pattern."""
     pattern = build_pattern(np.arange(3)[None], 3)
     cell_places(pattern, np.arange(3)[None])
     locate(pattern.indptr, pattern.indices, np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.int64))
@@ -24,25 +24,25 @@ def compile_pattern() -> None:
 
 
 def compile_tangent(nodes: int, mixed: bool) -> None:
-    """Call the loop of the tangents of cells."""
+    """Compile the kernel of element tangents."""
     loops, u, p, laws = _cell(nodes, mixed)
     kernels.tangent(loops, u, p, laws, np.zeros((1, 1, 6)), False)
 
 
 def compile_updates(nodes: int, mixed: bool) -> None:
-    """Call the loop that takes the stress in cells to a new iterate."""
+    """Compile the kernel that extrapolates the stress of elements to a new iterate."""
     loops, u, p, laws = _cell(nodes, mixed)
     kernels.extrapolated_stress(loops, u, p, u, p, laws)
 
 
 def compile_residual(nodes: int, mixed: bool) -> None:
-    """Call the loop of the residuals of cells."""
+    """Compile the kernel of element residuals."""
     loops, u, p, laws = _cell(nodes, mixed)
     kernels.residual(loops, u, p, laws)
 
 
 def compile_geometry(nodes: int, mixed: bool) -> None:
-    """Call the loops of cells at rest and of their invariants."""
+    """Compile the kernels of the reference geometry and of the invariants."""
     points, cells = _one_cell(nodes)
     r = reference_cell(nodes, _degree(nodes, mixed))
     Jinv, _ = kernels_geometry.reference_geometry((0,) * nodes, points, cells, r.dN, r.weights)
@@ -50,13 +50,13 @@ def compile_geometry(nodes: int, mixed: bool) -> None:
 
 
 def compile_gradients(nodes: int, mixed: bool) -> None:
-    """Call the loop of deformation gradients, which laws in stretches and results need."""
+    """Compile the kernel of deformation gradients, which laws in stretches and results need."""
     loops, u, _, _ = _cell(nodes, mixed)
     kernels_geometry.deformation_gradients(loops.shape, loops.nodes, u, loops.dN, loops.Jinv)
 
 
 def _cell(nodes: int, mixed: bool) -> tuple[kernels.Cells, Array, Array, kernels.Response]:
-    """One cell with displacements, mean stresses and what its law says, made without a compiled loop."""
+    """Return one element with displacements, mean stresses and the response of its law, made without a kernel."""
     kind = cell_type(nodes)
     cells = _one_cell(nodes)[1]
     shape, modes = (0,) * nodes, (0,) * kind.corners if mixed else ()
@@ -71,7 +71,7 @@ def _cell(nodes: int, mixed: bool) -> tuple[kernels.Cells, Array, Array, kernels
 
 
 def compile_stretches(nodes: int, mixed: bool) -> None:
-    """Call the loops of laws in stretches and of rubber that remembers."""
+    """Compile the kernels of laws in stretches and of history-dependent rubber."""
     F = np.tile(np.eye(3), (1, len(reference_cell(nodes, _degree(nodes, mixed)).weights), 1, 1))
     bar, directions, scale = spectral.principal_stretches(F)
     one = np.ones((6, *F.shape[:2]))
@@ -79,7 +79,7 @@ def compile_stretches(nodes: int, mixed: bool) -> None:
 
 
 def compile_pressure(nodes: int) -> None:
-    """Call the loops of follower pressure on the sides of cells."""
+    """Compile the kernels of follower pressure on element sides."""
     points, sides = _one_cell(nodes)[0], _one_side(nodes)
     r = side_tables(sides.shape[1])
     surfaces.pressure_forces(points, sides, r.N, r.dN, r.weights)
@@ -87,7 +87,7 @@ def compile_pressure(nodes: int) -> None:
 
 
 def compile_sheets(nodes: int) -> None:
-    """Call the loops of membranes on the sides of cells."""
+    """Compile the kernels of membranes on element sides."""
     points, sides = _one_cell(nodes)[0], _one_side(nodes)
     gradients, areas = membranes.surface_gradients(points, sides)
     stress = membranes.membrane_stress(points, points, sides, gradients, areas, np.eye(3))
