@@ -7,7 +7,6 @@ from pathlib import Path
 
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
-from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
 from turgor.core.solvers.checkpoints.checkpoint_data import LoopSoFar, PathSoFar
 from turgor.core.solvers.solution import Procedure, Solution
@@ -24,14 +23,13 @@ QUESTION, STAGE_MODEL, SOLUTION = "question", "model", "solution"
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Question:
-    """What a run was asked, which similar run or coarser mesh guides it, and what checks found before it began."""
+    """What a run computes, the solution of a similar model that guides it, and what checks found before it began."""
 
     model: Model
     procedure: Procedure
     options: EngineOptions
     findings: tuple[Finding, ...] = ()
     guide: Solution | None = None
-    coarse: Mesh | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -101,11 +99,6 @@ class RunRecord:
         if self._question is None:
             self._question = self.store.read(QUESTION)
         return self._question
-
-    def inner(self, name: str, question: Question) -> "RunRecord":
-        """Open the record of a run that comes before this one, in a folder inside, or begin it."""
-        folder = self.store.folder / name
-        return RunRecord.open(folder) if (folder / INDEX).exists() else RunRecord.create(folder, question)
 
     def stage(self, model: Model) -> "tuple[StageRecord, Model]":
         """Begin the next stage; return its record and its model, the one that is on file where there is one."""

@@ -8,11 +8,11 @@ from time import perf_counter
 
 import numpy as np
 
-from turgor.core.engine.system import Evaluation, Stresses
+from turgor.core.engine.system import Evaluation
 from turgor.core.model.drive import kinks
 from turgor.core.solvers.checks.distortion import distortion_text
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.guide import ASTRAY, LONG_BETWEEN_WALLS, Guide
+from turgor.core.solvers.continuation.guide import ASTRAY, Guide
 from turgor.core.solvers.continuation.path_follower import accept, follow, noted
 from turgor.core.solvers.continuation.path_points import (
     Ending,
@@ -24,7 +24,7 @@ from turgor.core.solvers.continuation.path_points import (
     plain_point,
     settings_of,
 )
-from turgor.core.solvers.continuation.predictor import BY_LOAD, gentle_share, knows_touch, predicted
+from turgor.core.solvers.continuation.predictor import BY_LOAD, gentle_share, predicted
 from turgor.core.solvers.continuation.step_acceptance import turns_aside, why_rejected
 from turgor.core.solvers.continuation.step_control import StepControl, in_vain
 from turgor.core.solvers.continuation.tangent_response import others_move, rate_at, response_in_step
@@ -165,7 +165,7 @@ class LoadStrategy:
         load = run.stepping.next_load(now)
         while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
             load = now + 0.5 * (load - now)
-        if run.task.tangent.plain or self._leads(run, load):
+        if run.task.tangent.plain or self._leads(load):
             return load
         gently = now + gentle_share(run.task.system, run.history, load) * (load - now)
         return min(load, max(gently, now + run.stepping.min_step))
@@ -175,20 +175,16 @@ class LoadStrategy:
         last = run.history[-1]
         if run.task.tangent.plain:
             return Start(last.unknowns, last.stresses)
-        led = self._led(run, parameter) if self._leads(run, parameter) else None
+        led = self._led(run, parameter) if self._leads(parameter) else None
         if led is not None:
-            return self._start(run, led)
+            return Start(led.unknowns, run.task.system.stresses(led), evaluation=led)
         start = predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
         begins, self.factored_at_rest = self.factored_at_rest, False
         return replace(start, fresh=not begins)
 
-    def _leads(self, run: Run, load: float) -> bool:
-        """Whether the guide leads to a load, and no worse than the tangent of the path between walls that touch."""
-        if self.guide is None or not self.guide.leads_to(load):
-            return False
-        last, system = run.history[-1], run.task.system
-        short = self.guide.interpolated and load - last.parameter <= LONG_BETWEEN_WALLS
-        return not (short and knows_touch(system, run.history))
+    def _leads(self, load: float) -> bool:
+        """Whether the guide reaches a load."""
+        return self.guide is not None and self.guide.leads_to(load)
 
     def _led(self, run: Run, parameter: float) -> Evaluation | None:
         """The last state moved on as the guide moves; None where that turns a cell inside out."""
@@ -197,19 +193,6 @@ class LoadStrategy:
         unknowns = last.unknowns + self.guide.at(parameter) - self.guide.at(last.parameter)
         unknowns[held] = last.unknowns[held]
         return evaluate(run.constraint, run.task.tangent, (unknowns, last.scalars), parameter)
-
-    def _start(self, run: Run, led: Evaluation) -> Start:
-        """Start where the guide leads; from another mesh without geometric stiffness in the first update.
-
-        Cells of thin walls that another mesh moved are strained at random. Their stress makes the tangent indefinite,
-        while the material stiffness alone smooths them. Three chambers of 2.2 mm led by 6 mm took 28 iterations to
-        three states of 7.5 kPa each so, and 65 with the stress.
-        """
-        assert self.guide is not None
-        stresses = run.task.system.stresses(led)
-        if self.guide.interpolated:
-            stresses = Stresses.combine([(0.0, stresses)])
-        return Start(led.unknowns, stresses, evaluation=led)
 
     def _misled(self, run: Run) -> None:
         """Go on without a guide that has led astray too often."""

@@ -159,19 +159,8 @@ def _moves_on(system: System, tangent: Tangent, at: Evaluation | None) -> bool:
     return at is not None and tangent.mixed_points and not at.contacts.touch and not system.model.sheets_wrinkle
 
 
-def knows_touch(system: System, history: Sequence[Point]) -> bool:
-    """Whether walls touch at the last point and the tangent of the path is known there; not beyond a kink of loads.
-
-    Parameters
-    ----------
-    system : System
-    history : sequence of Point
-        The last points of load control.
-
-    Returns
-    -------
-    bool
-    """
+def _knows_touch(system: System, history: Sequence[Point]) -> bool:
+    """Whether walls touch at the last point and the tangent of the path is known there; not beyond a kink of loads."""
     last = history[-1]
     if not system.contact.parts or len(history) < 2 or last.change is None:
         return False
@@ -189,7 +178,7 @@ def _along_tangent(
 ) -> Start | None:
     """Move on along the tangent where walls touch; None elsewhere, or where that turns a cell inside out."""
     system, last = constraint.sought.system, history[-1]
-    if not knows_touch(system, history):
+    if not _knows_touch(system, history):
         return None
     here = evaluate(constraint, tangent, (last.unknowns, last.scalars), parameter)
     ahead = _ahead(last, parameter)
