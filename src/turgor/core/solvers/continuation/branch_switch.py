@@ -14,7 +14,8 @@ from turgor.core.solvers.constraints.load_factor import ArcTarget, LoadFactor, W
 from turgor.core.solvers.continuation.branch_jump import move_ratio_to
 from turgor.core.solvers.continuation.load_control import load_run
 from turgor.core.solvers.continuation.path_follower import follow
-from turgor.core.solvers.continuation.path_points import Point, Run, begin, nothing
+from turgor.core.solvers.continuation.path_points import begin, nothing
+from turgor.core.solvers.continuation.path_run import Point, Run
 from turgor.core.solvers.continuation.scalar_control.arc_length import (
     Bounds,
     arc_run,

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from turgor.core.solvers.continuation.path_points import Bifurcation, Point, Run, between, point_at, solve_at
+from turgor.core.solvers.continuation.path_points import between, point_at, solve_at
+from turgor.core.solvers.continuation.path_run import Bifurcation, Point, Run
 from turgor.core.solvers.continuation.thresholds import (
     BIFURCATION_CLOSE,
     BIFURCATION_JUMP,

@@ -1,7 +1,8 @@
 """Limit points: find the maxima and minima of a scalar between two points of a path, and make them states."""
 
 from turgor.core.solvers.continuation.extrema import turning_points
-from turgor.core.solvers.continuation.path_points import Ending, Point, Run, between, point_at, solve_at
+from turgor.core.solvers.continuation.path_points import between, point_at, solve_at
+from turgor.core.solvers.continuation.path_run import Ending, Point, Run
 from turgor.core.solvers.continuation.thresholds import FLAT_SLOPE, LIMIT_POINT_SOLVES
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.solution import LimitPoint

@@ -13,17 +13,9 @@ from turgor.core.model.drive import kinks
 from turgor.core.solvers.checks.distortion import distortion_text
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.continuation.guide import ASTRAY, Guide
-from turgor.core.solvers.continuation.path_follower import accept, follow, noted
-from turgor.core.solvers.continuation.path_points import (
-    Ending,
-    Judgment,
-    Point,
-    Run,
-    Task,
-    nothing,
-    plain_point,
-    settings_of,
-)
+from turgor.core.solvers.continuation.path_follower import follow, noted
+from turgor.core.solvers.continuation.path_points import nothing, plain_point, settings_of
+from turgor.core.solvers.continuation.path_run import Ending, Judgment, Point, Rescue, Run, StepMemory, Task, Turn
 from turgor.core.solvers.continuation.predictor import BY_LOAD, gentle_share, predicted
 from turgor.core.solvers.continuation.step_acceptance import turns_aside, why_rejected
 from turgor.core.solvers.continuation.step_control import StepControl, in_vain
@@ -73,13 +65,12 @@ def load_run(
     """
     system, turns = problem.system, kinks(problem.system.model)
     guide = None if problem.guide is None else Guide.of(system, problem.guide)
-    strategy = LoadStrategy(patient, guide=guide)
     if stop is not None:
         problem = replace(problem, listeners=replace(problem.listeners, stop=stop))
     task = Task(
         problem=problem,
         procedure=procedure,
-        strategy=strategy,
+        strategy=LoadStrategy(patient, guide),
         settings=replace(settings_of(procedure), count_anew=True),
         driven=nothing,
         finished=_full_load,
@@ -99,8 +90,7 @@ def load_run(
     goes_on = problem.record is not None and problem.record.goes_on  # its checkpoint has the rate
     # loads that grow in proportion: all say how the first ones do
     if guide is None and run.stepping.length >= LONG_FIRST_STEP and not turns and not goes_on:
-        strategy.rate = rate_at(system, problem.tangent, rest)[0]
-        strategy.factored_at_rest = bool(np.isfinite(strategy.rate))
+        run.memory = StepMemory(rate=rate_at(system, problem.tangent, rest)[0])
     return run
 
 
@@ -112,21 +102,21 @@ def _full_load(before: Point, now: Point, run: Run) -> Ending | None:
 
 
 def _reached(run: Run) -> Outcome:
-    """How a run ended that has all of the load; and from where on it went without its guide."""
+    """How a run ended that has all of the load, and the load factor from which on it went without its guide."""
     outcome = converged(run.task.system.model, run.states, run.steps)
-    left = run.task.strategy.left if isinstance(run.task.strategy, LoadStrategy) else None
-    if left is None:
+    if run.memory.guided_until is None:
         return outcome
-    without = f" From load factor {left:.3g} on the guide led astray; steps went on without it."
+    until = run.memory.guided_until
+    without = f" From load factor {until:.3g} on the guide led astray; steps went on without it."
     return replace(outcome, message=outcome.message + without)
 
 
 def _stepped(procedure: Static, guide: Guide | None) -> Static:
-    """A procedure whose first step is as long as any where a guide says where it leads."""
+    """A procedure whose first step is as long as any other where a guide leads."""
     return procedure if guide is None else replace(procedure, first_step=procedure.max_step)
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class LoadStrategy:
     """How load control goes from step to step.
 
@@ -134,30 +124,12 @@ class LoadStrategy:
     ----------
     patient : bool
         Whether pseudo-transient continuation may help.
-    lost_stability : bool
-        Whether an attempt since the last state had unstable modes.
-    rate : float
-        How far nodes move with the load factor at the last state; infinite where that is not known.
-    factored_at_rest : bool
-        Whether the last factors are those of the state at rest.
-    relaxations : int
-        How often pseudo-transient continuation was tried.
     guide : Guide or None
         The path of a similar model.
-    astray : int
-        Attempts from where the guide led to that found no state.
-    left : float or None
-        Load factor from which on the run has gone without its guide.
     """
 
     patient: bool
-    lost_stability: bool = False
-    rate: float = inf
-    factored_at_rest: bool = False
-    relaxations: int = 0
     guide: Guide | None = None
-    astray: int = 0
-    left: float | None = None
 
     def next_parameter(self, run: Run) -> float:
         """The parameter to try next: supports move nearly straight on the way, and walls meet gently at its end."""
@@ -165,7 +137,7 @@ class LoadStrategy:
         load = run.stepping.next_load(now)
         while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
             load = now + 0.5 * (load - now)
-        if run.task.tangent.plain or self._leads(load):
+        if run.task.tangent.plain or self._leads(run, load):
             return load
         gently = now + gentle_share(run.task.system, run.history, load) * (load - now)
         return min(load, max(gently, now + run.stepping.min_step))
@@ -175,16 +147,16 @@ class LoadStrategy:
         last = run.history[-1]
         if run.task.tangent.plain:
             return Start(last.unknowns, last.stresses)
-        led = self._led(run, parameter) if self._leads(parameter) else None
+        led = self._led(run, parameter) if self._leads(run, parameter) else None
         if led is not None:
             return Start(led.unknowns, run.task.system.stresses(led), evaluation=led)
         start = predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
-        begins, self.factored_at_rest = self.factored_at_rest, False
-        return replace(start, fresh=not begins)
+        at_rest = len(run.states) == 1 and run.task.tangent.has_factors_of(last.unknowns)
+        return replace(start, fresh=not at_rest)
 
-    def _leads(self, load: float) -> bool:
+    def _leads(self, run: Run, load: float) -> bool:
         """Whether the guide reaches a load."""
-        return self.guide is not None and self.guide.leads_to(load)
+        return self.guide is not None and run.memory.guided_until is None and self.guide.leads_to(load)
 
     def _led(self, run: Run, parameter: float) -> Evaluation | None:
         """The last state moved on as the guide moves; None where that turns a cell inside out."""
@@ -194,13 +166,15 @@ class LoadStrategy:
         unknowns[held] = last.unknowns[held]
         return evaluate(run.constraint, run.task.tangent, (unknowns, last.scalars), parameter)
 
-    def _misled(self, run: Run) -> None:
-        """Go on without a guide that has led astray too often."""
-        if self.guide is None:
-            return
-        self.astray += 1
-        if self.astray >= ASTRAY:
-            self.guide, self.left = None, run.history[-1].parameter
+    def _rejected(self, run: Run, result: NewtonResult) -> StepMemory:
+        """What the next attempt knows of one that found no state; no guide after it has led astray too often."""
+        memory = replace(run.memory, lost_stability=run.memory.lost_stability or bool(result.unstable_modes))
+        if self.guide is None or memory.guided_until is not None:
+            return memory
+        failed = memory.failed_guides + 1
+        return replace(
+            memory, failed_guides=failed, guided_until=run.history[-1].parameter if failed >= ASTRAY else None
+        )
 
     def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:
         """Reject a state that may lie on another path, unless the step cannot be shorter."""
@@ -210,45 +184,48 @@ class LoadStrategy:
             if change is not None and not others_move(system, now, parameter):
                 rate = float(np.linalg.norm(change[system.moving]))
             if run.stepping.failed(parameter - now) is not None:
-                why = why_rejected(system, run.states, run.history, result, (self.rate, rate))
+                why = why_rejected(system, run.states, run.history, result, (run.memory.rate, rate))
         if not result.converged or result.evaluation is None or why is not None:
-            self.lost_stability |= bool(result.unstable_modes)
-            self._misled(run)
-            return Judgment(None, result.reason or why)
-        self.lost_stability, self.rate = False, rate
+            return Judgment(None, result.reason or why, memory=self._rejected(run, result))
         point = plain_point(run, result.evaluation, (parameter, result.scalars), result.unstable_modes)
-        return Judgment(replace(point, change=change), result.reason)
+        memory = replace(run.memory, lost_stability=False, rate=rate)
+        return Judgment(replace(point, change=change), result.reason, memory=memory)
 
-    def rescue(self, run: Run) -> Outcome | None:
+    def rescue(self, run: Run) -> Rescue:
         """Try pseudo-transient continuation where no step succeeds; say how the run ends if that fails too."""
-        model = run.task.system.model
-        ending = stuck(model, run.states, run.steps, self.lost_stability)
-        if in_vain(run.steps) or self.relaxations >= RELAXATIONS:
-            return ending
-        if not self.patient and len(run.states) > 1:  # at rest a film is slack
-            return ending
-        if ending.status is not Status.STEP_TOO_SMALL and not model.sheets_wrinkle:  # films snap from fold to fold
-            return ending
-        if distortion_text(run.states[-1]):  # a cell has collapsed, and nothing beyond it is of the body
-            return ending
-        self.relaxations += 1
+        model, memory = run.task.system.model, run.memory
+        ending = stuck(model, run.states, run.steps, memory.lost_stability)
+        if not self._may_relax(run, ending):
+            return Rescue(None, ending, memory)
+        memory = replace(memory, relaxations=memory.relaxations + 1)
         for share in (1.0, SHORTER_RELAXATION_REACH):
             found = _pseudo_transient(run, _reach(run, share))
             if found is not None:
-                self.rate = inf
-                return accept(run, *found)
-        return stuck(model, run.states, run.steps, self.lost_stability) if in_vain(run.steps) else ending
+                return Rescue(found, None, replace(memory, rate=inf))
+        if in_vain(run.steps):
+            ending = stuck(model, run.states, run.steps, memory.lost_stability)
+        return Rescue(None, ending, memory)
 
-    def accepted(self, run: Run, now: Point) -> None:
+    def _may_relax(self, run: Run, ending: Outcome) -> bool:
+        """Whether pseudo-transient continuation may find what no step finds."""
+        if in_vain(run.steps) or run.memory.relaxations >= RELAXATIONS:
+            return False
+        if not self.patient and len(run.states) > 1:  # at rest a film is slack
+            return False
+        # films snap from fold to fold
+        if ending.status is not Status.STEP_TOO_SMALL and not run.task.system.model.sheets_wrinkle:
+            return False
+        return not distortion_text(run.states[-1])  # where a cell has collapsed, nothing beyond it is of the body
+
+    def accepted(self, run: Run, now: Point) -> StepControl:
         """Take long steps again after steps that were cut only to locate the loss of stability."""
-        if now.state.unstable_modes and not run.states[-2].unstable_modes:
-            run.stepping = run.stepping.resumed(run.task.procedure.first_step)
+        lost = now.state.unstable_modes and not run.states[-2].unstable_modes
+        return run.stepping.resumed(run.task.procedure.first_step) if lost else run.stepping
 
-    def turn(self, run: Run, now: Point) -> None:
+    def turn(self, run: Run, now: Point) -> Turn:
         """Forget the past, which predicts nothing."""
-        self.rate = inf
-        del run.history[:-1]
-        run.stepping = run.stepping.turned(run.task.procedure.first_step)
+        stepping = run.stepping.turned(run.task.procedure.first_step)
+        return Turn((run.history[-1],), run.constraint, stepping, replace(run.memory, rate=inf))
 
 
 def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | None:

@@ -23,7 +23,8 @@ from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import Constraint
-from turgor.core.solvers.continuation.path_points import Point, between, unknowns_between
+from turgor.core.solvers.continuation.path_points import between, unknowns_between
+from turgor.core.solvers.continuation.path_run import Point
 from turgor.core.solvers.continuation.thresholds import (
     FAR,
     GOOD_PREDICTION,

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.continuation.branch_jump import move_ratio
-from turgor.core.solvers.continuation.path_points import Point
+from turgor.core.solvers.continuation.path_run import Point
 from turgor.core.solvers.continuation.tangent_response import exceeds_tangent, others_move
 from turgor.core.solvers.continuation.thresholds import JUMP_RATIO, STILL_SHARE, SUPPORT_ASIDE
 from turgor.core.solvers.newton.newton import NewtonResult

@@ -10,7 +10,7 @@ from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.runtime import MIXED, NEWTON
 from turgor.core.engine.system import System
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.path_points import Point
+from turgor.core.solvers.continuation.path_run import Point
 from turgor.core.solvers.continuation.predictor import Extrapolation, predicted
 from turgor.core.solvers.newton import newton as newton_module
 from turgor.units import kPa

@@ -9,9 +9,9 @@ from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.constraints.load_factor import ArcTarget
 from turgor.core.solvers.continuation import continuity
 from turgor.core.solvers.continuation.continuity import judged, orientation, straightness
-from turgor.core.solvers.continuation.path_points import Point
-from turgor.core.solvers.continuation.path_reversal import reverses
+from turgor.core.solvers.continuation.path_run import Point
 from turgor.core.solvers.continuation.scalar_control.arc_scaling import next_conditions
+from turgor.core.solvers.continuation.scalar_control.path_reversal import reverses
 from turgor.core.solvers.continuation.thresholds import CORNER_CUTS
 from turgor.core.solvers.step_reasons import Cause
 

@@ -18,8 +18,9 @@ from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.constraints.load_factor import ArcTarget, LoadFactor, displacement_of
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.continuation.path_follower import follow
-from turgor.core.solvers.continuation.path_points import Ending, Point, Run, begin, fixed_load, nothing, settings_of
-from turgor.core.solvers.continuation.path_reversal import reverses
+from turgor.core.solvers.continuation.path_points import begin, fixed_load, nothing, settings_of
+from turgor.core.solvers.continuation.path_run import Ending, Point, Run
+from turgor.core.solvers.continuation.scalar_control.path_reversal import reverses
 from turgor.core.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
 from turgor.core.solvers.continuation.step_control import StepControl
 from turgor.core.solvers.continuation.tangent_response import exceeds_tangent, load_response, rate_at

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from turgor.core.solvers.constraints.load_factor import ArcTarget
-from turgor.core.solvers.continuation.path_points import Point, Run
+from turgor.core.solvers.continuation.path_run import Point, Run
 from turgor.core.solvers.continuation.thresholds import SCALE_GROWTH
 
 

@@ -15,7 +15,8 @@ from turgor.core.solvers.constraints.cavities import CavityPressures, GasTarget,
 from turgor.core.solvers.constraints.clock import Clock
 from turgor.core.solvers.constraints.constraint import Constraint, Target
 from turgor.core.solvers.continuation.path_follower import follow
-from turgor.core.solvers.continuation.path_points import Ending, Point, Run, begin
+from turgor.core.solvers.continuation.path_points import begin
+from turgor.core.solvers.continuation.path_run import Ending, Point, Run
 from turgor.core.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
 from turgor.core.solvers.continuation.step_control import StepControl
 from turgor.core.solvers.continuation.thresholds import NO_VOLUME

@@ -7,7 +7,7 @@ back to rest with that cell inverted. It is an artifact of the mesh.
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.solvers.continuation.path_points import Point, Run
+from turgor.core.solvers.continuation.path_run import Point, Run
 from turgor.core.solvers.continuation.thresholds import REVERSAL_FALLEN, REVERSAL_NEAR
 from turgor.core.solvers.solution import State
 
