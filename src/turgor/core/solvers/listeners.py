@@ -4,7 +4,7 @@ import logging
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
-from turgor.core.solvers.newton.newton import NewtonResult, Report
+from turgor.core.solvers.newton.newton_values import NewtonResult, Report
 from turgor.core.solvers.progress.progress import cut_back, describe, of_stage
 from turgor.core.solvers.solution import Iteration, State, Step
 from turgor.foundation.finding import Finding, Severity

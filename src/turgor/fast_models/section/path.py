@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.linear import SingularTangentError
+from turgor.core.solvers.newton.iteration import CONVERGED, Stopped, iterate
 from turgor.fast_models.section.equations import Equations, Linearized, Question, Unknowns
 
 Array = NDArray[np.float64]
@@ -105,24 +106,61 @@ def predicted(known: Sequence[tuple[float, Unknowns]], to: float) -> Unknowns:
     return curved.towards(straight, (to - c) / (b - c))
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Iterate:
+    """Unknowns, and the equations there."""
+
+    unknowns: Unknowns
+    equations: Linearized
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _AtPoint:
+    """The case of Newton's method for a section at a point of its path."""
+
+    equations: Equations
+    question: Question
+    largest: float
+
+    def evaluated(self, unknowns: Unknowns) -> _Iterate:
+        """The equations at unknowns."""
+        found = self.equations.linearized(unknowns, self.question)
+        if found is None or not np.isfinite(found.residual).all():
+            raise Stopped("not finite")
+        return _Iterate(unknowns, found)
+
+    def update(self, at: _Iterate) -> Unknowns:
+        """The unknowns after an update."""
+        try:
+            new = self.equations.update(at.unknowns, at.equations, self.question.held)
+        except (SingularTangentError, np.linalg.LinAlgError):
+            raise Stopped("singular") from None
+        if not np.abs(new.y - at.unknowns.y).max() < self.largest:
+            raise Stopped("too large")
+        return new
+
+    def advanced(self, at: _Iterate, update: Unknowns) -> _Iterate:
+        """The whole update is taken."""
+        return self.evaluated(update)
+
+    def ended(self, at: _Iterate, iteration: int) -> str | None:
+        """Converged once forces, volumes and prescribed strains are met."""
+        prescribed = self.question.held
+        missed = np.abs(at.unknowns.strains - prescribed)[~np.isnan(prescribed)].max(initial=0.0)
+        missed = max(missed, np.abs(at.equations.missed).max(initial=0.0))
+        good = self.equations.size_of(at.equations, prescribed) < TOLERANCE and missed < TOLERANCE
+        return CONVERGED if good else None
+
+
 def newton(equations: Equations, start: Unknowns, question: Question) -> Point | None:
     """Solve the equations at a point; None where Newton's method does not converge."""
     given = np.where(np.isnan(question.volumes), question.pressures, start.pressures)
-    at, largest = replace(start, pressures=given), LARGEST_UPDATE * float(np.ptp(equations.plane.points, axis=0).max())
-    for iteration in range(MOST_ITERATIONS + 1):
-        found = equations.linearized(at, question)
-        if found is None or not np.isfinite(found.residual).all():
-            return None
-        held = ~np.isnan(question.held)
-        missed = np.abs(at.strains - question.held)[held].max(initial=0.0)
-        missed = max(missed, np.abs(found.missed).max(initial=0.0))
-        if iteration and equations.size_of(found, question.held) < TOLERANCE and missed < TOLERANCE:
-            return Point(question=question, unknowns=at, equations=found, iterations=iteration)
-        try:
-            new = equations.update(at, found, question.held)
-        except (SingularTangentError, np.linalg.LinAlgError):
-            return None
-        if not np.abs(new.y - at.y).max() < largest:
-            return None
-        at = new
-    return None
+    case = _AtPoint(equations, question, LARGEST_UPDATE * float(np.ptp(equations.plane.points, axis=0).max()))
+    try:
+        first = case.evaluated(replace(start, pressures=given))
+    except Stopped:
+        return None
+    end = iterate(case, first, MOST_ITERATIONS)
+    if not end.converged:
+        return None
+    return Point(question=question, unknowns=end.at.unknowns, equations=end.at.equations, iterations=end.iterations)

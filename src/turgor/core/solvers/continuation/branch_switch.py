@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.chamber_volumes import Chambers
+from turgor.core.solvers.constraints.arc import Arc
 from turgor.core.solvers.constraints.clock import Clock
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.constraints.load_factor import ArcTarget, LoadFactor, WorkTarget, displacement_of
@@ -200,8 +201,8 @@ def _by_arc(problem: Problem, procedure: Auto, volume: Run) -> Run:
     system = problem.system
     last, before = volume.history[-1], volume.history[-2:][0]
     here = replace(last, parameter=0.0)
-    blank = np.zeros(system.size)
-    target = ArcTarget(system, volume.size, 0.0, last.unknowns, last.scalars, blank, 1.0).onward(before, here)
+    upward = Arc(np.zeros(system.size), 1.0)
+    target = ArcTarget(system, volume.size, 0.0, last.unknowns, last.scalars, upward).onward(before, here)
     longest = LONGEST_ARC * procedure.max_step
     chord = displacement_of(system, last.unknowns - before.unknowns)
     step = float(np.hypot(np.linalg.norm(chord) / volume.size, (last.scalars - before.scalars)[0]))

@@ -28,7 +28,7 @@ from turgor.core.solvers.continuation.thresholds import (
     SHORTER_RELAXATION_REACH,
 )
 from turgor.core.solvers.newton.line_search import evaluate
-from turgor.core.solvers.newton.newton import NewtonResult, Start
+from turgor.core.solvers.newton.newton_values import NewtonResult, Start
 from turgor.core.solvers.newton.pseudo_transient import pseudo_transient
 from turgor.core.solvers.outcomes import Outcome, converged, stuck
 from turgor.core.solvers.problem import Problem

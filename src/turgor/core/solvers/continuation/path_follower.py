@@ -16,7 +16,7 @@ from turgor.core.solvers.continuation.path_run import Judgment, Point, Run
 from turgor.core.solvers.continuation.scalar_control.arc_scaling import next_conditions
 from turgor.core.solvers.continuation.step_control import in_vain
 from turgor.core.solvers.continuation.thresholds import HISTORY
-from turgor.core.solvers.newton.newton import NewtonResult
+from turgor.core.solvers.newton.newton_values import NewtonResult
 from turgor.core.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
 from turgor.core.solvers.solution import Step
 

@@ -13,7 +13,8 @@ from turgor.core.solvers.continuation.thresholds import SMALLEST_TOLERANCE
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.newton.border import rates
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+from turgor.core.solvers.newton.newton import newton
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report, Start
 from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.core.solvers.solution import State
 from turgor.core.solvers.states import state_of

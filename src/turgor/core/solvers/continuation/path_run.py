@@ -13,7 +13,7 @@ from turgor.core.engine.cells.internal_variables import History
 from turgor.core.engine.system import Stresses, System
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.continuation.step_control import StepControl
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Start
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Start
 from turgor.core.solvers.outcomes import Outcome
 from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.step_options import StepOptions

@@ -35,7 +35,7 @@ from turgor.core.solvers.continuation.thresholds import (
 )
 from turgor.core.solvers.newton.convergence import relative_residual
 from turgor.core.solvers.newton.line_search import evaluate
-from turgor.core.solvers.newton.newton import Start
+from turgor.core.solvers.newton.newton_values import Start
 
 Array = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ from turgor.core.solvers.continuation.branch_jump import move_ratio
 from turgor.core.solvers.continuation.path_run import Point
 from turgor.core.solvers.continuation.tangent_response import exceeds_tangent, others_move
 from turgor.core.solvers.continuation.thresholds import JUMP_RATIO, STILL_SHARE, SUPPORT_ASIDE
-from turgor.core.solvers.newton.newton import NewtonResult
+from turgor.core.solvers.newton.newton_values import NewtonResult
 from turgor.core.solvers.solution import State
 from turgor.core.solvers.step_reasons import Cause, Reason
 

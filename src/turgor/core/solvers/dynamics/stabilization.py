@@ -26,7 +26,7 @@ from turgor.core.solvers.dynamics.thresholds import ENERGY_ERROR, HOLD_GROWTH, H
 from turgor.core.solvers.energies import Energies
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
 from turgor.core.solvers.newton.convergence import relative_residual
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Start
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Start
 from turgor.core.solvers.outcomes import Outcome, stopped_by, too_many_steps
 from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.stabilized import Stabilized

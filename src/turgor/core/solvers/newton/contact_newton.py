@@ -8,7 +8,8 @@ from turgor.core.engine.system import Evaluation
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.newton.convergence import relative_residual
 from turgor.core.solvers.newton.inertia_correction import inertia_corrected
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+from turgor.core.solvers.newton.newton import newton
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report, Start
 from turgor.core.solvers.newton.thresholds import CONTACT_PASSES, CONTACT_PATIENCE, SEARCHED_ANEW, WEDGED
 from turgor.core.solvers.step_reasons import Cause, Reason
 

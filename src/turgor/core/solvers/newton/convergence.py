@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from turgor.core.engine.system import Evaluation, System
-from turgor.core.solvers.constraints.constraint import Conditions
+from turgor.core.solvers.constraints.elimination import Conditions
 from turgor.core.solvers.newton.thresholds import (
     KEEP_PARTNERS_AFTER,
     ROUND_OFF_BELOW,

@@ -19,8 +19,9 @@ from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.newton.convergence import relative_residual
+from turgor.core.solvers.newton.iteration import shortened
 from turgor.core.solvers.newton.line_search import evaluate
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Report
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report
 from turgor.core.solvers.newton.thresholds import (
     FIRST_SHIFT,
     INERTIA_KEEP_PARTNERS_AFTER,
@@ -129,15 +130,14 @@ def _shortened(
     free = system.moving & ~system.held
     along = update[free]
     before = float(at.residual[free] @ along)
-    found, length = None, 1.0
-    while length > INERTIA_SHORTEST:
+
+    def trial(length: float) -> tuple[Evaluation | None, float]:
         new = evaluate(constraint, tangent, (at.unknowns + length * update, NO_SCALARS), at.load_factor, kept)
         if new is None:
-            length *= 0.5
-            continue
-        found, share = (new, length), system.contact.shortening(at.contacts, new.contacts)
-        after = float(new.residual[free] @ along)
-        if share == 1 and (after * before >= 0 or abs(after) <= INERTIA_OVERSHOT * abs(before)):
-            break
-        length *= share if share < 1 else max(INERTIA_LEAST_SHARE, abs(before) / (abs(after) + abs(before)))
-    return found or (None, 0.0)
+            return None, 0.5
+        share, after = system.contact.shortening(at.contacts, new.contacts), float(new.residual[free] @ along)
+        if share < 1 or after * before >= 0 or abs(after) <= INERTIA_OVERSHOT * abs(before):
+            return new, share
+        return new, max(INERTIA_LEAST_SHARE, abs(before) / (abs(after) + abs(before)))
+
+    return shortened(trial, INERTIA_SHORTEST)

@@ -14,6 +14,7 @@ from turgor.core.engine.contact.part import Look
 from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import Constraint
+from turgor.core.solvers.newton.iteration import shortened
 from turgor.core.solvers.newton.thresholds import (
     OVERSHOT,
     OVERSHOT_TOUCHING,
@@ -65,17 +66,13 @@ def line_search(
         The end of the shortened update and its length; None where even the shortest turns a cell inside out.
     """
     at, update, scalars, change = step
-    system, length, found, shortest = constraint.sought.system, 1.0, None, SHORTEST_STEP
-    while length >= shortest:
+
+    def trial(length: float) -> tuple[Evaluation | None, float]:
         place = at.unknowns + length * update, scalars + length * change
         new = evaluate(constraint, tangent, place, parameter, kept)
-        share = 0.5 if new is None else length_allowed(system, at, new, update)
-        if share == 1:
-            return new, length
-        if new is not None:
-            found, shortest = (new, length), SHORTEST_TOUCHING_STEP
-        length *= share
-    return found or (None, 0.0)
+        return new, 0.5 if new is None else length_allowed(constraint.sought.system, at, new, update)
+
+    return shortened(trial, SHORTEST_STEP, SHORTEST_TOUCHING_STEP)
 
 
 def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:

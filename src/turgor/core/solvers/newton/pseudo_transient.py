@@ -17,7 +17,8 @@ from turgor.core.engine.damping import gradient_stiffness
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+from turgor.core.solvers.newton.newton import newton
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report, Start
 from turgor.core.solvers.newton.thresholds import (
     ALMOST_RIGID,
     FADED_VISCOSITY,

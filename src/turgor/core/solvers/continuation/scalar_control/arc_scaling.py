@@ -25,7 +25,7 @@ def next_conditions(run: Run, last: Point, now: Point) -> None:
     run.constraint = replace(run.constraint, target=following, clock=clock)
     if not isinstance(following, ArcTarget) or now.change is None or now.slope is None:
         return
-    measure = float(following.along @ now.change + following.rise * now.slope[0])
+    measure = following.arc.length(now.change, float(now.slope[0]))
     run.history[:] = [_measured(point, now.parameter, measure) for point in run.history]
 
 

@@ -9,7 +9,7 @@ from turgor.core.solvers.continuation.path_points import point_at, settings_of
 from turgor.core.solvers.continuation.path_run import Ending, Judgment, Point, Rescue, Run, Task, Turn
 from turgor.core.solvers.continuation.predictor import BY_PATH, predicted
 from turgor.core.solvers.continuation.step_control import StepControl
-from turgor.core.solvers.newton.newton import NewtonResult, Start
+from turgor.core.solvers.newton.newton_values import NewtonResult, Start
 from turgor.core.solvers.outcomes import stuck
 from turgor.core.solvers.path_outcomes import lost_path
 from turgor.core.solvers.problem import Problem
