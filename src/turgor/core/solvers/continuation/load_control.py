@@ -17,16 +17,10 @@ from turgor.core.solvers.continuation.path_follower import follow, noted
 from turgor.core.solvers.continuation.path_points import nothing, plain_point, settings_of
 from turgor.core.solvers.continuation.path_run import Ending, Judgment, Point, Rescue, Run, StepMemory, Task, Turn
 from turgor.core.solvers.continuation.predictor import BY_LOAD, gentle_share, predicted
+from turgor.core.solvers.continuation.settings import LOAD_CONTROL
 from turgor.core.solvers.continuation.step_acceptance import turns_aside, why_rejected
 from turgor.core.solvers.continuation.step_control import StepControl, in_vain
 from turgor.core.solvers.continuation.tangent_response import others_move, rate_at, response_in_step
-from turgor.core.solvers.continuation.thresholds import (
-    FOLD_SHARE,
-    LONG_FIRST_STEP,
-    RELAXATION_REACH,
-    RELAXATIONS,
-    SHORTER_RELAXATION_REACH,
-)
 from turgor.core.solvers.newton.line_search import evaluate
 from turgor.core.solvers.newton.newton_values import NewtonResult, Start
 from turgor.core.solvers.newton.pseudo_transient import pseudo_transient
@@ -89,7 +83,7 @@ def load_run(
     run.states.append(run.history[-1].state)
     goes_on = problem.record is not None and problem.record.goes_on  # its checkpoint has the rate
     # loads that grow in proportion: all say how the first ones do
-    if guide is None and run.stepping.length >= LONG_FIRST_STEP and not turns and not goes_on:
+    if guide is None and run.stepping.length >= LOAD_CONTROL.long_first_step and not turns and not goes_on:
         run.memory = StepMemory(rate=rate_at(system, problem.tangent, rest)[0])
     return run
 
@@ -198,7 +192,7 @@ class LoadStrategy:
         if not self._may_relax(run, ending):
             return Rescue(None, ending, memory)
         memory = replace(memory, relaxations=memory.relaxations + 1)
-        for share in (1.0, SHORTER_RELAXATION_REACH):
+        for share in (1.0, LOAD_CONTROL.shorter_reach):
             found = _pseudo_transient(run, _reach(run, share))
             if found is not None:
                 return Rescue(found, None, replace(memory, rate=inf))
@@ -208,7 +202,7 @@ class LoadStrategy:
 
     def _may_relax(self, run: Run, ending: Outcome) -> bool:
         """Whether pseudo-transient continuation may find what no step finds."""
-        if in_vain(run.steps) or run.memory.relaxations >= RELAXATIONS:
+        if in_vain(run.steps) or run.memory.relaxations >= LOAD_CONTROL.relaxations:
             return False
         if not self.patient and len(run.states) > 1:  # at rest a film is slack
             return False
@@ -255,12 +249,15 @@ def _folds(run: Run, result: NewtonResult, why: Reason) -> bool:
         return False
     last, moving = run.history[-1].unknowns, run.task.system.moving
     moved = float(np.linalg.norm((result.evaluation.unknowns - last)[moving]))
-    return moved <= FOLD_SHARE * float(np.linalg.norm(last[moving]))
+    return moved <= LOAD_CONTROL.fold_share * float(np.linalg.norm(last[moving]))
 
 
 def _reach(run: Run, share: float) -> float:
     """Load factor for pseudo-transient continuation: a share of the steps taken before they were cut."""
     factors = [point.parameter for point in run.history]
-    taken = max((b - a for a, b in pairwise(factors)), default=RELAXATION_REACH)
+    taken = max((b - a for a, b in pairwise(factors)), default=LOAD_CONTROL.reach)
     now = factors[-1]
-    return min(now + share * min(taken, RELAXATION_REACH), *(target for target in run.stepping.targets if target > now))
+    return min(
+        now + share * min(taken, LOAD_CONTROL.reach),
+        *(target for target in run.stepping.targets if target > now),
+    )

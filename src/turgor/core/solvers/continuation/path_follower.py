@@ -14,8 +14,8 @@ from turgor.core.solvers.continuation.limit_points import insert_limit_points
 from turgor.core.solvers.continuation.path_points import solve_at
 from turgor.core.solvers.continuation.path_run import Judgment, Point, Run
 from turgor.core.solvers.continuation.scalar_control.arc_scaling import next_conditions
+from turgor.core.solvers.continuation.settings import PREDICTOR
 from turgor.core.solvers.continuation.step_control import in_vain
-from turgor.core.solvers.continuation.thresholds import HISTORY
 from turgor.core.solvers.newton.newton_values import NewtonResult
 from turgor.core.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
 from turgor.core.solvers.solution import Step
@@ -118,7 +118,7 @@ def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
     """Make a point the last state of the path; return how the run ends, if it does."""
     task, last = run.task, run.history[-1]
     run.history.append(now)
-    del run.history[:-HISTORY]
+    del run.history[: -PREDICTOR.history]
     before, ending = insert_limit_points(run, last, now)
     ending = ending or task.finished(before, now, run)
     state = now.state if ending is None else ending.state

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.system import Evaluation, Stresses
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.continuation.path_run import Point, Run
-from turgor.core.solvers.continuation.thresholds import SMALLEST_TOLERANCE
+from turgor.core.solvers.continuation.settings import STEP_CONTROL
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.newton.border import rates
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
@@ -47,7 +47,7 @@ def _for_short(run: Run, length: float) -> NewtonSettings:
     """
     settings = run.task.settings
     smaller = settings.tolerance * length / run.task.procedure.first_step
-    shrunk = min(settings.tolerance, max(SMALLEST_TOLERANCE, smaller))
+    shrunk = min(settings.tolerance, max(STEP_CONTROL.smallest_tolerance, smaller))
     return replace(settings, tolerance=shrunk, enough=settings.tolerance)
 
 

@@ -15,12 +15,7 @@ from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.newton.iteration import shortened
-from turgor.core.solvers.newton.thresholds import (
-    OVERSHOT,
-    OVERSHOT_TOUCHING,
-    SHORTEST_STEP,
-    SHORTEST_TOUCHING_STEP,
-)
+from turgor.core.solvers.newton.settings import LINE_SEARCH
 
 Array = NDArray[np.float64]
 
@@ -72,7 +67,7 @@ def line_search(
         new = evaluate(constraint, tangent, place, parameter, kept)
         return new, 0.5 if new is None else length_allowed(constraint.sought.system, at, new, update)
 
-    return shortened(trial, SHORTEST_STEP, SHORTEST_TOUCHING_STEP)
+    return shortened(trial, LINE_SEARCH.shortest, LINE_SEARCH.shortest_touching)
 
 
 def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
@@ -83,5 +78,5 @@ def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Arra
     free = system.moving & ~system.held
     along = update[free]
     before, after = float(at.residual[free] @ along), float(new.residual[free] @ along)
-    most = OVERSHOT if rubs else OVERSHOT_TOUCHING
+    most = LINE_SEARCH.overshot if rubs else LINE_SEARCH.overshot_touching
     return 0.5 if after * before < 0 and abs(after) > most * abs(before) else 1.0

@@ -25,15 +25,7 @@ from turgor.core.solvers.newton.forcing import forcing
 from turgor.core.solvers.newton.iteration import CONVERGED, Stopped, iterate
 from turgor.core.solvers.newton.line_search import evaluate, line_search
 from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report, Start
-from turgor.core.solvers.newton.thresholds import (
-    CUT_SHORT,
-    KEEP_FACTORS_BELOW,
-    KEEP_FACTORS_CONTRACTION,
-    SHORTEST_TOUCHING_STEP,
-    STALE_FACTORS,
-    VAIN_SHARE,
-    VAIN_UPDATES,
-)
+from turgor.core.solvers.newton.settings import FACTORS, LINE_SEARCH
 from turgor.core.solvers.step_reasons import Cause, Reason
 
 Array = NDArray[np.float64]
@@ -143,9 +135,9 @@ class _Newton:
         system, settings = self.constraint.sought.system, self.settings
         if now.residuals[-1] <= settings.tolerance and not now.jump.any():
             return CONVERGED
-        if system.contact.parts and max(now.lengths[-CUT_SHORT:]) <= SHORTEST_TOUCHING_STEP:
+        if system.contact.parts and max(now.lengths[-FACTORS.cut_short :]) <= LINE_SEARCH.shortest_touching:
             return Reason(Cause.DEEP_PENETRATION)
-        if iteration >= VAIN_UPDATES and _in_vain(now):
+        if iteration >= FACTORS.vain_updates and _in_vain(now):
             vain = f": walls touch, and {iteration} updates did not halve the residual"
             return Reason(Cause.TOO_MANY_ITERATIONS, iteration, vain)
         if not stagnates(system, now.at, now.residuals):
@@ -211,7 +203,7 @@ def _begin(run: _Newton, start: Start) -> _Iterate | None:
 
 def _in_vain(now: _Iterate) -> bool:
     """Whether walls touch and no update has brought the residual far below the first one."""
-    return now.at.contacts.touch and min(now.residuals[1:]) > VAIN_SHARE * now.residuals[0]
+    return now.at.contacts.touch and min(now.residuals[1:]) > FACTORS.vain_share * now.residuals[0]
 
 
 def _factors(run: _Newton, now: _Iterate) -> tuple[bool, Stresses | None]:
@@ -225,7 +217,7 @@ def _factors(run: _Newton, now: _Iterate) -> tuple[bool, Stresses | None]:
     system, tangent, (last, update) = run.constraint.sought.system, run.border.tangent, now.last
     previous, residual, length = now.residuals[-2], now.residuals[-1], now.lengths[-1]
     wrinkles = system.model.sheets_wrinkle  # every update changes which points are slack
-    contracting = not wrinkles and residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
+    contracting = not wrinkles and residual < FACTORS.contraction * previous and residual < FACTORS.below
     known = now.at.contacts.touch_as(last.contacts)
     always = tangent.plain or tangent.iterative
     fresh = always or bool(now.jump.any()) or not (contracting and known and length == 1)
@@ -245,7 +237,7 @@ def _success(run: _Newton, now: _Iterate, iterations: int) -> NewtonResult:
     tangent, modes = run.border.tangent, None
     if not len(now.scalars):
         modes = tangent.unstable_modes()
-        if modes or (run.settings.count_anew and now.moved > STALE_FACTORS):
+        if modes or (run.settings.count_anew and now.moved > FACTORS.stale_factors):
             try:
                 tangent.factor(now.at)
                 modes = tangent.unstable_modes()

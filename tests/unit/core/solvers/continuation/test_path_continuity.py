@@ -13,7 +13,7 @@ from turgor.core.solvers.continuation.continuity import judged, orientation, str
 from turgor.core.solvers.continuation.path_run import Point
 from turgor.core.solvers.continuation.scalar_control.arc_scaling import next_conditions
 from turgor.core.solvers.continuation.scalar_control.path_reversal import reverses
-from turgor.core.solvers.continuation.thresholds import CORNER_CUTS
+from turgor.core.solvers.continuation.settings import CONTINUITY
 from turgor.core.solvers.step_reasons import Cause
 
 
@@ -115,7 +115,7 @@ def test_a_sharp_turn_is_cut_and_a_corner_taken_in_the_end():
     last, now = point(0, (0, 0), (1, 0), 0), point(1, (1, 1), (0, 1), 0)
     going = run()
     assert straightness(going, last, now) == pytest.approx(np.sqrt(0.5))
-    for _ in range(CORNER_CUTS):
+    for _ in range(CONTINUITY.corner_cuts):
         assert judged(going, last, now).reason.cause is Cause.SHARP_TURN
         going.steps.append(SimpleNamespace(cause=Cause.SHARP_TURN))
     assert judged(going, last, now).reason is None

@@ -23,9 +23,9 @@ from turgor.core.solvers.continuation.path_points import begin, fixed_load, noth
 from turgor.core.solvers.continuation.path_run import Ending, Point, Run
 from turgor.core.solvers.continuation.scalar_control.path_reversal import reverses
 from turgor.core.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
+from turgor.core.solvers.continuation.settings import STEP_CONTROL
 from turgor.core.solvers.continuation.step_control import StepControl
 from turgor.core.solvers.continuation.tangent_response import exceeds_tangent, load_response, rate_at
-from turgor.core.solvers.continuation.thresholds import STEP_CUT
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.newton.newton import newton
 from turgor.core.solvers.newton.newton_values import Start
@@ -103,7 +103,7 @@ def from_rest(problem: Problem, procedure: StepOptions, lengths: tuple[float, fl
         problem.listeners.rejected(len(problem.steps), problem.steps[-1])
         if first.converged and reason is None:
             break
-        load *= STEP_CUT
+        load *= STEP_CONTROL.step_cut
         if load < procedure.min_step:
             return stuck(system.model, problem.states, problem.steps, bool(first.unstable_modes))
     assert first.evaluation is not None
