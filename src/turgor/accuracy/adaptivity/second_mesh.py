@@ -6,7 +6,8 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.accuracy.adaptivity.simple_updates import FAR, UPDATES, Iterate, SimpleUpdates
+from turgor.accuracy.adaptivity.simple_updates import SETTINGS as SIMPLE
+from turgor.accuracy.adaptivity.simple_updates import Iterate, SimpleUpdates
 from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.cells.internal_variables import History
@@ -144,7 +145,7 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
         Border(load_control(system, history=history), tangent), exact, float(np.linalg.norm(unknowns[system.moving]))
     )
     start = Iterate(at, np.zeros(int(system.moving.sum())), system.stresses(at) if tangent.mixed_points else None)
-    end = iterate(case, start, UPDATES)
+    end = iterate(case, start, SIMPLE.updates)
     if end.converged:
         return _state(system, end.at.at, state, tangent.unstable_modes())
     return _carefully(system, tangent, at, state, exact)
@@ -159,7 +160,7 @@ def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, e
     if not result.converged or result.evaluation is None:
         return None
     moved = (result.evaluation.unknowns - at.unknowns)[system.moving]
-    if np.linalg.norm(moved) > FAR * np.linalg.norm(at.unknowns[system.moving]):
+    if np.linalg.norm(moved) > SIMPLE.far * np.linalg.norm(at.unknowns[system.moving]):
         return None  # another equilibrium
     return _state(system, result.evaluation, state, result.unstable_modes)
 
@@ -173,7 +174,7 @@ def _linearly(equations: Equations, unknowns: Array, state: State) -> State | No
     if found is None:
         return None
     moved = (found.unknowns - unknowns)[system.moving]
-    if np.linalg.norm(moved) > FAR * np.linalg.norm(unknowns[system.moving]):
+    if np.linalg.norm(moved) > SIMPLE.far * np.linalg.norm(unknowns[system.moving]):
         return None
     return _state(system, found, state)
 

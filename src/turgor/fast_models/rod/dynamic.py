@@ -11,16 +11,14 @@ from turgor.fast_models.rod.band import Factors
 from turgor.fast_models.rod.frames import commutator, tangent_map, wrench_matrix
 from turgor.fast_models.rod.layout import mass_matrices, nodal_mass
 from turgor.fast_models.rod.model import RodModel
-from turgor.fast_models.rod.newton import MOST_ITERATIONS, NotConverged, new_contact, touches_well, update_size
+from turgor.fast_models.rod.newton import NotConverged, new_contact, touches_well, update_size
+from turgor.fast_models.rod.settings import IN_TIME
 from turgor.fast_models.rod.solution import RodError, RodSolution
 from turgor.fast_models.rod.state import RodState
 from turgor.fast_models.rod.system import Evaluation, RodSystem
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: Largest update with which a time step is converged: over the length, and in rad.
-SMALL_UPDATE = 1e-9
 
 
 def dynamic(
@@ -138,7 +136,7 @@ class _Motions:
         """Return the state and the motion after a step, and the iterations that it took."""
         rule = TimeStep(self.weights, now, self.length, np.ones_like(now.velocity))
         step = _Step(self, rule, state, load_factor)
-        end = iterate(step, _Moving(rule.without_acceleration(), state.force, state.contact), MOST_ITERATIONS)
+        end = iterate(step, _Moving(rule.without_acceleration(), state.force, state.contact), IN_TIME.iterations)
         if not end.converged:
             raise end.stopped or NotConverged("iterations")
         motion = replace(rule.motion(end.at.moved), unknowns=np.zeros_like(now.unknowns), lead=0.0)
@@ -210,4 +208,4 @@ class _Step:
 
     def ended(self, at: _Moving, iteration: int) -> str | None:
         """Converged once the update is small and contact is resolved."""
-        return CONVERGED if at.size < SMALL_UPDATE and at.contact_good else None
+        return CONVERGED if at.size < IN_TIME.small_update and at.contact_good else None

@@ -7,27 +7,12 @@ from numpy.typing import NDArray
 
 from turgor.core.solvers.newton.iteration import CONVERGED, Ended, Stopped, iterate, shortened
 from turgor.fast_models.rod.band import Factors
+from turgor.fast_models.rod.settings import AT_LOAD, RodNewtonSettings
 from turgor.fast_models.rod.state import RodState
 from turgor.fast_models.rod.system import Evaluation, RodSystem
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: Iterations after which a step is given up.
-MOST_ITERATIONS = 25
-
-#: Shortest share of an update that is tried where an element would turn too far.
-SHORTEST_UPDATE = 1 / 16
-
-#: Largest motion of an update, over the length and in rad, with which the state is converged: the next is its square.
-SMALL_UPDATE = 1e-6
-
-#: Update after the first one at which Newton's method is given up, over the length and in rad, and the first update
-#: that the next attempt aims at.
-LARGE_UPDATE, GOOD_UPDATE = 1.5, 2.0
-
-#: Largest penetration, over the length of the longest rod, of points that press.
-DEPTH = 1e-8
 
 
 class NotConverged(Stopped):
@@ -67,6 +52,7 @@ class AtLoad:
     """
 
     system: RodSystem
+    settings: RodNewtonSettings
 
     def update(self, at: Iterate) -> Array:
         """Twists (n, 6) of the nodes."""
@@ -74,8 +60,8 @@ class AtLoad:
         if not np.isfinite(twists).all():
             raise NotConverged("not finite")
         size = update_size(self.system, twists)
-        if at.first is not None and size > LARGE_UPDATE:
-            raise NotConverged("diverges", float(np.clip(GOOD_UPDATE / at.first, 0.1, 0.5)))
+        if at.first is not None and size > self.settings.large_update:
+            raise NotConverged("diverges", float(np.clip(self.settings.good_update / at.first, 0.1, 0.5)))
         return twists
 
     def advanced(self, at: Iterate, update: Array) -> Iterate:
@@ -86,11 +72,11 @@ class AtLoad:
 
     def ended(self, at: Iterate, iteration: int) -> str | None:
         """Converged once the update is small and contact is resolved."""
-        good = at.size < SMALL_UPDATE and touches_well(self.system, at.state, at.evaluation)
+        good = at.size < self.settings.small_update and touches_well(self.system, at.state, at.evaluation)
         return CONVERGED if good else None
 
 
-def equilibrium(system: RodSystem, state: RodState) -> Converged:
+def equilibrium(system: RodSystem, state: RodState, settings: RodNewtonSettings = AT_LOAD) -> Converged:
     """Find the equilibrium at the load factor of a state.
 
     Raises
@@ -98,7 +84,7 @@ def equilibrium(system: RodSystem, state: RodState) -> Converged:
     NotConverged
         If there is none within the limits.
     """
-    end = iterate(AtLoad(system), Iterate(state, _evaluated(system, state)), MOST_ITERATIONS)
+    end = iterate(AtLoad(system, settings), Iterate(state, _evaluated(system, state)), settings.iterations)
     return converged(end)
 
 
@@ -134,7 +120,7 @@ def touches_well(system: RodSystem, state: RodState, at: Evaluation) -> bool:
     if not system.model.planes:
         return True
     missed = np.where(at.touches, np.abs(system.penetration(state)), 0.0)
-    return bool(missed.max(initial=0) <= DEPTH * system.size)
+    return bool(missed.max(initial=0) <= AT_LOAD.depth * system.size)
 
 
 def update_size(system: RodSystem, twists: Array) -> float:
@@ -162,7 +148,7 @@ def moved(system: RodSystem, state: RodState, at: Evaluation, twists: Array) -> 
         except TurgorError:
             return None, 0.5
 
-    end, _ = shortened(trial, shortest=SHORTEST_UPDATE)
+    end, _ = shortened(trial, shortest=AT_LOAD.shortest_update)
     if end is None:
         raise NotConverged("turned too far")
     return end

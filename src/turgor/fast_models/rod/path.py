@@ -19,6 +19,7 @@ from turgor.fast_models.rod.newton import (
     factored,
     moved,
 )
+from turgor.fast_models.rod.settings import ALONG_ARC, PATH
 from turgor.fast_models.rod.solution import RodError, RodSolution
 from turgor.fast_models.rod.stability import is_stable
 from turgor.fast_models.rod.state import RodState
@@ -26,21 +27,6 @@ from turgor.fast_models.rod.system import RodSystem
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: Shortest step of the load factor, and of an arc.
-SHORTEST = 1e-4
-
-#: Growth of the step of the load factor after one that converged.
-GROWTH = 4.0
-
-#: Iterations that a step along an arc aims at, and takes at most.
-WANTED_ITERATIONS, MOST_ITERATIONS = 4, 12
-
-#: Change of the load factor by which the rate of the loads is found.
-RATE_STEP = 1e-6
-
-#: Updates below this end a step along an arc: over the length, and in rad.
-SMALL_UPDATE = 1e-7
 
 
 def static(model: RodModel, at: int | Iterable[float] = 1) -> RodSolution:
@@ -87,10 +73,11 @@ def static(model: RodModel, at: int | Iterable[float] = 1) -> RodSolution:
                 found = equilibrium(system, replace(here, load_factor=target))
             except NotConverged as failed:
                 step = failed.share * min(step, target - here.load_factor)
-                if step < SHORTEST:
+                if step < PATH.shortest:
                     raise _stuck(system, states, here, count) from None
                 continue
-            here, count, step = found.state, count + found.iterations, max(step, GROWTH * (target - here.load_factor))
+            step = max(step, PATH.growth * (target - here.load_factor))
+            here, count = found.state, count + found.iterations
         states.append(here)
     return solution_of(system, states, f"All {len(factors)} load factors were reached.", count)
 
@@ -138,7 +125,7 @@ def arc_length(
             found = _arc_step(system, here, direction, step)
         except NotConverged:
             step /= 2
-            if step < SHORTEST:
+            if step < PATH.shortest:
                 raise _stuck(system, states, here, count) from None
             continue
         if found.state.load_factor >= until:
@@ -148,7 +135,7 @@ def arc_length(
         count, along = count + found.iterations, direction
         if stop is not None and stop(found.state):
             return solution_of(system, states, "The path was stopped.", count)
-        step = min(longest, step * (WANTED_ITERATIONS / found.iterations) ** 0.5)
+        step = min(longest, step * (PATH.wanted_iterations / found.iterations) ** 0.5)
     message = f"{most_steps} steps were taken, and the load factor is {states[-1].load_factor:.4g}; allow more steps."
     raise RodError(message, solution_of(system, states, message, count, "not_reached"))
 
@@ -208,7 +195,7 @@ def _direction(system: RodSystem, here: RodState, before: _Direction | None) -> 
 def _rate(system: RodSystem, here: RodState) -> Array:
     """Return how the nodes move by the load factor."""
     at = system.evaluate(here)
-    change = RATE_STEP if here.load_factor <= 0 else -RATE_STEP
+    change = PATH.rate_step if here.load_factor <= 0 else -PATH.rate_step
     other = system.evaluate(replace(here, load_factor=here.load_factor + change))
     (twists,) = factored(system, at).solve(-(other.residual - at.residual) / change)
     return twists
@@ -219,7 +206,7 @@ def _arc_step(system: RodSystem, here: RodState, direction: _Direction, step: fl
     at = system.evaluate(here)
     state = replace(here, load_factor=here.load_factor + step * direction.arc.rise)
     start = Iterate(*moved(system, state, at, step * direction.twists))
-    return converged(iterate(_AlongArc(system, direction.arc), start, MOST_ITERATIONS))
+    return converged(iterate(_AlongArc(system, direction.arc), start, ALONG_ARC.iterations))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -232,7 +219,7 @@ class _AlongArc:
     def update(self, at: Iterate) -> tuple[Array, float]:
         """Twists (n, 6) of the nodes, and the change of the load factor."""
         state, evaluation = at.state, at.evaluation
-        change = -RATE_STEP if state.load_factor > 0 else RATE_STEP
+        change = -PATH.rate_step if state.load_factor > 0 else PATH.rate_step
         other = self.system.evaluate(replace(state, load_factor=state.load_factor + change))
         by_load = (other.residual - evaluation.residual) / change
         to_zero, by_factor = factored(self.system, evaluation).solve(-evaluation.residual, -by_load)
@@ -249,7 +236,7 @@ class _AlongArc:
 
     def ended(self, at: Iterate, iteration: int) -> str | None:
         """Converged once the update is small."""
-        return CONVERGED if at.size < SMALL_UPDATE else None
+        return CONVERGED if at.size < ALONG_ARC.small_update else None
 
 
 def _weights(system: RodSystem, twists: Array) -> Array:
