@@ -1,7 +1,7 @@
 """`make bench`: what a solve costs, as a table with versions and machine, beside what other codes need.
 
 python benchmarks/run.py [bender] [demo] [growth] [contact] [bellows] [newton] [running] [meshing] [iterative]
-    [compiling] [overhead] [demo_run] [two_meshes]
+    [compiling] [overhead] [demo_run]
     [peers_S] [peers_M] [peers_L] [shared_S] [shared_M] [shared_L]
 
 All by default; renews results.md.
@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1]))  # so that `benchmarks` is found
-from benchmarks.core import compiling, contact, contact_axisymmetric, iterative, meshing, newton, two_meshes
+from benchmarks.core import compiling, contact, contact_axisymmetric, iterative, meshing, newton
 from benchmarks.job import demo_run, overhead, running
 from benchmarks.peers import compare
 from benchmarks.shared.machine import machine
@@ -141,7 +141,7 @@ def main() -> None:
     parts["bellows"] = contact_axisymmetric.section
     parts |= {"newton": newton.section, "running": running.section, "meshing": meshing.section}
     parts |= {"iterative": iterative.section, "compiling": compiling.section, "overhead": overhead.section}
-    parts |= {"demo_run": demo_run.section, "two_meshes": two_meshes.section}
+    parts |= {"demo_run": demo_run.section}
     parts |= {f"peers_{size}": partial(compare.section, size) for size in compare.problem.STEPS}
     parts |= {f"shared_{size}": partial(compare.section, size, TWO) for size in compare.problem.STEPS}
     chosen = sys.argv[1:] or list(parts)

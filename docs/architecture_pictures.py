@@ -31,7 +31,7 @@ FOUNDATION = ("units", "errors", "source", "finding", "response", "registry")
 PARTS = (
     "turgor.core.solvers.continuation.path_follower.follow",
     "turgor.core.solvers.continuation.step_control.StepControl",
-    "turgor.core.solvers.continuation.path_points.Strategy",
+    "turgor.core.solvers.continuation.path_run.Strategy",
     "turgor.core.solvers.continuation.predictor.predicted",
     "turgor.core.solvers.newton.newton.newton",
     "turgor.core.solvers.newton.contact_newton.newton_with_contact",

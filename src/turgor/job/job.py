@@ -122,8 +122,6 @@ class Job:
         Dimensions of the actuator.
     mesh : MeshSettings
         Sizes and kind of the cells.
-    mesh_coarse : float or None [m]
-        Edge length of a coarser mesh whose path predicts the states; None follows the path on the mesh itself.
     mesh_target : float or None [-]
         Target of the relative mesh error of one measure at the last state; None leaves the mesh as it is.
     mesh_target_measure : str or None
@@ -159,7 +157,6 @@ class Job:
     name: str
     actuator: Actuator
     mesh: MeshSettings = field(default_factory=MeshSettings)
-    mesh_coarse: float | None = None
     mesh_target: float | None = None
     mesh_target_measure: str | None = None
     mesh_most_unknowns: int = 200_000

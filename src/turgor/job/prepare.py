@@ -1,7 +1,6 @@
 """prepare: build, mesh and check a job without solving it."""
 
 from collections.abc import Callable
-from dataclasses import replace
 
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.checks import check_mesh
@@ -9,12 +8,11 @@ from turgor.core.model.model import Model
 from turgor.core.results.measures.measures import check_measures, find_measure
 from turgor.core.setups.with_setup import with_setup
 from turgor.core.solvers.checks.early_findings import check_before_solve
-from turgor.core.solvers.coarse_path import check_coarse
 from turgor.core.solvers.procedures.stages import Stages
 from turgor.core.solvers.stage_sequence import questions
 from turgor.foundation.finding import Finding, by_weight
 from turgor.job.job import Job
-from turgor.job.meshes import mesh_of, settings_at
+from turgor.job.meshes import mesh_of
 from turgor.job.round_parts import meridian_would_do
 
 Notify = Callable[[str], None]
@@ -59,31 +57,6 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
         check_markers(made, job.output.markers)
     found = (*check_mesh(made), *meridian_would_do(model, geometry), *early)
     return model_to_solve, by_weight((*geometry.findings, *found))
-
-
-def coarse_mesh(job: Job, model: Model) -> Mesh | None:
-    """Mesh a job at its coarse size; None where it has none.
-
-    Parameters
-    ----------
-    job : Job
-    model : Model
-        Its model on the fine mesh.
-
-    Returns
-    -------
-    Mesh or None
-
-    Raises
-    ------
-    TurgorError
-        If the path on it cannot predict that of the model.
-    """
-    if job.mesh_coarse is None:
-        return None
-    made = prepare(replace(job, mesh=settings_at(job, job.mesh_coarse)))[0].mesh
-    check_coarse(model, job.procedure, made)
-    return made
 
 
 def model_of(job: Job, mesh: Mesh) -> Model:

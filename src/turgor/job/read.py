@@ -22,7 +22,7 @@ from turgor.job.tables.materials import read_materials
 from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.job.tables.points import DRIVING, read_points
 from turgor.job.tables.procedures import drives, duration_of, read_procedure
-from turgor.job.tables.sections import check_coarse_size, read_actuator, read_engine, read_mesh, read_output
+from turgor.job.tables.sections import read_actuator, read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_type
 from turgor.job.tables.stages import STAGES, Around, first_duration, read_stages, with_names
 from turgor.job.tables.supports import read_supports
@@ -173,7 +173,6 @@ def _read(
     points = read_points(given["points"], geometry, loads, timed, problems)
     around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))
     setup, procedure = _read_path(given, around, problems)
-    check_coarse_size(mesh, procedure, problems)
     output = read_output(given["output"], geometry, setup, problems)
     threads = read_engine(given["engine"], problems)
     if problems.found or actuator is None or mesh is None or procedure is None or output is None:
@@ -182,7 +181,6 @@ def _read(
         name=name,
         actuator=actuator,
         mesh=mesh.settings,
-        mesh_coarse=mesh.coarse_size,
         mesh_target=mesh.target,
         mesh_target_measure=mesh.target_measure,
         mesh_most_unknowns=mesh.most_unknowns,

@@ -30,7 +30,7 @@ from turgor.job.output.manifest import MOVING, bring_back, drop_previous, set_as
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
-from turgor.job.prepare import Notify, coarse_mesh, prepare, silent
+from turgor.job.prepare import Notify, prepare, silent
 
 Found = Callable[[Finding], None]
 
@@ -150,8 +150,7 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
     save_mesh_of(files.job)
     set_aside(files.folder)
     files.begin()
-    coarse = coarse_mesh(files.job, model)
-    question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings, coarse=coarse)
+    question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings)
     return RunRecord.create(folder, question)
 
 

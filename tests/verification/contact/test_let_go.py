@@ -22,7 +22,7 @@ from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
 from turgor.core.solvers.newton.inertia_correction import inertia_corrected
-from turgor.core.solvers.newton.newton import NewtonSettings, Start
+from turgor.core.solvers.newton.newton_values import NewtonSettings, Start
 from turgor.core.solvers.step_reasons import Cause
 
 PATH = ((0, (0, 0, 0)), (0.3, (0, 0, -1 * MM)), (1, (4 * MM, 0, -1 * MM)))

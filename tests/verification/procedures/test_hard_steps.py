@@ -18,7 +18,7 @@ from turgor.core.engine.system import System
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.newton.convergence import relative_residual
-from turgor.core.solvers.newton.newton import NewtonSettings
+from turgor.core.solvers.newton.newton_values import NewtonSettings
 from turgor.core.solvers.newton.pseudo_transient import pseudo_transient
 from turgor.core.solvers.step_reasons import Cause
 from turgor.units import kPa, mm

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.accuracy.adaptivity.indicator import error_indicator
-from turgor.accuracy.adaptivity.paired_states import FoundAgain, on_coarse_mesh
+from turgor.accuracy.adaptivity.paired_states import PairedStates
 from turgor.accuracy.adaptivity.refine import refined
 from turgor.accuracy.adaptivity.second_mesh import SecondMesh
 from turgor.core.engine.runtime import EngineOptions, use_threads
@@ -114,7 +114,7 @@ def estimate_mesh_error(
         With nan and a finding (N03) where it cannot be estimated: motion and friction depend on all that was before.
     """
     reason = why_not(solution)
-    found = None if reason else _second(solution, options or EngineOptions(), (refined_before, linear))
+    found = None if reason else find_again(solution, options or EngineOptions(), refined_before, linear)
     if found is None or not found.pairs:
         unknown = {each.name: np.full(len(solution.states), np.nan) for each in measures}
         return MeshError(errors=unknown, finding=_not_estimated(reason or "no state was found on the second mesh"))
@@ -127,15 +127,10 @@ def estimate_mesh_error(
     return MeshError(errors=errors, unknowns=found.unknowns, states=tuple(found.pairs), seconds=found.seconds)
 
 
-def _second(solution: Solution, options: EngineOptions, how: tuple[bool, bool]) -> FoundAgain | None:
-    """States of a path on another mesh: those that led it on a coarser one, else some that are solved for again."""
-    return on_coarse_mesh(solution) or find_again(solution, options, *how)
-
-
 @lru_cache(maxsize=1)
 def find_again(
     solution: Solution, options: EngineOptions, refined_before: bool = False, linear: bool = False
-) -> FoundAgain | None:
+) -> PairedStates | None:
     """Solve for a few states of a path on a second mesh; on a coarser one where this fails because sheets wrinkle.
 
     Only the last one, by a linear solve, if ``linear``. The last result is kept, because a solution may be measured
@@ -163,7 +158,7 @@ def _on_second_mesh(
     options: EngineOptions,
     linear: bool,
     enough: int = len(PLACES),
-) -> FoundAgain:
+) -> PairedStates:
     """Solve for chosen states, until enough are found, on a refined mesh that captures a share of the error."""
     refinement, captured = second
     transfer = Transfer(solution.model.mesh, refinement)
@@ -181,7 +176,7 @@ def _on_second_mesh(
                 pairs[number] = found
                 moved[number] = float(np.linalg.norm(found.displacement - before) / np.linalg.norm(before))
     factor = REMAINDER / max(captured, 0.05) ** CAPTURED_POWER
-    return FoundAgain(pairs, moved, refinement.mesh.unknown_count, factor, 0.0)
+    return PairedStates(pairs, moved, refinement.mesh.unknown_count, factor, 0.0)
 
 
 def why_not(solution: Solution) -> str:
@@ -267,7 +262,7 @@ def _read(states: Sequence[State], measures: Sequence[Measure]) -> Array:
     return out
 
 
-def _read_again(solution: Solution, found: FoundAgain, measures: Sequence[Measure], values: Array) -> Array:
+def _read_again(solution: Solution, found: PairedStates, measures: Sequence[Measure], values: Array) -> Array:
     """Measures (k, m) of the states that were found again, in their order.
 
     A sum along the path is made over these states alone on both meshes; the difference is added to its value.
@@ -301,7 +296,7 @@ def _at_rest(state: State) -> State:
     )
 
 
-def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], found: FoundAgain) -> Array:
+def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], found: PairedStates) -> Array:
     """Estimated error (n,) of a measure, read at all states and at those that were found again, by their places."""
     (values, known), numbers = read, sorted(found.pairs)
     difference = known - values[numbers]

@@ -217,7 +217,7 @@ def _solved_on(solution: Solution, refinement: Refinement, options: EngineOption
             if found is None or (found.unstable_modes or 0) != (state.unstable_modes or 0):
                 return _solved_anew(model, solution, options)
             states.append(found)
-    return replace(solution, model=states[-1].model, states=tuple(states), coarse=None)
+    return replace(solution, model=states[-1].model, states=tuple(states))
 
 
 def _solved_anew(model: Model, solution: Solution, options: EngineOptions) -> Solution:

@@ -6,13 +6,15 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.accuracy.adaptivity.simple_updates import SETTINGS as SIMPLE
+from turgor.accuracy.adaptivity.simple_updates import Iterate, SimpleUpdates
 from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.cells.internal_variables import History
 from turgor.core.engine.chamber_volumes import Chambers
 from turgor.core.engine.points.read_motion import motions
 from turgor.core.engine.runtime import EngineOptions
-from turgor.core.engine.system import Evaluation, Stresses, System
+from turgor.core.engine.system import Evaluation, System
 from turgor.core.engine.transfer import Transfer
 from turgor.core.meshing.refining.refinement import Refinement
 from turgor.core.model.model import Model
@@ -21,9 +23,11 @@ from turgor.core.solvers.constraints.constraint import Constraint, Target
 from turgor.core.solvers.constraints.load_factor import LoadFactor, WorkTarget
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.continuation.scalar_control.cavity_control import asked_cavities
+from turgor.core.solvers.newton.border import Border
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
-from turgor.core.solvers.newton.convergence import relative_residual
-from turgor.core.solvers.newton.newton import NewtonSettings, Start, newton
+from turgor.core.solvers.newton.iteration import iterate
+from turgor.core.solvers.newton.newton import newton
+from turgor.core.solvers.newton.newton_values import NewtonSettings, Start
 from turgor.core.solvers.procedures.arc_length import ArcLength
 from turgor.core.solvers.procedures.auto import Auto
 from turgor.core.solvers.procedures.gas_mass import GasMass
@@ -47,23 +51,6 @@ EXACT_SETTINGS = NewtonSettings(tolerance=1e-5, max_iterations=30)
 
 #: One update, whatever it leaves: an estimate by a linear solve.
 LINEAR_SETTINGS = NewtonSettings(tolerance=inf, max_iterations=1)
-
-#: Relative residual of a state that takes the place of the first one, as `Static` has it.
-TOLERANCE = 1e-6
-
-#: Updates at most; the last one is this small a share of the whole correction, which is the mesh error that is looked
-#: for. New factors are made where an update is not this much smaller than the one before.
-UPDATES, SMALL, CONTRACTION = 12, 0.03, 0.6
-
-#: The same where old factors fail, as where threads go slack and taut from one update to the next. It is good enough
-#: for an estimate.
-CHATTER = 0.2
-
-#: Scaled displacements smaller than this are zero.
-ROUNDING = 1e-14
-
-#: A correction larger than this share of the displacement leads to another equilibrium.
-FAR = 0.3
 
 
 @dataclass(slots=True, eq=False)
@@ -154,40 +141,14 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
         return None
     if any(touch.area > 0 for touch in state.touches.values()):
         return _carefully(system, tangent, at, state, exact)
-    first, whole = at, np.zeros(int(system.moving.sum()))
-    size_of_state = float(np.linalg.norm(unknowns[system.moving]))
-    before, fresh, hard, geometric = np.inf, True, False, system.stresses(at) if tangent.mixed_points else None
-    for _ in range(UPDATES):
-        update, made = _update(system, tangent, at, geometric if fresh else None, fresh)
-        new = system.evaluate(at.unknowns + update, state.load_factor, history=history)
-        moved = update[system.moving]
-        size, total = float(np.linalg.norm(moved)), float(np.linalg.norm(whole + moved))
-        if not made and (new is None or size > before):
-            fresh = hard = True  # with new factors, as where a thread goes slack
-            continue
-        if new is None or total > FAR * size_of_state:
-            break
-        small = CHATTER if hard and not exact else SMALL
-        if size <= small * total and (not exact or relative_residual(system, new) <= TOLERANCE):
-            return _state(system, new, state, tangent.unstable_modes())
-        fresh, before = hard or size > CONTRACTION * before, size
-        if tangent.mixed_points:
-            geometric = system.stresses(at, update, geometric)
-        at, whole = new, whole + moved
-    return _carefully(system, tangent, first, state, exact)
-
-
-def _update(
-    system: System, tangent: Tangent, at: Evaluation, geometric: Stresses | None, fresh: bool
-) -> tuple[Array, bool]:
-    """Newton update, with new factors if ``fresh`` or if held unknowns move; and whether they are new."""
-    jump = system.prescribed(at.load_factor) - at.unknowns[system.held]
-    jump[np.abs(jump) < ROUNDING] = 0.0  # else each would cost a tangent
-    fresh = fresh or bool(jump.any())
-    coupling = tangent.factor(at, geometric, jump) if fresh else np.zeros(system.size)
-    right = -at.residual - coupling
-    right[system.held] = jump
-    return tangent.solve(right), fresh
+    case = SimpleUpdates(
+        Border(load_control(system, history=history), tangent), exact, float(np.linalg.norm(unknowns[system.moving]))
+    )
+    start = Iterate(at, np.zeros(int(system.moving.sum())), system.stresses(at) if tangent.mixed_points else None)
+    end = iterate(case, start, SIMPLE.updates)
+    if end.converged:
+        return _state(system, end.at.at, state, tangent.unstable_modes())
+    return _carefully(system, tangent, at, state, exact)
 
 
 def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, exact: bool) -> State | None:
@@ -199,7 +160,7 @@ def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, e
     if not result.converged or result.evaluation is None:
         return None
     moved = (result.evaluation.unknowns - at.unknowns)[system.moving]
-    if np.linalg.norm(moved) > FAR * np.linalg.norm(at.unknowns[system.moving]):
+    if np.linalg.norm(moved) > SIMPLE.far * np.linalg.norm(at.unknowns[system.moving]):
         return None  # another equilibrium
     return _state(system, result.evaluation, state, result.unstable_modes)
 
@@ -213,7 +174,7 @@ def _linearly(equations: Equations, unknowns: Array, state: State) -> State | No
     if found is None:
         return None
     moved = (found.unknowns - unknowns)[system.moving]
-    if np.linalg.norm(moved) > FAR * np.linalg.norm(unknowns[system.moving]):
+    if np.linalg.norm(moved) > SIMPLE.far * np.linalg.norm(unknowns[system.moving]):
         return None
     return _state(system, found, state)
 

@@ -15,7 +15,8 @@ from turgor.core.engine.chamber_volumes import Chambers
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.cavities import CavityPressures, VolumeTarget
-from turgor.core.solvers.constraints.constraint import Conditions, Constraint, Target
+from turgor.core.solvers.constraints.constraint import Constraint, Target
+from turgor.core.solvers.constraints.elimination import Conditions
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.continuation.scalar_control.cavity_control import (
     asked_cavities,
@@ -26,7 +27,7 @@ from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.newton.border import Border
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
 from turgor.core.solvers.newton.convergence import whole_residual
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Start
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Start
 from turgor.core.solvers.procedures.gas_mass import GasMass
 from turgor.core.solvers.procedures.stages import OneProcedure
 from turgor.core.solvers.procedures.volume_control import VolumeControl

@@ -4,7 +4,7 @@ import logging
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
-from turgor.core.solvers.newton.newton import NewtonResult, Report
+from turgor.core.solvers.newton.newton_values import NewtonResult, Report
 from turgor.core.solvers.progress.progress import cut_back, describe, of_stage
 from turgor.core.solvers.solution import Iteration, State, Step
 from turgor.foundation.finding import Finding, Severity
@@ -28,15 +28,12 @@ class Listeners:
         Called with each finding that is a warning or an error, as soon as it is known.
     stage : str
         Name of the stage whose steps are told.
-    logged : bool
-        Whether the log has a record of each step.
     """
 
     progress: Callable[[Iteration, State | None], None] | None = None
     stop: Callable[[State], str | None] | None = None
     found: Callable[[Finding], None] | None = None
     stage: str = ""
-    logged: bool = True
 
     def tell(self, findings: Iterable[Finding]) -> None:
         """Tell findings but notes."""
@@ -56,7 +53,7 @@ class Listeners:
     def accepted(self, step: int, state: State, result: NewtonResult) -> str | None:
         """Tell the accepted state of a step; return why the caller ends the run, None where it goes on."""
         iteration = _iteration(step, state.load_factor, (result.iterations, result.residual, 0.0, 1.0))
-        if self.logged and LOG.isEnabledFor(logging.INFO):
+        if LOG.isEnabledFor(logging.INFO):
             LOG.info(f"{of_stage(self.stage)}{describe(iteration, state)}")
         if self.progress is not None:
             self.progress(iteration, state)
@@ -68,7 +65,7 @@ class Listeners:
             return
         how = step.iterations, step.residual, 0.0, 1.0
         iteration = replace(_iteration(number, step.load_factor, how), rejected=step.why)
-        if self.logged and LOG.isEnabledFor(logging.DEBUG):
+        if LOG.isEnabledFor(logging.DEBUG):
             LOG.debug(f"{of_stage(self.stage)}{cut_back(iteration)}")
         if self.progress is not None:
             self.progress(iteration, None)

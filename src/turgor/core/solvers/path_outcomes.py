@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from turgor.core.solvers.checks.causes import cause_in, said, turned_law, wrinkled_film
 from turgor.core.solvers.checks.distortion import distortion_text
-from turgor.core.solvers.continuation.path_points import Bifurcation, Run
+from turgor.core.solvers.continuation.path_run import Bifurcation, Run
 from turgor.core.solvers.outcomes import Outcome, stuck
 from turgor.core.solvers.pressures import pressure_text
 from turgor.core.solvers.solution import LimitPoint, State, Status, Step

@@ -292,8 +292,6 @@ class Solution(Saved, Shown):
         Where the time went.
     limit_points : tuple of LimitPoint
         Maxima and minima of the pressure that were found on the path, in order.
-    coarse : Solution or None
-        The path on a coarser mesh that led it, where one was asked for. The mesh error is estimated from it.
     """
 
     model: Model
@@ -306,7 +304,6 @@ class Solution(Saved, Shown):
     findings: tuple[Finding, ...] = ()
     timing: Timing = field(default_factory=Timing)
     limit_points: tuple[LimitPoint, ...] = ()
-    coarse: "Solution | None" = None
 
     def __repr__(self) -> str:
         said = shorten(self.message.rstrip("."), LONGEST_MESSAGE, placeholder=" …")

@@ -12,7 +12,6 @@ from turgor.core.engine.runtime import EngineOptions, use_threads
 from turgor.core.engine.system import System
 from turgor.core.engine.warmup.compiling import compile_kernels
 from turgor.core.engine.warmup.needs import Needs
-from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
 from turgor.core.solvers.checkpoints.record import Question, RunRecord
 from turgor.core.solvers.checks.contact import deep_penetrations, elastic_slips, meeting_walls
@@ -22,7 +21,6 @@ from turgor.core.solvers.checks.materials import laws_beyond_their_tests
 from turgor.core.solvers.checks.membranes import compressed_membranes
 from turgor.core.solvers.checks.plate import plate_findings
 from turgor.core.solvers.checks.time_steps import too_long_steps
-from turgor.core.solvers.coarse_path import COARSE, check_coarse, iterations_only, led_by, on_coarse_mesh
 from turgor.core.solvers.continuation.guide import check_guide
 from turgor.core.solvers.listeners import Listeners
 from turgor.core.solvers.methods import method_of
@@ -35,7 +33,6 @@ from turgor.core.solvers.progress.watchers import watched
 from turgor.core.solvers.restart import Restart
 from turgor.core.solvers.solution import Procedure, Solution, SolveError, State, Status, Timing
 from turgor.core.solvers.stage_sequence import solve_stages
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import by_weight, show_warning
 from turgor.foundation.given import one
 
@@ -54,7 +51,6 @@ def solve(
     options: EngineOptions | None = None,
     folder: str | Path | None = None,
     guide: Solution | None = None,
-    coarse: Mesh | None = None,
     throw: bool = True,
 ) -> Solution:
     """Follow the equilibrium path of a model from the undeformed state to the full load.
@@ -78,12 +74,9 @@ def solve(
         Where every accepted state is kept at once. Whatever ends the run, `resume` goes on from the last one, and
         `load` reads the path so far.
     guide : Solution, optional
-        The path of a similar model: on a coarser mesh, of another rubber, or of a design that differs a little. Steps
-        of `Static` then start where it leads and go straight to the load factors asked for, at most ``max_step``
+        The path of a similar model on the same elements: of another rubber, or of a design that differs a little. Steps
+        of `Static` then start from its displacement and go straight to the requested load factors, at most ``max_step``
         apart.
-    coarse : Mesh, optional
-        A coarser mesh of the same body. `Static` follows the path on it first, which then guides the steps on the mesh
-        of the model; ``solution.coarse`` is that path, and `measure` estimates the mesh error from it.
     throw : bool
         Whether a run that stops early raises `SolveError` (which holds the path so far) or returns the path.
 
@@ -96,8 +89,7 @@ def solve(
     ------
     TurgorError
         If the supports leave a rigid motion free, prescribe the whole surface of an incompressible body, or the folder
-        holds a run already, or the guide or the coarse mesh is of another body or leads another procedure than
-        `Static`.
+        holds a run already, or the guide is of another mesh or body, or the procedure is not `Static`.
     SolveError
         If the full load was not reached and ``throw`` is set.
 
@@ -113,12 +105,8 @@ def solve(
     one(stop, Callable | None, "stop", "a function of a state is needed")  # type: ignore[arg-type]
     if guide is not None:
         check_guide(model, procedure, guide)
-    if coarse is not None:
-        if guide is not None:
-            raise TurgorError("guide and coarse are both given; a run follows one of them.")
-        check_coarse(model, procedure, coarse)
     options = options or EngineOptions()
-    question = Question(model=model, procedure=procedure, options=options, guide=guide, coarse=coarse)
+    question = Question(model=model, procedure=procedure, options=options, guide=guide)
     record = None if folder is None else RunRecord.create(Path(folder), question)
     return _followed(question, progress, stop, record, throw)
 
@@ -191,10 +179,6 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     else:
         early = check_before_solve(model, procedure) if question.findings is None else question.findings
         listeners.tell(early)
-        led = _led(question, listeners, record)
-        if led is not None and led.status is Status.INTERRUPTED:
-            return replace(led, message=f"{led.message} These states are on the coarse mesh, whose path leads the run.")
-        question = replace(question, guide=question.guide if led is None or len(led.states) < 2 else led)
         one = partial(_solved, question, record)
         if isinstance(procedure, Stages):
             solution = solve_stages(model, procedure, listeners, one)
@@ -205,23 +189,11 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
         listeners.tell(each for each in by_weight((*beyond, *plates, *solution.findings)) if each not in early)
         solution = replace(solution, findings=by_weight((*early, *beyond, *plates, *solution.findings)))
         solution = explained(solution)
-        solution = solution if led is None else led_by(led, solution)
         if record is not None and solution.status is not Status.INTERRUPTED:
             record.finish(solution)
     if throw and not solution.complete:
         raise SolveError(solution)
     return solution
-
-
-def _led(question: Question, listeners: Listeners, record: RunRecord | None) -> Solution | None:
-    """Follow the path on the coarse mesh of a question; None where it has none."""
-    if question.coarse is None:
-        return None
-    first = on_coarse_mesh(question)
-    if question.options.notify is not None:
-        question.options.notify(f"following the path on a coarse mesh of {question.coarse.unknown_count:,} unknowns")
-    inner = None if record is None else record.inner(COARSE, first)
-    return follow_question(first, iterations_only(listeners), inner, throw=False)
 
 
 def _solved(

@@ -123,7 +123,7 @@ def _within(stage: Stage, listeners: Listeners) -> Listeners:
     def ask(state: State) -> str | None:
         return None if stop is None else stop(replace(state, stage=stage.name))
 
-    return Listeners(tell, ask, stage=stage.name, logged=listeners.logged)
+    return Listeners(tell, ask, stage=stage.name)
 
 
 def together(model: Model, procedure: Stages, found: Sequence[Solution]) -> Solution:

@@ -5,52 +5,20 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.solvers.dynamics.generalized_alpha import Motion, TimeStep, Weights
+from turgor.core.solvers.newton.iteration import CONVERGED, iterate
 from turgor.fast_models.rod.band import Factors
 from turgor.fast_models.rod.frames import commutator, tangent_map, wrench_matrix
 from turgor.fast_models.rod.layout import mass_matrices, nodal_mass
 from turgor.fast_models.rod.model import RodModel
-from turgor.fast_models.rod.newton import MOST_ITERATIONS, NotConverged, new_contact, touches_well, update_size
+from turgor.fast_models.rod.newton import NotConverged, new_contact, touches_well, update_size
+from turgor.fast_models.rod.settings import IN_TIME
 from turgor.fast_models.rod.solution import RodError, RodSolution
 from turgor.fast_models.rod.state import RodState
 from turgor.fast_models.rod.system import Evaluation, RodSystem
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: Largest update with which a time step is converged: over the length, and in rad.
-SMALL_UPDATE = 1e-9
-
-
-@dataclass(frozen=True, slots=True)
-class _Scheme:
-    """Numbers of the generalized-α method for a time step and a spectral radius."""
-
-    step: float
-    radius: float
-
-    @property
-    def alpha_m(self) -> float:
-        return (2 * self.radius - 1) / (self.radius + 1)
-
-    @property
-    def alpha_f(self) -> float:
-        return self.radius / (self.radius + 1)
-
-    @property
-    def gamma(self) -> float:
-        return 0.5 + self.alpha_f - self.alpha_m
-
-    @property
-    def beta(self) -> float:
-        return 0.25 * (self.gamma + 0.5) ** 2
-
-    @property
-    def by_velocity(self) -> float:
-        return self.gamma / (self.step * self.beta)
-
-    @property
-    def by_acceleration(self) -> float:
-        return (1 - self.alpha_m) / (self.step**2 * self.beta * (1 - self.alpha_f))
 
 
 def dynamic(
@@ -93,15 +61,16 @@ def dynamic(
         raise TurgorError(f"spectral_radius is {spectral_radius:g}; it must lie between 0 and 1.")
     model.check_mass("a motion")
     steps = int(np.ceil(duration / step - 1e-9))
-    motion = _Motion(RodSystem(model), _Scheme(duration / steps, spectral_radius))
+    motion = _Motions(RodSystem(model), Weights.of(spectral_radius), duration / steps)
     state = replace(motion.system.start() if start is None else start, load_factor=0.0)
-    state = replace(state, velocity=np.zeros((len(state.turn), 6)) if state.velocity is None else state.velocity)
+    velocity = np.zeros((len(state.turn), 6)) if state.velocity is None else state.velocity
+    state = replace(state, velocity=velocity)
     states, time, count = [state], np.linspace(0.0, duration, steps + 1), 0
     rate = motion.acceleration(state)
-    smoothed = rate.copy()
+    now = Motion(np.zeros_like(rate), velocity, rate, rate)
     for k in range(1, steps + 1):
         try:
-            state, rate, smoothed, iterations = motion.next_state(state, rate, smoothed, k / steps)
+            state, now, iterations = motion.next_state(state, now, k / steps)
         except (NotConverged, TurgorError) as error:
             message = f"The step from {time[k - 1]:.4g} s on did not converge ({error}); take shorter steps."
             raise RodError(message, _ended(model, states, time, message, "not_converged", count)) from None
@@ -127,11 +96,25 @@ class _Forces:
     damping: Array | None
 
 
-class _Motion:
+@dataclass(frozen=True, slots=True, eq=False)
+class _Moving:
+    """An iterate of a time step: motion (n, 6) in it, forces of elements and of contact, what was evaluated there.
+
+    The size is that of the last update; ``contact_good`` says whether contact was resolved before it.
+    """
+
+    moved: Array
+    force: Array
+    contact: Array
+    size: float = np.inf
+    contact_good: bool = False
+
+
+class _Motions:
     """Steps in time of a system."""
 
-    def __init__(self, system: RodSystem, scheme: _Scheme) -> None:
-        self.system, self.scheme = system, scheme
+    def __init__(self, system: RodSystem, weights: Weights, length: float) -> None:
+        self.system, self.weights, self.length = system, weights, length
         self.masses = mass_matrices(*nodal_mass(system.model, system.layout))
         rods = system.model.rods
         viscous = np.array([rod.section.damping_time * np.asarray(rod.section.stiffness) for rod in rods])
@@ -139,8 +122,8 @@ class _Motion:
         self.viscous = viscous[which] / system.layout.length[:, None, None] if viscous.any() else None
 
     def acceleration(self, state: RodState) -> Array:
-        """Return the accelerations (n, 6) of a state; those of held motions are zero."""
-        forces = self._forces(state, np.zeros((len(state.turn), 6)), self.system.evaluate(state))
+        """Return the accelerations (n, 6) of a state; those of prescribed motions are zero."""
+        forces = self.forces(state, np.zeros((len(state.turn), 6)), self.system.evaluate(state))
         free = self.system.layout.free
         found = np.zeros_like(forces.residual)
         for node in range(len(found)):
@@ -149,48 +132,17 @@ class _Motion:
             found[node, own] = np.linalg.lstsq(mass, -forces.residual[node, own], rcond=None)[0]
         return found
 
-    def next_state(
-        self, state: RodState, rate: Array, smoothed: Array, load_factor: float
-    ) -> tuple[RodState, Array, Array, int]:
-        """Return state, accelerations and smoothed accelerations after a step, and the iterations that it took."""
-        scheme, system = self.scheme, self.system
-        assert state.velocity is not None
-        new_rate = np.zeros_like(rate)
-        mean = (scheme.alpha_f * rate - scheme.alpha_m * smoothed) / (1 - scheme.alpha_m)
-        velocity = state.velocity + scheme.step * ((1 - scheme.gamma) * smoothed + scheme.gamma * mean)
-        moved = scheme.step * (state.velocity + scheme.step * ((0.5 - scheme.beta) * smoothed + scheme.beta * mean))
-        force, contact = state.force, state.contact
-        iterations = 0
-        while True:
-            iterations += 1
-            here = replace(
-                replace(state, force=np.zeros_like(force)).moved(moved, force),
-                velocity=velocity, load_factor=load_factor, contact=contact,
-            )  # fmt: skip
-            forces = self._forces(here, new_rate, system.evaluate(here))
-            map_ = tangent_map(moved)
-            (update,) = self._factors(forces, map_).solve(-forces.residual)
-            if not np.isfinite(update).all():
-                raise NotConverged("not finite")
-            turned = (map_ @ update[:, :, None])[:, :, 0]
-            ends = (system.layout.to_end @ turned[system.layout.ends][..., None])[..., 0]
-            force = force + forces.at.elements.new_force(ends[:, 0], ends[:, 1])
-            contact = new_contact(system, forces.at, turned)
-            moved = moved + update
-            velocity = velocity + scheme.by_velocity * update
-            new_rate = new_rate + scheme.by_acceleration * update
-            if update_size(system, update) < SMALL_UPDATE and touches_well(system, here, forces.at):
-                break
-            if iterations == MOST_ITERATIONS:
-                raise NotConverged("iterations")
-        here = replace(
-            replace(state, force=np.zeros_like(force)).moved(moved, force),
-            velocity=velocity, load_factor=load_factor, contact=contact,
-        )  # fmt: skip
-        new_smoothed = mean + (1 - scheme.alpha_f) / (1 - scheme.alpha_m) * new_rate
-        return here, new_rate, new_smoothed, iterations
+    def next_state(self, state: RodState, now: Motion, load_factor: float) -> tuple[RodState, Motion, int]:
+        """Return the state and the motion after a step, and the iterations that it took."""
+        rule = TimeStep(self.weights, now, self.length, np.ones_like(now.velocity))
+        step = _Step(self, rule, state, load_factor)
+        end = iterate(step, _Moving(rule.without_acceleration(), state.force, state.contact), IN_TIME.iterations)
+        if not end.converged:
+            raise end.stopped or NotConverged("iterations")
+        motion = replace(rule.motion(end.at.moved), unknowns=np.zeros_like(now.unknowns), lead=0.0)
+        return step.state_at(end.at), motion, end.iterations
 
-    def _forces(self, state: RodState, rate: Array, at: Evaluation) -> _Forces:
+    def forces(self, state: RodState, rate: Array, at: Evaluation) -> _Forces:
         """Inertia, damping and static forces of a state that moves."""
         velocity, layout = state.velocity, self.system.layout
         assert velocity is not None
@@ -209,13 +161,51 @@ class _Motion:
         np.add.at(residual, layout.ends, (lifted @ speeds)[..., 0])
         return _Forces(at, residual, by_velocity, damping)
 
-    def _factors(self, forces: _Forces, map_: Array) -> Factors:
-        scheme, ends = self.scheme, self.system.layout.ends
+    def factors(self, forces: _Forces, map_: Array, rule: TimeStep) -> Factors:
+        """Factor the tangent of a moving state, by motions in the step."""
+        ends = self.system.layout.ends
         blocks = forces.at.blocks @ map_[ends][:, None]
         if forces.damping is not None:
-            blocks = blocks + scheme.by_velocity * forces.damping
-        own = forces.at.own @ map_ + scheme.by_acceleration * self.masses + scheme.by_velocity * forces.by_velocity
+            blocks = blocks + rule.rate * forces.damping
+        own = forces.at.own @ map_ + rule.stiffness * self.masses + rule.rate * forces.by_velocity
         try:
             return self.system.band.factor(blocks, own)
         except FloatingPointError:
             raise NotConverged("singular") from None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Step:
+    """The case of Newton's method for rods in a time step from a state."""
+
+    motions: _Motions
+    rule: TimeStep
+    before: RodState
+    load_factor: float
+
+    def state_at(self, at: _Moving) -> RodState:
+        """The state at the end of the step."""
+        moved = replace(self.before, force=np.zeros_like(at.force)).moved(at.moved, at.force)
+        velocity = self.rule.velocity(at.moved)
+        return replace(moved, velocity=velocity, load_factor=self.load_factor, contact=at.contact)
+
+    def update(self, at: _Moving) -> _Moving:
+        """The iterate after the motions (n, 6) that the tangent gives."""
+        system, here, map_ = self.motions.system, self.state_at(at), tangent_map(at.moved)
+        forces = self.motions.forces(here, self.rule.acceleration(at.moved), system.evaluate(here))
+        (update,) = self.motions.factors(forces, map_, self.rule).solve(-forces.residual)
+        if not np.isfinite(update).all():
+            raise NotConverged("not finite")
+        turned = (map_ @ update[:, :, None])[:, :, 0]
+        ends = (system.layout.to_end @ turned[system.layout.ends][..., None])[..., 0]
+        force = at.force + forces.at.elements.new_force(ends[:, 0], ends[:, 1])
+        contact, good = new_contact(system, forces.at, turned), touches_well(system, here, forces.at)
+        return _Moving(at.moved + update, force, contact, update_size(system, update), good)
+
+    def advanced(self, at: _Moving, update: _Moving) -> _Moving:
+        """The whole update is taken."""
+        return update
+
+    def ended(self, at: _Moving, iteration: int) -> str | None:
+        """Converged once the update is small and contact is resolved."""
+        return CONVERGED if at.size < IN_TIME.small_update and at.contact_good else None

@@ -5,30 +5,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.solvers.newton.iteration import CONVERGED, Ended, Stopped, iterate, shortened
+from turgor.fast_models.rod.band import Factors
+from turgor.fast_models.rod.settings import AT_LOAD, RodNewtonSettings
 from turgor.fast_models.rod.state import RodState
 from turgor.fast_models.rod.system import Evaluation, RodSystem
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 
-#: Iterations after which a step is given up.
-MOST_ITERATIONS = 25
 
-#: How often an update is halved when an element would turn too far.
-MOST_HALVINGS = 4
-
-#: Largest motion of an update, over the length and in rad, with which the state is converged: the next is its square.
-SMALL_UPDATE = 1e-6
-
-#: Update after the first one at which Newton's method is given up, over the length and in rad, and the first update
-#: that the next attempt aims at.
-LARGE_UPDATE, GOOD_UPDATE = 1.5, 2.0
-
-#: Largest penetration, over the length of the longest rod, of points that press.
-DEPTH = 1e-8
-
-
-class NotConverged(Exception):
+class NotConverged(Stopped):
     """Newton's method ended without an equilibrium; `share` is how much of the step to try next."""
 
     def __init__(self, why: str, share: float = 0.5) -> None:
@@ -45,34 +32,87 @@ class Converged:
     iterations: int
 
 
-def equilibrium(system: RodSystem, state: RodState) -> Converged:
-    """Find the equilibrium at the load factor of a state.
+@dataclass(frozen=True, slots=True, eq=False)
+class Iterate:
+    """A state with its evaluation, and the sizes of the first and the last update."""
+
+    state: RodState
+    evaluation: Evaluation
+    first: float | None = None
+    size: float = np.inf
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AtLoad:
+    """The case of Newton's method for rods at a load factor.
 
     Forces of contact are unknowns. A point presses from when it is inside a plane until its force would pull
     (primal-dual active set). A penalty removes what is left of its penetration in the next iteration (augmented
     Lagrangian). In the end the penetration is zero, and so the result does not depend on the penalty.
+    """
+
+    system: RodSystem
+    settings: RodNewtonSettings
+
+    def update(self, at: Iterate) -> Array:
+        """Twists (n, 6) of the nodes."""
+        (twists,) = factored(self.system, at.evaluation).solve(-at.evaluation.residual)
+        if not np.isfinite(twists).all():
+            raise NotConverged("not finite")
+        size = update_size(self.system, twists)
+        if at.first is not None and size > self.settings.large_update:
+            raise NotConverged("diverges", float(np.clip(self.settings.good_update / at.first, 0.1, 0.5)))
+        return twists
+
+    def advanced(self, at: Iterate, update: Array) -> Iterate:
+        """The state moved by an update."""
+        size = update_size(self.system, update)
+        state, evaluation = moved(self.system, at.state, at.evaluation, update)
+        return Iterate(state, evaluation, size if at.first is None else at.first, size)
+
+    def ended(self, at: Iterate, iteration: int) -> str | None:
+        """Converged once the update is small and contact is resolved."""
+        good = at.size < self.settings.small_update and touches_well(self.system, at.state, at.evaluation)
+        return CONVERGED if good else None
+
+
+def equilibrium(system: RodSystem, state: RodState, settings: RodNewtonSettings = AT_LOAD) -> Converged:
+    """Find the equilibrium at the load factor of a state.
 
     Raises
     ------
     NotConverged
         If there is none within the limits.
     """
-    at, first = _evaluated(system, state), 0.0
-    for iteration in range(1, MOST_ITERATIONS + 1):
-        try:
-            (twists,) = system.band.factor(at.blocks, at.own).solve(-at.residual)
-        except FloatingPointError:
-            raise NotConverged("singular") from None
-        if not np.isfinite(twists).all():
-            raise NotConverged("not finite")
-        size = update_size(system, twists)
-        first = size if iteration == 1 else first
-        if iteration > 1 and size > LARGE_UPDATE:
-            raise NotConverged("diverges", float(np.clip(GOOD_UPDATE / first, 0.1, 0.5)))
-        state, at = moved(system, state, at, twists)
-        if size < SMALL_UPDATE and touches_well(system, state, at):
-            return Converged(state, at, iteration)
-    raise NotConverged("iterations")
+    end = iterate(AtLoad(system, settings), Iterate(state, _evaluated(system, state)), settings.iterations)
+    return converged(end)
+
+
+def converged(end: Ended[Iterate]) -> Converged:
+    """The equilibrium at which an iteration ended.
+
+    Raises
+    ------
+    NotConverged
+        If it did not find one.
+    """
+    if not end.converged:
+        raise end.stopped or NotConverged("iterations")
+    return Converged(end.at.state, end.at.evaluation, end.iterations)
+
+
+def factored(system: RodSystem, at: Evaluation) -> Factors:
+    """Factor the tangent.
+
+    Raises
+    ------
+    NotConverged
+        If it is singular.
+    """
+    try:
+        return system.band.factor(at.blocks, at.own)
+    except FloatingPointError:
+        raise NotConverged("singular") from None
 
 
 def touches_well(system: RodSystem, state: RodState, at: Evaluation) -> bool:
@@ -80,7 +120,7 @@ def touches_well(system: RodSystem, state: RodState, at: Evaluation) -> bool:
     if not system.model.planes:
         return True
     missed = np.where(at.touches, np.abs(system.penetration(state)), 0.0)
-    return bool(missed.max(initial=0) <= DEPTH * system.size)
+    return bool(missed.max(initial=0) <= AT_LOAD.depth * system.size)
 
 
 def update_size(system: RodSystem, twists: Array) -> float:
@@ -98,16 +138,20 @@ def moved(system: RodSystem, state: RodState, at: Evaluation, twists: Array) -> 
     """
     ends = (system.layout.to_end @ twists[system.layout.ends][..., None])[..., 0]
     force = at.elements.new_force(ends[:, 0], ends[:, 1])
-    for halving in range(MOST_HALVINGS + 1):
-        share = 0.5**halving
+
+    def trial(share: float) -> tuple[tuple[RodState, Evaluation] | None, float]:
         found = state.moved(share * twists, share * force)
         if system.model.planes:
             found = replace(found, contact=new_contact(system, at, share * twists))
         try:
-            return found, system.evaluate(found)
+            return (found, system.evaluate(found)), 1.0
         except TurgorError:
-            continue
-    raise NotConverged("turned too far")
+            return None, 0.5
+
+    end, _ = shortened(trial, shortest=AT_LOAD.shortest_update)
+    if end is None:
+        raise NotConverged("turned too far")
+    return end
 
 
 def new_contact(system: RodSystem, at: Evaluation, twists: Array) -> Array:

@@ -1,36 +1,32 @@
 """Equilibria of rods along a path of load factors."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.fast_models.rod.band import Factors
+from turgor.core.solvers.constraints.arc import Arc
+from turgor.core.solvers.constraints.elimination import eliminated
+from turgor.core.solvers.newton.iteration import CONVERGED, iterate
 from turgor.fast_models.rod.model import RodModel
-from turgor.fast_models.rod.newton import Converged, NotConverged, equilibrium, moved
+from turgor.fast_models.rod.newton import (
+    Converged,
+    Iterate,
+    NotConverged,
+    converged,
+    equilibrium,
+    factored,
+    moved,
+)
+from turgor.fast_models.rod.settings import ALONG_ARC, PATH
 from turgor.fast_models.rod.solution import RodError, RodSolution
 from turgor.fast_models.rod.stability import is_stable
 from turgor.fast_models.rod.state import RodState
-from turgor.fast_models.rod.system import Evaluation, RodSystem
+from turgor.fast_models.rod.system import RodSystem
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: Shortest step of the load factor, and of an arc.
-SHORTEST = 1e-4
-
-#: Growth of the step of the load factor after one that converged.
-GROWTH = 4.0
-
-#: Iterations that a step along an arc aims at, and takes at most.
-WANTED_ITERATIONS, MOST_ITERATIONS = 4, 12
-
-#: Change of the load factor by which the rate of the loads is found.
-RATE_STEP = 1e-6
-
-#: Updates below this end a step along an arc: over the length, and in rad.
-SMALL_UPDATE = 1e-7
 
 
 def static(model: RodModel, at: int | Iterable[float] = 1) -> RodSolution:
@@ -77,10 +73,11 @@ def static(model: RodModel, at: int | Iterable[float] = 1) -> RodSolution:
                 found = equilibrium(system, replace(here, load_factor=target))
             except NotConverged as failed:
                 step = failed.share * min(step, target - here.load_factor)
-                if step < SHORTEST:
+                if step < PATH.shortest:
                     raise _stuck(system, states, here, count) from None
                 continue
-            here, count, step = found.state, count + found.iterations, max(step, GROWTH * (target - here.load_factor))
+            step = max(step, PATH.growth * (target - here.load_factor))
+            here, count = found.state, count + found.iterations
         states.append(here)
     return solution_of(system, states, f"All {len(factors)} load factors were reached.", count)
 
@@ -120,7 +117,7 @@ def arc_length(
         raise TurgorError(f"step of the arc is {step:g}; it must be more than 0.")
     system = RodSystem(model)
     states, count, longest = [system.start()], 0, 4 * step
-    along: tuple[Array, float] | None = None
+    along: _Direction | None = None
     while len(states) <= most_steps:
         here = states[-1]
         try:
@@ -128,7 +125,7 @@ def arc_length(
             found = _arc_step(system, here, direction, step)
         except NotConverged:
             step /= 2
-            if step < SHORTEST:
+            if step < PATH.shortest:
                 raise _stuck(system, states, here, count) from None
             continue
         if found.state.load_factor >= until:
@@ -138,7 +135,7 @@ def arc_length(
         count, along = count + found.iterations, direction
         if stop is not None and stop(found.state):
             return solution_of(system, states, "The path was stopped.", count)
-        step = min(longest, step * (WANTED_ITERATIONS / found.iterations) ** 0.5)
+        step = min(longest, step * (PATH.wanted_iterations / found.iterations) ** 0.5)
     message = f"{most_steps} steps were taken, and the load factor is {states[-1].load_factor:.4g}; allow more steps."
     raise RodError(message, solution_of(system, states, message, count, "not_reached"))
 
@@ -177,52 +174,71 @@ def _stuck(system: RodSystem, states: list[RodState], here: RodState, count: int
     return RodError(message, solution_of(system, kept, message, count, "not_converged"))
 
 
-def _direction(system: RodSystem, here: RodState, before: tuple[Array, float] | None) -> tuple[Array, float]:
-    """Return the unit tangent of the path: twists of the nodes and rate of the load factor."""
+@dataclass(frozen=True, slots=True, eq=False)
+class _Direction:
+    """A unit tangent of the path: twists (n, 6), and the arc that measures lengths along it."""
+
+    twists: Array
+    arc: Arc
+
+
+def _direction(system: RodSystem, here: RodState, before: _Direction | None) -> _Direction:
+    """The unit tangent of the path at a state, onward from the one before."""
     twists = _rate(system, here)
-    size = np.sqrt(_dot(system, twists, twists) + 1)
-    sign = 1.0
-    if before is not None and _dot(system, twists, before[0]) + before[1] < 0:
-        sign = -1.0
-    return sign * twists / size, sign / size
+    weights = _weights(system, twists)
+    onward = before is None or before.arc.length(twists.ravel(), 1.0) >= 0
+    sign = 1.0 if onward else -1.0
+    arc = Arc.along(sign * twists.ravel(), sign, weights)
+    return _Direction(arc.rise * twists, arc)
 
 
 def _rate(system: RodSystem, here: RodState) -> Array:
     """Return how the nodes move by the load factor."""
     at = system.evaluate(here)
-    change = RATE_STEP if here.load_factor <= 0 else -RATE_STEP
+    change = PATH.rate_step if here.load_factor <= 0 else -PATH.rate_step
     other = system.evaluate(replace(here, load_factor=here.load_factor + change))
-    (twists,) = _factored(system, at).solve(-(other.residual - at.residual) / change)
+    (twists,) = factored(system, at).solve(-(other.residual - at.residual) / change)
     return twists
 
 
-def _factored(system: RodSystem, at: Evaluation) -> Factors:
-    try:
-        return system.band.factor(at.blocks, at.own)
-    except FloatingPointError:
-        raise NotConverged("singular") from None
-
-
-def _arc_step(system: RodSystem, here: RodState, direction: tuple[Array, float], step: float) -> Converged:
+def _arc_step(system: RodSystem, here: RodState, direction: _Direction, step: float) -> Converged:
     """Go a step along the tangent and correct it at right angles."""
-    twists, rate = direction
     at = system.evaluate(here)
-    state = replace(here, load_factor=here.load_factor + step * rate)
-    state, at = moved(system, state, at, step * twists)
-    for iteration in range(1, MOST_ITERATIONS + 1):
-        change = -RATE_STEP if state.load_factor > 0 else RATE_STEP
-        other = system.evaluate(replace(state, load_factor=state.load_factor + change))
-        by_load = (other.residual - at.residual) / change
-        to_zero, by_factor = _factored(system, at).solve(-at.residual, -by_load)
-        more = -_dot(system, twists, to_zero) / (_dot(system, twists, by_factor) + rate)
-        update = to_zero + more * by_factor
-        state, at = moved(system, replace(state, load_factor=state.load_factor + more), at, update)
-        if np.sqrt(_dot(system, update, update)) + abs(more) < SMALL_UPDATE:
-            return Converged(state, at, iteration)
-    raise NotConverged("iterations")
+    state = replace(here, load_factor=here.load_factor + step * direction.arc.rise)
+    start = Iterate(*moved(system, state, at, step * direction.twists))
+    return converged(iterate(_AlongArc(system, direction.arc), start, ALONG_ARC.iterations))
 
 
-def _dot(system: RodSystem, a: Array, b: Array) -> float:
-    """Scalar product of motions: mean over the nodes, shifts over the length."""
-    shifts = np.einsum("ni,ni->", a[:, :3], b[:, :3]) / system.size**2
-    return float(shifts + np.einsum("ni,ni->", a[:, 3:], b[:, 3:])) / len(a)
+@dataclass(frozen=True, slots=True, eq=False)
+class _AlongArc:
+    """The case of Newton's method for rods on an arc: the load factor is unknown, the length is prescribed."""
+
+    system: RodSystem
+    arc: Arc
+
+    def update(self, at: Iterate) -> tuple[Array, float]:
+        """Twists (n, 6) of the nodes, and the change of the load factor."""
+        state, evaluation = at.state, at.evaluation
+        change = -PATH.rate_step if state.load_factor > 0 else PATH.rate_step
+        other = self.system.evaluate(replace(state, load_factor=state.load_factor + change))
+        by_load = (other.residual - evaluation.residual) / change
+        to_zero, by_factor = factored(self.system, evaluation).solve(-evaluation.residual, -by_load)
+        conditions = self.arc.conditions(np.zeros(to_zero.size), 0.0, 0.0)
+        twists, more = eliminated(to_zero.ravel(), by_factor.reshape(1, -1), conditions, conditions.errors)
+        return twists.reshape(-1, 6), float(more[0])
+
+    def advanced(self, at: Iterate, update: tuple[Array, float]) -> Iterate:
+        """The state moved by an update, at the new load factor."""
+        twists, more = update
+        state = replace(at.state, load_factor=at.state.load_factor + more)
+        size = np.sqrt(_weights(self.system, twists) @ twists.ravel() ** 2) + abs(more)
+        return Iterate(*moved(self.system, state, at.evaluation, twists), size=float(size))
+
+    def ended(self, at: Iterate, iteration: int) -> str | None:
+        """Converged once the update is small."""
+        return CONVERGED if at.size < ALONG_ARC.small_update else None
+
+
+def _weights(system: RodSystem, twists: Array) -> Array:
+    """Weights (6n,) of squared motions: a mean over the nodes, of shifts over the length and rotations."""
+    return np.tile(np.repeat([1 / system.size**2, 1.0], 3), len(twists)) / len(twists)

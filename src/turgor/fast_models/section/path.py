@@ -7,21 +7,40 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.linear import SingularTangentError
+from turgor.core.solvers.newton.iteration import CONVERGED, Stopped, iterate
 from turgor.fast_models.section.equations import Equations, Linearized, Question, Unknowns
 
 Array = NDArray[np.float64]
 
-#: Scaled residual that is small enough.
-TOLERANCE = 1e-8
 
-#: Iterations of Newton's method before a step is cut, and how many a good step takes.
-MOST_ITERATIONS, GOOD_ITERATIONS = 25, 8
+@dataclass(frozen=True, slots=True)
+class SectionPathSettings:
+    """How the path of a section is followed; all are without unit.
 
-#: Smallest step, as a share of the way between two points of the path, and how steps grow.
-SMALLEST_STEP, GROWTH = 1e-4, 2.0
+    Parameters
+    ----------
+    tolerance : float
+        Scaled residual that is small enough.
+    iterations, good_iterations : int
+        Updates of Newton's method before a step is cut, and how many a good step takes.
+    smallest_step, growth : float
+        Smallest step, as a share of the way between two points of the path, and how steps grow.
+    cut : float
+        Share of a step that failed with which it is tried again.
+    largest_update : float
+        An update of positions that is too large to come from a good start, as a share of the size of the section.
+    """
 
-#: An update of positions that is too large to come from a good start, as a share of the size of the section.
-LARGEST_UPDATE = 1.0
+    tolerance: float = 1e-8
+    iterations: int = 25
+    good_iterations: int = 8
+    smallest_step: float = 1e-4
+    growth: float = 2.0
+    cut: float = 0.25
+    largest_update: float = 1.0
+
+
+SETTINGS = SectionPathSettings()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -59,7 +78,7 @@ class Path:
     reached: float
 
 
-def follow(equations: Equations, wanted: Sequence[Question]) -> Path:
+def follow(equations: Equations, wanted: Sequence[Question], settings: SectionPathSettings = SETTINGS) -> Path:
     """Take a section from rest through the wanted points, in order."""
     free = np.isnan(wanted[0].volumes)
     start = Question(
@@ -76,14 +95,14 @@ def follow(equations: Equations, wanted: Sequence[Question]) -> Path:
         while at < 1.0:
             to = min(1.0, at + step)
             asked = start.towards(question, to) if to < 1.0 else question
-            found = newton(equations, predicted(known, number + to), asked)
+            found = newton(equations, predicted(known, number + to), asked, settings)
             if found is None:
-                step = (to - at) / 4
-                if step < SMALLEST_STEP:
+                step = settings.cut * (to - at)
+                if step < settings.smallest_step:
                     return Path(points=tuple(points), reached=number + at)
                 continue
-            if found.iterations <= GOOD_ITERATIONS:
-                step = max(step, min(1.0, GROWTH * (to - at)))
+            if found.iterations <= settings.good_iterations:
+                step = max(step, min(1.0, settings.growth * (to - at)))
             known, at = [*known[-2:], (number + to, found.unknowns)], to
         assert found is not None
         points.append(found)
@@ -105,24 +124,68 @@ def predicted(known: Sequence[tuple[float, Unknowns]], to: float) -> Unknowns:
     return curved.towards(straight, (to - c) / (b - c))
 
 
-def newton(equations: Equations, start: Unknowns, question: Question) -> Point | None:
+@dataclass(frozen=True, slots=True, eq=False)
+class _Iterate:
+    """Unknowns, and the equations there."""
+
+    unknowns: Unknowns
+    equations: Linearized
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _AtPoint:
+    """The case of Newton's method for a section at a point of its path."""
+
+    equations: Equations
+    question: Question
+    settings: SectionPathSettings
+
+    @property
+    def largest(self) -> float:
+        """Largest update of a position."""
+        return self.settings.largest_update * float(np.ptp(self.equations.plane.points, axis=0).max())
+
+    def evaluated(self, unknowns: Unknowns) -> _Iterate:
+        """The equations at unknowns."""
+        found = self.equations.linearized(unknowns, self.question)
+        if found is None or not np.isfinite(found.residual).all():
+            raise Stopped("not finite")
+        return _Iterate(unknowns, found)
+
+    def update(self, at: _Iterate) -> Unknowns:
+        """The unknowns after an update."""
+        try:
+            new = self.equations.update(at.unknowns, at.equations, self.question.held)
+        except (SingularTangentError, np.linalg.LinAlgError):
+            raise Stopped("singular") from None
+        if not np.abs(new.y - at.unknowns.y).max() < self.largest:
+            raise Stopped("too large")
+        return new
+
+    def advanced(self, at: _Iterate, update: Unknowns) -> _Iterate:
+        """The whole update is taken."""
+        return self.evaluated(update)
+
+    def ended(self, at: _Iterate, iteration: int) -> str | None:
+        """Converged once forces, volumes and prescribed strains are met."""
+        prescribed = self.question.held
+        missed = np.abs(at.unknowns.strains - prescribed)[~np.isnan(prescribed)].max(initial=0.0)
+        missed = max(missed, np.abs(at.equations.missed).max(initial=0.0))
+        error = max(missed, self.equations.size_of(at.equations, prescribed))
+        return CONVERGED if error < self.settings.tolerance else None
+
+
+def newton(
+    equations: Equations, start: Unknowns, question: Question, settings: SectionPathSettings = SETTINGS
+) -> Point | None:
     """Solve the equations at a point; None where Newton's method does not converge."""
     given = np.where(np.isnan(question.volumes), question.pressures, start.pressures)
-    at, largest = replace(start, pressures=given), LARGEST_UPDATE * float(np.ptp(equations.plane.points, axis=0).max())
-    for iteration in range(MOST_ITERATIONS + 1):
-        found = equations.linearized(at, question)
-        if found is None or not np.isfinite(found.residual).all():
-            return None
-        held = ~np.isnan(question.held)
-        missed = np.abs(at.strains - question.held)[held].max(initial=0.0)
-        missed = max(missed, np.abs(found.missed).max(initial=0.0))
-        if iteration and equations.size_of(found, question.held) < TOLERANCE and missed < TOLERANCE:
-            return Point(question=question, unknowns=at, equations=found, iterations=iteration)
-        try:
-            new = equations.update(at, found, question.held)
-        except (SingularTangentError, np.linalg.LinAlgError):
-            return None
-        if not np.abs(new.y - at.y).max() < largest:
-            return None
-        at = new
-    return None
+    case = _AtPoint(equations, question, settings)
+    try:
+        first = case.evaluated(replace(start, pressures=given))
+    except Stopped:
+        return None
+    end = iterate(case, first, settings.iterations)
+    if not end.converged:
+        return None
+    return Point(question=question, unknowns=end.at.unknowns, equations=end.at.equations, iterations=end.iterations)

@@ -119,7 +119,6 @@ def _mesh(job: Job) -> dict[str, Any]:
         "wall_cells": mesh.wall_cells,
         "cells": mesh.cells,
         **_features(mesh.ignore_features_below),
-        **({} if job.mesh_coarse is None else {"coarse_size": format_quantity(job.mesh_coarse, "mm")}),
         **_target(job),
     }
 

@@ -9,7 +9,6 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from turgor.core.solvers.checkpoints.record import INDEX, SOLUTION
-from turgor.core.solvers.coarse_path import COARSE
 from turgor.core.solvers.load import PATH_FOLDER
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.store.atomic_files import PART, write_whole
@@ -123,12 +122,10 @@ def own_files(folder: Path) -> list[Path]:
 
 
 def _of_path(folder: Path) -> Iterator[Path]:
-    """Files of a path, and of the path on a coarser mesh in it."""
+    """Files of a path."""
     if folder.is_symlink() or not folder.is_dir():
         return
     yield from (file for file in folder.iterdir() if _OF_A_PATH.fullmatch(file.name))
-    if folder.name != COARSE:
-        yield from _of_path(folder / COARSE)
 
 
 def _behind_a_link(folder: Path, name: str) -> bool:
@@ -144,7 +141,7 @@ def remove(folder: Path, files: Iterable[Path]) -> None:
 
 def remove_empty(folder: Path) -> None:
     """Remove the folders of a path, of fields and of an earlier run that hold nothing any more."""
-    for name in (f"{PATH_FOLDER}/{COARSE}", PATH_FOLDER, "vtu"):
+    for name in (PATH_FOLDER, "vtu"):
         if not (folder / name).is_symlink():
             with suppress(OSError):
                 (folder / name).rmdir()

@@ -13,7 +13,6 @@ from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sizing.sizes import check_face_sizes, check_features, check_settings
 from turgor.core.meshing.sweeping.swept import check_cells
 from turgor.core.setups.setup_values import Setup
-from turgor.core.solvers.procedures.static import Static
 from turgor.job.job import ACTUATORS, Actuator, Output, standard_measures
 from turgor.job.tables.cad import CAD_FILE, read_cad_file
 from turgor.job.tables.mesh_files import MESH_FILE, read_mesh_file
@@ -27,7 +26,6 @@ from turgor.job.text.quantities import (
     fields_of_table,
     read_table,
 )
-from turgor.units import mm
 
 
 def read_actuator(values: Any, problems: Problems) -> Actuator | None:
@@ -67,18 +65,6 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
     problems.attempt((*key, "ignore_features_below"), lambda: check_features(geometry, limit, size, cells))
     problems.attempt((*key, "cells"), lambda: check_cells(geometry, cells))
     return table
-
-
-def check_coarse_size(mesh: MeshTable | None, procedure: object, problems: Problems) -> None:
-    """Report a coarse mesh that is not coarser than the mesh, or whose path cannot predict that of a procedure."""
-    key = ("mesh", "coarse_size")
-    if mesh is None or mesh.coarse_size is None or mesh.size is None or procedure is None:
-        return
-    if mesh.coarse_size <= mesh.size:
-        problems.add(key, f"is {mesh.coarse_size / mm:.4g} mm; it must be larger than size, {mesh.size / mm:.4g} mm.")
-    if not isinstance(procedure, Static) or procedure.duration is not None:
-        name = type(procedure).__name__
-        problems.add(key, f"leads the steps of Static without a duration; the procedure is {name}.")
 
 
 def read_engine(values: Any, problems: Problems) -> int | None:

@@ -120,9 +120,6 @@ class MeshTable(Table):
     ignore_features_below : float [m]
         Fillets and other rounds of a smaller radius make cells no smaller; by default half the size, where rounds of a
         CAD file would make more unknowns than the rest of it.
-    coarse_size : float [m], optional
-        Edge length of a coarser mesh, on which the path is followed first; on the mesh itself only the load factors
-        asked for are solved then.
     target : float, optional
         Largest mesh error of a measure at the last state, as a share; the mesh is refined until it is met.
     target_measure : str, optional
@@ -137,7 +134,6 @@ class MeshTable(Table):
     wall_cells: int = _MESH.wall_cells
     cells: str | None = Field(default=_MESH.cells, examples=['"hexahedra"'])
     ignore_features_below: Length | None = Field(default=None, examples=['"1 mm"'])
-    coarse_size: Length | None = Field(default=None, examples=['"6 mm"'])
     target: Share | None = None
     target_measure: Annotated[str, AfterValidator(_measure)] | None = None
     most_unknowns: int = 200_000

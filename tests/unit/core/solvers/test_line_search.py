@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from turgor.core.solvers.newton.line_search import length_allowed
-from turgor.core.solvers.newton.thresholds import OVERSHOT, OVERSHOT_TOUCHING
+from turgor.core.solvers.newton.settings import LINE_SEARCH
 
 SYSTEM = SimpleNamespace(
     contact=SimpleNamespace(shortening=lambda old, new: 1.0),
@@ -22,7 +22,12 @@ def evaluation(force, rubs=False, same=True):
 
 
 @pytest.mark.parametrize(
-    ("rubs", "same", "most"), [(True, True, OVERSHOT), (True, False, OVERSHOT), (False, False, OVERSHOT_TOUCHING)]
+    ("rubs", "same", "most"),
+    [
+        (True, True, LINE_SEARCH.overshot),
+        (True, False, LINE_SEARCH.overshot),
+        (False, False, LINE_SEARCH.overshot_touching),
+    ],
 )
 def test_a_force_that_reverses_is_allowed_up_to_a_share(rubs, same, most):
     shares = [

@@ -13,7 +13,8 @@ from turgor.core.model.model import Model
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.methods import METHODS, method_of
-from turgor.core.solvers.newton.newton import NewtonSettings, Start, newton
+from turgor.core.solvers.newton.newton import newton
+from turgor.core.solvers.newton.newton_values import NewtonSettings, Start
 from turgor.core.solvers.procedures.gas_mass import GasMass
 from turgor.core.solvers.procedures.sealed import Sealed
 from turgor.core.solvers.procedures.static import Static

@@ -260,17 +260,6 @@ def test_a_manifest_names_nothing_outside(tmp_path):
     assert own_files(folder) == []
 
 
-def test_a_coarse_path_is_replaced(tmp_path):
-    file = tmp_path / "coarse.toml"
-    file.write_text(JOB.replace('size = "7 mm"', 'size = "5 mm"\ncoarse_size = "9 mm"'), encoding="utf-8")
-    folder = tmp_path / "out"
-    run(file, folder)
-    before = (folder / "path" / "coarse" / "index.json").stat().st_mtime_ns
-    run(file, folder, force=True)
-    assert (folder / "path" / "coarse" / "index.json").stat().st_mtime_ns > before
-    assert (folder / "response.csv").exists()
-
-
 def test_a_run_is_known_by_what_it_computes(file, tmp_path, monkeypatch):
     folder = tmp_path / "out"
     monkeypatch.chdir(tmp_path)

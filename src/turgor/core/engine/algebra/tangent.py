@@ -96,6 +96,7 @@ class Tangent:
         self._analyzed = system.pattern
         self._rubbing: sp.csc_matrix | None = None
         self._data: Array = np.empty(0)
+        self._unknowns: Array | None = None
         self._whole: sp.csc_matrix | None = None
         if system.terms.symmetric:
             self._symmetric = self._made(system.pattern)
@@ -128,18 +129,25 @@ class Tangent:
 
         ``shift`` is added to the diagonal of the free displacements, to make it positive where it is not.
         """
+        self._unknowns = None
         coupling = self._formed(at, geometric, jump, shift)
         start = perf_counter()
         self._factor()
+        self._unknowns = at.unknowns
         self.clock.factorization += perf_counter() - start
         self.clock.factorizations += 1
         return coupling
+
+    def has_factors_of(self, unknowns: Array) -> bool:
+        """Whether the last factors are those at these unknowns, the same array."""
+        return self._unknowns is unknowns
 
     def renew(self, at: Evaluation) -> None:
         """Form the tangent at a state close to that of the factors, and keep these: `product` has the new matrix.
 
         A solution is refined then. Where other walls touch, the factors are new as well.
         """
+        self._unknowns = None
         self._formed(at, None, None, 0.0)
         if self._general is None and self._analyzed is not self._system.pattern:
             self._factor()

@@ -8,7 +8,6 @@ from pathlib import Path
 
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
-from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
 from turgor.core.solvers.checkpoints.checkpoint_data import LoopSoFar, PathSoFar
 from turgor.core.solvers.solution import Procedure, Solution
@@ -29,7 +28,7 @@ _GOES = re.compile(r"(model|state|path|loop)(-\d+)+")
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Question:
-    """What a run solves, which similar run or coarser mesh guides it, and what is known before it begins.
+    """What a run solves, which similar run guides it, and what is known before it begins.
 
     Parameters
     ----------
@@ -39,7 +38,6 @@ class Question:
     findings : tuple of Finding or None
         Findings of the checks before the solve; None where these are still to run.
     guide : Solution or None
-    coarse : Mesh or None
     """
 
     model: Model
@@ -47,7 +45,6 @@ class Question:
     options: EngineOptions
     findings: tuple[Finding, ...] | None = None
     guide: Solution | None = None
-    coarse: Mesh | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -119,11 +116,6 @@ class RunRecord:
         if self._question is None:
             self._question = self.store.read(QUESTION)
         return self._question
-
-    def inner(self, name: str, question: Question) -> "RunRecord":
-        """Open the record of a run that comes before this one, in a folder inside, or begin it."""
-        folder = self.store.folder / name
-        return RunRecord.open(folder) if (folder / INDEX).exists() else RunRecord.create(folder, question)
 
     def stage(self, model: Model) -> "tuple[StageRecord, Model]":
         """Begin the next stage; return its record and its model, the one that is on file where there is one."""

@@ -17,7 +17,7 @@ from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.laws.stability import Mode, first_instability
 from turgor.core.materials.material import Material
 from turgor.core.solvers.checks.membranes import Compression, bears_compression
-from turgor.core.solvers.checks.thresholds import BALLOON, BREAKS, STRETCHED, TURNED_VOLUME, TURNS_AHEAD, WRINKLED_AREA
+from turgor.core.solvers.checks.settings import CAUSES
 from turgor.core.solvers.pressures import pressures_of
 from turgor.core.solvers.solution import State
 
@@ -72,7 +72,7 @@ def wrinkled_film(state: State) -> Why | None:
     """Say which membrane is compressed so much that it must wrinkle on its rubber."""
     for name in bears_compression(state.model):
         found = Compression.of(state, name)
-        if found.wrinkled > WRINKLED_AREA:
+        if found.wrinkled > CAUSES.wrinkled_area:
             return Why(
                 f" The film on '{name}' is compressed in {100 * found.wrinkled:.0f} % of its area, by up to "
                 f"{found.largest:.3g} N/m; it has no bending stiffness and wrinkles there.",
@@ -89,7 +89,7 @@ def balloon(states: Sequence[State]) -> Why | None:
     driven = [name for name, pressure in pressures_of(last).items() if pressure > 0 and name in model.mesh.cavities]
     grown = {name: _growth(last, name) for name in driven}
     stretch = largest_stretch(last)
-    if not grown or max(grown.values()) < BALLOON or stretch < STRETCHED:
+    if not grown or max(grown.values()) < CAUSES.balloon or stretch < CAUSES.stretched:
         return None
     name = max(grown, key=lambda each: grown[each])
     return Why(
@@ -105,8 +105,8 @@ def overload(state: State) -> Why | None:
     for name, material in model.region_materials.items():
         tested = None if material.stretch_range is None else material.stretch_range[1]
         stretch = largest_stretch(state, name)
-        if stretch > (tested or BREAKS):
-            known = f"its tests end at {tested:.3g}" if tested else f"elastomers bear about {BREAKS:.3g}"
+        if stretch > (tested or CAUSES.breaks):
+            known = f"its tests end at {tested:.3g}" if tested else f"elastomers bear about {CAUSES.breaks:.3g}"
             return Why(
                 f" '{name}' is stretched to {stretch:.3g}; {known}.",
                 "The load is more than the rubber bears: ask for less, and check the units of the load and of the "
@@ -134,7 +134,7 @@ def _turn(material: Material, stretches: Array, weight: Array) -> tuple[str, flo
     Every point counts for the test that its deformation resembles most.
     """
     isochoric = stretches / np.cbrt(stretches.prod(axis=1))[:, None]
-    far = isochoric[:, 0] > STRETCHED
+    far = isochoric[:, 0] > CAUSES.stretched
     if isinstance(material.law, Hooke) or not far.any():
         return None
     logs = np.log(isochoric)
@@ -142,13 +142,13 @@ def _turn(material: Material, stretches: Array, weight: Array) -> tuple[str, flo
     found = []
     for mode, low, high in TESTS:
         like = far & (second >= low) & (second < high)
-        upper = TURNS_AHEAD * float(isochoric[like, 0].max(initial=1.0))
+        upper = CAUSES.turns_ahead * float(isochoric[like, 0].max(initial=1.0))
         limit = first_instability(material.law, mode, upper=upper, lower=1.0)
         if limit is not None:
-            turned = like & (TURNS_AHEAD * isochoric[:, 0] >= limit)
+            turned = like & (CAUSES.turns_ahead * isochoric[:, 0] >= limit)
             found.append((mode, limit, float(weight[turned].sum() / weight.sum())))
     worst = max(found, key=lambda each: each[2], default=None)
-    return worst if worst is not None and worst[2] > TURNED_VOLUME else None
+    return worst if worst is not None and worst[2] > CAUSES.turned_volume else None
 
 
 def _growth(state: State, name: str) -> float:

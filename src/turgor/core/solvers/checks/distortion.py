@@ -4,7 +4,7 @@ import numpy as np
 
 from turgor.core.engine.fields import cell_fields
 from turgor.core.materials.material import Material
-from turgor.core.solvers.checks.thresholds import HARD_RUBBER, KEPT_VOLUME
+from turgor.core.solvers.checks.settings import DISTORTION
 from turgor.core.solvers.solution import State
 
 
@@ -24,7 +24,8 @@ def worst_volume(state: State) -> tuple[float, tuple[float, float, float]] | Non
     hard = [
         np.asarray(model.mesh.regions[name])
         for name, material in model.materials.items()
-        if isinstance(material, Material) and material.bulk_modulus >= HARD_RUBBER * material.law.shear_modulus
+        if isinstance(material, Material)
+        and material.bulk_modulus >= DISTORTION.hard_rubber * material.law.shear_modulus
     ]
     if not hard:
         return None
@@ -49,7 +50,7 @@ def distortion_text(state: State) -> str:
         A sentence with a space before it.
     """
     worst = worst_volume(state)
-    if worst is None or KEPT_VOLUME <= worst[0] <= 1 / KEPT_VOLUME:
+    if worst is None or DISTORTION.kept_volume <= worst[0] <= 1 / DISTORTION.kept_volume:
         return ""
     place = ", ".join(f"{1e3 * x:.3g}" for x in worst[1])
     return (

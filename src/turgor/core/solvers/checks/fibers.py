@@ -11,15 +11,7 @@ from turgor.core.engine.fibers.smeared import Course, course_of, wound_sides
 from turgor.core.meshing.quality.cell_quality import cell_volumes
 from turgor.core.model.fibers import DISCRETE, SMEARED, Fibers
 from turgor.core.model.model import Model
-from turgor.core.solvers.checks.thresholds import (
-    CELLS_BETWEEN,
-    NEARLY_HOOPS,
-    OTHER_SPACING,
-    RIGID,
-    SHARE_OF_PERIMETER,
-    TOO_STIFF,
-    WRONG_SPACING,
-)
+from turgor.core.solvers.checks.settings import FIBERS
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import deg, mm
 
@@ -72,7 +64,7 @@ def _far_apart(model: Model, fibers: Fibers, course: Course) -> list[Finding]:
     corners = 3 if sides.shape[1] == 6 else 4
     one = area(model.mesh.points, sides) / len(sides)
     cell = float(np.sqrt(one * (4 / np.sqrt(3) if corners == 3 else 1.0)))
-    far = course.spacing > CELLS_BETWEEN * cell or course.spacing > SHARE_OF_PERIMETER * course.perimeter
+    far = course.spacing > FIBERS.cells_between * cell or course.spacing > FIBERS.share_of_perimeter * course.perimeter
     if fibers.form != SMEARED or not far:
         return []
     return [
@@ -92,9 +84,9 @@ def _other_spacing(fibers: Fibers, course: Course) -> list[Finding]:
     if fibers.form != DISCRETE or fibers.winding.spacing is None:
         return []
     laid = laid_spacing(course)
-    if abs(laid - course.spacing) <= OTHER_SPACING * course.spacing:
+    if abs(laid - course.spacing) <= FIBERS.other_spacing * course.spacing:
         return []
-    wrong = abs(laid - course.spacing) > WRONG_SPACING * course.spacing
+    wrong = abs(laid - course.spacing) > FIBERS.wrong_spacing * course.spacing
     return [
         Finding(
             code="B21",
@@ -119,7 +111,7 @@ def _exact(course: Course, laid: float) -> str:
 
 def _both_hands(fibers: Fibers, course: Course) -> list[Finding]:
     """Threads of both hands that are nearly hoops (B22)."""
-    if len(course.turning) < 2 or course.angle < NEARLY_HOOPS:
+    if len(course.turning) < 2 or course.angle < FIBERS.nearly_hoops:
         return []
     return [
         Finding(
@@ -146,12 +138,12 @@ def stiff_threads_text(model: Model) -> str:
     for fibers in model.reinforcements:
         course = course_of(model.mesh, fibers)
         ratio = stiffness_over_wall(model, fibers, course)
-        if fibers.compression == 0 and ratio > TOO_STIFF:
-            enough = fibers.stretching_stiffness * RIGID / ratio
+        if fibers.compression == 0 and ratio > FIBERS.too_stiff:
+            enough = fibers.stretching_stiffness * FIBERS.rigid / ratio
             return (
                 "Give them compression = 1 if they stay tight everywhere, as hoops around a cavity under pressure do. "
-                f"Otherwise give a smaller modulus: a thread of E A = {enough:.2g} N is {RIGID:,.0f} times as stiff as "
-                "the wall, which is as good as rigid."
+                f"Otherwise give a smaller modulus: a thread of E A = {enough:.2g} N is {FIBERS.rigid:,.0f} times "
+                "as stiff as the wall, which is as good as rigid."
             )
     return ""
 
@@ -159,7 +151,7 @@ def stiff_threads_text(model: Model) -> str:
 def _too_stiff(model: Model, fibers: Fibers, course: Course) -> list[Finding]:
     """Threads so stiff that Newton's method does not find which of them are slack (B23)."""
     ratio = stiffness_over_wall(model, fibers, course)
-    if fibers.compression > 0 or ratio <= TOO_STIFF:
+    if fibers.compression > 0 or ratio <= FIBERS.too_stiff:
         return []
     return [
         Finding(

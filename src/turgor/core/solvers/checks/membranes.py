@@ -12,7 +12,7 @@ from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.drive import drive_text
 from turgor.core.model.model import Model
 from turgor.core.model.sheets import Membrane, Shell
-from turgor.core.solvers.checks.thresholds import BENDING_COUNTS, LITTLE_COMPRESSION, WRINKLED_AREA
+from turgor.core.solvers.checks.settings import CAUSES
 from turgor.core.solvers.solution import State
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
@@ -85,11 +85,11 @@ def compressed_membranes(model: Model, states: Sequence[State]) -> tuple[Finding
     found = []
     for name in bears_compression(model):
         path = [Compression.of(state, name) for state in states]
-        little = LITTLE_COMPRESSION * max((float(np.abs(each.force).max()) for each in path), default=0.0)
+        little = CAUSES.little_compression * max((float(np.abs(each.force).max()) for each in path), default=0.0)
         shares = [each.share(little) for each in path]
-        if max(shares, default=0.0) > WRINKLED_AREA:
+        if max(shares, default=0.0) > CAUSES.wrinkled_area:
             worst = int(np.argmax([each.mean for each in path]))
-            first = next(i for i, share in enumerate(shares) if share > WRINKLED_AREA)
+            first = next(i for i, share in enumerate(shares) if share > CAUSES.wrinkled_area)
             since = f" (from {_load(model, states[first])} on)" if first != worst else ""
             where = f"in {100 * shares[worst]:.0f} % of its area at {_load(model, states[worst])}{since}"
             found.append(_compressed(model, name, where, path[worst], states[worst]))
@@ -101,9 +101,9 @@ def _load(model: Model, state: State) -> str:
 
 
 def _compressed(model: Model, name: str, where: str, found: Compression, state: State) -> Finding:
-    wrinkles, bent = found.wrinkled > WRINKLED_AREA, _bending_share(model, name, state)
+    wrinkles, bent = found.wrinkled > CAUSES.wrinkled_area, _bending_share(model, name, state)
     what = "so that it wrinkles" if wrinkles else "and wrinkles on finer meshes"
-    counts = bent is not None and bent > BENDING_COUNTS
+    counts = bent is not None and bent > CAUSES.bending_counts
     return Finding(
         code="N05",
         severity=Severity.WARNING if wrinkles or counts else Severity.NOTE,

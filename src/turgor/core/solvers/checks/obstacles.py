@@ -9,7 +9,7 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle, RigidSurface
-from turgor.core.solvers.checks.thresholds import OBSTACLE_TOUCHING
+from turgor.core.solvers.checks.settings import OBSTACLES
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
 
@@ -87,7 +87,7 @@ def _nearest(obstacle: Obstacle, points: Array, load_factor: float) -> int:
 
 def _overlap(mesh: Mesh, obstacle: Obstacle) -> Finding | None:
     nodes = mesh.face_nodes(obstacle.face) if obstacle.face is not None else _outside(mesh)
-    allowed = OBSTACLE_TOUCHING * float(np.ptp(mesh.points, axis=0).max())
+    allowed = OBSTACLES.touching * float(np.ptp(mesh.points, axis=0).max())
     places = mesh.points[nodes]
     depth = _depths(obstacle, places - obstacle.displacement(0.0), allowed)
     inside = depth > allowed

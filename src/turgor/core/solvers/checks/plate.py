@@ -9,7 +9,7 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.drive import drive_text
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Plane, Plate
-from turgor.core.solvers.checks.thresholds import BEHIND_TIP
+from turgor.core.solvers.checks.settings import PLATE
 from turgor.core.solvers.solution import State, Touch
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
@@ -81,7 +81,7 @@ def _other_than_tip(model: Model, plate: Plate, state: State) -> Finding | None:
     """Compare the place at which a plate is touched with that of the tip, at rest."""
     mesh, touch = model.mesh, state.touches.get(plate.name)
     away = float("nan") if touch is None else bearing_distance(mesh, plate, touch)
-    if touch is None or not away > BEHIND_TIP * float(np.ptp(mesh.points, axis=0).max()):
+    if touch is None or not away > PLATE.behind_tip * float(np.ptp(mesh.points, axis=0).max()):
         return None
     gap = _gap(model, plate, state, plate.tip)
     share = touch.force @ _push(plate)

@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from turgor.core.model.model import Model
-from turgor.core.solvers.checks.thresholds import FAST_RELAXATION, HELD_SHARE, LONG_RELAXATION_STEP
+from turgor.core.solvers.checks.settings import TIME_STEPS
 from turgor.core.solvers.procedures.dynamic import Dynamic
 from turgor.core.solvers.solution import Procedure, State
 from turgor.foundation.finding import Finding, Severity
@@ -23,10 +23,12 @@ def too_long_steps(model: Model, procedure: Procedure, states: Sequence[State]) 
     moving = [
         (after.load_factor - before.load_factor) * duration
         for before, after in pairwise(states)
-        if float(np.abs(after.displacement - before.displacement).max()) > HELD_SHARE * largest
+        if float(np.abs(after.displacement - before.displacement).max()) > TIME_STEPS.held_share * largest
     ]
     for tau in times:
-        missed = [step for step in moving if LONG_RELAXATION_STEP * tau < step < FAST_RELAXATION * tau]
+        missed = [
+            step for step in moving if TIME_STEPS.long_relaxation_step * tau < step < TIME_STEPS.fast_relaxation * tau
+        ]
         if missed:
             return (_finding(max(missed), tau, duration),)
     return ()

@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.chamber_volumes import Chambers
 from turgor.core.engine.system import Evaluation, System
-from turgor.core.solvers.constraints.constraint import Conditions, Place
+from turgor.core.solvers.constraints.constraint import Place
+from turgor.core.solvers.constraints.elimination import Conditions
 
 Array = NDArray[np.float64]
 

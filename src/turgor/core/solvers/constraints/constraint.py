@@ -17,20 +17,12 @@ from turgor.core.engine.contact.part import Look
 from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.clock import Clock
+from turgor.core.solvers.constraints.elimination import Conditions
 
 Array = NDArray[np.float64]
 
 #: Step by which changes along the parameter are measured; what depends on it is straight or nearly so.
 NUDGE = 1e-6
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Conditions:
-    """Conditions beside equilibrium: their errors (k,), and derivatives by unknowns (k, size) and scalars (k, k)."""
-
-    errors: Array
-    rows: Array
-    corner: Array
 
 
 class Sought(Protocol):

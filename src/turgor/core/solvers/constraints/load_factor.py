@@ -7,7 +7,9 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.chamber_volumes import Chambers
 from turgor.core.engine.system import Evaluation, System
-from turgor.core.solvers.constraints.constraint import Conditions, Place
+from turgor.core.solvers.constraints.arc import Arc
+from turgor.core.solvers.constraints.constraint import Place
+from turgor.core.solvers.constraints.elimination import Conditions
 
 Array = NDArray[np.float64]
 
@@ -83,10 +85,8 @@ class ArcTarget:
         Displacement that counts as much as a load factor of 1.
     parameter, unknowns, scalars
         The last state; the parameter is the length up to it.
-    along : (size,) array
-        Direction of the displacement there, divided by ``size`` twice; zero on mean stresses.
-    rise : float
-        Direction of the load factor there.
+    arc : Arc
+        Tangent of the path there, without mean stresses.
     """
 
     system: System
@@ -94,14 +94,12 @@ class ArcTarget:
     parameter: float
     unknowns: Array
     scalars: Array
-    along: Array
-    rise: float
+    arc: Arc
 
     def conditions(self, unknowns: Array, parameter: float, scalars: Array) -> Conditions:
         """Error of the length along the direction."""
-        length = float(self.along @ (unknowns - self.unknowns) + self.rise * (scalars - self.scalars)[0])
-        error = length - (parameter - self.parameter)
-        return Conditions(np.array([error]), self.along[None, :], np.array([[self.rise]]))
+        rise = float((scalars - self.scalars)[0])
+        return self.arc.conditions(unknowns - self.unknowns, rise, parameter - self.parameter)
 
     def onward(self, last: Place, now: Place) -> "ArcTarget":
         """Go on in the direction of the path, or of the last step where the tangent is singular."""
@@ -109,12 +107,8 @@ class ArcTarget:
             change, rise = now.change, float(now.slope[0])
         else:
             change, rise = now.unknowns - last.unknowns, float((now.scalars - last.scalars)[0])
-        change = displacement_of(self.system, change)
-        norm = float(np.hypot(np.linalg.norm(change) / self.size, rise))
-        along = change / (norm * self.size**2)
-        return replace(
-            self, parameter=now.parameter, unknowns=now.unknowns, scalars=now.scalars, along=along, rise=rise / norm
-        )
+        arc = Arc.along(change, rise, self.system.moving / self.size**2)
+        return replace(self, parameter=now.parameter, unknowns=now.unknowns, scalars=now.scalars, arc=arc)
 
 
 def displacement_of(system: System, unknowns: Array) -> Array:

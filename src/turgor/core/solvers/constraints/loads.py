@@ -9,7 +9,8 @@ from turgor.core.engine.algebra.additions import Addition
 from turgor.core.engine.cells.internal_variables import History
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.clock import Clock
-from turgor.core.solvers.constraints.constraint import Conditions, Constraint, Place
+from turgor.core.solvers.constraints.constraint import Constraint, Place
+from turgor.core.solvers.constraints.elimination import Conditions
 
 Array = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.solvers.continuation.thresholds import JUMP_RATIO, STILL_SHARE
+from turgor.core.solvers.continuation.settings import BRANCH_JUMP
 from turgor.core.solvers.solution import State
 
 Array = NDArray[np.float64]
@@ -33,7 +33,7 @@ def move_ratio(points: Sequence[tuple[float, Array]]) -> float:
         return 0.0
     (f0, u0), (f1, u1), (f2, u2) = points[-3:]
     moved, moves = float(np.linalg.norm(u1 - u0)), float(np.linalg.norm(u2 - u1))
-    if not f0 < f1 < f2 or moved == 0 or moves <= STILL_SHARE * float(np.linalg.norm(u2)):
+    if not f0 < f1 < f2 or moved == 0 or moves <= BRANCH_JUMP.still_share * float(np.linalg.norm(u2)):
         return 0.0
     return round((moves / (f2 - f1)) / (moved / (f1 - f0)), 9)
 
@@ -45,4 +45,4 @@ def move_ratio_to(states: Sequence[State], number: int) -> float:
 
 def first_branch_jump(states: Sequence[State]) -> int | None:
     """Number of the first state that a branch jump led to; None where there is none."""
-    return next((n for n in range(2, len(states)) if move_ratio_to(states, n) > JUMP_RATIO), None)
+    return next((n for n in range(2, len(states)) if move_ratio_to(states, n) > BRANCH_JUMP.jump_ratio), None)

@@ -8,13 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.chamber_volumes import Chambers
+from turgor.core.solvers.constraints.arc import Arc
 from turgor.core.solvers.constraints.clock import Clock
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.constraints.load_factor import ArcTarget, LoadFactor, WorkTarget, displacement_of
 from turgor.core.solvers.continuation.branch_jump import move_ratio_to
 from turgor.core.solvers.continuation.load_control import load_run
 from turgor.core.solvers.continuation.path_follower import follow
-from turgor.core.solvers.continuation.path_points import Point, Run, begin, nothing
+from turgor.core.solvers.continuation.path_points import begin, nothing
+from turgor.core.solvers.continuation.path_run import Point, Run
 from turgor.core.solvers.continuation.scalar_control.arc_length import (
     Bounds,
     arc_run,
@@ -27,16 +29,9 @@ from turgor.core.solvers.continuation.scalar_control.arc_length import (
     start_of,
 )
 from turgor.core.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
+from turgor.core.solvers.continuation.settings import BRANCH_JUMP, BRANCH_SWITCH, STEP_CONTROL
 from turgor.core.solvers.continuation.step_control import StepControl
 from turgor.core.solvers.continuation.tangent_response import exceeds_tangent, rate_at
-from turgor.core.solvers.continuation.thresholds import (
-    AUTO_MIN_STEP,
-    FIRST_VOLUME_STEP,
-    JUMP_RATIO,
-    LONGEST_ARC,
-    LONGEST_VOLUME_STEP,
-    STEP_CUT,
-)
 from turgor.core.solvers.outcomes import Outcome
 from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.auto import Auto
@@ -51,7 +46,7 @@ Array = NDArray[np.float64]
 
 def load_steps(procedure: Auto) -> Static:
     """The part of `Auto` before a limit point."""
-    smallest = min(max(procedure.min_step, AUTO_MIN_STEP), procedure.first_step)
+    smallest = min(max(procedure.min_step, BRANCH_SWITCH.auto_min_step), procedure.first_step)
     return Static(**{each.name: getattr(procedure, each.name) for each in fields(StepOptions)} | {"min_step": smallest})
 
 
@@ -109,7 +104,7 @@ class Watch:
             return Reason(Cause.UNSTABLE)
         before, now = self.history[-2:]
         rates = self.rate, rate
-        faster = move_ratio_to(self.problem.states, len(self.problem.states) - 1) > JUMP_RATIO
+        faster = move_ratio_to(self.problem.states, len(self.problem.states) - 1) > BRANCH_JUMP.jump_ratio
         change, rise = now.unknowns - before.unknowns, now.parameter - before.parameter
         jumped = faster or exceeds_tangent(self.problem.system, change, rise, rates)
         return Reason(Cause.BRANCH_JUMP) if jumped else None
@@ -139,7 +134,7 @@ def continue_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
         problem.listeners.rejected(len(problem.steps), problem.steps[-1])
     ends = bounds(Bounds(procedure.max_stretch))
     if watch.good is None:
-        lengths = STEP_CUT * procedure.first_step, LONGEST_ARC * procedure.max_step
+        lengths = STEP_CONTROL.step_cut * procedure.first_step, BRANCH_SWITCH.longest_arc * procedure.max_step
         return from_rest(problem, procedure, lengths, ends)
     watch.good.restore(system)
     problem = slowly(problem, watch.good.state.memory)
@@ -161,7 +156,7 @@ def _arcs(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> tu
     moved = displacement_of(system, unknowns - unknowns_of(system, before))
     size = displacement_scale(problem, unknowns, load)
     step = float(np.hypot(np.linalg.norm(moved) / size, load - before.load_factor))
-    return STEP_CUT * step, LONGEST_ARC * procedure.max_step
+    return STEP_CONTROL.step_cut * step, BRANCH_SWITCH.longest_arc * procedure.max_step
 
 
 def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> Run:
@@ -173,9 +168,9 @@ def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) 
     rest, first = (float(weights @ chambers.volumes(at)) for at in (np.zeros(system.size), unknowns))
     target = WorkTarget(chambers, weights, first, first + (first - rest))
     stepping = StepControl(
-        length=min(procedure.first_step, FIRST_VOLUME_STEP),
-        max_step=LONGEST_VOLUME_STEP * procedure.max_step,
-        min_step=min(procedure.min_step, FIRST_VOLUME_STEP),
+        length=min(procedure.first_step, BRANCH_SWITCH.first_volume_step),
+        max_step=BRANCH_SWITCH.longest_volume_step * procedure.max_step,
+        min_step=min(procedure.min_step, BRANCH_SWITCH.first_volume_step),
         targets=(inf,),
     )
 
@@ -199,9 +194,9 @@ def _by_arc(problem: Problem, procedure: Auto, volume: Run) -> Run:
     system = problem.system
     last, before = volume.history[-1], volume.history[-2:][0]
     here = replace(last, parameter=0.0)
-    blank = np.zeros(system.size)
-    target = ArcTarget(system, volume.size, 0.0, last.unknowns, last.scalars, blank, 1.0).onward(before, here)
-    longest = LONGEST_ARC * procedure.max_step
+    upward = Arc(np.zeros(system.size), 1.0)
+    target = ArcTarget(system, volume.size, 0.0, last.unknowns, last.scalars, upward).onward(before, here)
+    longest = BRANCH_SWITCH.longest_arc * procedure.max_step
     chord = displacement_of(system, last.unknowns - before.unknowns)
     step = float(np.hypot(np.linalg.norm(chord) / volume.size, (last.scalars - before.scalars)[0]))
     stepping = StepControl(

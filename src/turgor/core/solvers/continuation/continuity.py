@@ -13,16 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from turgor.core.solvers.continuation.path_points import Bifurcation, Point, Run, between, point_at, solve_at
-from turgor.core.solvers.continuation.thresholds import (
-    BIFURCATION_CLOSE,
-    BIFURCATION_JUMP,
-    CORNER_CHORD,
-    CORNER_CUTS,
-    FEWEST_HALVINGS,
-    HALVINGS,
-    STRAIGHT_CHORD,
-)
+from turgor.core.solvers.continuation.path_points import between, point_at, solve_at
+from turgor.core.solvers.continuation.path_run import Bifurcation, Point, Run
+from turgor.core.solvers.continuation.settings import CONTINUITY
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.step_reasons import Cause, Reason
 
@@ -40,7 +33,9 @@ def judged(run: Run, last: Point, now: Point) -> Verdict:
     if not run.size:
         return Verdict()
     straight = straightness(run, last, now)
-    if straight < STRAIGHT_CHORD and (straight < CORNER_CHORD or _cuts(run) < CORNER_CUTS):
+    if straight < CONTINUITY.straight_chord and (
+        straight < CONTINUITY.corner_chord or _cuts(run) < CONTINUITY.corner_cuts
+    ):
         return Verdict(Reason(Cause.SHARP_TURN))
     passed: list[Bifurcation] = []
     while _differ(last, now):
@@ -100,7 +95,7 @@ def _differ(last: Point, now: Point) -> bool:
 def _bifurcation(run: Run, last: Point, now: Point) -> tuple[Point, Point] | None:
     """Points close to the first bifurcation between two, one point twice if there is none; None at a jump."""
     allowed = _chord(run, last, now)
-    for halving in range(HALVINGS):
+    for halving in range(CONTINUITY.halvings):
         parameter = 0.5 * (last.parameter + now.parameter)
         result = solve_at(run, parameter, between([last, now], parameter), silent)
         if not result.converged or result.evaluation is None:
@@ -114,10 +109,11 @@ def _bifurcation(run: Run, last: Point, now: Point) -> tuple[Point, Point] | Non
             return now, now
         allowed *= 0.5
         rise = abs(float((now.scalars - last.scalars)[0]))
-        if halving + 1 >= FEWEST_HALVINGS and rise <= BIFURCATION_CLOSE * abs(float(now.scalars[0])):
+        if halving + 1 >= CONTINUITY.fewest_halvings and rise <= CONTINUITY.close * abs(float(now.scalars[0])):
             break
     smooth = (
-        _chord(run, last, now) <= BIFURCATION_JUMP * allowed and last.state.unstable_modes != now.state.unstable_modes
+        _chord(run, last, now) <= CONTINUITY.bifurcation_jump * allowed
+        and last.state.unstable_modes != now.state.unstable_modes
     )
     return (last, now) if smooth else None
 

@@ -1,8 +1,9 @@
 """Limit points: find the maxima and minima of a scalar between two points of a path, and make them states."""
 
 from turgor.core.solvers.continuation.extrema import turning_points
-from turgor.core.solvers.continuation.path_points import Ending, Point, Run, between, point_at, solve_at
-from turgor.core.solvers.continuation.thresholds import FLAT_SLOPE, LIMIT_POINT_SOLVES
+from turgor.core.solvers.continuation.path_points import between, point_at, solve_at
+from turgor.core.solvers.continuation.path_run import Ending, Point, Run
+from turgor.core.solvers.continuation.settings import EXTREMA, LIMIT_POINTS
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.solution import LimitPoint
 
@@ -54,7 +55,7 @@ def _turning_point(run: Run, before: Point, after: Point, index: int) -> Point |
     """Close in on the point where a scalar turns."""
     width = after.parameter - before.parameter
     found = None
-    for _ in range(LIMIT_POINT_SOLVES):
+    for _ in range(LIMIT_POINTS.solves):
         turns = turning_points(_ends(before, index), _ends(after, index))
         middle = 0.5 * (before.parameter + after.parameter)
         nearer = _solved(run, before, after, turns[0] if turns else middle)
@@ -62,7 +63,7 @@ def _turning_point(run: Run, before: Point, after: Point, index: int) -> Point |
             return found
         found = nearer
         assert before.slope is not None
-        if abs(nearer.slope[index]) * width <= FLAT_SLOPE * max(abs(nearer.scalars[index]), 1e-12):
+        if abs(nearer.slope[index]) * width <= EXTREMA.flat_slope * max(abs(nearer.scalars[index]), 1e-12):
             return found
         if nearer.slope[index] * before.slope[index] > 0:
             before = nearer

@@ -8,35 +8,21 @@ from time import perf_counter
 
 import numpy as np
 
-from turgor.core.engine.system import Evaluation, Stresses
+from turgor.core.engine.system import Evaluation
 from turgor.core.model.drive import kinks
 from turgor.core.solvers.checks.distortion import distortion_text
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.guide import ASTRAY, LONG_BETWEEN_WALLS, Guide
-from turgor.core.solvers.continuation.path_follower import accept, follow, noted
-from turgor.core.solvers.continuation.path_points import (
-    Ending,
-    Judgment,
-    Point,
-    Run,
-    Task,
-    nothing,
-    plain_point,
-    settings_of,
-)
-from turgor.core.solvers.continuation.predictor import BY_LOAD, gentle_share, knows_touch, predicted
+from turgor.core.solvers.continuation.guide import ASTRAY, Guide
+from turgor.core.solvers.continuation.path_follower import follow, noted
+from turgor.core.solvers.continuation.path_points import nothing, plain_point, settings_of
+from turgor.core.solvers.continuation.path_run import Ending, Judgment, Point, Rescue, Run, StepMemory, Task, Turn
+from turgor.core.solvers.continuation.predictor import BY_LOAD, gentle_share, predicted
+from turgor.core.solvers.continuation.settings import LOAD_CONTROL
 from turgor.core.solvers.continuation.step_acceptance import turns_aside, why_rejected
 from turgor.core.solvers.continuation.step_control import StepControl, in_vain
 from turgor.core.solvers.continuation.tangent_response import others_move, rate_at, response_in_step
-from turgor.core.solvers.continuation.thresholds import (
-    FOLD_SHARE,
-    LONG_FIRST_STEP,
-    RELAXATION_REACH,
-    RELAXATIONS,
-    SHORTER_RELAXATION_REACH,
-)
 from turgor.core.solvers.newton.line_search import evaluate
-from turgor.core.solvers.newton.newton import NewtonResult, Start
+from turgor.core.solvers.newton.newton_values import NewtonResult, Start
 from turgor.core.solvers.newton.pseudo_transient import pseudo_transient
 from turgor.core.solvers.outcomes import Outcome, converged, stuck
 from turgor.core.solvers.problem import Problem
@@ -73,13 +59,12 @@ def load_run(
     """
     system, turns = problem.system, kinks(problem.system.model)
     guide = None if problem.guide is None else Guide.of(system, problem.guide)
-    strategy = LoadStrategy(patient, guide=guide)
     if stop is not None:
         problem = replace(problem, listeners=replace(problem.listeners, stop=stop))
     task = Task(
         problem=problem,
         procedure=procedure,
-        strategy=strategy,
+        strategy=LoadStrategy(patient, guide),
         settings=replace(settings_of(procedure), count_anew=True),
         driven=nothing,
         finished=_full_load,
@@ -98,9 +83,8 @@ def load_run(
     run.states.append(run.history[-1].state)
     goes_on = problem.record is not None and problem.record.goes_on  # its checkpoint has the rate
     # loads that grow in proportion: all say how the first ones do
-    if guide is None and run.stepping.length >= LONG_FIRST_STEP and not turns and not goes_on:
-        strategy.rate = rate_at(system, problem.tangent, rest)[0]
-        strategy.factored_at_rest = bool(np.isfinite(strategy.rate))
+    if guide is None and run.stepping.length >= LOAD_CONTROL.long_first_step and not turns and not goes_on:
+        run.memory = StepMemory(rate=rate_at(system, problem.tangent, rest)[0])
     return run
 
 
@@ -112,21 +96,21 @@ def _full_load(before: Point, now: Point, run: Run) -> Ending | None:
 
 
 def _reached(run: Run) -> Outcome:
-    """How a run ended that has all of the load; and from where on it went without its guide."""
+    """How a run ended that has all of the load, and the load factor from which on it went without its guide."""
     outcome = converged(run.task.system.model, run.states, run.steps)
-    left = run.task.strategy.left if isinstance(run.task.strategy, LoadStrategy) else None
-    if left is None:
+    if run.memory.guided_until is None:
         return outcome
-    without = f" From load factor {left:.3g} on the guide led astray; steps went on without it."
+    until = run.memory.guided_until
+    without = f" From load factor {until:.3g} on the guide led astray; steps went on without it."
     return replace(outcome, message=outcome.message + without)
 
 
 def _stepped(procedure: Static, guide: Guide | None) -> Static:
-    """A procedure whose first step is as long as any where a guide says where it leads."""
+    """A procedure whose first step is as long as any other where a guide leads."""
     return procedure if guide is None else replace(procedure, first_step=procedure.max_step)
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class LoadStrategy:
     """How load control goes from step to step.
 
@@ -134,30 +118,12 @@ class LoadStrategy:
     ----------
     patient : bool
         Whether pseudo-transient continuation may help.
-    lost_stability : bool
-        Whether an attempt since the last state had unstable modes.
-    rate : float
-        How far nodes move with the load factor at the last state; infinite where that is not known.
-    factored_at_rest : bool
-        Whether the last factors are those of the state at rest.
-    relaxations : int
-        How often pseudo-transient continuation was tried.
     guide : Guide or None
         The path of a similar model.
-    astray : int
-        Attempts from where the guide led to that found no state.
-    left : float or None
-        Load factor from which on the run has gone without its guide.
     """
 
     patient: bool
-    lost_stability: bool = False
-    rate: float = inf
-    factored_at_rest: bool = False
-    relaxations: int = 0
     guide: Guide | None = None
-    astray: int = 0
-    left: float | None = None
 
     def next_parameter(self, run: Run) -> float:
         """The parameter to try next: supports move nearly straight on the way, and walls meet gently at its end."""
@@ -177,18 +143,14 @@ class LoadStrategy:
             return Start(last.unknowns, last.stresses)
         led = self._led(run, parameter) if self._leads(run, parameter) else None
         if led is not None:
-            return self._start(run, led)
+            return Start(led.unknowns, run.task.system.stresses(led), evaluation=led)
         start = predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
-        begins, self.factored_at_rest = self.factored_at_rest, False
-        return replace(start, fresh=not begins)
+        at_rest = len(run.states) == 1 and run.task.tangent.has_factors_of(last.unknowns)
+        return replace(start, fresh=not at_rest)
 
     def _leads(self, run: Run, load: float) -> bool:
-        """Whether the guide leads to a load, and no worse than the tangent of the path between walls that touch."""
-        if self.guide is None or not self.guide.leads_to(load):
-            return False
-        last, system = run.history[-1], run.task.system
-        short = self.guide.interpolated and load - last.parameter <= LONG_BETWEEN_WALLS
-        return not (short and knows_touch(system, run.history))
+        """Whether the guide reaches a load."""
+        return self.guide is not None and run.memory.guided_until is None and self.guide.leads_to(load)
 
     def _led(self, run: Run, parameter: float) -> Evaluation | None:
         """The last state moved on as the guide moves; None where that turns a cell inside out."""
@@ -198,26 +160,15 @@ class LoadStrategy:
         unknowns[held] = last.unknowns[held]
         return evaluate(run.constraint, run.task.tangent, (unknowns, last.scalars), parameter)
 
-    def _start(self, run: Run, led: Evaluation) -> Start:
-        """Start where the guide leads; from another mesh without geometric stiffness in the first update.
-
-        Cells of thin walls that another mesh moved are strained at random. Their stress makes the tangent indefinite,
-        while the material stiffness alone smooths them. Three chambers of 2.2 mm led by 6 mm took 28 iterations to
-        three states of 7.5 kPa each so, and 65 with the stress.
-        """
-        assert self.guide is not None
-        stresses = run.task.system.stresses(led)
-        if self.guide.interpolated:
-            stresses = Stresses.combine([(0.0, stresses)])
-        return Start(led.unknowns, stresses, evaluation=led)
-
-    def _misled(self, run: Run) -> None:
-        """Go on without a guide that has led astray too often."""
-        if self.guide is None:
-            return
-        self.astray += 1
-        if self.astray >= ASTRAY:
-            self.guide, self.left = None, run.history[-1].parameter
+    def _rejected(self, run: Run, result: NewtonResult) -> StepMemory:
+        """What the next attempt knows of one that found no state; no guide after it has led astray too often."""
+        memory = replace(run.memory, lost_stability=run.memory.lost_stability or bool(result.unstable_modes))
+        if self.guide is None or memory.guided_until is not None:
+            return memory
+        failed = memory.failed_guides + 1
+        return replace(
+            memory, failed_guides=failed, guided_until=run.history[-1].parameter if failed >= ASTRAY else None
+        )
 
     def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:
         """Reject a state that may lie on another path, unless the step cannot be shorter."""
@@ -227,45 +178,48 @@ class LoadStrategy:
             if change is not None and not others_move(system, now, parameter):
                 rate = float(np.linalg.norm(change[system.moving]))
             if run.stepping.failed(parameter - now) is not None:
-                why = why_rejected(system, run.states, run.history, result, (self.rate, rate))
+                why = why_rejected(system, run.states, run.history, result, (run.memory.rate, rate))
         if not result.converged or result.evaluation is None or why is not None:
-            self.lost_stability |= bool(result.unstable_modes)
-            self._misled(run)
-            return Judgment(None, result.reason or why)
-        self.lost_stability, self.rate = False, rate
+            return Judgment(None, result.reason or why, memory=self._rejected(run, result))
         point = plain_point(run, result.evaluation, (parameter, result.scalars), result.unstable_modes)
-        return Judgment(replace(point, change=change), result.reason)
+        memory = replace(run.memory, lost_stability=False, rate=rate)
+        return Judgment(replace(point, change=change), result.reason, memory=memory)
 
-    def rescue(self, run: Run) -> Outcome | None:
+    def rescue(self, run: Run) -> Rescue:
         """Try pseudo-transient continuation where no step succeeds; say how the run ends if that fails too."""
-        model = run.task.system.model
-        ending = stuck(model, run.states, run.steps, self.lost_stability)
-        if in_vain(run.steps) or self.relaxations >= RELAXATIONS:
-            return ending
-        if not self.patient and len(run.states) > 1:  # at rest a film is slack
-            return ending
-        if ending.status is not Status.STEP_TOO_SMALL and not model.sheets_wrinkle:  # films snap from fold to fold
-            return ending
-        if distortion_text(run.states[-1]):  # a cell has collapsed, and nothing beyond it is of the body
-            return ending
-        self.relaxations += 1
-        for share in (1.0, SHORTER_RELAXATION_REACH):
+        model, memory = run.task.system.model, run.memory
+        ending = stuck(model, run.states, run.steps, memory.lost_stability)
+        if not self._may_relax(run, ending):
+            return Rescue(None, ending, memory)
+        memory = replace(memory, relaxations=memory.relaxations + 1)
+        for share in (1.0, LOAD_CONTROL.shorter_reach):
             found = _pseudo_transient(run, _reach(run, share))
             if found is not None:
-                self.rate = inf
-                return accept(run, *found)
-        return stuck(model, run.states, run.steps, self.lost_stability) if in_vain(run.steps) else ending
+                return Rescue(found, None, replace(memory, rate=inf))
+        if in_vain(run.steps):
+            ending = stuck(model, run.states, run.steps, memory.lost_stability)
+        return Rescue(None, ending, memory)
 
-    def accepted(self, run: Run, now: Point) -> None:
+    def _may_relax(self, run: Run, ending: Outcome) -> bool:
+        """Whether pseudo-transient continuation may find what no step finds."""
+        if in_vain(run.steps) or run.memory.relaxations >= LOAD_CONTROL.relaxations:
+            return False
+        if not self.patient and len(run.states) > 1:  # at rest a film is slack
+            return False
+        # films snap from fold to fold
+        if ending.status is not Status.STEP_TOO_SMALL and not run.task.system.model.sheets_wrinkle:
+            return False
+        return not distortion_text(run.states[-1])  # where a cell has collapsed, nothing beyond it is of the body
+
+    def accepted(self, run: Run, now: Point) -> StepControl:
         """Take long steps again after steps that were cut only to locate the loss of stability."""
-        if now.state.unstable_modes and not run.states[-2].unstable_modes:
-            run.stepping = run.stepping.resumed(run.task.procedure.first_step)
+        lost = now.state.unstable_modes and not run.states[-2].unstable_modes
+        return run.stepping.resumed(run.task.procedure.first_step) if lost else run.stepping
 
-    def turn(self, run: Run, now: Point) -> None:
+    def turn(self, run: Run, now: Point) -> Turn:
         """Forget the past, which predicts nothing."""
-        self.rate = inf
-        del run.history[:-1]
-        run.stepping = run.stepping.turned(run.task.procedure.first_step)
+        stepping = run.stepping.turned(run.task.procedure.first_step)
+        return Turn((run.history[-1],), run.constraint, stepping, replace(run.memory, rate=inf))
 
 
 def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | None:
@@ -295,12 +249,15 @@ def _folds(run: Run, result: NewtonResult, why: Reason) -> bool:
         return False
     last, moving = run.history[-1].unknowns, run.task.system.moving
     moved = float(np.linalg.norm((result.evaluation.unknowns - last)[moving]))
-    return moved <= FOLD_SHARE * float(np.linalg.norm(last[moving]))
+    return moved <= LOAD_CONTROL.fold_share * float(np.linalg.norm(last[moving]))
 
 
 def _reach(run: Run, share: float) -> float:
     """Load factor for pseudo-transient continuation: a share of the steps taken before they were cut."""
     factors = [point.parameter for point in run.history]
-    taken = max((b - a for a, b in pairwise(factors)), default=RELAXATION_REACH)
+    taken = max((b - a for a, b in pairwise(factors)), default=LOAD_CONTROL.reach)
     now = factors[-1]
-    return min(now + share * min(taken, RELAXATION_REACH), *(target for target in run.stepping.targets if target > now))
+    return min(
+        now + share * min(taken, LOAD_CONTROL.reach),
+        *(target for target in run.stepping.targets if target > now),
+    )

@@ -11,11 +11,12 @@ from typing import Any
 
 from turgor.core.solvers.checkpoints.loop import Loop
 from turgor.core.solvers.continuation.limit_points import insert_limit_points
-from turgor.core.solvers.continuation.path_points import Judgment, Point, Run, solve_at
+from turgor.core.solvers.continuation.path_points import solve_at
+from turgor.core.solvers.continuation.path_run import Judgment, Point, Run
 from turgor.core.solvers.continuation.scalar_control.arc_scaling import next_conditions
+from turgor.core.solvers.continuation.settings import PREDICTOR
 from turgor.core.solvers.continuation.step_control import in_vain
-from turgor.core.solvers.continuation.thresholds import HISTORY
-from turgor.core.solvers.newton.newton import NewtonResult
+from turgor.core.solvers.newton.newton_values import NewtonResult
 from turgor.core.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
 from turgor.core.solvers.solution import Step
 
@@ -34,7 +35,7 @@ def follow(run: Run, beside: Any = None) -> Outcome:
     Outcome
     """
     return step_loop(
-        Loop(run.task.problem, [run, run.task.strategy, beside]),
+        Loop(run.task.problem, [run, beside]),
         lambda: _advance(run),
         lambda: len(run.steps) >= run.task.procedure.max_steps,
         lambda: too_many_steps(run.task.system.model, run.states[-1], run.task.procedure),
@@ -79,13 +80,21 @@ def _advance(run: Run) -> Outcome | None:
     result = solve_at(run, parameter, start, task.problem.listeners.reporter(len(run.steps) + 1, load))
     judgment = task.strategy.judge(run, result, parameter)
     noted(run, result, (parameter, perf_counter() - began), judgment)
+    run.memory = judgment.memory or run.memory
     if judgment.point is None:
         if shorter is None or in_vain(run.steps):
-            return task.strategy.rescue(run)
+            return _rescued(run)
         run.stepping = shorter
         return None
     run.bifurcations += judgment.passed
     return accept(run, judgment.point, result)
+
+
+def _rescued(run: Run) -> Outcome | None:
+    """Go on where no step succeeds; return how the run ends, if it does."""
+    rescue = run.task.strategy.rescue(run)
+    run.memory = rescue.memory
+    return rescue.ending if rescue.found is None else accept(run, *rescue.found)
 
 
 def noted(run: Run, result: NewtonResult, when: tuple[float, float], judgment: Judgment) -> None:
@@ -109,7 +118,7 @@ def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
     """Make a point the last state of the path; return how the run ends, if it does."""
     task, last = run.task, run.history[-1]
     run.history.append(now)
-    del run.history[:-HISTORY]
+    del run.history[: -PREDICTOR.history]
     before, ending = insert_limit_points(run, last, now)
     ending = ending or task.finished(before, now, run)
     state = now.state if ending is None else ending.state
@@ -122,8 +131,15 @@ def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
         return ending.outcome(run)
     touches = result.evaluation is not None and result.evaluation.contacts.touch
     run.stepping = run.stepping.accepted(now.parameter - last.parameter, result.hardest or result.iterations, touches)
-    task.strategy.accepted(run, now)
+    run.stepping = task.strategy.accepted(run, now)
     next_conditions(run, last, now)
     if now.parameter in task.kinks:
-        task.strategy.turn(run, now)
+        _turn(run, now)
     return None
+
+
+def _turn(run: Run, now: Point) -> None:
+    """Go on beyond a kink."""
+    turn = run.task.strategy.turn(run, now)
+    run.history[:] = turn.history
+    run.constraint, run.stepping, run.memory = turn.constraint, turn.stepping, turn.memory

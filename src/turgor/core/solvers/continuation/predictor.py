@@ -23,18 +23,12 @@ from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import Constraint
-from turgor.core.solvers.continuation.path_points import Point, between, unknowns_between
-from turgor.core.solvers.continuation.thresholds import (
-    FAR,
-    GOOD_PREDICTION,
-    HISTORY,
-    SHORTENINGS,
-    STAYS_ON,
-    WRINKLING_HISTORY,
-)
+from turgor.core.solvers.continuation.path_points import between, unknowns_between
+from turgor.core.solvers.continuation.path_run import Point
+from turgor.core.solvers.continuation.settings import PREDICTOR
 from turgor.core.solvers.newton.convergence import relative_residual
 from turgor.core.solvers.newton.line_search import evaluate
-from turgor.core.solvers.newton.newton import Start
+from turgor.core.solvers.newton.newton_values import Start
 
 Array = NDArray[np.float64]
 
@@ -68,7 +62,7 @@ class Extrapolation:
 
 
 #: Under load control the residual relative to the load says how good a prediction is.
-BY_LOAD = Extrapolation(relative_residual, GOOD_PREDICTION, True, True)
+BY_LOAD = Extrapolation(relative_residual, PREDICTOR.good_prediction, True, True)
 
 #: Where scalars are sought, the load itself is predicted: only the unbalanced force compares predictions.
 BY_PATH = Extrapolation(unbalanced_force, 0.0, False, False)
@@ -97,10 +91,10 @@ def predicted(
     if along is not None:
         return along
     if system.model.sheets_wrinkle:
-        history = history[-WRINKLING_HISTORY:]
+        history = history[-PREDICTOR.wrinkling_history :]
     best, smallest = Start(last.unknowns, last.stresses, last.scalars), np.inf
     for count in range(len(history), 0, -1):
-        young = len(history) < HISTORY and _is_near(history, parameter)
+        young = len(history) < PREDICTOR.history and _is_near(history, parameter)
         stays = how.stay and not (young and _moves_on(system, tangent, best.evaluation))
         if count == 1 and not stays and np.isfinite(smallest):
             break
@@ -151,7 +145,7 @@ def _is_near(history: Sequence[Point], parameter: float) -> bool:
     if len(history) < 2:
         return True
     before, last = history[-2].parameter, history[-1].parameter
-    return parameter - last <= FAR * (last - before)
+    return parameter - last <= PREDICTOR.far * (last - before)
 
 
 def _moves_on(system: System, tangent: Tangent, at: Evaluation | None) -> bool:
@@ -159,19 +153,8 @@ def _moves_on(system: System, tangent: Tangent, at: Evaluation | None) -> bool:
     return at is not None and tangent.mixed_points and not at.contacts.touch and not system.model.sheets_wrinkle
 
 
-def knows_touch(system: System, history: Sequence[Point]) -> bool:
-    """Whether walls touch at the last point and the tangent of the path is known there; not beyond a kink of loads.
-
-    Parameters
-    ----------
-    system : System
-    history : sequence of Point
-        The last points of load control.
-
-    Returns
-    -------
-    bool
-    """
+def _knows_touch(system: System, history: Sequence[Point]) -> bool:
+    """Whether walls touch at the last point and the tangent of the path is known there; not beyond a kink of loads."""
     last = history[-1]
     if not system.contact.parts or len(history) < 2 or last.change is None:
         return False
@@ -189,14 +172,14 @@ def _along_tangent(
 ) -> Start | None:
     """Move on along the tangent where walls touch; None elsewhere, or where that turns a cell inside out."""
     system, last = constraint.sought.system, history[-1]
-    if not knows_touch(system, history):
+    if not _knows_touch(system, history):
         return None
     here = evaluate(constraint, tangent, (last.unknowns, last.scalars), parameter)
     ahead = _ahead(last, parameter)
     at = evaluate(constraint, tangent, (ahead, last.scalars), parameter)
     if here is None or at is None:
         return None
-    if at.contacts.rubs and _touching(at.contacts) < STAYS_ON * _touching(
+    if at.contacts.rubs and _touching(at.contacts) < PREDICTOR.stays_on * _touching(
         system.contacts(last.unknowns, last.parameter)
     ):
         bent = _bent(history, parameter)
@@ -240,7 +223,7 @@ def _not_deeper(
     contact, parameter, here_ = constraint.sought.system.contact, at.load_factor, last.unknowns
     here = evaluate(constraint, tangent, (here_, last.scalars), parameter)
     found: Evaluation | None = at
-    for _ in range(SHORTENINGS):
+    for _ in range(PREDICTOR.shortenings):
         if found is None or here is None:
             break
         share = contact.shortening(here.contacts, found.contacts)

@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.continuation.branch_jump import move_ratio
-from turgor.core.solvers.continuation.path_points import Point
+from turgor.core.solvers.continuation.path_run import Point
+from turgor.core.solvers.continuation.settings import BRANCH_JUMP, STEP_ACCEPTANCE
 from turgor.core.solvers.continuation.tangent_response import exceeds_tangent, others_move
-from turgor.core.solvers.continuation.thresholds import JUMP_RATIO, STILL_SHARE, SUPPORT_ASIDE
-from turgor.core.solvers.newton.newton import NewtonResult
+from turgor.core.solvers.newton.newton_values import NewtonResult
 from turgor.core.solvers.solution import State
 from turgor.core.solvers.step_reasons import Cause, Reason
 
@@ -25,7 +25,7 @@ def turns_aside(system: System, before: float, after: float) -> bool:
     """
     start, middle, end = (system.prescribed(factor) for factor in (before, 0.5 * (before + after), after))
     aside = np.linalg.norm(middle - 0.5 * (start + end))
-    return bool(aside > SUPPORT_ASIDE * np.linalg.norm(end - start))
+    return bool(aside > STEP_ACCEPTANCE.support_aside * np.linalg.norm(end - start))
 
 
 def why_rejected(
@@ -49,9 +49,9 @@ def why_rejected(
     points = [(point.parameter, point.unknowns[moved]) for point in history[-2:]]
     ratio = move_ratio([*points, (at.load_factor, at.unknowns[moved])])
     change = at.unknowns - history[-1].unknowns
-    if ratio > JUMP_RATIO and not _pushed(system, history[-1], at, change):
+    if ratio > BRANCH_JUMP.jump_ratio and not _pushed(system, history[-1], at, change):
         return Reason(Cause.LONG_MOVE, ratio)
-    still = np.linalg.norm(change[moved]) <= STILL_SHARE * np.linalg.norm(at.unknowns[moved])
+    still = np.linalg.norm(change[moved]) <= BRANCH_JUMP.still_share * np.linalg.norm(at.unknowns[moved])
     jumped = not still and exceeds_tangent(system, change, at.load_factor - history[-1].parameter, rates)
     return Reason(Cause.BRANCH_JUMP) if jumped else None
 

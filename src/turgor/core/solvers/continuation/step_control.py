@@ -3,19 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from turgor.core.solvers.continuation.thresholds import (
-    COMFORTABLE_ITERATIONS,
-    CREEPING_ADVANCE,
-    CREEPING_ATTEMPTS,
-    LOAD_DIGITS,
-    ROUND_OFF,
-    STEP_CUT,
-    STRETCH,
-    TOUCHING_GROWTH,
-    TOUCHING_ITERATIONS,
-    TOUCHING_SHARE,
-    WRINKLING_ITERATIONS,
-)
+from turgor.core.solvers.continuation.settings import STEP_CONTROL
 from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.core.solvers.solution import Step
 from turgor.core.solvers.step_reasons import Cause
@@ -44,7 +32,7 @@ class StepControl:
     min_step: float
     targets: tuple[float, ...]
     patience: int = 2
-    comfortable: float = COMFORTABLE_ITERATIONS
+    comfortable: float = STEP_CONTROL.comfortable_iterations
 
     @staticmethod
     def of(procedure: StepOptions, kinks: Sequence[float] = (), wrinkling: bool = False) -> "StepControl":
@@ -56,14 +44,16 @@ class StepControl:
         >>> [StepControl.of(Static(), wrinkling=one).accepted(0.05, 9).length for one in (True, False)]
         [0.05, 0.03333333333333333]
         """
-        asked = {factor for factor in procedure.at if all(abs(factor - kink) > ROUND_OFF for kink in kinks)}
+        asked = {
+            factor for factor in procedure.at if all(abs(factor - kink) > STEP_CONTROL.round_off for kink in kinks)
+        }
         targets = tuple(sorted({*asked, *kinks, 1.0}))
         return StepControl(
             length=procedure.first_step,
             max_step=procedure.max_step,
             min_step=procedure.min_step,
             targets=targets,
-            comfortable=WRINKLING_ITERATIONS if wrinkling else COMFORTABLE_ITERATIONS,
+            comfortable=STEP_CONTROL.wrinkling_iterations if wrinkling else STEP_CONTROL.comfortable_iterations,
         )
 
     def next_load(self, load_factor: float) -> float:
@@ -77,9 +67,9 @@ class StepControl:
         (0.3, 0.5, 0.8)
         """
         target = next(t for t in self.targets if t > load_factor)
-        if load_factor + STRETCH * self.length >= target:
+        if load_factor + STEP_CONTROL.stretch * self.length >= target:
             return target
-        tidy = round(load_factor + self.length, LOAD_DIGITS)
+        tidy = round(load_factor + self.length, STEP_CONTROL.load_digits)
         return tidy if load_factor < tidy < target else load_factor + self.length
 
     def accepted(self, increment: float, iterations: int, touches: bool = False) -> "StepControl":
@@ -97,11 +87,11 @@ class StepControl:
         >>> round(control.accepted(0.01, 4, True).length, 3)  # half of 0.2, and longer because that was easy
         0.175
         """
-        comfortable = max(self.comfortable, TOUCHING_ITERATIONS) if touches else self.comfortable
-        factor = min(TOUCHING_GROWTH if touches else 2.0, max(0.5, comfortable / max(iterations, 1)))
+        comfortable = max(self.comfortable, STEP_CONTROL.touching_iterations) if touches else self.comfortable
+        factor = min(STEP_CONTROL.touching_growth if touches else 2.0, max(0.5, comfortable / max(iterations, 1)))
         if self.patience < 2:
             factor = min(factor, 1.0)
-        least = TOUCHING_SHARE * self.length if touches else self.length
+        least = STEP_CONTROL.touching_share * self.length if touches else self.length
         reference = max(increment, least) if factor >= 1 else increment
         return replace(self, length=min(self.max_step, reference * factor), patience=self.patience + 1)
 
@@ -130,7 +120,7 @@ class StepControl:
 
     def failed(self, increment: float) -> "StepControl | None":
         """Cut the step; None when it would fall below the smallest."""
-        shorter = increment * STEP_CUT
+        shorter = increment * STEP_CONTROL.step_cut
         return None if shorter < self.min_step else replace(self, length=shorter, patience=0)
 
 
@@ -138,6 +128,10 @@ def in_vain(steps: Sequence[Step]) -> bool:
     """Whether shorter steps do not help: the last one ended at round-off, or the last many hardly advanced."""
     if steps[-1].cause is Cause.ROUND_OFF:
         return True
-    last = steps[-CREEPING_ATTEMPTS:]
+    last = steps[-STEP_CONTROL.creeping_attempts :]
     taken = [step.increment for step in last if step.accepted]
-    return len(last) == CREEPING_ATTEMPTS and 2 * len(taken) <= len(last) and sum(taken) < CREEPING_ADVANCE
+    return (
+        len(last) == STEP_CONTROL.creeping_attempts
+        and 2 * len(taken) <= len(last)
+        and sum(taken) < STEP_CONTROL.creeping_advance
+    )

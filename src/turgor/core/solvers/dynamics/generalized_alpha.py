@@ -108,6 +108,13 @@ class TimeStep:
         lead = (self.weights.alpha_m - self.weights.alpha_f) * self.length
         return Motion(unknowns, self.velocity(unknowns), self.acceleration(unknowns), self.carried(unknowns), lead)
 
+    def without_acceleration(self) -> Array:
+        """Unknowns at the end if the acceleration there is zero."""
+        w, b, h = self.weights, self.before, self.length
+        carried = (w.alpha_f * b.acceleration - w.alpha_m * self.carried_before) / (1 - w.alpha_m)
+        mean = (0.5 - w.beta) * self.carried_before + w.beta * carried
+        return np.asarray(b.unknowns + h * (b.velocity + h * mean))
+
     def prediction(self) -> Array:
         """Unknowns at the end, extrapolated with velocity and acceleration at the start."""
         b, h = self.before, self.length

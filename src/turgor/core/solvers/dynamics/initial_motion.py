@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.linear import LinearSolver, linear_solver
 from turgor.core.engine.system import Evaluation, System
-from turgor.core.solvers.dynamics.thresholds import DIFFERENCE
+from turgor.core.solvers.dynamics.settings import INITIAL_MOTION
 
 Array = NDArray[np.float64]
 
@@ -76,7 +76,7 @@ class Accelerations:
 
     def _turning(self, velocity: Array) -> Array:
         """Second derivative of the constraints along a straight motion (m,), by differences."""
-        step = DIFFERENCE / float(np.abs(velocity).max())
+        step = INITIAL_MOTION.difference / float(np.abs(velocity).max())
         volumes = []
         for k in (-1.0, 0.0, 1.0):
             there = self._at.unknowns + k * step * velocity

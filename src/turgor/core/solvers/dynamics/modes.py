@@ -16,13 +16,7 @@ from turgor.core.engine.system import System
 from turgor.core.engine.warmup.compiling import compile_kernels
 from turgor.core.engine.warmup.needs import Needs
 from turgor.core.model.model import Model
-from turgor.core.solvers.dynamics.thresholds import (
-    FIRST_SHIFT,
-    LANCZOS_REFINEMENTS,
-    LANCZOS_RESIDUAL,
-    RIGID_SHARE,
-    SHIFT_LOWERINGS,
-)
+from turgor.core.solvers.dynamics.settings import MODES
 from turgor.core.solvers.restart import unknowns_of
 from turgor.core.solvers.solution import State
 from turgor.foundation.display import brief
@@ -136,7 +130,7 @@ def natural_frequencies(
                 "not those of an elastic body; leave it out, or prescribe the rotation."
             )
         eigenvalues, vectors = _solve(system, stiffness, mass, count, options)
-    rigid = np.abs(eigenvalues) < RIGID_SHARE * _first_shift(system)
+    rigid = np.abs(eigenvalues) < MODES.rigid_share * _first_shift(system)
     return _modes(system, (load_factor, unknowns), np.where(rigid, 0.0, eigenvalues), vectors, mass)
 
 
@@ -165,7 +159,7 @@ def _solve(system: System, stiffness: Array, mass: Array, count: int, options: E
     mass[system.pattern.diagonal[system.held]] = 0.0
     solver = linear_solver(options.linear_solver, system.pattern, options.threads)
     shift = _first_shift(system)
-    for _ in range(SHIFT_LOWERINGS):
+    for _ in range(MODES.shift_lowerings):
         if _none_below(system, solver, stiffness + shift * mass):
             break
         shift *= 10
@@ -186,9 +180,9 @@ def _solve(system: System, stiffness: Array, mass: Array, count: int, options: E
 def _refined(solver: LinearSolver, pattern: Pattern, data: Array, right: Array) -> Array:
     """Solve to the accuracy that Lanczos iterations need; factors may be of single precision."""
     solution = solver.solve(right)
-    for _ in range(LANCZOS_REFINEMENTS):
+    for _ in range(MODES.lanczos_refinements):
         left_over = right - pattern.product(data, solution)
-        if float(np.linalg.norm(left_over)) <= LANCZOS_RESIDUAL * float(np.linalg.norm(right)):
+        if float(np.linalg.norm(left_over)) <= MODES.lanczos_residual * float(np.linalg.norm(right)):
             break
         solution = solution + solver.solve(left_over)
     return solution
@@ -200,7 +194,7 @@ def _first_shift(system: System) -> float:
     speed = min(m.law.shear_modulus / m.density for m in materials if m.density is not None)
     extent = float(np.ptp(system.model.mesh.points, axis=0).max())
     rubber = total_mass(system.model)
-    return FIRST_SHIFT * speed / extent**2 * rubber / (rubber + carried_mass(system.model))
+    return MODES.first_shift * speed / extent**2 * rubber / (rubber + carried_mass(system.model))
 
 
 def _none_below(system: System, solver: LinearSolver, data: Array) -> bool:

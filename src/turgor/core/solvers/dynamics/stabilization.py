@@ -22,11 +22,11 @@ from turgor.core.solvers.continuation.step_control import StepControl
 from turgor.core.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
 from turgor.core.solvers.dynamics.initial_stiffness import initial_stiffness
 from turgor.core.solvers.dynamics.motion_outcomes import came_to_rest, no_state, restless
-from turgor.core.solvers.dynamics.thresholds import ENERGY_ERROR, HOLD_GROWTH, HOLDS, RAISE, RAISES, SMALL_MOVE
+from turgor.core.solvers.dynamics.settings import STABILIZATION
 from turgor.core.solvers.energies import Energies
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
 from turgor.core.solvers.newton.convergence import relative_residual
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Start
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Start
 from turgor.core.solvers.outcomes import Outcome, stopped_by, too_many_steps
 from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.stabilized import Stabilized
@@ -123,10 +123,10 @@ def _advance(run: _Run) -> Outcome | None:
     run.problem.listeners.rejected(len(run.steps), run.steps[-1])
     shorter = run.control.failed(load - now)
     if shorter is None:
-        if run.raised >= RAISES:
-            return no_state(run.states[-1], run.steps[-1], RAISE**run.raised)
+        if run.raised >= STABILIZATION.raises:
+            return no_state(run.states[-1], run.steps[-1], STABILIZATION.raise_factor**run.raised)
         run.raised += 1
-        run.viscosity *= RAISE
+        run.viscosity *= STABILIZATION.raise_factor
         shorter = run.control.turned(run.procedure.first_step)
     run.control = _turned(run, shorter)
     return None
@@ -185,7 +185,7 @@ def _too_far(run: _Run, result: NewtonResult) -> bool:
     lost = abs(after.missing - run.energies.missing)
     moved = np.abs(at.unknowns - run.at.unknowns)[run.system.moving].max()
     most = max(after.strain, run.energies.strain, after.dissipated if run.free else 0.0)  # a fall strains little
-    if moved < SMALL_MOVE or lost <= ENERGY_ERROR * most:
+    if moved < STABILIZATION.small_move or lost <= STABILIZATION.energy_error * most:
         return False
     why = Reason(Cause.ENERGY_ERROR, 100 * lost / most)
     run.steps[-1] = replace(run.steps[-1], accepted=False, why=why)
@@ -216,7 +216,7 @@ def _come_to_rest(run: _Run) -> Outcome | None:
     length = run.hold or run.procedure.first_step
     at = run.system.evaluate(run.at.unknowns, 1.0, history=run.history)
     assert at is not None
-    if run.held == HOLDS:
+    if run.held == STABILIZATION.holds:
         return restless(run.states[-1])
     if relative_residual(run.system, at) <= run.procedure.tolerance:
         return _at_rest(run, at)
@@ -225,12 +225,16 @@ def _come_to_rest(run: _Run) -> Outcome | None:
     if not result.converged or _too_far(run, result):
         run.problem.listeners.rejected(len(run.steps), run.steps[-1])
         run.hold = 0.25 * length
-        return no_state(run.states[-1], run.steps[-1], RAISE**run.raised) if run.hold < run.procedure.min_step else None
+        return (
+            no_state(run.states[-1], run.steps[-1], STABILIZATION.raise_factor**run.raised)
+            if run.hold < run.procedure.min_step
+            else None
+        )
     ended = _accept(run, result, length)
     if ended is not None:
         return ended
     run.rate = np.zeros_like(run.rate)
-    run.hold = HOLD_GROWTH * length
+    run.hold = STABILIZATION.hold_growth * length
     return None
 
 

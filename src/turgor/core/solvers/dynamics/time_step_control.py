@@ -3,15 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from turgor.core.solvers.dynamics.thresholds import (
-    STEADY_TIME_STEP,
-    TAKEN_BACK,
-    TIME_STEP_CUT,
-    TIME_STEP_GROW,
-    TIME_STEP_SAFETY,
-    TIME_STEP_SHRINK,
-    TIME_STRETCH,
-)
+from turgor.core.solvers.dynamics.settings import TIME_STEP_CONTROL
 from turgor.core.solvers.procedures.dynamic import Dynamic
 
 
@@ -57,13 +49,13 @@ class TimeControl:
         """
         target = next(t for t in self.targets if t > time)
         left = target - time
-        if left <= TIME_STRETCH * self.length:
+        if left <= TIME_STEP_CONTROL.stretch * self.length:
             return target
         return time + (left / 2 if self.adaptive and left < 2 * self.length else self.length)
 
     def failed(self, length: float) -> "TimeControl | None":
         """Cut the step; None when it would fall below the shortest."""
-        shorter = TIME_STEP_CUT * length
+        shorter = TIME_STEP_CONTROL.cut * length
         return None if shorter < self.min_step else replace(self, length=shorter)
 
     def after(self, length: float, error: float) -> tuple["TimeControl", bool]:
@@ -81,13 +73,11 @@ class TimeControl:
         """
         if not self.adaptive:
             return self, False
-        factor = (
-            TIME_STEP_GROW
-            if error <= 0
-            else min(TIME_STEP_GROW, max(TIME_STEP_SHRINK, TIME_STEP_SAFETY * (self.accuracy / error) ** (1 / 3)))
-        )
-        taken_back = error > TAKEN_BACK * self.accuracy and length * factor >= self.min_step
-        if STEADY_TIME_STEP[0] < factor < STEADY_TIME_STEP[1] and not taken_back:
+        factor = TIME_STEP_CONTROL.grow
+        if error > 0:
+            factor = min(factor, TIME_STEP_CONTROL.safety * (self.accuracy / error) ** (1 / 3))
+        taken_back = error > TIME_STEP_CONTROL.taken_back * self.accuracy and length * factor >= self.min_step
+        if TIME_STEP_CONTROL.steady[0] < factor < TIME_STEP_CONTROL.steady[1] and not taken_back:
             return self, False
         reference = max(length, self.length) if factor >= 1 and not taken_back else length
         return replace(self, length=min(self.max_step, max(self.min_step, factor * reference))), taken_back

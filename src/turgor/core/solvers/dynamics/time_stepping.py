@@ -26,12 +26,12 @@ from turgor.core.solvers.dynamics.contact_work import Pushing, pushing, taken_by
 from turgor.core.solvers.dynamics.generalized_alpha import Motion, TimeStep, Weights
 from turgor.core.solvers.dynamics.initial_motion import Accelerations
 from turgor.core.solvers.dynamics.motion_outcomes import moved, no_motion, out_of_time_steps
-from turgor.core.solvers.dynamics.thresholds import SAME_LENGTH, SMALL_DISPLACEMENT
+from turgor.core.solvers.dynamics.settings import TIME_STEPPING
 from turgor.core.solvers.dynamics.time_step_control import TimeControl
 from turgor.core.solvers.energies import Energies
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
 from turgor.core.solvers.newton.convergence import relative_residual
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Start
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Start
 from turgor.core.solvers.outcomes import Outcome, stopped_by
 from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.dynamic import Dynamic
@@ -156,7 +156,7 @@ def _advance(run: _Run) -> Outcome | None:
     else:
         assert result.evaluation is not None
         unknowns = result.evaluation.unknowns
-        floor = SMALL_DISPLACEMENT * float(np.ptp(system.points, axis=0).max())
+        floor = TIME_STEPPING.small_displacement * float(np.ptp(system.points, axis=0).max())
         error = rule.error(unknowns) / max(run.largest, _largest(system, unknowns), floor)
         following, taken_back = run.control.after(rule.length, error)
         if taken_back:
@@ -200,7 +200,7 @@ def _equilibrium(run: _Run, constraint: Constraint, rule: TimeStep, load_factor:
     report = run.problem.listeners.reporter(len(run.problem.steps) + 1, load_factor)
     predicted = _prediction(run, constraint, rule, load_factor)
     stresses = system.stresses(run.at, predicted - run.at.unknowns)
-    fresh = abs(rule.length / run.factored - 1) > SAME_LENGTH if run.factored else True
+    fresh = abs(rule.length / run.factored - 1) > TIME_STEPPING.same_length if run.factored else True
     run.factored = rule.length
     settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
     return newton_with_contact(

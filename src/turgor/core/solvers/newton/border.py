@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.linear import REFINED, SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.system import Evaluation, Stresses
-from turgor.core.solvers.constraints.constraint import NUDGE, Conditions, Constraint
+from turgor.core.solvers.constraints.constraint import NUDGE, Constraint
+from turgor.core.solvers.constraints.elimination import Conditions, eliminated
 
 Array = NDArray[np.float64]
 
@@ -46,7 +47,7 @@ class Border:
     responses: Array = field(default_factory=lambda: np.empty((0, 0)))
 
     def factor(self, at: Evaluation, geometric: Stresses | None, jump: Array) -> Array:
-        """Factor at an evaluation; return the forces that moving the held unknowns by ``jump`` would cause."""
+        """Factor at an evaluation; return the forces that moving the prescribed unknowns by ``jump`` would cause."""
         try:
             coupling = self.tangent.factor(at, geometric, jump)
         except SingularTangentError:
@@ -73,6 +74,32 @@ class Border:
         """Schur complement (k, k) of the tangent in the bordered matrix: D + C B."""
         return np.asarray(conditions.corner + conditions.rows @ self.responses.T)
 
+    def newton_update(
+        self, at: Evaluation, linearized: tuple[Stresses | None, Array, bool], conditions: Conditions, left: float
+    ) -> tuple[Array, Array]:
+        """Updates of Newton's method at an evaluation.
+
+        Parameters
+        ----------
+        at : Evaluation
+        linearized : (Stresses or None, array, bool)
+            Stresses of the geometric stiffness, what the prescribed unknowns still have to move, and whether the
+            tangent is factored at the evaluation, or the last factors are used again.
+        conditions : Conditions
+        left : float
+            Relative residual that the linear solution may leave.
+
+        Returns
+        -------
+        ((size,) array, (k,) array)
+        """
+        (geometric, jump, fresh), prescribed = linearized, self.constraint.sought.system.held
+        right = -at.residual
+        if fresh:
+            right = right - self.factor(at, geometric, jump)
+        right[prescribed] = jump
+        return self.update(right, conditions, conditions.errors, left)
+
     def update(self, right: Array, conditions: Conditions, errors: Array, left: float = REFINED) -> tuple[Array, Array]:
         """Updates of unknowns and scalars for a right side of equilibrium and errors of the conditions.
 
@@ -81,9 +108,7 @@ class Border:
         free = self.tangent.solve(right, left)
         if not len(errors):
             return free, errors
-        rest = -errors - conditions.rows @ free
-        scalars = np.asarray(np.linalg.solve(self.stiffness(conditions), rest), dtype=np.float64)
-        return free + scalars @ self.responses, scalars
+        return eliminated(free, self.responses, conditions, errors)
 
 
 def rates(

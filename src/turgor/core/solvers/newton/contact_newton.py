@@ -8,8 +8,9 @@ from turgor.core.engine.system import Evaluation
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.newton.convergence import relative_residual
 from turgor.core.solvers.newton.inertia_correction import inertia_corrected
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
-from turgor.core.solvers.newton.thresholds import CONTACT_PASSES, CONTACT_PATIENCE, SEARCHED_ANEW, WEDGED
+from turgor.core.solvers.newton.newton import newton
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report, Start
+from turgor.core.solvers.newton.settings import CONTACT_NEWTON
 from turgor.core.solvers.step_reasons import Cause, Reason
 
 
@@ -34,23 +35,23 @@ def newton_with_contact(
     if not contact.parts:
         return result
     iterations, hardest = result.iterations, result.iterations
-    for number in range(CONTACT_PASSES):
+    for number in range(CONTACT_NEWTON.passes):
         at = _searched_anew(constraint, result, parameter)
         if at is None:
             break
         (friction, renewed), stiffened = contact.settled(at.contacts), contact.stiffen(at.contacts)
         constraint = constraint.with_friction(friction)
         residual = relative_residual(constraint.sought.system, at)
-        if not stiffened and residual <= SEARCHED_ANEW * settings.tolerance:
+        if not stiffened and residual <= CONTACT_NEWTON.after_search * settings.tolerance:
             return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
-        if not (stiffened or renewed) and number >= CONTACT_PATIENCE and residual <= WEDGED:
+        if not (stiffened or renewed) and number >= CONTACT_NEWTON.patience and residual <= CONTACT_NEWTON.wedged:
             return replace(result, iterations=iterations, hardest=hardest)
         found = find(constraint, Start(at.unknowns, constraint.sought.system.stresses(at), result.scalars))
         result = replace(found, reason=result.reason) if found.converged and found.reason is None else found
         iterations += result.iterations
         hardest = max(hardest, result.iterations)
     if result.converged:
-        result = replace(result, converged=False, reason=Reason(Cause.CONTACT_UNSETTLED, CONTACT_PASSES))
+        result = replace(result, converged=False, reason=Reason(Cause.CONTACT_UNSETTLED, CONTACT_NEWTON.passes))
     if result.reason is not None and result.reason.cause is Cause.TOO_MANY_ITERATIONS:
         result = replace(result, reason=replace(result.reason, value=iterations))  # those of all passes
     return replace(result, iterations=iterations)

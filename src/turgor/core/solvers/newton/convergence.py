@@ -5,15 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from turgor.core.engine.system import Evaluation, System
-from turgor.core.solvers.constraints.constraint import Conditions
-from turgor.core.solvers.newton.thresholds import (
-    KEEP_PARTNERS_AFTER,
-    ROUND_OFF_BELOW,
-    SMALL_FORCE,
-    STAGNATING_BELOW,
-    STAGNATING_UPDATES,
-    UNLOADED,
-)
+from turgor.core.solvers.constraints.elimination import Conditions
+from turgor.core.solvers.newton.settings import CONVERGENCE
 
 
 def relative_residual(system: System, at: Evaluation) -> float:
@@ -46,8 +39,10 @@ def whole_residual(system: System, at: Evaluation, conditions: Conditions) -> fl
 
 def partners_settle(iteration: int, residuals: Sequence[float]) -> bool:
     """Whether partners of contact are kept: in late updates, or if a small residual did not halve in two updates."""
-    stagnates = len(residuals) > 3 and residuals[-1] < STAGNATING_BELOW and residuals[-1] > 0.5 * residuals[-3]
-    return stagnates or iteration > KEEP_PARTNERS_AFTER
+    stagnates = (
+        len(residuals) > 3 and residuals[-1] < CONVERGENCE.stagnating_below and residuals[-1] > 0.5 * residuals[-3]
+    )
+    return stagnates or iteration > CONVERGENCE.keep_partners_after
 
 
 def _force_scale(system: System, at: Evaluation) -> float:
@@ -59,8 +54,8 @@ def _force_scale(system: System, at: Evaluation) -> float:
         float(np.linalg.norm(at.external[:displacement][moving][~held])),
         float(np.linalg.norm(at.residual[:displacement][moving][held])),
         at.contact_force,
-        SMALL_FORCE * system.full_force,
-        UNLOADED * np.sqrt(system.node_count),  # an unloaded body: nothing to compare with but round-off
+        CONVERGENCE.small_force * system.full_force,
+        CONVERGENCE.unloaded * np.sqrt(system.node_count),  # an unloaded body: nothing to compare with but round-off
     )
 
 
@@ -69,10 +64,10 @@ def stagnates(system: System, at: Evaluation, residuals: Sequence[float]) -> boo
 
     Positions are rounded, and the stiffness makes forces of that; the most that this can leave is estimated.
     """
-    last = residuals[-STAGNATING_UPDATES:]
-    if len(residuals) <= STAGNATING_UPDATES or max(last) > ROUND_OFF_BELOW:
+    last = residuals[-CONVERGENCE.stagnating_updates :]
+    if len(residuals) <= CONVERGENCE.stagnating_updates or max(last) > CONVERGENCE.round_off_below:
         return False
-    if min(last) < 0.5 * min(residuals[:-STAGNATING_UPDATES]):
+    if min(last) < 0.5 * min(residuals[: -CONVERGENCE.stagnating_updates]):
         return False
     return max(last) <= round_off(system, at)
 

@@ -19,20 +19,10 @@ from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.newton.convergence import relative_residual
+from turgor.core.solvers.newton.iteration import shortened
 from turgor.core.solvers.newton.line_search import evaluate
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Report
-from turgor.core.solvers.newton.thresholds import (
-    FIRST_SHIFT,
-    INERTIA_KEEP_PARTNERS_AFTER,
-    INERTIA_LEAST_SHARE,
-    INERTIA_OVERSHOT,
-    INERTIA_REACH,
-    INERTIA_SHORTEST,
-    INERTIA_UPDATES,
-    LARGEST_SHIFT,
-    SHIFT_FACTOR,
-    UNSHIFTED_BELOW,
-)
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report
+from turgor.core.solvers.newton.settings import INERTIA_CORRECTION
 from turgor.core.solvers.step_reasons import Cause, Reason
 
 Array = NDArray[np.float64]
@@ -75,15 +65,15 @@ def _descend(
 ) -> NewtonResult:
     system = constraint.sought.system
     shift, residual, start, free = 0.0, relative_residual(system, at), at.unknowns, system.moving
-    for iteration in range(1, INERTIA_UPDATES + 1):
+    for iteration in range(1, INERTIA_CORRECTION.updates + 1):
         steepened = _factored(tangent, at, shift)
         if steepened is None:
             return _failed(at, iteration, residual)
         shift = steepened
         update = tangent.solve(np.where(system.held, 0.0, -at.residual))
-        kept = None if iteration <= INERTIA_KEEP_PARTNERS_AFTER else at.contacts
+        kept = None if iteration <= INERTIA_CORRECTION.keep_partners_after else at.contacts
         new, length = _shortened(constraint, tangent, at, update, kept)
-        if new is None or float(np.abs(new.unknowns - start)[free].max()) > INERTIA_REACH:
+        if new is None or float(np.abs(new.unknowns - start)[free].max()) > INERTIA_CORRECTION.reach:
             return _failed(at, iteration, residual)
         residual = relative_residual(system, new)
         correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
@@ -98,9 +88,13 @@ def _descend(
                 reason=Reason(Cause.INERTIA_CORRECTED),
             )
         if length == 1:
-            shift = 0.0 if residual < UNSHIFTED_BELOW or shift <= FIRST_SHIFT else shift / SHIFT_FACTOR
+            shift = (
+                0.0
+                if residual < INERTIA_CORRECTION.unshifted_below or shift <= INERTIA_CORRECTION.first_shift
+                else shift / INERTIA_CORRECTION.shift_factor
+            )
         at = new
-    return _failed(at, INERTIA_UPDATES, residual)
+    return _failed(at, INERTIA_CORRECTION.updates, residual)
 
 
 def _failed(at: Evaluation | None, iterations: int, residual: float) -> NewtonResult:
@@ -110,14 +104,14 @@ def _failed(at: Evaluation | None, iterations: int, residual: float) -> NewtonRe
 
 def _factored(tangent: Tangent, at: Evaluation, shift: float) -> float | None:
     """Factor the tangent with at least this shift, increased until no mode is unstable; None if no shift suffices."""
-    while shift <= LARGEST_SHIFT:
+    while shift <= INERTIA_CORRECTION.largest_shift:
         try:
             tangent.factor(at, shift=shift)
             if tangent.unstable_modes() == 0:
                 return shift
         except SingularTangentError:
             pass
-        shift = max(SHIFT_FACTOR * shift, FIRST_SHIFT)
+        shift = max(INERTIA_CORRECTION.shift_factor * shift, INERTIA_CORRECTION.first_shift)
     return None
 
 
@@ -129,15 +123,14 @@ def _shortened(
     free = system.moving & ~system.held
     along = update[free]
     before = float(at.residual[free] @ along)
-    found, length = None, 1.0
-    while length > INERTIA_SHORTEST:
+
+    def trial(length: float) -> tuple[Evaluation | None, float]:
         new = evaluate(constraint, tangent, (at.unknowns + length * update, NO_SCALARS), at.load_factor, kept)
         if new is None:
-            length *= 0.5
-            continue
-        found, share = (new, length), system.contact.shortening(at.contacts, new.contacts)
-        after = float(new.residual[free] @ along)
-        if share == 1 and (after * before >= 0 or abs(after) <= INERTIA_OVERSHOT * abs(before)):
-            break
-        length *= share if share < 1 else max(INERTIA_LEAST_SHARE, abs(before) / (abs(after) + abs(before)))
-    return found or (None, 0.0)
+            return None, 0.5
+        share, after = system.contact.shortening(at.contacts, new.contacts), float(new.residual[free] @ along)
+        if share < 1 or after * before >= 0 or abs(after) <= INERTIA_CORRECTION.overshot * abs(before):
+            return new, share
+        return new, max(INERTIA_CORRECTION.least_share, abs(before) / (abs(after) + abs(before)))
+
+    return shortened(trial, INERTIA_CORRECTION.shortest)

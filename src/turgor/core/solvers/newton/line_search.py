@@ -14,12 +14,8 @@ from turgor.core.engine.contact.part import Look
 from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import Constraint
-from turgor.core.solvers.newton.thresholds import (
-    OVERSHOT,
-    OVERSHOT_TOUCHING,
-    SHORTEST_STEP,
-    SHORTEST_TOUCHING_STEP,
-)
+from turgor.core.solvers.newton.iteration import shortened
+from turgor.core.solvers.newton.settings import LINE_SEARCH
 
 Array = NDArray[np.float64]
 
@@ -65,17 +61,13 @@ def line_search(
         The end of the shortened update and its length; None where even the shortest turns a cell inside out.
     """
     at, update, scalars, change = step
-    system, length, found, shortest = constraint.sought.system, 1.0, None, SHORTEST_STEP
-    while length >= shortest:
+
+    def trial(length: float) -> tuple[Evaluation | None, float]:
         place = at.unknowns + length * update, scalars + length * change
         new = evaluate(constraint, tangent, place, parameter, kept)
-        share = 0.5 if new is None else length_allowed(system, at, new, update)
-        if share == 1:
-            return new, length
-        if new is not None:
-            found, shortest = (new, length), SHORTEST_TOUCHING_STEP
-        length *= share
-    return found or (None, 0.0)
+        return new, 0.5 if new is None else length_allowed(constraint.sought.system, at, new, update)
+
+    return shortened(trial, LINE_SEARCH.shortest, LINE_SEARCH.shortest_touching)
 
 
 def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
@@ -86,5 +78,5 @@ def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Arra
     free = system.moving & ~system.held
     along = update[free]
     before, after = float(at.residual[free] @ along), float(new.residual[free] @ along)
-    most = OVERSHOT if rubs else OVERSHOT_TOUCHING
+    most = LINE_SEARCH.overshot if rubs else LINE_SEARCH.overshot_touching
     return 0.5 if after * before < 0 and abs(after) > most * abs(before) else 1.0

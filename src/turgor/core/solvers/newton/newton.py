@@ -8,8 +8,7 @@ reduce the residual well (modified Newton), because a residual costs a twentieth
 wrinkle, whose stiffness changes with every update.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from time import perf_counter
 
 import numpy as np
@@ -18,113 +17,43 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.system import Evaluation, Stresses
-from turgor.core.solvers.constraints.constraint import Conditions, Constraint
+from turgor.core.solvers.constraints.constraint import Constraint
+from turgor.core.solvers.constraints.elimination import Conditions
 from turgor.core.solvers.newton.border import Border
 from turgor.core.solvers.newton.convergence import partners_settle, stagnates, too_slow, whole_residual
 from turgor.core.solvers.newton.forcing import forcing
+from turgor.core.solvers.newton.iteration import CONVERGED, Stopped, iterate
 from turgor.core.solvers.newton.line_search import evaluate, line_search
-from turgor.core.solvers.newton.thresholds import (
-    CUT_SHORT,
-    KEEP_FACTORS_BELOW,
-    KEEP_FACTORS_CONTRACTION,
-    SHORTEST_TOUCHING_STEP,
-    STALE_FACTORS,
-    VAIN_SHARE,
-    VAIN_UPDATES,
-)
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report, Start
+from turgor.core.solvers.newton.settings import FACTORS, LINE_SEARCH
 from turgor.core.solvers.step_reasons import Cause, Reason
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class NewtonSettings:
-    """How Newton's method iterates.
-
-    Parameters
-    ----------
-    tolerance : float [-]
-        Largest relative residual.
-    max_iterations : int
-        Updates before it gives up.
-    mixed_points : bool
-        Whether stresses may be linearized where the tangent is set to that.
-    count_anew : bool
-        Whether unstable modes are counted by new factors where the last ones are stale.
-    enough : float [-]
-        Relative residual that is accepted where round-off keeps it above the tolerance.
-    """
-
-    tolerance: float = 1e-6
-    max_iterations: int = 15
-    mixed_points: bool = True
-    count_anew: bool = False
-    enough: float = 0.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class NewtonResult:
-    """How Newton's method ended.
-
-    Parameters
-    ----------
-    evaluation : Evaluation or None
-        The equations at the last iterate.
-    iterations : int
-        Updates in all.
-    residual : float [-]
-        The last relative residual.
-    converged : bool
-    scalars : (k,) array
-        The scalars at the last iterate.
-    unstable_modes : int or None
-        None where a border needs them counted with the rates.
-    reason : Reason or None
-        Why it failed, or how the state was found.
-    hardest : int
-        Updates of the longest pass where friction and contact stiffness were renewed.
-    """
-
-    evaluation: Evaluation | None
-    iterations: int
-    residual: float
-    converged: bool
-    scalars: Array = field(default_factory=lambda: np.empty(0))
-    unstable_modes: int | None = None
-    reason: Reason | None = None
-    hardest: int = 0
-
-
 @dataclass(frozen=True, slots=True, eq=False)
-class Start:
-    """Where Newton's method starts.
+class _Iterate:
+    """An iterate, and how it was found.
 
     Parameters
     ----------
-    unknowns : (size,) array
-    stresses : Stresses or None
-        For the geometric stiffness of the first update; None takes those of the start.
-    scalars : (k,) array
-        None under load control.
-    evaluation : Evaluation or None
-        The equations there, where they were evaluated already.
+    at, scalars, conditions
+        The equations at it.
+    jump : array
+        What the supports still have to move.
+    geometric : Stresses or None
+        For the geometric stiffness of the last update, or of the first one.
     fresh : bool
-        Whether the first update needs factors of its own, or those of the last solve will do.
+        Whether the first update needs factors of its own.
+    residuals, lengths : tuple of float
+        Relative residuals and step lengths so far.
+    settled : bool
+        Whether partners of contact stay.
+    moved : float
+        How far the body has moved since new factors, over its largest displacement.
+    last : (Evaluation, array) or None
+        The iterate before and the update from it; None at the start.
     """
-
-    unknowns: Array
-    stresses: Stresses | None
-    scalars: Array = field(default_factory=lambda: np.empty(0))
-    evaluation: Evaluation | None = None
-    fresh: bool = True
-
-
-Report = Callable[[int, float, float, float], None]  # iteration, residual, correction, step length
-
-
-@dataclass(slots=True, eq=False)
-class _Iterate:
-    """How far the iteration has come; ``jump`` is what supports still have to move, ``moved`` since new factors."""
 
     at: Evaluation
     scalars: Array
@@ -132,24 +61,89 @@ class _Iterate:
     jump: Array
     geometric: Stresses | None
     fresh: bool
-    residuals: list[float]
-    lengths: list[float] = field(default_factory=lambda: [1.0])
+    residuals: tuple[float, ...]
+    lengths: tuple[float, ...] = (1.0,)
     settled: bool = False
     moved: float = 0.0
+    last: tuple[Evaluation, Array] | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Update:
+    """Updates of unknowns and scalars, the stresses of their tangent, and whether it was factored for them."""
+
+    unknowns: Array
+    scalars: Array
+    geometric: Stresses | None
+    fresh: bool
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Newton:
-    """What stays the same in one solve."""
+    """The case of finite elements."""
 
     constraint: Constraint
     border: Border
     parameter: float
     settings: NewtonSettings
+    report: Report
 
     @property
     def mixed(self) -> bool:
         return self.border.tangent.mixed_points and self.settings.mixed_points
+
+    def update(self, now: _Iterate) -> _Update:
+        """Solve for the updates of unknowns and scalars."""
+        fresh, geometric = _factors(self, now)
+        left = forcing(fresh, self.border.tangent.iterative, now.residuals, self.settings.tolerance)
+        try:
+            found = self.border.newton_update(now.at, (geometric, now.jump, fresh), now.conditions, left)
+        except (SingularTangentError, np.linalg.LinAlgError) as error:
+            raise Stopped(Reason(Cause.SINGULAR_TANGENT, detail=str(error))) from None
+        return _Update(*found, geometric, fresh)
+
+    def advanced(self, now: _Iterate, update: _Update) -> _Iterate:
+        """Go along an update as far as the line search allows."""
+        constraint, iteration = self.constraint, len(now.residuals)
+        settled = now.settled or partners_settle(iteration, now.residuals)
+        whole = now.at, update.unknowns, now.scalars, update.scalars
+        kept = now.at.contacts if settled else None
+        new, length = line_search(constraint, self.border.tangent, whole, self.parameter, kept)
+        if new is None:
+            raise Stopped(Reason(Cause.INVERTED_CELL))
+        scalars = now.scalars + length * update.scalars
+        conditions = constraint.target.conditions(new.unknowns, self.parameter, scalars)
+        residual = whole_residual(constraint.sought.system, new, conditions)
+        correction = length * float(np.abs(update.unknowns).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
+        self.report(iteration, residual, correction, length)
+        return _Iterate(
+            at=new,
+            scalars=scalars,
+            conditions=conditions,
+            jump=(1 - length) * now.jump,  # the supports are satisfied by an update of full length
+            geometric=update.geometric,
+            fresh=False,
+            residuals=(*now.residuals, residual),
+            lengths=(*now.lengths, length),
+            settled=settled,
+            moved=(0.0 if update.fresh else now.moved) + correction,
+            last=(now.at, update.unknowns),
+        )
+
+    def ended(self, now: _Iterate, iteration: int) -> object | None:
+        """Converged, or in vain: walls too deep in each other, no progress, or round-off."""
+        system, settings = self.constraint.sought.system, self.settings
+        if now.residuals[-1] <= settings.tolerance and not now.jump.any():
+            return CONVERGED
+        if system.contact.parts and max(now.lengths[-FACTORS.cut_short :]) <= LINE_SEARCH.shortest_touching:
+            return Reason(Cause.DEEP_PENETRATION)
+        if iteration >= FACTORS.vain_updates and _in_vain(now):
+            vain = f": walls touch, and {iteration} updates did not halve the residual"
+            return Reason(Cause.TOO_MANY_ITERATIONS, iteration, vain)
+        if not stagnates(system, now.at, now.residuals):
+            return None
+        enough = now.residuals[-1] <= settings.enough and not now.jump.any()
+        return CONVERGED if enough else Reason(Cause.ROUND_OFF, min(now.residuals))
 
 
 def newton(
@@ -172,36 +166,18 @@ def newton(
     -------
     NewtonResult
     """
-    run = _Newton(constraint, Border(constraint, tangent), parameter, settings)
-    now = _begin(run, start)
-    if now is None:
+    run = _Newton(constraint, Border(constraint, tangent), parameter, settings, report)
+    start_at = _begin(run, start)
+    if start_at is None:
         reason = Reason(Cause.INVERTED_START)
         return NewtonResult(
             evaluation=None, scalars=start.scalars, iterations=0, residual=np.inf, converged=False, reason=reason
         )
-    for iteration in range(1, settings.max_iterations + 1):
-        try:
-            update, change = _update(run, now)
-        except (SingularTangentError, np.linalg.LinAlgError) as error:
-            return _failure(now, iteration, Reason(Cause.SINGULAR_TANGENT, detail=str(error)), None)
-        last = now.at
-        if not _take(run, now, (update, change), (iteration, report)):
-            return _failure(now, iteration, Reason(Cause.INVERTED_CELL), tangent)
-        if now.residuals[-1] <= settings.tolerance and not now.jump.any():
-            return _success(run, now, iteration)
-        if constraint.sought.system.contact.parts and max(now.lengths[-CUT_SHORT:]) <= SHORTEST_TOUCHING_STEP:
-            now.at = last
-            return _failure(now, iteration, Reason(Cause.DEEP_PENETRATION), tangent)
-        if iteration >= VAIN_UPDATES and _in_vain(now):
-            vain = f": walls touch, and {iteration} updates did not halve the residual"
-            return _failure(now, iteration, Reason(Cause.TOO_MANY_ITERATIONS, iteration, vain), tangent)
-        if stagnates(constraint.sought.system, now.at, now.residuals):
-            if now.residuals[-1] <= settings.enough and not now.jump.any():
-                return _success(run, now, iteration)
-            return _failure(now, iteration, Reason(Cause.ROUND_OFF, min(now.residuals)), tangent)
-        _choose_factors(run, now, last, update)
-    reason = Reason(Cause.TOO_MANY_ITERATIONS, iteration, too_slow(now.residuals))
-    return _failure(now, iteration, reason, tangent)
+    end = iterate(run, start_at, settings.max_iterations)
+    if end.converged:
+        return _success(run, end.at, end.iterations)
+    slow = Reason(Cause.TOO_MANY_ITERATIONS, end.iterations, too_slow(end.at.residuals))
+    return _failure(end.at, end.iterations, end.why if isinstance(end.why, Reason) else slow, tangent)
 
 
 def _begin(run: _Newton, start: Start) -> _Iterate | None:
@@ -221,64 +197,36 @@ def _begin(run: _Newton, start: Start) -> _Iterate | None:
         jump=jump,
         geometric=start.stresses if run.mixed else None,
         fresh=start.fresh or bool(jump.any()),
-        residuals=[whole_residual(system, at, conditions)],
+        residuals=(whole_residual(system, at, conditions),),
     )
-
-
-def _update(run: _Newton, now: _Iterate) -> tuple[Array, Array]:
-    """Solve for the updates of unknowns and scalars."""
-    system = run.constraint.sought.system
-    coupling = np.zeros(system.size)
-    if now.fresh:
-        coupling, now.moved = run.border.factor(now.at, now.geometric, now.jump), 0.0
-    right = -now.at.residual - coupling
-    right[system.held] = now.jump
-    left = forcing(now.fresh, run.border.tangent.iterative, now.residuals, run.settings.tolerance)
-    return run.border.update(right, now.conditions, now.conditions.errors, left)
-
-
-def _take(run: _Newton, now: _Iterate, step: tuple[Array, Array], reported: tuple[int, Report]) -> bool:
-    """Go along an update as far as the line search allows; False where even the shortest turns a cell inside out."""
-    (update, change), (iteration, report) = step, reported
-    constraint, system = run.constraint, run.constraint.sought.system
-    now.settled = now.settled or partners_settle(iteration, now.residuals)
-    kept = now.at.contacts if now.settled else None
-    whole = now.at, update, now.scalars, change
-    new, length = line_search(constraint, run.border.tangent, whole, run.parameter, kept)
-    if new is None:
-        return False
-    now.jump = (1 - length) * now.jump  # the supports are satisfied by an update of full length
-    now.scalars = now.scalars + length * change
-    now.conditions = constraint.target.conditions(new.unknowns, run.parameter, now.scalars)
-    residual = whole_residual(system, new, now.conditions)
-    correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
-    now.at, now.moved = new, now.moved + correction
-    now.residuals.append(residual)
-    now.lengths.append(length)
-    report(iteration, residual, correction, length)
-    return True
 
 
 def _in_vain(now: _Iterate) -> bool:
     """Whether walls touch and no update has brought the residual far below the first one."""
-    return now.at.contacts.touch and min(now.residuals[1:]) > VAIN_SHARE * now.residuals[0]
+    return now.at.contacts.touch and min(now.residuals[1:]) > FACTORS.vain_share * now.residuals[0]
 
 
-def _choose_factors(run: _Newton, now: _Iterate, last: Evaluation, update: Array) -> None:
-    """Keep the factors while they contract the residual well, else linearize the stress for new ones.
+def _factors(run: _Newton, now: _Iterate) -> tuple[bool, Stresses | None]:
+    """Whether the next update needs new factors, and the stresses for them.
 
-    Factors from before the last update do not know which points it has brought into contact, or out of it.
+    The last factors serve while they contract the residual well. Factors from before the last update do not know which
+    points it has brought into contact, or out of it.
     """
+    if now.last is None:
+        return now.fresh, now.geometric
+    system, tangent, (last, update) = run.constraint.sought.system, run.border.tangent, now.last
     previous, residual, length = now.residuals[-2], now.residuals[-1], now.lengths[-1]
-    wrinkles = run.constraint.sought.system.model.sheets_wrinkle  # every update changes which points are slack
-    contracting = not wrinkles and residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
+    wrinkles = system.model.sheets_wrinkle  # every update changes which points are slack
+    contracting = not wrinkles and residual < FACTORS.contraction * previous and residual < FACTORS.below
     known = now.at.contacts.touch_as(last.contacts)
-    always = run.border.tangent.plain or run.border.tangent.iterative
-    now.fresh = always or bool(now.jump.any()) or not (contracting and known and length == 1)
-    if run.mixed and now.fresh:
-        start = perf_counter()
-        now.geometric = run.constraint.sought.system.stresses(last, length * update, now.geometric)
-        run.border.tangent.clock.residual += perf_counter() - start
+    always = tangent.plain or tangent.iterative
+    fresh = always or bool(now.jump.any()) or not (contracting and known and length == 1)
+    if not (run.mixed and fresh):
+        return fresh, now.geometric
+    start = perf_counter()
+    geometric = system.stresses(last, length * update, now.geometric)
+    tangent.clock.residual += perf_counter() - start
+    return True, geometric
 
 
 def _success(run: _Newton, now: _Iterate, iterations: int) -> NewtonResult:
@@ -289,7 +237,7 @@ def _success(run: _Newton, now: _Iterate, iterations: int) -> NewtonResult:
     tangent, modes = run.border.tangent, None
     if not len(now.scalars):
         modes = tangent.unstable_modes()
-        if modes or (run.settings.count_anew and now.moved > STALE_FACTORS):
+        if modes or (run.settings.count_anew and now.moved > FACTORS.stale_factors):
             try:
                 tangent.factor(now.at)
                 modes = tangent.unstable_modes()
@@ -305,13 +253,14 @@ def _success(run: _Newton, now: _Iterate, iterations: int) -> NewtonResult:
     )
 
 
-def _failure(now: _Iterate, iterations: int, reason: Reason, tangent: Tangent | None) -> NewtonResult:
+def _failure(now: _Iterate, iterations: int, reason: Reason, tangent: Tangent) -> NewtonResult:
+    deep, singular = reason.cause is Cause.DEEP_PENETRATION, reason.cause is Cause.SINGULAR_TANGENT
     return NewtonResult(
-        evaluation=now.at,
+        evaluation=now.last[0] if deep and now.last is not None else now.at,
         scalars=now.scalars,
         iterations=iterations,
         residual=now.residuals[-1],
         converged=False,
-        unstable_modes=None if tangent is None else tangent.unstable_modes(),
+        unstable_modes=None if singular else tangent.unstable_modes(),
         reason=reason,
     )

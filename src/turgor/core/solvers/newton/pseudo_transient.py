@@ -17,21 +17,9 @@ from turgor.core.engine.damping import gradient_stiffness
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
-from turgor.core.solvers.newton.thresholds import (
-    ALMOST_RIGID,
-    FADED_VISCOSITY,
-    GONE_VISCOSITY,
-    PSEUDO_TRANSIENT_FAILURES,
-    PSEUDO_TRANSIENT_ITERATIONS,
-    QUICK_ITERATIONS,
-    ROUGH_RESIDUAL,
-    SMALLEST_VISCOSITY,
-    VISCOSITY_AFTER_FAILURE,
-    VISCOSITY_AFTER_QUICK,
-    VISCOSITY_AFTER_STEP,
-    VISCOUS_FIRST_MOVE,
-)
+from turgor.core.solvers.newton.newton import newton
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report, Start
+from turgor.core.solvers.newton.settings import PSEUDO_TRANSIENT
 from turgor.core.solvers.step_reasons import Cause, Reason
 
 Array = NDArray[np.float64]
@@ -75,24 +63,24 @@ def pseudo_transient(
         return _restless(0)
     resistance = gradient_stiffness(system)
     motion = _Motion(at, _first_viscosity(system, tangent, at, resistance))
-    smallest, failures = FADED_VISCOSITY * motion.viscosity, 0
-    rough = replace(settings, tolerance=max(ROUGH_RESIDUAL, settings.tolerance), mixed_points=False)
-    while motion.iterations < PSEUDO_TRANSIENT_ITERATIONS and failures <= PSEUDO_TRANSIENT_FAILURES:
+    smallest = PSEUDO_TRANSIENT.faded * motion.viscosity
+    rough = replace(settings, tolerance=max(PSEUDO_TRANSIENT.rough_residual, settings.tolerance), mixed_points=False)
+    while motion.iterations < PSEUDO_TRANSIENT.iterations:
         dragged = replace(constraint, addition=_drag(system, resistance, motion))
         start = Start(motion.at.unknowns, system.stresses(motion.at))
         result = newton(dragged, tangent, start, load_factor, rough, report)
         motion.iterations += result.iterations
         if not result.converged or result.evaluation is None:
-            failures += 1
-            motion.viscosity *= VISCOSITY_AFTER_FAILURE
+            motion.viscosity *= PSEUDO_TRANSIENT.after_failure
             continue
-        failures, motion.at = 0, result.evaluation
-        motion.viscosity *= VISCOSITY_AFTER_QUICK if result.iterations <= QUICK_ITERATIONS else VISCOSITY_AFTER_STEP
+        motion.at = result.evaluation
+        quick = result.iterations <= PSEUDO_TRANSIENT.quick_iterations
+        motion.viscosity *= PSEUDO_TRANSIENT.after_quick if quick else PSEUDO_TRANSIENT.after_step
         if motion.viscosity > smallest:
             continue
         last = _without(constraint, tangent, motion, settings, report)
         at_round_off = last.reason is not None and last.reason.cause is Cause.ROUND_OFF
-        gone = motion.viscosity <= GONE_VISCOSITY * smallest  # at rest where it is unstable
+        gone = motion.viscosity <= PSEUDO_TRANSIENT.faded * smallest  # at rest where it is unstable
         if at_round_off or (last.converged and (gone or not last.unstable_modes)):
             return replace(last, iterations=motion.iterations)
     return _restless(motion.iterations)
@@ -115,13 +103,13 @@ def _restless(iterations: int) -> NewtonResult:
 
 def _first_viscosity(system: System, tangent: Tangent, at: Evaluation, resistance: Array) -> float:
     """The viscosity with which no node moves by more than the allowed distance in the first step."""
-    largest = ALMOST_RIGID * float(np.abs(system.tangent_data(at)).max()) / float(np.abs(resistance).max())
+    largest = (
+        PSEUDO_TRANSIENT.almost_rigid * float(np.abs(system.tangent_data(at)).max()) / float(np.abs(resistance).max())
+    )
     drag = Linear(system.layout.base, largest * resistance, np.zeros(system.size))
     tangent.factor(replace(at, addition=drag))
     moved = tangent.solve(np.where(system.held, 0.0, -at.residual))[: 3 * system.node_count]
-    return max(
-        largest * float(np.abs(moved[system.moving[: len(moved)]]).max()) / VISCOUS_FIRST_MOVE, SMALLEST_VISCOSITY
-    )
+    return largest * float(np.abs(moved[system.moving[: len(moved)]]).max()) / PSEUDO_TRANSIENT.first_move
 
 
 def _drag(system: System, resistance: Array, motion: _Motion) -> Linear:

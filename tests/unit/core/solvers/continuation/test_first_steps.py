@@ -10,9 +10,11 @@ from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.runtime import MIXED, NEWTON
 from turgor.core.engine.system import System
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.path_points import Point
+from turgor.core.solvers.continuation.load_control import load_run
+from turgor.core.solvers.continuation.path_run import Point
 from turgor.core.solvers.continuation.predictor import Extrapolation, predicted
 from turgor.core.solvers.newton import newton as newton_module
+from turgor.core.solvers.problem import Problem
 from turgor.units import kPa
 
 
@@ -55,3 +57,17 @@ def test_a_long_first_step_uses_the_factors_of_the_state_at_rest(
     assert begun[:1] == expected
     assert all(begun[1:])
     assert solution.complete
+
+
+def test_a_prediction_leaves_no_trace_for_the_next_one() -> None:
+    """Whose factors the tangent has is known to the tangent, not noted by who asked before."""
+    system = System(block())
+    problem = Problem(system=system, tangent=Tangent(system, "rslab", 1))
+    run = load_run(problem, tg.Static(first_step=1.0), patient=True)
+    before = run.memory
+    starts = [run.task.strategy.predict(run, 1.0) for _ in range(2)]
+    assert [start.fresh for start in starts] == [False, False]
+    assert run.memory is before
+    at = system.evaluate(np.zeros(system.size), 0.0)
+    problem.tangent.factor(at)
+    assert run.task.strategy.predict(run, 1.0).fresh

@@ -9,7 +9,8 @@ import contact_cases
 import turgor as tg
 from turgor.core.engine.system import System
 from turgor.core.solvers.continuation import load_control
-from turgor.core.solvers.continuation.path_points import Point, unknowns_between
+from turgor.core.solvers.continuation.path_points import unknowns_between
+from turgor.core.solvers.continuation.path_run import Point
 from turgor.core.solvers.continuation.predictor import gentle_share, predicted
 from turgor.core.solvers.restart import unknowns_of
 from turgor.units import kPa, mm

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 from turgor.core.solvers.continuation.step_control import in_vain
 from turgor.core.solvers.newton import contact_newton
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
-from turgor.core.solvers.newton.newton import NewtonResult, NewtonSettings, Start
+from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Start
 from turgor.core.solvers.solution import Step
 from turgor.core.solvers.step_reasons import Cause, Reason
 

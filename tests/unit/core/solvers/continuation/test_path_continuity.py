@@ -5,14 +5,15 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from turgor.core.solvers.constraints.arc import Arc
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.constraints.load_factor import ArcTarget
 from turgor.core.solvers.continuation import continuity
 from turgor.core.solvers.continuation.continuity import judged, orientation, straightness
-from turgor.core.solvers.continuation.path_points import Point
-from turgor.core.solvers.continuation.path_reversal import reverses
+from turgor.core.solvers.continuation.path_run import Point
 from turgor.core.solvers.continuation.scalar_control.arc_scaling import next_conditions
-from turgor.core.solvers.continuation.thresholds import CORNER_CUTS
+from turgor.core.solvers.continuation.scalar_control.path_reversal import reverses
+from turgor.core.solvers.continuation.settings import CONTINUITY
 from turgor.core.solvers.step_reasons import Cause
 
 
@@ -114,7 +115,7 @@ def test_a_sharp_turn_is_cut_and_a_corner_taken_in_the_end():
     last, now = point(0, (0, 0), (1, 0), 0), point(1, (1, 1), (0, 1), 0)
     going = run()
     assert straightness(going, last, now) == pytest.approx(np.sqrt(0.5))
-    for _ in range(CORNER_CUTS):
+    for _ in range(CONTINUITY.corner_cuts):
         assert judged(going, last, now).reason.cause is Cause.SHARP_TURN
         going.steps.append(SimpleNamespace(cause=Cause.SHARP_TURN))
     assert judged(going, last, now).reason is None
@@ -147,14 +148,14 @@ def test_the_scale_of_arcs_grows_with_the_body_and_the_history_with_it():
     """Ten times as far as the load at a size of 1: the next arcs count a displacement by 2.5, and rates fit them."""
     places = [point(p, (10 * p, p), (10, 1), 0) for p in (0.0, 0.5, 1.0)]
     going = run([place.state for place in places])
-    target = ArcTarget(going.task.system, 1.0, 0.5, np.zeros(3), np.zeros(1), np.zeros(3), 1.0)
+    target = ArcTarget(going.task.system, 1.0, 0.5, np.zeros(3), np.zeros(1), Arc(np.zeros(3), 1.0))
     going.constraint, going.history = Constraint(None, target), list(places)
     next_conditions(going, places[1], places[2])
     target = going.constraint.target
     assert going.size == target.size == pytest.approx(2.5)
-    assert np.hypot(target.along[0] * 2.5, target.rise) == pytest.approx(1.0)
+    assert np.hypot(target.arc.row[0] * 2.5, target.arc.rise) == pytest.approx(1.0)
     for place in going.history:
-        assert target.along @ place.change + target.rise * place.slope[0] == pytest.approx(1.0)
+        assert target.arc.length(place.change, place.slope[0]) == pytest.approx(1.0)
         lengths = target.conditions(place.unknowns, place.parameter, place.scalars).errors
         assert lengths == pytest.approx([0.0], abs=1e-12)
     next_conditions(going, places[1], places[2])

@@ -6,11 +6,12 @@ import pytest
 
 import turgor as tg
 from turgor.core.solvers.continuation.path_points import _for_short, settings_of
-from turgor.core.solvers.continuation.thresholds import SMALLEST_TOLERANCE
+from turgor.core.solvers.continuation.settings import STEP_CONTROL
 
 
 @pytest.mark.parametrize(
-    ("length", "tolerance"), [(0.4, 1e-6), (0.1, 1e-6), (0.05, 5e-7), (0.001, 1e-8), (1e-5, SMALLEST_TOLERANCE)]
+    ("length", "tolerance"),
+    [(0.4, 1e-6), (0.1, 1e-6), (0.05, 5e-7), (0.001, 1e-8), (1e-5, STEP_CONTROL.smallest_tolerance)],
 )
 def test_the_tolerance_shrinks_with_the_step(length, tolerance):
     procedure = tg.Static(first_step=0.1)

@@ -11,7 +11,7 @@ import turgor as tg
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.system import System
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.path_points import Point
+from turgor.core.solvers.continuation.path_run import Point
 from turgor.core.solvers.continuation.predictor import Extrapolation, predicted
 from turgor.units import GPa, mm
 

@@ -14,18 +14,21 @@ from turgor.core.engine.fields import cell_fields
 from turgor.core.engine.system import System
 from turgor.core.model.history import is_straight, share_at
 from turgor.core.model.model import Model
+from turgor.core.solvers.constraints.arc import Arc
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.constraints.load_factor import ArcTarget, LoadFactor, displacement_of
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.continuation.path_follower import follow
-from turgor.core.solvers.continuation.path_points import Ending, Point, Run, begin, fixed_load, nothing, settings_of
-from turgor.core.solvers.continuation.path_reversal import reverses
+from turgor.core.solvers.continuation.path_points import begin, fixed_load, nothing, settings_of
+from turgor.core.solvers.continuation.path_run import Ending, Point, Run
+from turgor.core.solvers.continuation.scalar_control.path_reversal import reverses
 from turgor.core.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
+from turgor.core.solvers.continuation.settings import STEP_CONTROL
 from turgor.core.solvers.continuation.step_control import StepControl
 from turgor.core.solvers.continuation.tangent_response import exceeds_tangent, load_response, rate_at
-from turgor.core.solvers.continuation.thresholds import STEP_CUT
 from turgor.core.solvers.listeners import silent
-from turgor.core.solvers.newton.newton import Start, newton
+from turgor.core.solvers.newton.newton import newton
+from turgor.core.solvers.newton.newton_values import Start
 from turgor.core.solvers.outcomes import Outcome, stuck
 from turgor.core.solvers.path_outcomes import followed, reached, turned_back
 from turgor.core.solvers.problem import Problem
@@ -100,7 +103,7 @@ def from_rest(problem: Problem, procedure: StepOptions, lengths: tuple[float, fl
         problem.listeners.rejected(len(problem.steps), problem.steps[-1])
         if first.converged and reason is None:
             break
-        load *= STEP_CUT
+        load *= STEP_CONTROL.step_cut
         if load < procedure.min_step:
             return stuck(system.model, problem.states, problem.steps, bool(first.unstable_modes))
     assert first.evaluation is not None
@@ -113,8 +116,7 @@ def arc_run(
     """A run by the arc length from a stable state on, to where the load rises, with a first and a longest step."""
     system, (unknowns, load) = problem.system, at
     size, here = displacement_scale(problem, unknowns, load), np.array([load])
-    along, rise = _direction(problem, unknowns, load, size)
-    target = ArcTarget(system, size, 0.0, unknowns, here, along, rise)
+    target = ArcTarget(system, size, 0.0, unknowns, here, _direction(problem, unknowns, load, size))
     length, longest = steps
     stepping = StepControl(length=min(length, longest), max_step=longest, min_step=procedure.min_step, targets=(inf,))
     constraint = Constraint.of(LoadFactor(system), target, history=problem.history)
@@ -141,17 +143,16 @@ def start_of(problem: Problem) -> Array:
     return unknowns_of(problem.system, problem.start)
 
 
-def _direction(problem: Problem, unknowns: Array, load: float, size: float) -> tuple[Array, float]:
-    """Direction in which the load rises, as `ArcTarget` wants it; from rest to here where the tangent is singular."""
+def _direction(problem: Problem, unknowns: Array, load: float, size: float) -> Arc:
+    """Direction in which the load rises; from rest to here where the tangent is singular."""
     system = problem.system
     at = system.evaluate(unknowns, load, history=problem.history)
     assert at is not None
-    response = displacement_of(system, unknowns - start_of(problem)) / load
+    response = (unknowns - start_of(problem)) / load
     with suppress(SingularTangentError):
         problem.tangent.factor(at)
-        response = displacement_of(system, load_response(system, problem.tangent, unknowns))
-    norm = float(np.hypot(np.linalg.norm(response) / size, 1.0))
-    return response / (norm * size**2), 1 / norm
+        response = load_response(system, problem.tangent, unknowns)
+    return Arc.along(response, 1.0, system.moving / size**2)
 
 
 def _first_step(load: float, iterations: int, residual: float, reason: Reason | None) -> Step:

@@ -10,22 +10,22 @@ from dataclasses import replace
 import numpy as np
 
 from turgor.core.solvers.constraints.load_factor import ArcTarget
-from turgor.core.solvers.continuation.path_points import Point, Run
-from turgor.core.solvers.continuation.thresholds import SCALE_GROWTH
+from turgor.core.solvers.continuation.path_run import Point, Run
+from turgor.core.solvers.continuation.scalar_control.settings import ARC_SCALING
 
 
 def next_conditions(run: Run, last: Point, now: Point) -> None:
     """Set the arc length of the next step in a suitable scale, and convert the history to it."""
     target = run.constraint.target
     if isinstance(target, ArcTarget):
-        run.size = max(run.size, _moved(run, now) / (SCALE_GROWTH * _largest_load(run, now)))
+        run.size = max(run.size, _moved(run, now) / (ARC_SCALING.scale_growth * _largest_load(run, now)))
         target = replace(target, size=run.size)
     following = target.onward(last, now)
     clock = run.constraint.clock.onward(now.parameter)
     run.constraint = replace(run.constraint, target=following, clock=clock)
     if not isinstance(following, ArcTarget) or now.change is None or now.slope is None:
         return
-    measure = float(following.along @ now.change + following.rise * now.slope[0])
+    measure = following.arc.length(now.change, float(now.slope[0]))
     run.history[:] = [_measured(point, now.parameter, measure) for point in run.history]
 
 

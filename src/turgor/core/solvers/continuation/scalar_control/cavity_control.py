@@ -15,10 +15,11 @@ from turgor.core.solvers.constraints.cavities import CavityPressures, GasTarget,
 from turgor.core.solvers.constraints.clock import Clock
 from turgor.core.solvers.constraints.constraint import Constraint, Target
 from turgor.core.solvers.continuation.path_follower import follow
-from turgor.core.solvers.continuation.path_points import Ending, Point, Run, begin
+from turgor.core.solvers.continuation.path_points import begin
+from turgor.core.solvers.continuation.path_run import Ending, Point, Run
 from turgor.core.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
+from turgor.core.solvers.continuation.scalar_control.settings import CAVITY_CONTROL
 from turgor.core.solvers.continuation.step_control import StepControl
-from turgor.core.solvers.continuation.thresholds import NO_VOLUME
 from turgor.core.solvers.outcomes import Outcome
 from turgor.core.solvers.path_outcomes import reached
 from turgor.core.solvers.problem import Problem
@@ -118,7 +119,7 @@ def _follow(
 
 def _check_room(system: System, volumes: Array) -> None:
     """Refuse cavities without volume: they hold no gas at rest, so a ratio to it has no meaning."""
-    least = NO_VOLUME * float(np.ptp(system.points, axis=0).prod())
+    least = CAVITY_CONTROL.no_volume * float(np.ptp(system.points, axis=0).prod())
     for name, volume in zip(system.controlled, volumes, strict=True):
         if volume <= least:
             raise TurgorError(f"{name} encloses no volume at rest, so it holds no gas; use VolumeControl.")

@@ -1,15 +1,16 @@
 """Paths with scalar unknowns: how they go from step to step, and how they begin."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.continuation.continuity import judged
-from turgor.core.solvers.continuation.path_points import Ending, Judgment, Point, Run, Task, point_at, settings_of
+from turgor.core.solvers.continuation.path_points import point_at, settings_of
+from turgor.core.solvers.continuation.path_run import Ending, Judgment, Point, Rescue, Run, Task, Turn
 from turgor.core.solvers.continuation.predictor import BY_PATH, predicted
 from turgor.core.solvers.continuation.step_control import StepControl
-from turgor.core.solvers.newton.newton import NewtonResult, Start
-from turgor.core.solvers.outcomes import Outcome, stuck
+from turgor.core.solvers.newton.newton_values import NewtonResult, Start
+from turgor.core.solvers.outcomes import stuck
 from turgor.core.solvers.path_outcomes import lost_path
 from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.step_options import StepOptions
@@ -35,23 +36,24 @@ class ScalarStrategy:
         verdict = judged(run, run.history[-1], now)
         return Judgment(now if verdict.reason is None else None, verdict.reason, verdict.passed)
 
-    def rescue(self, run: Run) -> Outcome | None:
+    def rescue(self, run: Run) -> Rescue:
         """Say that no step is short enough; with an unknown load factor this is no limit point."""
-        if run.size:
-            return lost_path(run)
-        return stuck(run.task.system.model, run.states, run.steps, False)
+        ending = lost_path(run) if run.size else stuck(run.task.system.model, run.states, run.steps, False)
+        return Rescue(None, ending, run.memory)
 
-    def accepted(self, run: Run, now: Point) -> None:
-        """Nothing more."""
+    def accepted(self, run: Run, now: Point) -> StepControl:
+        """The same step control."""
+        return run.stepping
 
-    def turn(self, run: Run, now: Point) -> None:
+    def turn(self, run: Run, now: Point) -> Turn:
         """Start without history, with the rates beyond the kink."""
-        if run.constraint.clock.duration is not None:
-            run.constraint = run.constraint.begun(now.parameter)
-        at = run.constraint.evaluate(now.unknowns, now.parameter, now.scalars)
+        constraint = run.constraint
+        if constraint.clock.duration is not None:
+            constraint = constraint.begun(now.parameter)
+        at = constraint.evaluate(now.unknowns, now.parameter, now.scalars)
         assert at is not None
-        run.history[:] = [point_at(run, at, now.parameter, now.scalars, ahead=True)]
-        run.stepping = run.stepping.turned(run.task.procedure.first_step)
+        first = point_at(replace(run, constraint=constraint), at, now.parameter, now.scalars, ahead=True)
+        return Turn((first,), constraint, run.stepping.turned(run.task.procedure.first_step), run.memory)
 
 
 @dataclass(frozen=True, slots=True)

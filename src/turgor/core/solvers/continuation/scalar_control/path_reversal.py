@@ -7,8 +7,8 @@ back to rest with that cell inverted. It is an artifact of the mesh.
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.solvers.continuation.path_points import Point, Run
-from turgor.core.solvers.continuation.thresholds import REVERSAL_FALLEN, REVERSAL_NEAR
+from turgor.core.solvers.continuation.path_run import Point, Run
+from turgor.core.solvers.continuation.scalar_control.settings import PATH_REVERSAL
 from turgor.core.solvers.solution import State
 
 
@@ -23,10 +23,10 @@ def reverses(run: Run, now: Point) -> bool:
     """
     load, states = float(now.scalars[0]), run.states
     top = max(range(len(states)), key=lambda number: states[number].load_factor)
-    if not 0 < load < REVERSAL_FALLEN * states[top].load_factor:
+    if not 0 < load < PATH_REVERSAL.fallen * states[top].load_factor:
         return False
     before = _on_the_way(states[: top + 1], load)
-    return float(np.linalg.norm(now.state.displacement - before)) < REVERSAL_NEAR * float(
+    return float(np.linalg.norm(now.state.displacement - before)) < PATH_REVERSAL.near * float(
         np.linalg.norm(states[top].displacement - before)
     )
 
