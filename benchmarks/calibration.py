@@ -14,8 +14,8 @@ import turgor as tg
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.studies.calibration.job_files import free_parameters, job_trial
-from turgor.studies.study.job_runs import solved_job
-from turgor.studies.study.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_runs import solved_job
 from turgor.units import deg, kPa, mm
 
 JOB = """

@@ -11,8 +11,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import turgor as tg
-from turgor.studies.study.job_runs import solved_job
-from turgor.studies.study.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_runs import solved_job
 from turgor.units import kPa, mm
 
 JOB = """

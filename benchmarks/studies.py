@@ -18,9 +18,9 @@ from time import perf_counter
 import numpy as np
 
 import turgor as tg
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.jobs.job_file import job_file
-from turgor.studies.study.running.workers import Workers
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.worker_processes import Workers
+from turgor.studies.runs.jobs.job_file import job_file
 from turgor.units import mm
 
 JOB = """

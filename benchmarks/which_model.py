@@ -17,8 +17,8 @@ import numpy as np
 
 import turgor as tg
 from turgor.foundation.response import Column
-from turgor.studies.study.run_all import run_all
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
+from turgor.studies.runs.run_all import run_all
 from turgor.units import deg, kPa, mm
 from which_model_page import write_page
 

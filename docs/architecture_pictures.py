@@ -20,7 +20,7 @@ IMAGES = Path(__file__).parent / "images"
 ROOMS = (
     "core.materials", "core.geometry", "core.meshing", "core.model", "core.engine", "core.solvers", "core.setups",
     "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views", "accuracy.gradients",
-    "accuracy.adaptivity", "accuracy.laboratory", "job", "studies.study", "studies.calibration", "studies.uncertainty",
+    "accuracy.adaptivity", "accuracy.laboratory", "job", "studies.runs", "studies.calibration", "studies.uncertainty",
     "studies.sensitivity", "studies.surrogates", "studies.optimization", "guidelines", "cli",
 )  # fmt: skip
 
@@ -143,7 +143,7 @@ def rooms() -> Figure:
     model = Box(x=50, y=middle, width=14, height=9, heading="Model", room="model")
     solution = Box(x=69.5, y=middle, width=14, height=9, heading="Solution", room="solvers")
     response = Box(x=91, y=middle, width=14, height=9, heading="Response", room="results")
-    study = Box(x=90.5, y=54.6, width=17, height=6, lines="runs; guidelines/", room="study", color=AMBER)
+    study = Box(x=90.5, y=54.6, width=17, height=6, lines="runs; guidelines/", room="studies", color=AMBER)
     measured = Box(x=70.5, y=54.6, width=18, height=6, lines="measured curves", room="laboratory", color=AMBER)
     quick = Box(x=12, y=16.2, width=21, height=6.4, lines="quick models", room="formulas, rod, section", color=AMBER)
     engine = Box(x=69.5, y=26, width=27, height=7.4, lines="residual, tangent, factorization", room="engine",

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 ROOMS = (
     "foundation", "core.materials", "core.geometry", "core.meshing", "core.model", "core.engine", "core.solvers",
     "core.setups", "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views",
-    "accuracy.gradients", "accuracy.adaptivity", "accuracy.laboratory", "job", "studies.study", "studies.calibration",
+    "accuracy.gradients", "accuracy.adaptivity", "accuracy.laboratory", "job", "studies.runs", "studies.calibration",
     "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization", "guidelines", "cli",
 )  # fmt: skip
 
@@ -40,8 +40,8 @@ HOME = {
     "embreex": ("views",),
     "jinja2": ("views",),
     "matplotlib": ("views",),
-    "distributed": ("studies.study",),
-    "pyarrow": ("studies.study",),
+    "distributed": ("studies.runs",),
+    "pyarrow": ("studies.runs",),
     "SALib": ("studies.sensitivity",),
     "sklearn": ("studies.surrogates",),
     "pydantic": ("job",),
@@ -51,7 +51,7 @@ HOME = {
 }
 
 #: Public functions whose keywords are names that only the user knows: the factors of a sweep are fields of a design.
-FREE_KEYWORDS = ("turgor.studies.study.sweep.sweep",)
+FREE_KEYWORDS = ("turgor.studies.runs.sweep.sweep",)
 
 LONGEST_FILE = 500
 

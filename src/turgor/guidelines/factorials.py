@@ -7,11 +7,11 @@ from turgor.foundation.source import Source
 from turgor.guidelines.guideline import Found
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.values import Value
+from turgor.studies.runs.executors.run_outcome import Ended
+from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.run import Computed, Run
+from turgor.studies.runs.study import Row, Study
 from turgor.studies.sensitivity.anova import Anova, anova
-from turgor.studies.study.factor import Factor
-from turgor.studies.study.running.run_outcome import Ended
-from turgor.studies.study.runs import Computed, Run
-from turgor.studies.study.study import Row, Study
 from turgor.units import kPa
 from turgor.views.plots.study_figure import Line
 

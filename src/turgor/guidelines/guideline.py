@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Literal
 
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.views.plots.study_figure import Panel
 
 #: How much is computed: coarse meshes and few values, or the default meshes and all values.

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from turgor.foundation.errors import TurgorError
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict, overall
-from turgor.studies.study.files.run_files import kept, kept_problem
-from turgor.studies.study.run_all import run_all
-from turgor.studies.study.running.run_outcome import Ended
+from turgor.studies.runs.executors.run_outcome import Ended
+from turgor.studies.runs.files.run_files import kept, kept_problem
+from turgor.studies.runs.run_all import run_all
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

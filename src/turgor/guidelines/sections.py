@@ -6,7 +6,7 @@ import turgor as tg
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import MESH_ERROR, Column
 from turgor.guidelines.drawn import outline_of
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 
 #: How much larger the cells of the second solve are.
 COARSER = 2.0

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 import turgor as tg
 from turgor.foundation.response import MESH_ERROR, Column, Response
 from turgor.guidelines.sections import solved_twice
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ from study_cases import line
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
 from turgor.guidelines.catalog import guidelines
-from turgor.studies.study.files.run_files import keep
+from turgor.studies.runs.files.run_files import keep
 
 
 def keep_lines(key: str, folder, slopes) -> None:

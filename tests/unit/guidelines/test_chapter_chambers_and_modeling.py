@@ -15,7 +15,7 @@ from turgor.guidelines.omnidirectional import chamber_shapes
 from turgor.guidelines.omnidirectional.chambers import area_of
 from turgor.guidelines.omnidirectional.shapes import AREA, SHAPES, given_for
 from turgor.guidelines.values import Value
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 from turgor.units import deg, kPa, mm
 
 SECTIONS = ("5", "6.2", "7.3", "7.4", "8.1")

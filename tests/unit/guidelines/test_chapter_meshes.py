@@ -9,7 +9,7 @@ from turgor.foundation.source import Source
 from turgor.guidelines.catalog import chosen
 from turgor.guidelines.convergence import element_kinds, remeshing
 from turgor.guidelines.guideline import Verdict
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 from turgor.units import deg, kPa
 
 

@@ -9,7 +9,7 @@ from turgor.guidelines.catalog import guidelines
 from turgor.guidelines.fiber_reinforced import braids, double_wrap, single_wrap, too_dense, two_sides
 from turgor.guidelines.guideline import Verdict
 from turgor.guidelines.single_chamber import best_shape, layer_ratio, shapes, thin_walls, two_directions
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 from turgor.units import kPa
 
 KEYS = [

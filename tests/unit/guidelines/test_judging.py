@@ -10,7 +10,7 @@ from turgor.guidelines.guideline import Guideline, GuidelineTest, Judgement, Ver
 from turgor.guidelines.judge import judged, run_guidelines
 from turgor.guidelines.page import write_markdown, write_page
 from turgor.guidelines.values import Value, at, falls, largest, last, linearity, listed, rises
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.views.plots.study_figure import Line, Panel
 
 

@@ -14,7 +14,7 @@ from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
     from turgor.foundation.response import Response
-    from turgor.studies.study.running.run_outcome import Ended
+    from turgor.studies.runs.executors.run_outcome import Ended
 
 Texts = list[str] | None
 
@@ -87,8 +87,8 @@ def _run(asked: _Options) -> None:
         from turgor.studies.calibration.calibrate import calibrate
         from turgor.studies.calibration.job_files import CALIBRATED, free_parameters, job_trial, left_as_they_are
         from turgor.studies.calibration.write import write_calibration
-        from turgor.studies.study.evaluations import kept_in
-        from turgor.studies.study.jobs.job_file import RUNS, job_file
+        from turgor.studies.runs.evaluations import kept_in
+        from turgor.studies.runs.jobs.job_file import RUNS, job_file
 
         measured = [_measured(file, asked) for file in (*asked.experiments, *(asked.hold_out or ()))]
         job = asked_job(asked.job, asked.changes)

@@ -9,10 +9,10 @@ import typer
 from turgor.cli.start.signals import kept_in_folder
 
 if TYPE_CHECKING:
-    from turgor.studies.study.factor import Factor
-    from turgor.studies.study.jobs.study_file import StudyFile
-    from turgor.studies.study.running.executors import Executor
-    from turgor.studies.study.study import Study
+    from turgor.studies.runs.executors.executor import Executor
+    from turgor.studies.runs.factor import Factor
+    from turgor.studies.runs.jobs.study_file import StudyFile
+    from turgor.studies.runs.study import Study
     from turgor.studies.uncertainty.spread import Spread
 
 #: Ending of study files.
@@ -57,8 +57,8 @@ def given_study(path: Path, how: HowComputed) -> "tuple[Study, Path, tuple[str, 
     from turgor.cli.analyses.machines import executor_of
     from turgor.foundation.errors import TurgorError
     from turgor.job.text.overrides import parse_changes
-    from turgor.studies.study.files.study_folder import load_study, write_study
-    from turgor.studies.study.jobs.study_file import read_study_file
+    from turgor.studies.runs.files.study_folder import load_study, write_study
+    from turgor.studies.runs.jobs.study_file import read_study_file
 
     if path.suffix.lower() != TOML:
         given_options = {"--set": how.changes, "--scheduler": how.scheduler, "--retry": how.retry}
@@ -94,9 +94,9 @@ def computed_study(given: "StudyFile", folder: Path, executor: "Executor", *, re
     Study
     """
     from turgor.cli.analyses.progress import StudyProgress
-    from turgor.studies.study.evaluations import Evaluations
-    from turgor.studies.study.jobs.job_file import RUNS
-    from turgor.studies.study.jobs.job_sweep import sweep_job
+    from turgor.studies.runs.evaluations import Evaluations
+    from turgor.studies.runs.jobs.job_file import RUNS
+    from turgor.studies.runs.jobs.job_sweep import sweep_job
 
     with (
         kept_in_folder(folder),
@@ -122,7 +122,7 @@ def numbers_given(texts: Sequence[str] | None, units: Mapping[str, str], option:
     dict of str to float [SI]
     """
     from turgor.foundation.errors import TurgorError, unknown
-    from turgor.studies.study.jobs.job_numbers import JobNumber, read_number
+    from turgor.studies.runs.jobs.job_numbers import JobNumber, read_number
 
     found = {}
     for text in texts or ():
@@ -172,7 +172,7 @@ def spreads_given(texts: Sequence[str], factors: "Sequence[Factor]") -> "list[Sp
     list of Spread
     """
     from turgor.foundation.errors import TurgorError, unknown
-    from turgor.studies.study.jobs.job_numbers import JobNumber
+    from turgor.studies.runs.jobs.job_numbers import JobNumber
     from turgor.studies.uncertainty.job_files import read_spread
 
     known = {each.name: each for each in factors}

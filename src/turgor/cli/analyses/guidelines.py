@@ -11,7 +11,7 @@ from turgor.cli.options import Debug, Json, Retry, output_option
 if TYPE_CHECKING:
     from turgor.guidelines.guideline import Guideline, Setting
     from turgor.guidelines.judge import Judged
-    from turgor.studies.study.running.run_outcome import Ended
+    from turgor.studies.runs.executors.run_outcome import Ended
 
 guidelines_app = typer.Typer(
     rich_markup_mode=None, help="List, run and report the design guidelines of Xavier, Fleming and Yong (2021)."

@@ -9,12 +9,12 @@ from pathlib import Path
 from turgor.cli.options import check_new
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.store.atomic_files import whole
-from turgor.studies.study.jobs.job_file import job_file
-from turgor.studies.study.jobs.study_file import StudyFile
-from turgor.studies.study.running.array_tasks import Gathering, share
-from turgor.studies.study.running.executors import Executor
-from turgor.studies.study.running.on_dask import OnDask
-from turgor.studies.study.running.workers import Workers
+from turgor.studies.runs.executors.array_tasks import Gathering, share
+from turgor.studies.runs.executors.dask_workers import OnDask
+from turgor.studies.runs.executors.executor import Executor
+from turgor.studies.runs.executors.worker_processes import Workers
+from turgor.studies.runs.jobs.job_file import job_file
+from turgor.studies.runs.jobs.study_file import StudyFile
 
 #: A job script of SLURM: an array of tasks that each compute a share.
 SCRIPT = """\

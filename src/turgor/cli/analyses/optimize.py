@@ -63,8 +63,8 @@ def _run(asked: _Options) -> None:
 
 
 def _searched(wanted: "JobOptimization", folder: Path, asked: _Options) -> "Optimization":
-    from turgor.studies.study.evaluations import kept_in
-    from turgor.studies.study.jobs.job_file import RUNS
+    from turgor.studies.runs.evaluations import kept_in
+    from turgor.studies.runs.jobs.job_file import RUNS
 
     runs = kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry)
     with kept_in_folder(folder), runs:

@@ -12,7 +12,7 @@ from rich.text import Text
 from turgor.cli.analyses.calibrate import told_run
 from turgor.cli.live import PatientConsole
 from turgor.core.solvers.progress.progress import clock
-from turgor.studies.study.running.run_outcome import Ended
+from turgor.studies.runs.executors.run_outcome import Ended
 
 
 class Counts:

@@ -14,7 +14,7 @@ from turgor.cli.start.signals import ends_at_once
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from turgor.studies.study.study import Study
+    from turgor.studies.runs.study import Study
     from turgor.views.plots.figures import PlotFigure
 
 #: Ways to analyze a study: the first chooses by its design.

@@ -13,7 +13,7 @@ from turgor.cli.start.signals import ends_at_once
 
 if TYPE_CHECKING:
     from turgor.cli.exits import Answer
-    from turgor.studies.study.factor import Value
+    from turgor.studies.runs.factor import Value
     from turgor.studies.surrogates.surrogate import Surrogate
 
 StudyPath = Annotated[

@@ -13,9 +13,9 @@ from turgor.cli.options import Changes, Debug, Json, Retry, command_of, output_o
 from turgor.cli.start.signals import ends_at_once
 
 if TYPE_CHECKING:
-    from turgor.studies.study.designs import Designs
-    from turgor.studies.study.jobs.study_file import StudyFile
-    from turgor.studies.study.study import Study
+    from turgor.studies.runs.designs import Designs
+    from turgor.studies.runs.jobs.study_file import StudyFile
+    from turgor.studies.runs.study import Study
 
 #: Rows of a table on a terminal; the file has all.
 MOST_ROWS = 40
@@ -71,8 +71,8 @@ def _run(asked: _Options) -> None:
         )
         from turgor.cli.answers.sweeps import designs_result, sweep_result
         from turgor.job.text.overrides import parse_changes
-        from turgor.studies.study.files.study_folder import write_study
-        from turgor.studies.study.jobs.study_file import read_study_file
+        from turgor.studies.runs.files.study_folder import write_study
+        from turgor.studies.runs.jobs.study_file import read_study_file
 
         given = read_study_file(asked.study, parse_changes(asked.changes or ()))
         if asked.dry_run:
@@ -113,7 +113,7 @@ sweep_command = command_of(_Options, _run)
 
 def _drawn(study: "Study", folder: Path, given: "StudyFile") -> tuple[list[Path], list[str]]:
     """Draw each measure; return the files, and sentences on what mesh errors hide."""
-    from turgor.studies.study.pictures import hidden_by_mesh, study_picture
+    from turgor.studies.runs.pictures import hidden_by_mesh, study_picture
     from turgor.views.plots.figures import write_figure
 
     files: list[Path] = []

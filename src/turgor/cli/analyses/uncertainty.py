@@ -51,9 +51,9 @@ def _run(asked: _Options) -> None:
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.answers.studies import uncertainty_result
-        from turgor.studies.study.evaluations import kept_in
-        from turgor.studies.study.jobs.job_file import RUNS, job_file
-        from turgor.studies.study.jobs.job_numbers import read_number
+        from turgor.studies.runs.evaluations import kept_in
+        from turgor.studies.runs.jobs.job_file import RUNS, job_file
+        from turgor.studies.runs.jobs.job_numbers import read_number
         from turgor.studies.uncertainty.cases import write_cases
         from turgor.studies.uncertainty.figure import uncertainty_figure
         from turgor.studies.uncertainty.job_files import PRESSURE, job_computation, read_sets, read_spreads

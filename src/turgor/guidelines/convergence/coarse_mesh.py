@@ -4,7 +4,7 @@ from turgor.guidelines.convergence.mesh_size import bend
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value, at
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import kPa
 from turgor.views.plots.study_figure import Panel
 

@@ -9,7 +9,7 @@ from turgor.guidelines.convergence.trials import end, spent
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import kPa, mm
 from turgor.views.plots.study_figure import Panel
 

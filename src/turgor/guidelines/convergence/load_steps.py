@@ -4,7 +4,7 @@ from turgor.guidelines.convergence.trials import SETUP, end, reached, solve, spe
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value, listed
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.views.plots.study_figure import Panel
 
 #: Pressure [kPa], and sizes of the steps as shares of it, the largest one first.

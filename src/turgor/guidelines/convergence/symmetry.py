@@ -4,7 +4,7 @@ from turgor.guidelines.convergence.trials import SETUP, end, solve, spent
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.values import Value, listed
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.views.plots.study_figure import Panel
 
 #: Pressure [kPa], and the difference that is allowed.

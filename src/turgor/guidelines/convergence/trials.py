@@ -9,7 +9,7 @@ import turgor as tg
 from turgor.foundation.response import Column, Response
 from turgor.guidelines.drawn import picture_of
 from turgor.guidelines.values import Value, last
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 from turgor.units import kPa, mm
 
 #: The bender [mm]: short, so that a fine mesh is cheap.

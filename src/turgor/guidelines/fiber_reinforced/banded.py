@@ -7,7 +7,7 @@ import turgor as tg
 from turgor.guidelines.drawn import picture_of
 from turgor.guidelines.guideline import Setting
 from turgor.guidelines.parts import elastosil, threads
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import kPa, mm
 
 #: Length between the caps and thickness of these [mm], width of a band that stands for one thread [mm].

@@ -6,7 +6,7 @@ from turgor.guidelines.fiber_reinforced import two_sides
 from turgor.guidelines.fiber_reinforced.wound import TUBE, cells, tube
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import at
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import kPa
 from turgor.views.plots.study_figure import Line, Panel
 

@@ -5,7 +5,7 @@ from itertools import pairwise
 from turgor.guidelines.fiber_reinforced.wound import BENDER, bender, cells
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import last, linearity, listed, rises
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import kPa
 from turgor.views.plots.study_figure import Line, Panel
 

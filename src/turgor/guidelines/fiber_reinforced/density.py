@@ -6,7 +6,7 @@ import turgor as tg
 from turgor.guidelines.fiber_reinforced.banded import inflated
 from turgor.guidelines.guideline import Found, Setting
 from turgor.guidelines.values import Value, at, last
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import kPa, mm
 from turgor.views.plots.study_figure import Line, Panel
 

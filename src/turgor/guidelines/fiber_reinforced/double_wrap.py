@@ -8,7 +8,7 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import last
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import deg, kPa, mm
 from turgor.views.plots.study_figure import Line, Panel
 

@@ -5,7 +5,7 @@ import numpy as np
 from turgor.guidelines.fiber_reinforced.wound import TUBE, cells, tube
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import Value, at, largest, listed
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import deg, kPa, mm
 from turgor.views.plots.study_figure import Line, Panel
 

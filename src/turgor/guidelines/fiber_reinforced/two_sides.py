@@ -10,7 +10,7 @@ from turgor.guidelines.guideline import Found, Judgement, Setting, Verdict
 from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.sections import COARSER, compared
 from turgor.guidelines.values import Value, largest, last, rises
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import kPa, mm
 from turgor.views.plots.study_figure import Line, Panel
 

@@ -9,7 +9,7 @@ from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.guidelines.sliced import bent_section
 from turgor.guidelines.values import Value
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 from turgor.units import deg, kPa, mm
 
 #: Length of the bender [mm].

@@ -11,7 +11,7 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.modeling.benders import rubber_of
 from turgor.guidelines.values import Value, last
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import kPa, mm
 from turgor.views.plots.study_figure import Panel
 

@@ -10,7 +10,7 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import rubber_of
 from turgor.guidelines.values import Value
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.views.plots.study_figure import Panel
 
 #: Laws, and the nominal strain up to which each is claimed to be accurate.

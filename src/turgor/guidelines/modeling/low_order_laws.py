@@ -8,7 +8,7 @@ from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.modeling.benders import TUBE, bender, rubber_of, tube
 from turgor.guidelines.multi_chamber.pneunets import ELASTOSIL, bend, run_of
 from turgor.guidelines.values import Value, at
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import kPa
 from turgor.views.plots.study_figure import Panel
 

@@ -4,7 +4,7 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.modeling.benders import BENDER, bender
 from turgor.guidelines.values import Value, at, listed
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import kPa
 from turgor.views.plots.study_figure import Panel
 

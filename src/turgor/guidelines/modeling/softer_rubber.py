@@ -5,7 +5,7 @@ from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import BENDER, bender
 from turgor.guidelines.multi_chamber.pneunets import at_angle
 from turgor.guidelines.values import Value, listed, rises
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import deg
 from turgor.views.plots.study_figure import Panel
 

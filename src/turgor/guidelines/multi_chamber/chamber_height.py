@@ -12,7 +12,7 @@ from turgor.guidelines.multi_chamber.pneunets import (
     run_of,
 )
 from turgor.guidelines.values import at, listed, rises
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import kPa
 from turgor.views.plots.study_figure import Panel
 

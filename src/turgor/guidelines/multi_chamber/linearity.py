@@ -4,7 +4,7 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import verdict_of
 from turgor.guidelines.multi_chamber.pneunets import SETUP, at_angle, bend, count_and_size, pneunet, run_of
 from turgor.guidelines.values import last, linearity, listed
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import kPa
 from turgor.views.plots.study_figure import Panel
 

@@ -11,7 +11,7 @@ from turgor.foundation.response import Response
 from turgor.guidelines.drawn import picture_of
 from turgor.guidelines.guideline import Setting
 from turgor.guidelines.values import Value
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import deg, kPa, mm
 
 #: Families of which rules on multi-chambered actuators speak; they were run with the first of them.

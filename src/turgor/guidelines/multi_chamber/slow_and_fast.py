@@ -8,7 +8,7 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import SETUP, at_angle, bend, count_and_size, pneunet, push, run_of
 from turgor.guidelines.values import Value, last
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.views.plots.study_figure import Panel
 
 #: Angle at which they are compared [deg for each chamber], and the pressures up to which they are followed [kPa].

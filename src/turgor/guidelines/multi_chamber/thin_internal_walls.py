@@ -15,7 +15,7 @@ from turgor.guidelines.multi_chamber.pneunets import (
     run_of,
 )
 from turgor.guidelines.values import Value, falls, last, listed, rises
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.views.plots.study_figure import Panel
 
 #: Angle at which they are compared [deg for each chamber], and the pressure up to which they are followed [kPa].

@@ -10,7 +10,7 @@ import turgor as tg
 from turgor.foundation.response import Response
 from turgor.guidelines.sliced import bent_section
 from turgor.guidelines.values import Value, at
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 from turgor.units import kPa, mm
 
 #: Reference [mm]: three round chambers, those of the reference geometry R4 of the validation targets.

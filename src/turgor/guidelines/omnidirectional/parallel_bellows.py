@@ -8,7 +8,7 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import change, differs, line_of, verdict_of
 from turgor.guidelines.parts import elastosil
 from turgor.guidelines.values import Value, at, falls, last, listed, rises
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import kPa, mm
 from turgor.views.plots.study_figure import Panel
 

@@ -8,7 +8,7 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.omnidirectional.chambers import REFERENCE, SETUP, angle_at, omni
 from turgor.guidelines.values import Value, listed
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.views.plots.study_figure import Panel
 
 #: Pressures of the comparison, low and high [kPa].

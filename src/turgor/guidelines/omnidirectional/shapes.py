@@ -6,7 +6,7 @@ from turgor.foundation.errors import TurgorError
 from turgor.guidelines.guideline import Found, Setting
 from turgor.guidelines.omnidirectional.chambers import REFERENCE, area_of, omni
 from turgor.guidelines.values import Value, at
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import kPa
 
 #: Shapes of chambers by their short names.

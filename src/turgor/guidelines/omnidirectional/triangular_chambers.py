@@ -5,7 +5,7 @@ from turgor.guidelines.judging import change, differs, verdict_of
 from turgor.guidelines.omnidirectional.chambers import SETUP
 from turgor.guidelines.omnidirectional.shapes import AREA, read, runs_of
 from turgor.guidelines.values import listed
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.views.plots.study_figure import Panel
 
 #: Pressures of the comparison [kPa], and the shapes.

@@ -14,7 +14,7 @@ from turgor.guidelines.single_chamber.shapes import (
     runs,
 )
 from turgor.guidelines.values import Value
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.views.plots.study_figure import Panel
 
 #: A half round that turns more than this share of its length [1/m] extends and bends at once.

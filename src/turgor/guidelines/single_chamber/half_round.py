@@ -6,7 +6,7 @@ import turgor as tg
 from turgor.guidelines.guideline import Setting
 from turgor.guidelines.parts import elastosil, fabric, threads
 from turgor.guidelines.sections import solved_twice
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 from turgor.units import kPa, mm
 
 #: What the bender is, for the texts of studies.

@@ -8,7 +8,7 @@ from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.single_chamber.half_round import BARE, HOOPED, cells
 from turgor.guidelines.values import Value, largest, last, listed, rises
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import MPa, kPa, mm
 from turgor.views.plots.study_figure import Line, Panel
 

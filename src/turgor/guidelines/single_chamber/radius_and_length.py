@@ -7,7 +7,7 @@ from turgor.guidelines.parts import elastosil, fabric, threads
 from turgor.guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
 from turgor.guidelines.single_chamber.shapes import bend_on_plate
 from turgor.guidelines.values import largest, last, listed, rises
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import kPa, mm
 from turgor.views.plots.study_figure import Line, Panel
 

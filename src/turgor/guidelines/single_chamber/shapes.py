@@ -13,7 +13,7 @@ from turgor.guidelines.parts import FABRIC_SPACING, elastosil, threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import Value, last
 from turgor.namespaces.sections import Outline, Sketch, disc, half_disc, rectangle
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import MPa, kPa, mm
 from turgor.views.plots.study_figure import Line, Panel
 

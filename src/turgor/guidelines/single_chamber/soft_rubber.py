@@ -13,7 +13,7 @@ from turgor.guidelines.parts import fabric, threads
 from turgor.guidelines.sections import COARSER, compared
 from turgor.guidelines.single_chamber.half_round import cells
 from turgor.guidelines.values import Value, at, falls, last, listed, rises
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import kPa, mm
 from turgor.views.plots.study_figure import Line, Panel
 

@@ -9,7 +9,7 @@ from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgeme
 from turgor.guidelines.parts import elastosil, fabric, threads
 from turgor.guidelines.sections import COARSER, compared
 from turgor.guidelines.single_chamber.half_round import BARE, HOOPED
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import kPa, mm
 from turgor.views.plots.study_figure import Line, Panel
 

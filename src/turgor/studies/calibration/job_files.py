@@ -8,8 +8,8 @@ from turgor.studies.calibration.job_model import calibrated_job
 from turgor.studies.calibration.objective import with_prior
 from turgor.studies.calibration.parameter import Parameter
 from turgor.studies.calibration.trial import Trial
-from turgor.studies.study.jobs.job_file import JobFile, keys_of
-from turgor.studies.study.jobs.job_numbers import JobNumber, find_number, read_number
+from turgor.studies.runs.jobs.job_file import JobFile, keys_of
+from turgor.studies.runs.jobs.job_numbers import JobNumber, find_number, read_number
 
 #: The job with the values that were found.
 CALIBRATED = "calibrated.toml"

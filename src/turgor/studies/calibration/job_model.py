@@ -9,11 +9,11 @@ from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
 from turgor.job.job import Job
-from turgor.studies.study.factor import Value
-from turgor.studies.study.job_gradients import is_of_path
-from turgor.studies.study.job_runs import forget_path, measured_job, solution_of_job
-from turgor.studies.study.jobs.job_slopes import told, with_slopes_at
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.factor import Value
+from turgor.studies.runs.jobs.job_gradients import is_of_path
+from turgor.studies.runs.jobs.job_runs import forget_path, measured_job, solution_of_job
+from turgor.studies.runs.jobs.job_slopes import told, with_slopes_at
+from turgor.studies.runs.run import Computed
 
 #: Columns that drive where both responses have them, besides that which drives the computed one.
 _USUAL = ("pressure", "time")
@@ -30,7 +30,7 @@ def calibrated_job(
     Parameters
     ----------
     job, digest, numbers
-        As those of `turgor.studies.study.job_runs.solved_job`.
+        As those of `turgor.studies.runs.jobs.job_runs.solved_job`.
     slopes : (drives, names) of lists of str
         Columns that may drive, and that may be compared: those of them that the response has are differentiated, or all
         of its measures where it has none. Nothing is differentiated without.

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError
-from turgor.studies.study.rounding import rounded
+from turgor.studies.runs.rounding import rounded
 from turgor.units import unit_value
 
 Array = NDArray[np.float64]

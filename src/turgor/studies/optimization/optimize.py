@@ -18,11 +18,11 @@ from turgor.studies.optimization.search import Search
 from turgor.studies.optimization.searches.pareto import best_of_front, evolution, front_of, pareto_search
 from turgor.studies.optimization.searches.starts import Descent, best_of, descents_of
 from turgor.studies.optimization.searches.trust_region import trust_region
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Factor, Value
-from turgor.studies.study.runs import Computed
-from turgor.studies.study.study import Study
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Factor, Value
+from turgor.studies.runs.run import Computed
+from turgor.studies.runs.study import Study
 
 Function = Callable[..., Response | Computed]
 

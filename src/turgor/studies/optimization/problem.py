@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import TurgorError
 from turgor.studies.optimization.goals import MET, Goal, Limit, Minimize
 from turgor.studies.optimization.rules import Rule
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Factor, Value
-from turgor.studies.study.rounding import rounded
-from turgor.studies.study.runs import Run
-from turgor.studies.study.study import Row, told
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Factor, Value
+from turgor.studies.runs.rounding import rounded
+from turgor.studies.runs.run import Run
+from turgor.studies.runs.study import Row, told
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

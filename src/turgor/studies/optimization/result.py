@@ -9,8 +9,8 @@ from turgor.studies.optimization.problem import Score
 from turgor.studies.optimization.row_values import Read
 from turgor.studies.optimization.search import Ending
 from turgor.studies.optimization.searches.starts import Descent
-from turgor.studies.study.factor import Value
-from turgor.studies.study.study import Row, Study
+from turgor.studies.runs.factor import Value
+from turgor.studies.runs.study import Row, Study
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
 from turgor.foundation.source import Source
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Factor, Value
-from turgor.studies.study.runs import Computed
-from turgor.studies.study.study import Row, Study
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Factor, Value
+from turgor.studies.runs.run import Computed
+from turgor.studies.runs.study import Row, Study
 from turgor.studies.uncertainty.spread import Spread
 
 Array = NDArray[np.float64]

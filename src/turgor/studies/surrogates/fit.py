@@ -7,7 +7,7 @@ from typing import Any
 from threadpoolctl import threadpool_limits
 
 from turgor.foundation.errors import unknown
-from turgor.studies.study.study import Study
+from turgor.studies.runs.study import Study
 from turgor.studies.surrogates.fit_gaussian_process import GaussianProcessTrainer
 from turgor.studies.surrogates.fit_network import NetworkTrainer
 from turgor.studies.surrogates.held_out import held_out
@@ -68,7 +68,7 @@ def surrogate(
     >>> import numpy as np
     >>> from turgor.foundation.source import Source
     >>> from turgor.foundation.response import Column, Response
-    >>> from turgor.studies.study.sweep import sweep
+    >>> from turgor.studies.runs.sweep import sweep
     >>> def bent(wall):
     ...     columns = Column("pressure", "kPa", [0, 2e4]), Column("angle", "deg", [0, 2e-3 / wall])
     ...     return Response(columns=columns, source=Source(text="a formula"))

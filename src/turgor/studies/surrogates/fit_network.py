@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.studies.study.optional_parts import needed
+from turgor.studies.runs.optional_parts import needed
 from turgor.studies.surrogates.gaussian_process import scaling
 from turgor.studies.surrogates.network import Network
 

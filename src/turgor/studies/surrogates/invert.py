@@ -12,8 +12,8 @@ from scipy.stats import qmc
 
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column
-from turgor.studies.study.factor import Value
-from turgor.studies.study.study import told
+from turgor.studies.runs.factor import Value
+from turgor.studies.runs.study import told
 from turgor.studies.surrogates.surrogate import Prediction, Surrogate
 
 Array = NDArray[np.float64]

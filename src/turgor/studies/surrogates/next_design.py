@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.studies.study.factor import Factor, Value
+from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.surrogates.coding import Coding
 from turgor.studies.surrogates.surrogate import Surrogate
 

@@ -11,7 +11,7 @@ from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.foundation.store.saved_objects import Saved
-from turgor.studies.study.factor import Factor, Value
+from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.surrogates.coding import Coding
 from turgor.studies.surrogates.held_out import HeldOut
 from turgor.studies.surrogates.trained_models import Model

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import COLUMN_UNITS, Column, Response
-from turgor.studies.study.factor import Factor
-from turgor.studies.study.study import Row, Study
+from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.study import Row, Study
 from turgor.studies.surrogates.coding import Coding, check_levels
 
 Array = NDArray[np.float64]

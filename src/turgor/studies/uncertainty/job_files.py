@@ -7,10 +7,10 @@ from pathlib import Path
 
 from turgor.foundation.errors import TurgorError
 from turgor.studies.calibration.job_files import mean_and_deviation
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.job_runs import solved_job
-from turgor.studies.study.jobs.job_file import JobFile, keys_of
-from turgor.studies.study.jobs.job_numbers import JobNumber, find_number, read_number
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.jobs.job_file import JobFile, keys_of
+from turgor.studies.runs.jobs.job_numbers import JobNumber, find_number, read_number
+from turgor.studies.runs.jobs.job_runs import solved_job
 from turgor.studies.uncertainty.spread import Alternatives, Input, Spread
 from turgor.units import UNITS
 

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from turgor.accuracy.laboratory.compare import first_branch
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column, Response
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.running.run_outcome import Ended
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.run_outcome import Ended
 from turgor.studies.uncertainty.spread import Alternatives, Input, Spread, check_inputs, nominal_values
 from turgor.studies.uncertainty.surface import Point, check_points, design
 

@@ -10,10 +10,10 @@ from turgor.core.results.drive import drive_of
 from turgor.foundation.errors import unknown
 from turgor.foundation.response import Column, Response
 from turgor.studies.calibration.curve import PathCurve
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.running.run_outcome import Ended
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.run_outcome import Ended
+from turgor.studies.runs.run import Computed
 from turgor.studies.uncertainty.band import Band, Uncertainty
 from turgor.studies.uncertainty.cases import Case
 from turgor.studies.uncertainty.plan import METHODS, Plan

@@ -13,7 +13,7 @@ from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.job.read import read_job
-from turgor.studies.study.job_runs import digest_of, solved_job, write_whole_job
+from turgor.studies.runs.jobs.job_runs import digest_of, solved_job, write_whole_job
 
 
 @pytest.fixture(scope="module")

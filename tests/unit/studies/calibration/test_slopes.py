@@ -15,11 +15,11 @@ from turgor.studies.calibration.job_files import free_parameters, job_trial
 from turgor.studies.calibration.objective import Objective, rig_parameter
 from turgor.studies.calibration.parameter import Parameter
 from turgor.studies.calibration.trial import Trial, data_of
-from turgor.studies.study.evaluations import Evaluations, kept_in
-from turgor.studies.study.job_runs import solved_job
-from turgor.studies.study.jobs import job_slopes
-from turgor.studies.study.jobs.job_file import job_file
-from turgor.studies.study.slopes import slope_name
+from turgor.studies.runs.evaluations import Evaluations, kept_in
+from turgor.studies.runs.jobs import job_slopes
+from turgor.studies.runs.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_runs import solved_job
+from turgor.studies.runs.slopes import slope_name
 from turgor.units import kPa, mm
 
 #: Between 1.6 and 1.97 mm the mesh keeps its layers; at others there are no differences to compare with.

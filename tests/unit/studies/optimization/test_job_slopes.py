@@ -9,12 +9,12 @@ from turgor.studies.optimization.files.job_slopes import SOLID_VOLUME, asked_slo
 from turgor.studies.optimization.files.jobs import job_optimization, solved_design
 from turgor.studies.optimization.files.study_files import read_study_file
 from turgor.studies.optimization.slopes import slopes_of
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.jobs.job_file import job_file
-from turgor.studies.study.jobs.job_slopes import refused_at_once
-from turgor.studies.study.running.run_outcome import Ended
-from turgor.studies.study.runs import Run
-from turgor.studies.study.study import Row
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.run_outcome import Ended
+from turgor.studies.runs.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_slopes import refused_at_once
+from turgor.studies.runs.run import Run
+from turgor.studies.runs.study import Row
 from turgor.units import MPa, kPa, mm
 
 studies = tg.studies

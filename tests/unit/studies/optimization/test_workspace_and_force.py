@@ -9,8 +9,8 @@ import turgor as tg
 from calibration_cases import JOB
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
-from turgor.studies.study.job_runs import solved_job
-from turgor.studies.study.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_runs import solved_job
 from turgor.units import kPa, mL, mm
 
 studies = tg.studies

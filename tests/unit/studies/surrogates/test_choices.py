@@ -8,8 +8,8 @@ import pytest
 import surrogate_cases as cases
 from turgor.cli import main
 from turgor.foundation.errors import TurgorError
+from turgor.studies.runs.factor import Factor
 from turgor.studies.sensitivity.indices import sobol_indices
-from turgor.studies.study.factor import Factor
 from turgor.studies.surrogates.fit import surrogate
 from turgor.studies.surrogates.invert import invert
 from turgor.studies.surrogates.learn import Goal, learn

@@ -7,8 +7,8 @@ import pytest
 
 import surrogate_cases as cases
 from turgor.foundation.errors import TurgorError
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.surrogates.fit import surrogate
 from turgor.studies.surrogates.learn import Goal, learn
 from turgor.studies.surrogates.next_design import next_design

@@ -12,8 +12,8 @@ import turgor as tg
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.study.factor import Factor
-from turgor.studies.study.study import Study
+from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.study import Study
 from turgor.studies.surrogates.fit import surrogate
 from turgor.studies.surrogates.fit_network import NetworkTrainer
 from turgor.studies.surrogates.held_out import parts_of

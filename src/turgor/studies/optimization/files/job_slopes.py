@@ -10,10 +10,10 @@ from turgor.core.solvers.solution import Solution
 from turgor.foundation.response import Response
 from turgor.job.job import Job
 from turgor.studies.optimization.goals import Goal, TipPath
-from turgor.studies.study.factor import Value
-from turgor.studies.study.jobs.job_slopes import told, with_slopes_at
-from turgor.studies.study.study import place_on
-from turgor.studies.study.workspaces import REACHED
+from turgor.studies.runs.factor import Value
+from turgor.studies.runs.jobs.job_slopes import told, with_slopes_at
+from turgor.studies.runs.study import place_on
+from turgor.studies.runs.workspaces import REACHED
 
 #: The volume of rubber of a design: a column of the responses of jobs.
 SOLID_VOLUME = "solid_volume"

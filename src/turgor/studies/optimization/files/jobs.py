@@ -22,15 +22,15 @@ from turgor.studies.optimization.goals import Goal, Minimize, TipPath
 from turgor.studies.optimization.manufacture import casting_rules
 from turgor.studies.optimization.optimize import optimize
 from turgor.studies.optimization.result import Optimization
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Value
-from turgor.studies.study.job_runs import forget_path, last_state_of, measured_job, solution_of_job
-from turgor.studies.study.jobs.columns import unit_of_column
-from turgor.studies.study.jobs.job_file import JobFile, job_file
-from turgor.studies.study.jobs.job_numbers import any_number
-from turgor.studies.study.runs import Computed
-from turgor.studies.study.workspaces import REACHED
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Value
+from turgor.studies.runs.jobs.columns import unit_of_column
+from turgor.studies.runs.jobs.job_file import JobFile, job_file
+from turgor.studies.runs.jobs.job_numbers import any_number
+from turgor.studies.runs.jobs.job_runs import forget_path, last_state_of, measured_job, solution_of_job
+from turgor.studies.runs.run import Computed
+from turgor.studies.runs.workspaces import REACHED
 from turgor.views.pictures.picture import picture
 
 #: Width of the pictures of designs in pixels.
@@ -133,7 +133,7 @@ def solved_design(
     Parameters
     ----------
     job, digest, numbers, mesh_error
-        As those of `turgor.studies.study.job_runs.solved_job`.
+        As those of `turgor.studies.runs.jobs.job_runs.solved_job`.
     slopes : sequence of (str, str or None, float)
         Measures that are differentiated by the numbers, where that is exact: at a value of a column, or at the end.
     workspace : mapping of str to sequence of float [Pa]

@@ -23,10 +23,10 @@ from turgor.studies.optimization.goals import (
 from turgor.studies.optimization.manufacture import Casting
 from turgor.studies.optimization.row_values import At
 from turgor.studies.optimization.search import Search
-from turgor.studies.study.factor import Factor, Value
-from turgor.studies.study.jobs.job_factors import job_factor
-from turgor.studies.study.jobs.job_file import JobFile
-from turgor.studies.study.jobs.study_file import flat_keys
+from turgor.studies.runs.factor import Factor, Value
+from turgor.studies.runs.jobs.job_factors import job_factor
+from turgor.studies.runs.jobs.job_file import JobFile
+from turgor.studies.runs.jobs.study_file import flat_keys
 
 Made = TypeVar("Made")
 

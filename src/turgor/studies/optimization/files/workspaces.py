@@ -12,10 +12,10 @@ from turgor.foundation.response import Column, Response
 from turgor.job.read import read_job
 from turgor.studies.optimization.files.numbers import numbers_in
 from turgor.studies.optimization.goals import Goal, TipPath
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Value
-from turgor.studies.study.jobs.job_numbers import JobNumber
-from turgor.studies.study.workspaces import REACHED, pressure_keys, workspace_of
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Value
+from turgor.studies.runs.jobs.job_numbers import JobNumber
+from turgor.studies.runs.workspaces import REACHED, pressure_keys, workspace_of
 
 Pressures = Mapping[str, Sequence[float]]
 
@@ -87,7 +87,7 @@ def with_workspace(response: Response, job: Path, numbers: Mapping[str, Value], 
     ----------
     response : Response
     job : Path
-        A file of `turgor.studies.study.job_runs.write_whole_job`.
+        A file of `turgor.studies.runs.jobs.job_runs.write_whole_job`.
     numbers : mapping of str to float, int or str
         Numbers of the job by key [SI].
     pressures : mapping of str to sequence of float [Pa]

@@ -10,8 +10,8 @@ from turgor.foundation.response import COLUMN_UNITS
 from turgor.foundation.store.atomic_files import whole
 from turgor.studies.optimization.figure import before_and_after, ends_of, optimization_figure
 from turgor.studies.optimization.result import Optimization
-from turgor.studies.study.job_runs import last_state_of
-from turgor.studies.study.jobs.job_file import JobFile
+from turgor.studies.runs.jobs.job_file import JobFile
+from turgor.studies.runs.jobs.job_runs import last_state_of
 from turgor.units import unit_value
 from turgor.views.plots.figures import write_figure
 

@@ -1,0 +1,219 @@
+"""Count the runs of searches: the trust region of turgor, and COBYQA and least squares of SciPy.
+
+Run ``python benchmarks/searches.py``, some seconds: formulas whose answers are known. ``--finger FOLDER`` adds the finite
+element finger of ``benchmarks/optimization.py``, whose runs are read from the folder where it has them.
+
+A run counts until the answer is there: all targets within their tolerances; else limits kept within theirs, and an
+objective that is at most 0.1 % above the lowest one. A dash says that it was not there after 60 runs.
+"""
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from scipy.optimize import Bounds, NonlinearConstraint, least_squares, minimize
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+sys.path.insert(0, str(Path(__file__).parent))
+
+from turgor.studies.study.job_runs import solved_job
+from turgor.studies.study.jobs.job_file import job_file
+
+import optimization as finger
+import optimization_cases as cases
+import turgor as tg
+from turgor.studies.optimization.goals import MET, Limit, Minimize
+from turgor.studies.optimization.optimize import _problem, _scaled, _start
+from turgor.studies.optimization.problem import Problem
+from turgor.studies.optimization.searches.trust_region import trust_region
+from turgor.units import kPa, mm
+
+#: Runs at most, and how near an objective has to come.
+MOST, NEAR = 60, 1e-3
+
+studies = tg.studies
+
+
+class DoneError(Exception):
+    """The answer is there, or no run is left."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """A search with a known answer."""
+
+    name: str
+    function: Callable[..., tg.Response]
+    factors: list[studies.Factor]
+    goals: list
+    start: dict[str, float]
+    lowest: float | None = None
+    evaluations: studies.Evaluations | None = None
+
+    def problem(self) -> tuple[Problem, np.ndarray]:
+        """The problem with its scales, without candidates, and where the search begins."""
+        settings = studies.Search(most_solves=MOST, slopes=False)
+        runs = self.evaluations or studies.Evaluations()
+        computation = self.function
+        if not isinstance(computation, studies.Computation):
+            computation = studies.Computation(function=self.function)
+        made = _problem(computation, self.factors, self.goals, settings, runs)
+        begin = _start(made, self.start)
+        return _problem(computation, self.factors, _scaled(made, begin), settings, runs), begin
+
+    def runs_needed(self, problem: Problem) -> int | None:
+        """Number of runs until the answer was there."""
+        for number, each in enumerate(problem.candidates, start=1):
+            if not each.score.kept:
+                continue
+            if self.lowest is None:
+                if all(length <= 1 for length in lengths(problem, each.readings)):
+                    return number
+            elif abs(each.readings[0] - self.lowest) <= NEAR * abs(self.lowest):
+                return number
+        return None
+
+
+def lengths(problem: Problem, readings: np.ndarray) -> list[float]:
+    """Misfit of each target in tolerances."""
+    return [float(np.linalg.norm(_scaled_part(goal, part)))
+            for goal, part in zip(problem.goals, problem.parts(readings), strict=True) if isinstance(goal, MET)]  # fmt: skip
+
+
+def _scaled_part(goal, part):
+    divisor, wanted = goal.linear()
+    return (part - wanted) / divisor
+
+
+def search_cobyqa(case: Case, problem: Problem, begin: np.ndarray, as_limits: bool) -> None:
+    """Targets as a sum of squares, or as limits on both sides; limits as constraints."""
+
+    def values(at):
+        if case.runs_needed(problem) or problem.left <= 0:
+            raise DoneError
+        return problem.compute([at])[0].readings
+
+    def objective(at):
+        pairs = list(zip(problem.goals, problem.parts(values(at)), strict=True))
+        least = [_scaled_part(goal, part)[0] for goal, part in pairs if isinstance(goal, Minimize)]
+        met = [_scaled_part(goal, part) for goal, part in pairs if isinstance(goal, MET)]
+        if least:
+            return float(least[0])
+        return 0.0 if as_limits else float(np.sum(np.concatenate(met) ** 2)) * 1e-4
+
+    def limited(at):
+        pairs = zip(problem.goals, problem.parts(values(at)), strict=True)
+        kinds = (Limit, *MET) if as_limits or problem.objectives else (Limit,)
+        found = [_scaled_part(goal, part) for goal, part in pairs if isinstance(goal, kinds)]
+        return np.concatenate(found) * 1e-2 if found else np.zeros(0)
+
+    count = len(limited(begin))
+    low = [-1e-2 if isinstance(goal, MET) else -np.inf
+           for goal, part in zip(problem.goals, problem.parts(problem.candidates[0].readings), strict=True)
+           if isinstance(goal, (Limit, *MET) if as_limits or problem.objectives else (Limit,)) for _ in _scaled_part(goal, part)]  # fmt: skip
+    held = [NonlinearConstraint(limited, low, np.full(count, 1e-2 * 0.9))] if count else []
+    minimize(objective, begin, method="COBYQA", bounds=Bounds(np.zeros(len(begin)), np.ones(len(begin))),
+             constraints=held, options={"initial_tr_radius": 0.2, "final_tr_radius": 2e-3, "maxfev": MOST})  # fmt: skip
+
+
+def search_least_squares(case: Case, problem: Problem, begin: np.ndarray) -> None:
+    """Targets alone, with differences of 2 % of the ranges."""
+
+    def residuals(at):
+        if case.runs_needed(problem) or problem.left <= 0:
+            raise DoneError
+        pairs = zip(problem.goals, problem.parts(problem.compute([at])[0].readings), strict=True)
+        return np.concatenate([_scaled_part(goal, part) for goal, part in pairs])
+
+    least_squares(residuals, begin, bounds=(0, 1), diff_step=2e-2, x_scale=1.0)
+
+
+def count(case: Case, method: str) -> int | None:
+    """Runs that a method needs."""
+    problem, begin = case.problem()
+    try:
+        if method == "turgor":
+            trust_region(problem, begin, studies.Search(most_solves=MOST, slopes=False))
+        elif method == "least squares":
+            search_least_squares(case, problem, begin)
+        else:
+            search_cobyqa(case, problem, begin, method.endswith("limits"))
+    except DoneError:
+        pass
+    return case.runs_needed(problem)
+
+
+def formulas() -> list[Case]:
+    true = cases.sphere(12 * mm, 1.6 * mm)
+    three = (("inner_stretch", 6 * kPa), ("inner_stretch", 12 * kPa), ("cavity_volume", 6 * kPa))
+    sphere = [
+        studies.Target(name, float(np.interp(at, true["pressure"], true[name])), at=("pressure", at))
+        for name, at in three
+    ]
+    exact = studies.Target
+    ab, start = cases.factors("a", "b"), {"a": -0.5, "b": -0.5}
+    height = [studies.Minimize("height")]
+    limited = 3 + (0.8 / 3) ** 2 + 2 * (0.4 / 3) ** 2
+    names = ["a", "b", "c", "d"]
+    length = studies.Factor(name="length", low=40 * mm, high=120 * mm, unit="mm")
+    bend = studies.Factor(name="curvature", low=2.0, high=40.0, unit="")
+    path = [studies.TipPath([(0.0, 0.0), *tip(20.0, 90 * mm)], tolerance=0.5 * mm)]
+    radius = studies.Factor(name="radius", low=5 * mm, high=40 * mm, unit="mm")
+    tall = studies.Factor(name="length", low=5 * mm, high=40 * mm, unit="mm")
+    return [
+        Case("sphere, 3 targets by 2", cases.sphere, [cases.RADIUS, cases.WALL], sphere, {}),
+        Case("path of a tip by 2", cases.arc, [length, bend], path, {"length": 60 * mm, "curvature": 8.0}),
+        Case("bowl by 2", cases.bowl, ab, height, start, lowest=3.0),
+        Case("bowl by 2 under a limit", cases.bowl, ab, [*height, studies.Limit("total", most=0.5)], start, limited),
+        Case("steep bowl by 4", cases.long_bowl, cases.factors(*names), height, {}, lowest=1.0),
+        Case("bowl by 2 with noise", cases.noisy, ab, height, start, lowest=3.0),
+        Case("tin of 10 mL by 2", tin, [radius, tall], [studies.Minimize("surface"), studies.Limit("volume", least=10e-6)],
+             {}, lowest=6 * np.pi * (10e-6 / 2 / np.pi) ** (2 / 3)),  # fmt: skip
+        Case("target height by 2", cases.bowl, ab, [exact("height", 3.2), exact("total", 0.7)], start),
+    ]  # fmt: skip
+
+
+def tip(curvature: float, length: float) -> list[tuple[float, float]]:
+    found = cases.arc(length, curvature)
+    return list(zip(found["tip_displacement_x"], found["tip_displacement_z"], strict=True))[1:]
+
+
+def tin(radius: float, length: float) -> tg.Response:
+    """A tin with a volume and a surface."""
+    return cases.table(volume=np.pi * radius**2 * length, surface=2 * np.pi * radius * (radius + length))
+
+
+def bent_finger(folder: Path) -> Case:
+    """The finger of ``benchmarks/optimization.py`` with cells of 6 mm: three targets by three dimensions."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "finger.toml").write_text(finger.JOB.replace('size = "3 mm"', 'size = "6 mm"'), encoding="utf-8")
+    job = job_file(tg.jobs.read_job(folder / "finger.toml"), folder / "search")
+    computation = studies.Computation(function=solved_job, values=job.values, gather="numbers")
+    runs = studies.kept_in(folder / "search" / "runs", progress=finger.told)
+    (true,) = runs.of([computation.run(finger.TRUE)])
+    at = ("pressure", 7 * kPa)
+    goals = [studies.Target(name, float(true.found.response[name][-1]), at=at) for name in finger.MEASURES]
+    factors = [studies.Factor(name=name, low=low * mm, high=high * mm, unit="mm")
+               for name, (low, high) in finger.RANGES.items()]  # fmt: skip
+    return Case("finger of finite elements, 3 targets by 3", computation, factors, goals, finger.START, evaluations=runs)
+
+
+METHODS = ("turgor", "COBYQA", "COBYQA, targets as limits", "least squares")
+
+
+def main(every: list[Case]) -> None:
+    print("| case | " + " | ".join(METHODS) + " |", flush=True)
+    print("|---|" + "---|" * len(METHODS), flush=True)
+    for case in every:
+        row = []
+        for method in METHODS:
+            left_out = method == "least squares" and case.lowest is not None
+            left_out = left_out or (method.endswith("limits") and case.lowest is not None)
+            row.append("" if left_out else str(count(case, method) or "–"))
+        print(f"| {case.name} | " + " | ".join(row) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main([bent_finger(Path(sys.argv[2]))] if "--finger" in sys.argv else formulas())
