@@ -1,7 +1,6 @@
 """Count the runs of searches: the trust region of turgor, and COBYQA and least squares of SciPy.
 
-Run ``python benchmarks/searches.py``, some seconds: formulas whose answers are known. ``--finger FOLDER`` adds the finite
-element finger of ``benchmarks/optimization.py``, whose runs are read from the folder where it has them.
+Run ``python benchmarks/searches.py``, about a minute: formulas whose answers are known, and a tube of finite elements.
 
 A run counts until the answer is there: all targets within their tolerances; else limits kept within theirs, and an
 objective that is at most 0.1 % above the lowest one. A dash says that it was not there after 60 runs.
@@ -11,23 +10,21 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 from scipy.optimize import Bounds, NonlinearConstraint, least_squares, minimize
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
-sys.path.insert(0, str(Path(__file__).parent))
 
-from turgor.studies.study.job_runs import solved_job
-from turgor.studies.study.jobs.job_file import job_file
-
-import optimization as finger
+import calibration_cases
 import optimization_cases as cases
 import turgor as tg
 from turgor.studies.optimization.goals import MET, Limit, Minimize
 from turgor.studies.optimization.optimize import _problem, _scaled, _start
 from turgor.studies.optimization.problem import Problem
 from turgor.studies.optimization.searches.trust_region import trust_region
+from turgor.studies.runs.jobs.job_function import job_function
 from turgor.units import kPa, mm
 
 #: Runs at most, and how near an objective has to come.
@@ -78,56 +75,54 @@ class Case:
 
 def lengths(problem: Problem, readings: np.ndarray) -> list[float]:
     """Misfit of each target in tolerances."""
-    return [float(np.linalg.norm(_scaled_part(goal, part)))
-            for goal, part in zip(problem.goals, problem.parts(readings), strict=True) if isinstance(goal, MET)]  # fmt: skip
+    return [float(np.linalg.norm(each)) for each in scaled(problem, readings, MET)]
 
 
-def _scaled_part(goal, part):
-    divisor, wanted = goal.linear()
-    return (part - wanted) / divisor
+def scaled(problem: Problem, readings: np.ndarray, kinds: tuple[type, ...]) -> list[np.ndarray]:
+    """What goals of some kinds read, scaled: targets are met below 1, limits below 1."""
+    pairs = zip(problem.goals, problem.parts(readings), strict=True)
+    return [(part - goal.linear()[1]) / goal.linear()[0] for goal, part in pairs if isinstance(goal, kinds)]
+
+
+def readings_of(case: Case, problem: Problem, at: np.ndarray) -> np.ndarray:
+    """Compute a candidate, unless the answer is there."""
+    if case.runs_needed(problem) or problem.left <= 0:
+        raise DoneError
+    return problem.compute([at])[0].readings
 
 
 def search_cobyqa(case: Case, problem: Problem, begin: np.ndarray, as_limits: bool) -> None:
-    """Targets as a sum of squares, or as limits on both sides; limits as constraints."""
+    """Targets as a sum of squares, or as limits on both sides; limits as constraints.
 
-    def values(at):
-        if case.runs_needed(problem) or problem.left <= 0:
-            raise DoneError
-        return problem.compute([at])[0].readings
+    Values are divided by 100, so that a tolerance of 1 % is 0.01: COBYQA takes what is near 1.
+    """
 
-    def objective(at):
-        pairs = list(zip(problem.goals, problem.parts(values(at)), strict=True))
-        least = [_scaled_part(goal, part)[0] for goal, part in pairs if isinstance(goal, Minimize)]
-        met = [_scaled_part(goal, part) for goal, part in pairs if isinstance(goal, MET)]
-        if least:
-            return float(least[0])
-        return 0.0 if as_limits else float(np.sum(np.concatenate(met) ** 2)) * 1e-4
+    def objective(at: np.ndarray) -> float:
+        readings = readings_of(case, problem, at)
+        if problem.objectives:
+            return float(scaled(problem, readings, (Minimize,))[0][0])
+        return 0.0 if as_limits else float(np.sum(np.concatenate(scaled(problem, readings, MET)) ** 2)) * 1e-4
 
-    def limited(at):
-        pairs = zip(problem.goals, problem.parts(values(at)), strict=True)
-        kinds = (Limit, *MET) if as_limits or problem.objectives else (Limit,)
-        found = [_scaled_part(goal, part) for goal, part in pairs if isinstance(goal, kinds)]
-        return np.concatenate(found) * 1e-2 if found else np.zeros(0)
+    kinds = (Limit, *MET) if as_limits or problem.objectives else (Limit,)
 
-    count = len(limited(begin))
+    def limited(at: np.ndarray) -> np.ndarray:
+        return np.concatenate([np.zeros(0), *scaled(problem, readings_of(case, problem, at), kinds)]) * 1e-2
+
     low = [-1e-2 if isinstance(goal, MET) else -np.inf
-           for goal, part in zip(problem.goals, problem.parts(problem.candidates[0].readings), strict=True)
-           if isinstance(goal, (Limit, *MET) if as_limits or problem.objectives else (Limit,)) for _ in _scaled_part(goal, part)]  # fmt: skip
-    held = [NonlinearConstraint(limited, low, np.full(count, 1e-2 * 0.9))] if count else []
-    minimize(objective, begin, method="COBYQA", bounds=Bounds(np.zeros(len(begin)), np.ones(len(begin))),
-             constraints=held, options={"initial_tr_radius": 0.2, "final_tr_radius": 2e-3, "maxfev": MOST})  # fmt: skip
+           for goal in problem.goals if isinstance(goal, kinds) for _ in goal.linear()[0]]  # fmt: skip
+    conditions = [NonlinearConstraint(limited, low, np.full(len(low), 0.9e-2))] if low else []
+    minimize(
+        objective, begin, method="COBYQA", bounds=Bounds(np.zeros(len(begin)), np.ones(len(begin))),
+        constraints=conditions, options={"initial_tr_radius": 0.2, "final_tr_radius": 2e-3, "maxfev": MOST},
+    )  # fmt: skip
 
 
 def search_least_squares(case: Case, problem: Problem, begin: np.ndarray) -> None:
     """Targets alone, with differences of 2 % of the ranges."""
-
-    def residuals(at):
-        if case.runs_needed(problem) or problem.left <= 0:
-            raise DoneError
-        pairs = zip(problem.goals, problem.parts(problem.compute([at])[0].readings), strict=True)
-        return np.concatenate([_scaled_part(goal, part) for goal, part in pairs])
-
-    least_squares(residuals, begin, bounds=(0, 1), diff_step=2e-2, x_scale=1.0)
+    least_squares(
+        lambda at: np.concatenate(scaled(problem, readings_of(case, problem, at), MET)), begin, bounds=(0, 1),
+        diff_step=2e-2,
+    )  # fmt: skip
 
 
 def count(case: Case, method: str) -> int | None:
@@ -162,6 +157,7 @@ def formulas() -> list[Case]:
     path = [studies.TipPath([(0.0, 0.0), *tip(20.0, 90 * mm)], tolerance=0.5 * mm)]
     radius = studies.Factor(name="radius", low=5 * mm, high=40 * mm, unit="mm")
     tall = studies.Factor(name="length", low=5 * mm, high=40 * mm, unit="mm")
+    least = [studies.Minimize("surface"), studies.Limit("volume", least=10e-6)]
     return [
         Case("sphere, 3 targets by 2", cases.sphere, [cases.RADIUS, cases.WALL], sphere, {}),
         Case("path of a tip by 2", cases.arc, [length, bend], path, {"length": 60 * mm, "curvature": 8.0}),
@@ -169,10 +165,9 @@ def formulas() -> list[Case]:
         Case("bowl by 2 under a limit", cases.bowl, ab, [*height, studies.Limit("total", most=0.5)], start, limited),
         Case("steep bowl by 4", cases.long_bowl, cases.factors(*names), height, {}, lowest=1.0),
         Case("bowl by 2 with noise", cases.noisy, ab, height, start, lowest=3.0),
-        Case("tin of 10 mL by 2", tin, [radius, tall], [studies.Minimize("surface"), studies.Limit("volume", least=10e-6)],
-             {}, lowest=6 * np.pi * (10e-6 / 2 / np.pi) ** (2 / 3)),  # fmt: skip
+        Case("tin of 10 mL by 2", tin, [radius, tall], least, {}, lowest=6 * np.pi * (10e-6 / 2 / np.pi) ** (2 / 3)),
         Case("target height by 2", cases.bowl, ab, [exact("height", 3.2), exact("total", 0.7)], start),
-    ]  # fmt: skip
+    ]
 
 
 def tip(curvature: float, length: float) -> list[tuple[float, float]]:
@@ -185,19 +180,18 @@ def tin(radius: float, length: float) -> tg.Response:
     return cases.table(volume=np.pi * radius**2 * length, surface=2 * np.pi * radius * (radius + length))
 
 
-def bent_finger(folder: Path) -> Case:
-    """The finger of ``benchmarks/optimization.py`` with cells of 6 mm: three targets by three dimensions."""
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "finger.toml").write_text(finger.JOB.replace('size = "3 mm"', 'size = "6 mm"'), encoding="utf-8")
-    job = job_file(tg.jobs.read_job(folder / "finger.toml"), folder / "search")
-    computation = studies.Computation(function=solved_job, values=job.values, gather="numbers")
-    runs = studies.kept_in(folder / "search" / "runs", progress=finger.told)
-    (true,) = runs.of([computation.run(finger.TRUE)])
-    at = ("pressure", 7 * kPa)
-    goals = [studies.Target(name, float(true.found.response[name][-1]), at=at) for name in finger.MEASURES]
-    factors = [studies.Factor(name=name, low=low * mm, high=high * mm, unit="mm")
-               for name, (low, high) in finger.RANGES.items()]  # fmt: skip
-    return Case("finger of finite elements, 3 targets by 3", computation, factors, goals, finger.START, evaluations=runs)
+def tubes(folder: Path) -> list[Case]:
+    """A tube of finite elements: its wall and radius from two targets, and the least rubber under a target."""
+    (folder / "tube.toml").write_text(calibration_cases.JOB, encoding="utf-8")
+    job = job_function(tg.jobs.read_job(folder / "tube.toml"), folder / "search")
+    computation = job.computation(mesh_error=False)
+    runs = studies.kept_in(folder / "search" / "runs")
+    (true,) = runs.of([computation.run({"actuator.wall": 1.5 * mm, "actuator.inner_radius": 6.5 * mm})])
+    names = ("tip_displacement_x", "cavity_volume")
+    goals = [studies.Target(name, float(true.found.response[name][-1])) for name in names]
+    ranges = (("actuator.wall", 1, 4), ("actuator.inner_radius", 4, 10))
+    factors = [studies.Factor(name=name, low=low * mm, high=high * mm, unit="mm") for name, low, high in ranges]
+    return [Case("tube of finite elements, 2 targets by 2", computation, factors, goals, {}, evaluations=runs)]
 
 
 METHODS = ("turgor", "COBYQA", "COBYQA, targets as limits", "least squares")
@@ -216,4 +210,5 @@ def main(every: list[Case]) -> None:
 
 
 if __name__ == "__main__":
-    main([bent_finger(Path(sys.argv[2]))] if "--finger" in sys.argv else formulas())
+    with TemporaryDirectory() as temporary:
+        main([*formulas(), *tubes(Path(temporary))])

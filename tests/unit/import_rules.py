@@ -12,7 +12,8 @@ ROOMS = (
     "foundation", "core.materials", "core.geometry", "core.meshing", "core.model", "core.engine", "core.solvers",
     "core.setups", "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views",
     "accuracy.gradients", "accuracy.adaptivity", "accuracy.laboratory", "job", "studies.runs", "studies.calibration",
-    "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization", "guidelines", "cli",
+    "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization",
+    "studies.study_file", "guidelines", "cli",
 )  # fmt: skip
 
 #: Wings with several rooms.

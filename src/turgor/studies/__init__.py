@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from turgor.studies.calibration.trial import Trial as Trial
     from turgor.studies.calibration.write import write_calibration as write_calibration
     from turgor.studies.optimization.figure import optimization_figure as optimization_figure
-    from turgor.studies.optimization.files.write import write_optimization as write_optimization
     from turgor.studies.optimization.goals import Limit as Limit
     from turgor.studies.optimization.goals import Maximize as Maximize
     from turgor.studies.optimization.goals import Minimize as Minimize
@@ -29,6 +28,7 @@ if TYPE_CHECKING:
     from turgor.studies.optimization.search import Ending as Ending
     from turgor.studies.optimization.search import Search as Search
     from turgor.studies.optimization.searches.starts import Descent as Descent
+    from turgor.studies.optimization.write import write_optimization as write_optimization
     from turgor.studies.runs.computation import Computation as Computation
     from turgor.studies.runs.designs import Designs as Designs
     from turgor.studies.runs.designs import factorial as factorial
@@ -46,9 +46,6 @@ if TYPE_CHECKING:
     from turgor.studies.runs.files.study_folder import load_study as load_study
     from turgor.studies.runs.files.study_folder import write_study as write_study
     from turgor.studies.runs.jobs.job_gradients import gradient_of_job as gradient_of_job
-    from turgor.studies.runs.jobs.job_sweep import sweep_job as sweep_job
-    from turgor.studies.runs.jobs.study_file import StudyFile as StudyFile
-    from turgor.studies.runs.jobs.study_file import read_study_file as read_study_file
     from turgor.studies.runs.pictures import curves_picture as curves_picture
     from turgor.studies.runs.pictures import hidden_by_mesh as hidden_by_mesh
     from turgor.studies.runs.pictures import map_picture as map_picture
@@ -77,6 +74,9 @@ if TYPE_CHECKING:
     from turgor.studies.sensitivity.local_sensitivity import local_sensitivities as local_sensitivities
     from turgor.studies.sensitivity.local_sensitivity import sensitivities_of as sensitivities_of
     from turgor.studies.sensitivity.predictors import Direct as Direct
+    from turgor.studies.study_file.job_sweep import sweep_job as sweep_job
+    from turgor.studies.study_file.study_file import StudyFile as StudyFile
+    from turgor.studies.study_file.study_file import read_study_file as read_study_file
     from turgor.studies.surrogates.figure import surrogate_figure as surrogate_figure
     from turgor.studies.surrogates.fit import surrogate as surrogate
     from turgor.studies.surrogates.held_out import HeldOut as HeldOut

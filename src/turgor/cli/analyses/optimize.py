@@ -8,18 +8,18 @@ import typer
 
 from turgor.cli.analyses.calibrate import told_run
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, Retry, asked_job, command_of, output_option
+from turgor.cli.options import Changes, Debug, Json, Retry, command_of, output_option
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
-    from turgor.studies.optimization.files.jobs import JobOptimization
+    from turgor.studies.optimization.job_optimization import JobOptimization
     from turgor.studies.optimization.result import Optimization
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Options:
     study: Annotated[
-        Path, typer.Argument(metavar="STUDY", help="Study file in TOML: job, factors, goals.", show_default=False)
+        Path, typer.Argument(metavar="STUDY", help="Study file in TOML with a table [optimize].", show_default=False)
     ]
     most_solves: Annotated[
         int | None,
@@ -44,16 +44,18 @@ def _run(asked: _Options) -> None:
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.answers.optimization import optimization_result
-        from turgor.studies.optimization.files.jobs import job_optimization
-        from turgor.studies.optimization.files.study_files import read_study_file
-        from turgor.studies.optimization.files.write import write_optimization
+        from turgor.job.text.overrides import parse_changes
+        from turgor.studies.optimization.job_optimization import job_optimization
+        from turgor.studies.optimization.write import write_optimization
+        from turgor.studies.study_file.study_file import read_study_file
 
-        study = read_study_file(asked.study)
+        study = read_study_file(asked.study, parse_changes(asked.changes or ()), "optimize")
+        plan = study.optimize
+        assert plan is not None
         if asked.most_solves is not None:
-            study = replace(study, search=replace(study.search, most_solves=asked.most_solves))
-        job = asked_job(study.job, asked.changes)
-        folder = asked.output if asked.output is not None else Path(f"{asked.study.stem}-optimization")
-        wanted = job_optimization(study, job, folder, mesh_error=asked.mesh_error)
+            plan = replace(plan, search=replace(plan.search, most_solves=asked.most_solves))
+        folder = asked.output if asked.output is not None else Path(f"{study.name}-optimization")
+        wanted = job_optimization(plan, study.job, folder, mesh_error=asked.mesh_error)
         found = _searched(wanted, folder, asked)
         files = write_optimization(found, folder, wanted.base)
         typer.echo(found.summary())
@@ -64,7 +66,7 @@ def _run(asked: _Options) -> None:
 
 def _searched(wanted: "JobOptimization", folder: Path, asked: _Options) -> "Optimization":
     from turgor.studies.runs.evaluations import kept_in
-    from turgor.studies.runs.jobs.job_file import RUNS
+    from turgor.studies.runs.jobs.job_function import RUNS
 
     runs = kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry)
     with kept_in_folder(folder), runs:

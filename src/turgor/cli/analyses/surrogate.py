@@ -60,14 +60,18 @@ def _fit(asked: _Options) -> None:
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
         from turgor.cli.answers.surrogates import surrogate_result
+        from turgor.studies.study_file.analysis_tables import SurrogateTable
         from turgor.studies.surrogates.figure import surrogate_figure
         from turgor.studies.surrogates.fit import surrogate
         from turgor.views.plots.figures import write_figure
 
-        study, place, at, measures = given_study(asked.study, asked)
-        at = None if asked.along else read_at(asked.at, study) or at
-        found = surrogate(study, asked.measures or measures or None, kind=asked.kind, at=at, along=asked.along)
-        folder = asked.output if asked.output is not None else place
+        given = given_study(asked.study, asked, "surrogate")
+        stated = SurrogateTable() if given.file is None else given.file.surrogate
+        along = asked.along or stated.along
+        at = None if along else read_at(asked.at or stated.at, given.study) or given.at
+        measures = asked.measures or stated.measures or given.measures or None
+        found = surrogate(given.study, measures, kind=asked.kind, at=at, along=along)
+        folder = asked.output if asked.output is not None else given.folder
         folder.mkdir(parents=True, exist_ok=True)
         files = [found.save(folder / "surrogate"), folder / "surrogate.png", folder / "surrogate.txt"]
         write_figure(files[1], surrogate_figure(found))

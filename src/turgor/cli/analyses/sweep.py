@@ -1,7 +1,7 @@
 """Command ``turgor sweep``: a job at many designs, in processes that stay, kept as they end."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -14,8 +14,8 @@ from turgor.cli.start.signals import ends_at_once
 
 if TYPE_CHECKING:
     from turgor.studies.runs.designs import Designs
-    from turgor.studies.runs.jobs.study_file import StudyFile
     from turgor.studies.runs.study import Study
+    from turgor.studies.study_file.sweep_table import SweepPlan
 
 #: Rows of a table on a terminal; the file has all.
 MOST_ROWS = 40
@@ -72,12 +72,14 @@ def _run(asked: _Options) -> None:
         from turgor.cli.answers.sweeps import designs_result, sweep_result
         from turgor.job.text.overrides import parse_changes
         from turgor.studies.runs.files.study_folder import write_study
-        from turgor.studies.runs.jobs.study_file import read_study_file
+        from turgor.studies.study_file.study_file import read_study_file
 
-        given = read_study_file(asked.study, parse_changes(asked.changes or ()))
+        given = read_study_file(asked.study, parse_changes(asked.changes or ()), "sweep")
+        plan = given.sweep
+        assert plan is not None
         if asked.dry_run:
-            _list(given.designs)
-            answer.give(partial(designs_result, given.designs))
+            _list(plan.designs)
+            answer.give(partial(designs_result, plan.designs))
             raise typer.Exit(DONE)
         folder = asked.output if asked.output is not None else Path(f"{given.name}-study")
         check_together(asked.scheduler, asked.index, asked.of, asked.gather, asked.sbatch)
@@ -85,44 +87,45 @@ def _run(asked: _Options) -> None:
         if asked.sbatch is not None:
             script = Script(file=asked.sbatch, tasks=asked.of, force=asked.force)
             typer.echo(write_script(given, asked.study, folder, script))
-            answer.give(partial(designs_result, given.designs))
+            answer.give(partial(designs_result, plan.designs))
             raise typer.Exit(DONE)
         if asked.index is not None:
-            given = share_of(given, asked.index, asked.of)
+            plan = share_of(plan, asked.index, asked.of)
+            given = replace(given, sweep=plan)
         executor = executor_of(asked.scheduler, asked.gather, asked.processes)
         study = computed_study(given, folder, executor, retry=asked.retry)
         if asked.index is not None:
             failed = sum(row.response is None for row in study.rows)
             typer.echo(f"Task {asked.index}: {len(study)} designs, {failed} failed; kept in {folder}.")
-            answer.give(partial(designs_result, given.designs))
+            answer.give(partial(designs_result, plan.designs))
             raise typer.Exit(NOT_CONVERGED if study.problems else DONE)
-        measures = given.measures or study.measures
-        files = [write_study(study, folder, measures, given.at)]
-        pictures, sentences = _drawn(study, folder, given)
+        measures = plan.measures or study.measures
+        files = [write_study(study, folder, measures, plan.at)]
+        pictures, sentences = _drawn(study, folder, plan)
         files += pictures
         for line in (*study.problems, *sentences):
             typer.echo(line)
         failed = sum(row.response is None for row in study.rows)
         typer.echo(f"{len(study)} designs, {failed} failed. Written in {folder}: {', '.join(f.name for f in files)}.")
-        answer.give(lambda: sweep_result(study, study.table(measures, given.at), sentences, files))
+        answer.give(lambda: sweep_result(study, study.table(measures, plan.at), sentences, files))
         raise typer.Exit(NOT_CONVERGED if study.problems else DONE)
 
 
 sweep_command = command_of(_Options, _run)
 
 
-def _drawn(study: "Study", folder: Path, given: "StudyFile") -> tuple[list[Path], list[str]]:
+def _drawn(study: "Study", folder: Path, plan: "SweepPlan") -> tuple[list[Path], list[str]]:
     """Draw each measure; return the files, and sentences on what mesh errors hide."""
     from turgor.studies.runs.pictures import hidden_by_mesh, study_picture
     from turgor.views.plots.figures import write_figure
 
     files: list[Path] = []
     sentences: list[str] = []
-    for name in given.measures or study.measures:
-        if name in study.measures and name != (given.at or ("",))[0] and len(study) > 1:
+    for name in plan.measures or study.measures:
+        if name in study.measures and name != (plan.at or ("",))[0] and len(study) > 1:
             files.append(folder / f"{name}.png")
-            write_figure(files[-1], study_picture(study, name, given.at))
-            sentences += hidden_by_mesh(study, name, given.at)
+            write_figure(files[-1], study_picture(study, name, plan.at))
+            sentences += hidden_by_mesh(study, name, plan.at)
     return files, sentences
 
 

@@ -2,7 +2,7 @@
 
 import csv
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from math import isfinite
 from pathlib import Path
@@ -18,11 +18,13 @@ from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.foundation.store.atomic_files import whole
 from turgor.job.job import Job
+from turgor.job.read import read_job
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.run_outcome import Ended
 from turgor.studies.runs.factor import Value
 from turgor.studies.runs.jobs.job_numbers import JobNumber, any_number
-from turgor.studies.runs.jobs.job_runs import digest_of, solved_job, write_whole_job
+from turgor.studies.runs.jobs.job_runs import solved_job
+from turgor.studies.runs.jobs.whole_job import digest_of, write_whole_job
 from turgor.studies.runs.rounding import rounded
 from turgor.studies.runs.run import Computed, Place, Run
 from turgor.units import kPa, mm
@@ -32,7 +34,10 @@ Function = Callable[..., Response | Computed]
 #: Columns of `WorkspaceRuns.to_response`.
 REACHED = ("workspace_area", "workspace_volume")
 
-#: The job with every value, beside its runs.
+#: Folder next to a job for the runs of its workspaces.
+FOLDER = "workspaces"
+
+#: The job with every value, next to its runs.
 START = "start.toml"
 
 
@@ -146,6 +151,40 @@ def workspace_of(
         file = (computed.folder or Path(folder)) / START
         ended = computed.of(_job_runs(model, file, combinations, values or {}))
     return _gathered(combinations, ended)
+
+
+def solved_job_and_workspace(
+    job: str,
+    digest: str,
+    numbers: Mapping[str, Value],
+    workspace: Mapping[str, Sequence[float]],
+    mesh_error: bool = False,
+    as_design: bool = False,
+) -> Computed:
+    """Solve a job with other numbers, and at combinations of pressures for its workspace.
+
+    The runs of the workspace are stored next to the job, so that a search that was killed continues within a design.
+
+    Parameters
+    ----------
+    job, digest, numbers, mesh_error, as_design
+        As those of `solved_job`.
+    workspace : mapping of str to sequence of float [Pa]
+        Pressures of each cavity.
+
+    Returns
+    -------
+    Computed
+        Its response has area and volume of the workspace, the same at each state; its message says which runs failed
+        or ended early.
+    """
+    runs = Evaluations(folder=Path(job).parent / FOLDER, retry=True)  # a design that has ended is not called again
+    reached = workspace_of(read_job(job), workspace, values=numbers, evaluations=runs).to_response()
+    computed = solved_job(job, digest, numbers, mesh_error, as_design=as_design)
+    response = computed.response
+    columns = [Column(each.name, each.unit, np.full(len(response), each.values[0])) for each in reached.columns]
+    message = " ".join(each for each in (response.message, reached.message) if each)
+    return replace(computed, response=replace(response, columns=(*response.columns, *columns), message=message))
 
 
 def _combinations(model: Job | Function, pressures: Mapping[str, Sequence[float]]) -> tuple[Mapping[str, float], ...]:

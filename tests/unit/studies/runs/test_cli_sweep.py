@@ -22,7 +22,7 @@ job = "tube.toml"
 actuator.wall = ["2 mm", "2.5 mm"]
 "materials.body.C10" = { low = "0.1 MPa", high = "0.14 MPa", levels = 2 }
 
-[output]
+[sweep]
 measures = ["tip_displacement_x"]
 at = { pressure = "10 kPa" }
 """
@@ -105,23 +105,24 @@ def test_a_design_that_cannot_be_built_is_a_row(call, folder):
         ('"2 mm",', "2,", "factors.actuator.wall: 2 needs a unit, such as '2 mm'"),
         ('["2 mm", "2.5 mm"]', '"2 mm"', "'2 mm' is neither a list of levels nor a range"),
         ('["2 mm", "2.5 mm"]', "[]", "the list is empty"),
-        ("levels = 2", "level = 2", "is neither a list of levels nor a range"),
+        ("levels = 2", "level = 2", "unknown key of a factor 'level'; did you mean 'levels'?"),
         ("levels = 2", "levels = 1", "levels is 1; allowed is a whole number of 2 or more"),
         ('low = "0.1 MPa"', 'low = "1 MPa"', "goes from 1e+06 to 140000; low must be below high"),
-        ("[output]", "[outputs]", "study.toml:8: outputs: unknown key 'outputs'; did you mean 'output'?"),
+        ("[sweep]", "[sweeps]", "study.toml:8: sweeps: unknown key 'sweeps'; did you mean 'sweep'?"),
         ('job = "tube.toml"', 'jobs = "tube.toml"', "'job' is missing; name a job file"),
         ("tube.toml", "tub.toml", "did you mean 'tube.toml'?"),
-        ("at = {", "att = {", "study.toml:10: output.att: unknown key 'att'; did you mean 'at'?"),
-        ('"10 kPa"', '"10 kilo"', "output.at: pressure: '10 kilo' is no number with a unit"),
-        ("pressure =", "presure =", "study.toml:10: output.at: unknown column 'presure'; did you mean 'pressure'?"),
-        ('pressure = "10', 'cavity_volume = "10', "output.at: 'cavity_volume' is not measured; add it to the measures"),
-        ('"10 kPa"', '"10 mm"', "output.at: '10 mm' is a length"),
+        ("at = {", "att = {", "study.toml:10: sweep.att: unknown key 'att'; did you mean 'at'?"),
+        ('"10 kPa"', '"10 kilo"', "sweep.at: pressure: '10 kilo' is no number with a unit"),
+        ("pressure =", "presure =", "study.toml:10: sweep.at: unknown column 'presure'; did you mean 'pressure'?"),
+        ('pressure = "10', 'cavity_volume = "10', "sweep.at: 'cavity_volume' is not measured; add it to the measures"),
+        ('"10 kPa"', '"10 mm"', "sweep.at: '10 mm' is a length"),
         ('"tip_displacement_x"', '"tip_displacement_q"', "did you mean 'tip_displacement"),
-        ("[output]", '[design]\nkind = "sobl"\n[output]', "study.toml:9: design.kind: unknown kind 'sobl'; did you"),
-        ("[output]", '[design]\nkind = "sobol"\n[output]', "design.samples: 'samples' is missing"),
-        ("[output]", '[design]\nkind = "sobol"\nsamples = 0\n[output]', "allowed is 1 to 100000"),
-        ("[output]", '[design]\nkind = "table"\n[output]', "a table names its factors itself"),
-        ("[output]", "[output", "this is not valid TOML"),
+        ("[sweep]", '[sweep]\ndesign = "sobl"', "study.toml:9: sweep.design: unknown design 'sobl'; did you"),
+        ("[sweep]", '[sweep]\ndesign = "sobol"', "sweep.samples: 'samples' is missing"),
+        ("[sweep]", '[sweep]\ndesign = "sobol"\nsamples = 0', "allowed is 1 to 100000"),
+        ("[sweep]", '[sweep]\ndesign = "table"', "a table names its factors itself"),
+        ("[sweep]", "[sweep", "this is not valid TOML"),
+        ("[sweep]", "[optimize]", "the table [sweep] is missing"),
     ],
 )
 def test_mistakes_are_answered(call, folder, old, new, sentence):

@@ -6,7 +6,7 @@ from calibration_cases import JOB
 from turgor.foundation.errors import TurgorError
 from turgor.job.read import read_job
 from turgor.studies.runs.jobs.columns import unit_of_column
-from turgor.studies.runs.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_function import job_function
 from turgor.studies.runs.jobs.job_runs import solved_job
 
 TWO = """
@@ -23,7 +23,7 @@ def test_each_column_of_a_response_is_known_with_its_unit(tmp_path):
     volume = '[procedure]\ntype = "volume_control"\nvolume = "0.1 mL"\n'
     (tmp_path / "tube.toml").write_text(JOB.replace('[loads]\npressure = "20 kPa"\n', volume), encoding="utf-8")
     job = read_job(tmp_path / "tube.toml")
-    response = solved_job(**job_file(job, tmp_path / "found").values, numbers={})
+    response = solved_job(**job_function(job, tmp_path / "found").values, numbers={}).response
     assert {"load_factor", "pressure", "injected_volume", "cavity_volume"} <= set(response.names)
     assert {each.name: each.unit for each in response.columns} == {
         each: unit_of_column(job, each) for each in response.names

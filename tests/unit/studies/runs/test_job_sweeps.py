@@ -14,7 +14,7 @@ from turgor.foundation.errors import TurgorError
 from turgor.job.read import read_job
 from turgor.studies.runs.jobs.job_changes import job_changes
 from turgor.studies.runs.jobs.job_factors import job_factor
-from turgor.studies.runs.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_function import job_function
 from turgor.studies.runs.jobs.job_numbers import numbers_of
 from turgor.studies.runs.jobs.job_runs import PATHS, path_name, solved_job
 from turgor.units import mm
@@ -69,7 +69,7 @@ def test_one_rubber_harder_than_another(tmp_path):
     (tmp_path / "study.toml").write_text(
         'job = "tube.toml"\n[factors]\n'
         '"materials.body" = ["ecoflex-00-30/yeoh-steck-2019", "elastosil-m4601/neo-hooke-polygerinos-2020"]\n'
-        "[output]\nmesh_error = false\n",
+        "[sweep]\nmesh_error = false\n",
         encoding="utf-8",
     )
     asked = tg.studies.read_study_file(tmp_path / "study.toml", {"loads.pressure": "2 kPa"})
@@ -105,7 +105,7 @@ runs.solved_job(job, digest, {"materials.body.C10": 1.1e5})
 
 def test_a_path_that_was_killed_goes_on(tmp_path, monkeypatch):
     (tmp_path / "tube.toml").write_text(JOB + '\n[procedure]\ntype = "static"\nmax_step = 0.1\n', encoding="utf-8")
-    base = job_file(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
+    base = job_function(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
     paths = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     script = subprocess.run(
         [sys.executable, "-c", SCRIPT, base.values["job"], base.values["digest"]], env=paths, check=False
@@ -115,16 +115,16 @@ def test_a_path_that_was_killed_goes_on(tmp_path, monkeypatch):
     path = base.file.parent / PATHS / path_name(base.values["digest"], numbers)
     assert path.is_dir()
     monkeypatch.setattr("turgor.studies.runs.jobs.job_runs.solve", None)  # it is not begun anew
-    response = solved_job(**base.values, numbers=numbers)
+    response = solved_job(**base.values, numbers=numbers).response
     monkeypatch.undo()
     assert not path.parent.exists()
-    whole = solved_job(**base.values, numbers=numbers)
+    whole = solved_job(**base.values, numbers=numbers).response
     assert response["tip_displacement_x"] == pytest.approx(whole["tip_displacement_x"], rel=1e-8)
 
 
 def test_ctrl_c_in_the_middle_of_a_run_ends_the_study_and_not_the_run(tmp_path, monkeypatch):
     (tmp_path / "tube.toml").write_text(JOB + '\n[procedure]\ntype = "static"\nmax_step = 0.1\n', encoding="utf-8")
-    base = job_file(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
+    base = job_function(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
     states = []
 
     def interrupting(*given, **named):
@@ -138,7 +138,7 @@ def test_ctrl_c_in_the_middle_of_a_run_ends_the_study_and_not_the_run(tmp_path, 
         return tg.solve(*given, progress=progress, **named)
 
     monkeypatch.setattr("turgor.studies.runs.jobs.job_runs.solve", interrupting)
-    run = base.computation(mesh_error=False).run({"materials.body.C10": 1.1e5})
+    run = base.computation().run({"materials.body.C10": 1.1e5})
     kept = tmp_path / "study" / "runs"
     with pytest.raises(KeyboardInterrupt):
         tg.studies.kept_in(kept).of([run])
@@ -152,16 +152,16 @@ def test_ctrl_c_in_the_middle_of_a_run_ends_the_study_and_not_the_run(tmp_path, 
 
 def test_a_path_that_was_hardly_begun_is_begun_anew(tmp_path):
     (tmp_path / "tube.toml").write_text(JOB, encoding="utf-8")
-    base = job_file(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
+    base = job_function(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
     path = base.file.parent / PATHS / path_name(base.values["digest"], {})
     path.mkdir(parents=True)
-    assert solved_job(**base.values, numbers={}).status == "converged"
+    assert solved_job(**base.values, numbers={}).response.status == "converged"
     assert not path.exists()
 
 
 def test_paths_of_other_runs_stay_and_their_folder_may_vanish_at_any_time(tmp_path, monkeypatch):
     (tmp_path / "tube.toml").write_text(JOB, encoding="utf-8")
-    base = job_file(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
+    base = job_function(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
     paths = base.file.parent / PATHS
     other = paths / "other"
     other.mkdir(parents=True)
@@ -178,7 +178,7 @@ def test_paths_of_other_runs_stay_and_their_folder_may_vanish_at_any_time(tmp_pa
     other.rmdir()
     paths.rmdir()
     monkeypatch.setattr("os.mkdir", mkdir)
-    assert solved_job(**base.values, numbers={}).status == "converged"
+    assert solved_job(**base.values, numbers={}).response.status == "converged"
     assert vanished
     assert not paths.exists()
 
@@ -187,9 +187,9 @@ def test_a_study_that_was_moved_finds_its_runs_again(tmp_path):
     (tmp_path / "tube.toml").write_text(JOB, encoding="utf-8")
     job = read_job(tmp_path / "tube.toml")
     keys = [
-        job_file(job, tmp_path / folder).computation(mesh_error=False).run({"actuator.wall": 2e-3}).key
+        job_function(job, tmp_path / folder).computation(mesh_error=False).run({"actuator.wall": 2e-3}).key
         for folder in ("a", "b")
     ]
     assert keys[0] == keys[1]
     other = replace(job, output=replace(job.output, measures=("cavity_volume",)))
-    assert job_file(other, tmp_path / "c").computation(mesh_error=False).run({"actuator.wall": 2e-3}).key != keys[0]
+    assert job_function(other, tmp_path / "c").computation(mesh_error=False).run({"actuator.wall": 2e-3}).key != keys[0]

@@ -62,10 +62,10 @@ def test_bands_of_a_job(call, folder):
     [
         (["--spread", "actuator.wal=0.1 mm"], "did you mean 'actuator.wall'"),
         (["--spread", "actuator.wall"], "write KEY=DEVIATION"),
-        (["--spread", "actuator.wall=0.1"], "--spread actuator.wall: '0.1' needs a unit"),
+        (["--spread", "actuator.wall=0.1"], "--spread: factors.actuator.wall: spread: '0.1' needs a unit"),
         (["--spread", "actuator.wall=0.1 kPa"], "'0.1 kPa' is a pressure"),
         (["--spread", "actuator.wall=0 mm"], "allowed is above 0"),
-        (["--spread", "pressure=1 mm"], "--spread pressure: '1 mm' is a length"),
+        (["--spread", "pressure=1 mm"], "--spread: factors.pressure: spread: '1 mm' is a length"),
         (["--sets", "specimens.csv"], "write LABEL=FILE"),
         (["--sets", "rubber=none.csv"], "'none.csv' cannot be read"),
         (["--sets", "rubber=unit.csv"], "'materials.body.C10' needs a unit in brackets: Pa, kPa"),
@@ -73,7 +73,7 @@ def test_bands_of_a_job(call, folder):
         (["--sets", "rubber=one.csv"], "'rubber' has 1 sets of numbers"),
         (["--sets", "rubber=wide.csv"], "'wide.csv', line 2: 2 cells; the first line has 1"),
         (["--spread", "actuator.wall=0.1 mm", "--method", "cubic"], "unknown method 'cubic'"),
-        (["--spread", "actuator.wall=0.1 mm", "--at", "5"], "--at: '5' needs a unit"),
+        (["--spread", "actuator.wall=0.1 mm", "--at", "5"], "at: '5' needs a unit"),
         ([], "nothing has a spread"),
     ],
 )

@@ -27,7 +27,7 @@ from turgor.job.prepare import model_of, prepare
 from turgor.job.read import read_job
 from turgor.studies.runs.jobs.job_changes import changes_of
 from turgor.studies.runs.jobs.job_numbers import JobNumber, find_number
-from turgor.studies.runs.jobs.job_runs import write_whole_job
+from turgor.studies.runs.jobs.whole_job import write_whole_job
 
 #: Sections whose numbers are settings of a computation, not quantities of the actuator.
 _SETTINGS = ("mesh", "output", "engine")

@@ -151,6 +151,62 @@ def read_number(text: str, number: JobNumber, where: str) -> float:
         raise TurgorError(f"{where}: '{text.strip()}' is not a number.") from None
 
 
+def shared_number(numbers: Mapping[str, JobNumber], text: str) -> tuple[str, JobNumber]:
+    """Return the name and the number of several keys with commas between them, of which one value fits all.
+
+    Parameters
+    ----------
+    numbers : mapping of str to JobNumber
+    text : str
+
+    Returns
+    -------
+    (str, JobNumber)
+
+    Raises
+    ------
+    TurgorError
+        If one is unknown or a whole number, or they measure different things.
+    """
+    keys = [each.strip() for each in text.split(",")]
+    found = [find_number(numbers, each) for each in keys]
+    units = {each.dimension for each in found}
+    if len(units) > 1:
+        raise TurgorError(f"'{text.strip()}': {' and '.join(sorted(units))} cannot have one value.")
+    return ",".join(keys), found[0]
+
+
+def mean_and_deviation(text: str, number: JobNumber, where: str) -> tuple[float, float]:
+    """Read ``"0.12 MPa +- 5 %"``; without a mean it is the number of the job.
+
+    Parameters
+    ----------
+    text : str
+    number : JobNumber
+        Whose unit the value has.
+    where : str
+        Beginning of messages.
+
+    Returns
+    -------
+    (float, float) [SI]
+
+    Raises
+    ------
+    TurgorError
+        If it cannot be read.
+    """
+    first, sign, second = text.replace("±", "+-").partition("+-")
+    mean, deviation = (first, second) if sign else ("", first)
+    middle = read_number(mean, number, where) if mean.strip() else number.value
+    if deviation.strip().endswith("%"):
+        try:
+            return middle, abs(middle) * float(deviation.strip().removesuffix("%")) / 100
+        except ValueError:
+            raise TurgorError(f"{where}: '{deviation.strip()}' is no share in percent; write it as '5 %'.") from None
+    return middle, read_number(deviation, number, where)
+
+
 def _gather(key: str, value: Any, found: dict[str, JobNumber]) -> None:
     if isinstance(value, Mapping):
         for name, each in value.items():

@@ -1,4 +1,4 @@
-"""Job files as functions of their values: a job with every value as a file, solved with other numbers."""
+"""Runs of a job: the job solved with other numbers, measured, and differentiated if requested."""
 
 import json
 import tomllib
@@ -10,59 +10,49 @@ from pathlib import Path
 from shutil import rmtree
 from socket import gethostname
 
+import numpy as np
+
 from turgor.accuracy.adaptivity.measure import measure
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.solvers.solution import Solution, Status
 from turgor.core.solvers.solve import resume, solve
 from turgor.foundation.errors import NotHere, TurgorError
-from turgor.foundation.response import Response
-from turgor.foundation.store.atomic_files import whole
+from turgor.foundation.response import Column, Response
 from turgor.job.job import Job
-from turgor.job.output.identity import digest
-from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.studies.runs.factor import Value
 from turgor.studies.runs.jobs.job_changes import job_changes
-from turgor.studies.runs.jobs.job_numbers import JobNumber, numbers_of
+from turgor.studies.runs.jobs.job_slopes import SlopeRequest, with_requested_slopes
+from turgor.studies.runs.jobs.solid_volume import SOLID_VOLUME, solid_volume_of
+from turgor.studies.runs.run import Computed
+from turgor.views.pictures.picture import picture
 
-#: Folder beside the job for paths that are being followed: each goes when its run has ended, the folder with the last.
+#: Folder next to the job for paths that are being followed: each goes when its run has ended, the folder with the last.
 PATHS = "paths"
 
-#: Folder of the last states of runs, beside the job.
+#: Folder of the last states of runs, next to the job.
 LAST_STATES = "last-states"
+
+#: Width of the pictures of designs in pixels.
+PICTURE_WIDTH = 700
 
 #: How often the folder of a path is made: other runs may remove the one above it while it is empty.
 ATTEMPTS = 10
 
 
-def write_whole_job(job: Job, file: Path) -> dict[str, JobNumber]:
-    """Write a job with every value, defaults and constants of library materials included, and return its numbers.
-
-    Parameters
-    ----------
-    job : Job
-    file : Path
-
-    Returns
-    -------
-    dict of str to JobNumber
-        By key.
-    """
-    text = lock_text(job, {})
-    if not file.is_file() or file.read_text(encoding="utf-8") != text:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        with whole(file) as part:  # tasks on several machines may write it at once
-            part.write_text(text, encoding="utf-8")
-    return numbers_of(tomllib.loads(text))
-
-
 def solved_job(
-    job: str, digest: str, numbers: Mapping[str, Value], mesh_error: bool = False, measures: Sequence[str] = ()
-) -> Response:
-    """Solve a job with other numbers and measure it, with one thread; `Run` and others call it in other processes.
+    job: str,
+    digest: str,
+    numbers: Mapping[str, Value],
+    mesh_error: bool = False,
+    measures: Sequence[str] = (),
+    slopes: SlopeRequest | None = None,
+    as_design: bool = False,
+) -> Computed:
+    """Solve a job with other numbers and measure it, with one thread: the function of every study of a job.
 
-    A run that is killed in the middle goes on from its last accepted state when it is called again.
+    A run that is killed continues from its last accepted state when it is called again.
 
     Parameters
     ----------
@@ -71,34 +61,50 @@ def solved_job(
     digest : str
         `digest_of` the file, so that runs of another job are not taken for those of this one.
     numbers : mapping of str to float, int or str
-        Values by key; numbers are in SI units, and several keys with commas between them have one value. The keys of a
-        material, such as ``"materials.body"``, have a record of the library: ``"ecoflex-00-30/yeoh-steck-2019"``; other
-        texts are choices, such as the kind of the cells.
+        Values by key; numbers are in SI units, and several keys with commas between them have one value. The value of
+        a material, such as ``"materials.body"``, is a record of the library: ``"ecoflex-00-30/yeoh-steck-2019"``; other
+        texts are choices, such as the kind of the elements.
     mesh_error : bool
         Whether the mesh error is estimated, which takes up to half the time of the solve.
     measures : sequence of str
-        What is measured; by default what the job asks for.
+        What is measured; by default the measures of the job.
+    slopes : mapping, optional
+        Which measures are differentiated by the numbers where that is exact, as `SlopeRequest` says; by default none.
+    as_design : bool
+        Whether the response has the volume of the material, and a picture and the last state are stored as well.
 
     Returns
     -------
-    Response
-        As far as the path goes; its message says why it ended early.
+    Computed
+        As far as the path goes; its message says why it ended early, its notes what could not be differentiated.
 
     Raises
     ------
     TurgorError
-        If the job cannot be read, meshed or held with these numbers.
+        If the job cannot be read, meshed or supported with these numbers.
     """
-    asked, solution = solution_of_job(job, digest, numbers)
-    response = measured_job(asked, solution, mesh_error=mesh_error, measures=measures)
+    changed, solution = solution_of_job(job, digest, numbers)
+    response = measured_job(changed, solution, mesh_error=mesh_error, measures=measures)
+    if as_design:
+        volume = np.full(len(response), solid_volume_of(solution.model.mesh))
+        response = replace(response, columns=(*response.columns, Column(SOLID_VOLUME, "mL", volume)))
+    notes: tuple[str, ...] = ()
+    if slopes and solution.states:
+        response, notes = with_requested_slopes(changed, solution, response, numbers, slopes)
+    drawn = b""
+    if as_design and solution.states:
+        drawn = picture(solution, width=PICTURE_WIDTH).png
+        last = last_state_of(job, digest, numbers)
+        last.parent.mkdir(parents=True, exist_ok=True)
+        replace(solution, states=solution.states[-1:]).save(last)
     forget_path(job, digest, numbers)
-    return response
+    return Computed(response=response, picture=drawn, notes=notes)
 
 
 def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tuple[Job, Solution]:
     """Solve a job with other numbers, with one thread; the path as far as it goes.
 
-    The path is kept beside the job until `forget_path`, so that a run that is killed goes on from its last state.
+    The path is kept next to the job until `forget_path`, so that a run that is killed goes on from its last state.
 
     Parameters
     ----------
@@ -116,11 +122,11 @@ def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tupl
             "studies of jobs need a folder that all machines share."
         )
     content = tomllib.loads(Path(job).read_text(encoding="utf-8"))
-    asked = read_job(job, job_changes(content, numbers))
-    solution = _followed(asked, EngineOptions(threads=1), _path_of(job, digest, numbers))
+    changed = read_job(job, job_changes(content, numbers))
+    solution = _followed(changed, EngineOptions(threads=1), _path_of(job, digest, numbers))
     if solution.status is Status.INTERRUPTED:
         raise KeyboardInterrupt  # Ctrl-C ends the study; the run has not ended, and goes on when it is called again
-    return asked, solution
+    return changed, solution
 
 
 def forget_path(job: str, digest: str, numbers: Mapping[str, Value]) -> None:
@@ -156,12 +162,12 @@ def _path_of(job: str, digest: str, numbers: Mapping[str, Value]) -> Path:
     return Path(job).parent / PATHS / path_name(digest, numbers)
 
 
-def measured_job(asked: Job, solution: Solution, *, mesh_error: bool = False, measures: Sequence[str] = ()) -> Response:
+def measured_job(job: Job, solution: Solution, *, mesh_error: bool = False, measures: Sequence[str] = ()) -> Response:
     """Measure what `solution_of_job` gave; the message says why the path ended early.
 
     Parameters
     ----------
-    asked : Job
+    job : Job
     solution : Solution
     mesh_error, measures
         As those of `solved_job`.
@@ -172,7 +178,7 @@ def measured_job(asked: Job, solution: Solution, *, mesh_error: bool = False, me
     """
     options = EngineOptions(threads=1)
     estimated = mesh_error and len(solution.states) > 1
-    response = measure(solution, *(measures or asked.output.chosen()), mesh_error=estimated, options=options)
+    response = measure(solution, *(measures or job.output.chosen()), mesh_error=estimated, options=options)
     message = "" if solution.complete else f"{solution.message} {solution.advice}".strip()
     return replace(response, message=message)
 
@@ -200,18 +206,3 @@ def _make(folder: Path) -> None:
 def path_name(digest: str, numbers: Mapping[str, Value]) -> str:
     """Return the name of the folder of a path that is being followed: a hash of the job and its values."""
     return sha256(json.dumps([digest, dict(numbers)], sort_keys=True).encode()).hexdigest()[:16]
-
-
-def digest_of(file: Path) -> str:
-    """Return a hash of what a job computes and measures, from its file with every value.
-
-    Parameters
-    ----------
-    file : Path
-        Of `write_whole_job`.
-
-    Returns
-    -------
-    str
-    """
-    return digest(tomllib.loads(file.read_text(encoding="utf-8")), ("name", "written_by", "engine"))

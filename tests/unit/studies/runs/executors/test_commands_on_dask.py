@@ -18,7 +18,7 @@ job = "tube.toml"
 [factors]
 actuator.wall = { low = "2 mm", high = "2.5 mm", levels = LEVELS }
 
-[output]
+[sweep]
 measures = ["tip_displacement_x"]
 at = { pressure = "10 kPa" }
 mesh_error = false

@@ -16,7 +16,7 @@ job = "tube.toml"
 [factors]
 actuator.wall = ["2 mm", "2.25 mm", "2.5 mm"]
 
-[output]
+[sweep]
 measures = ["tip_displacement_x"]
 at = { pressure = "10 kPa" }
 """

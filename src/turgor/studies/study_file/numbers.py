@@ -1,4 +1,4 @@
-"""Numbers in study files of optimizations: with their units, alone and in lists, and a check of keys."""
+"""Numbers in study files: with their units, alone and in lists, and a check of keys."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -93,7 +93,7 @@ def check_keys(table: Table, known: Sequence[str], where: str) -> None:
     """Raise an error for a key that is not known, with the near match."""
     for key in table:
         if key not in known:
-            raise unknown(f"key in {where}:", key, known)
+            raise unknown(f"key in {where}", key, known)
 
 
 def _is_number(text: str) -> bool:

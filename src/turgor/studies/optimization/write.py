@@ -10,7 +10,7 @@ from turgor.foundation.response import COLUMN_UNITS
 from turgor.foundation.store.atomic_files import whole
 from turgor.studies.optimization.figure import before_and_after, ends_of, optimization_figure
 from turgor.studies.optimization.result import Optimization
-from turgor.studies.runs.jobs.job_file import JobFile
+from turgor.studies.runs.jobs.job_function import JobFunction
 from turgor.studies.runs.jobs.job_runs import last_state_of
 from turgor.units import unit_value
 from turgor.views.plots.figures import write_figure
@@ -20,7 +20,7 @@ TABLE, BEST, FIGURE, TEXT = "optimization.csv", "best.toml", "optimization.png",
 BEFORE_AND_AFTER = "before-and-after.png"
 
 
-def write_optimization(found: Optimization, folder: str | Path, base: JobFile | None = None) -> tuple[Path, ...]:
+def write_optimization(found: Optimization, folder: str | Path, base: JobFunction | None = None) -> tuple[Path, ...]:
     """Write candidates as a table, the figure, the text, and for a job the best one, with pictures before and after.
 
     Parameters
@@ -28,7 +28,7 @@ def write_optimization(found: Optimization, folder: str | Path, base: JobFile | 
     found : Optimization
     folder : str or Path
         Made if there is none.
-    base : JobFile, optional
+    base : JobFunction, optional
         The job whose numbers were searched.
 
     Returns
@@ -55,7 +55,7 @@ def write_optimization(found: Optimization, folder: str | Path, base: JobFile | 
     return tuple(files)
 
 
-def _last_states(found: Optimization, base: JobFile) -> tuple[State, ...]:
+def _last_states(found: Optimization, base: JobFunction) -> tuple[State, ...]:
     """The last states of the start and of the best design; none where a run has kept none."""
     where = base.values
     rows = (found.study.rows[number] for number in ends_of(found))
