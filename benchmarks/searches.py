@@ -1,4 +1,4 @@
-"""Count the runs of searches: the trust region of turgor, and COBYQA and least squares of SciPy.
+"""Count the runs of searches: those of turgor, and COBYQA and least squares of SciPy.
 
 Run ``python benchmarks/searches.py``, about a minute: formulas whose answers are known, and a tube of finite elements.
 
@@ -9,6 +9,7 @@ objective that is at most 0.1 % above the lowest one. A dash says that it was no
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -20,6 +21,9 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 import calibration_cases
 import optimization_cases as cases
 import turgor as tg
+from turgor.studies.calibration import calibrate
+from turgor.studies.calibration.objective import Objective
+from turgor.studies.calibration.search import Found, no_step_left
 from turgor.studies.optimization.goals import MET, Limit, Minimize
 from turgor.studies.optimization.optimize import _problem, _scaled, _start
 from turgor.studies.optimization.problem import Problem
@@ -184,7 +188,7 @@ def tubes(folder: Path) -> list[Case]:
     """A tube of finite elements: its wall and radius from two targets, and the least rubber under a target."""
     (folder / "tube.toml").write_text(calibration_cases.JOB, encoding="utf-8")
     job = job_function(tg.jobs.read_job(folder / "tube.toml"), folder / "search")
-    computation = job.computation(mesh_error=False)
+    computation = job.computation()
     runs = studies.kept_in(folder / "search" / "runs")
     (true,) = runs.of([computation.run({"actuator.wall": 1.5 * mm, "actuator.inner_radius": 6.5 * mm})])
     names = ("tip_displacement_x", "cavity_volume")
@@ -192,6 +196,93 @@ def tubes(folder: Path) -> list[Case]:
     ranges = (("actuator.wall", 1, 4), ("actuator.inner_radius", 4, 10))
     factors = [studies.Factor(name=name, low=low * mm, high=high * mm, unit="mm") for name, low, high in ranges]
     return [Case("tube of finite elements, 2 targets by 2", computation, factors, goals, {}, evaluations=runs)]
+
+
+FIT_METHODS = ("turgor", "least squares", "COBYQA")
+
+
+def fits() -> dict[str, tuple[studies.Trial, list[studies.Parameter]]]:
+    """Calibrations of formulas, with a spread that is known or not, a bound, a prior, and what is not determined."""
+    stiff, more = studies.Parameter(name="C10", start=0.2e6), studies.Parameter(name="C20", start=0.0, **AROUND_ZERO)
+    wall = studies.Parameter(name="wall", start=1.2 * mm)
+    known = studies.Parameter(name="wall", start=1.2 * mm, prior=(1 * mm, 0.05 * mm))
+    noisy = calibration_cases.measured_sphere(noise=1e-3, C20=0.0)
+    far = calibration_cases.measured_sphere(noise=1e-3, seed=3, most=8.5e3)
+    near = studies.Parameter(name="C10", start=0.09e6)
+    bound = studies.Parameter(name="C10", start=0.2e6, lower=0.15e6)
+    line = [studies.Parameter(name="height", start=0.0, lower=-1.0, upper=1.0),
+            studies.Parameter(name="slope", start=0.0, lower=-4.0, upper=4.0)]  # fmt: skip
+    exact, soft = calibration_cases.measured_sphere(), calibration_cases.measured_sphere(C20=0.0)
+
+    def sphere(measured: tg.Response, **options: object) -> studies.Trial:
+        return studies.Trial(measured=measured, function=calibration_cases.thin_sphere, **options)
+
+    line_rows = calibration_cases.measured_line(0.3, 2.0, 0.05)
+    return {
+        "sphere by 2": (sphere(exact), [stiff, more]),
+        "sphere by 2 from another start": (sphere(exact), [near, more]),
+        "sphere by 1": (sphere(soft), [stiff]),
+        "sphere by 1 to its bound": (sphere(soft), [bound]),
+        "stiffness and wall, not determined": (sphere(noisy, spread=1e-3), [stiff, wall]),
+        "stiffness and wall with a prior": (sphere(soft), [stiff, known]),
+        "sphere by 2 with noise": (sphere(far, values={"up_to": 1.35}), [near, more]),
+        "straight line by 2": (
+            studies.Trial(measured=line_rows, function=calibration_cases.straight, spread=0.05),
+            line,
+        ),
+    }
+
+
+AROUND_ZERO = {"lower": -0.05e6, "upper": 0.05e6}
+
+
+def scipy_fit(objective: Objective, start: np.ndarray, most: int, cobyqa: bool) -> Found:
+    """Fit with a search of SciPy, with fresh differences at the end, as the standard errors need."""
+    low, high = objective.limits
+    best = {"cost": np.inf, "at": start}
+
+    def residuals(at: np.ndarray) -> np.ndarray:
+        if len(objective.evaluations.ended) >= most:
+            raise DoneError
+        found = objective.residuals(np.clip(at, low, high))
+        if found @ found < best["cost"]:
+            best.update(cost=found @ found, at=np.clip(at, low, high))
+        return found
+
+    def jacobian(at: np.ndarray) -> np.ndarray:
+        table = objective.jacobian(at)
+        if no_step_left(objective, at, residuals(at), table):
+            raise DoneError
+        return table
+
+    first = float(residuals(start) @ residuals(start))
+    try:
+        if cobyqa:
+            options = {"initial_tr_radius": 0.1, "final_tr_radius": 2e-4, "maxfev": MOST}
+            minimize(lambda at: float(residuals(at) @ residuals(at)) / first, start, method="COBYQA",
+                     bounds=Bounds(low, high), options=options)  # fmt: skip
+        else:
+            least_squares(residuals, start, jac=jacobian, bounds=(low, high), ftol=1e-4, xtol=2e-4, gtol=None)
+    except DoneError:
+        pass
+    at = np.asarray(best["at"])
+    return Found(at=at, residuals=objective.residuals(at), jacobian=objective.jacobian(at), converged=True)
+
+
+def fit_main() -> None:
+    """Print the runs of calibrations; one that ends at a larger misfit than turgor has, by 2 %, is marked by a star."""
+    print("\n| calibration | " + " | ".join(FIT_METHODS) + " |\n|---|" + "---|" * len(FIT_METHODS), flush=True)
+    own = calibrate.search
+    for name, (trial, free) in fits().items():
+        row, misfits = [], []
+        for method in FIT_METHODS:
+            calibrate.search = own if method == "turgor" else partial(scipy_fit, cobyqa=method == "COBYQA")
+            found = calibrate.calibrate(trial, free, most_solves=MOST)
+            misfits.append(found.fits[0].rms)
+            worse = misfits[-1] > 1.02 * misfits[0] + 1e-3 * found.fits[0].rms_start
+            row.append(f"{found.solves}{'*' if worse else ''}")
+        print(f"| {name} | " + " | ".join(row) + " |", flush=True)
+    calibrate.search = own
 
 
 METHODS = ("turgor", "COBYQA", "COBYQA, targets as limits", "least squares")
@@ -212,3 +303,4 @@ def main(every: list[Case]) -> None:
 if __name__ == "__main__":
     with TemporaryDirectory() as temporary:
         main([*formulas(), *tubes(Path(temporary))])
+    fit_main()

@@ -45,7 +45,6 @@ class _Options:
     along: Annotated[
         str, typer.Option(metavar="NAME", help="A column that becomes an input, such as pressure: whole curves.")
     ] = ""
-    kind: Annotated[str, typer.Option(help="gaussian_process, network or auto.")] = "auto"
     processes: Processes = 1
     scheduler: Scheduler = None
     output: Output = None
@@ -70,7 +69,7 @@ def _fit(asked: _Options) -> None:
         along = asked.along or stated.along
         at = None if along else read_at(asked.at or stated.at, given.study) or given.at
         measures = asked.measures or stated.measures or given.measures or None
-        found = surrogate(given.study, measures, kind=asked.kind, at=at, along=along)
+        found = surrogate(given.study, measures, at=at, along=along)
         folder = asked.output if asked.output is not None else given.folder
         folder.mkdir(parents=True, exist_ok=True)
         files = [found.save(folder / "surrogate"), folder / "surrogate.png", folder / "surrogate.txt"]

@@ -18,8 +18,6 @@ class SurrogateResult:
 
     Parameters
     ----------
-    kind : str
-        ``"gaussian_process"`` or ``"network"``.
     rows : int
         Rows of the study that were used.
     factors : list of tables
@@ -33,7 +31,6 @@ class SurrogateResult:
         Files that were written.
     """
 
-    kind: str
     rows: int
     factors: list[dict[str, Any]]
     measures: list[dict[str, Any]]
@@ -44,7 +41,6 @@ class SurrogateResult:
 def surrogate_result(found: "Surrogate", files: Sequence[Path]) -> SurrogateResult:
     """Make the result of a fit."""
     return SurrogateResult(
-        kind=found.kind,
         rows=found.rows,
         factors=[
             {"name": each.name, "unit": each.unit, "levels": list(each.levels)}

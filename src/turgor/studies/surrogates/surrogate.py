@@ -13,8 +13,8 @@ from turgor.foundation.source import Source
 from turgor.foundation.store.saved_objects import Saved
 from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.surrogates.coding import Coding
+from turgor.studies.surrogates.gaussian_process import GaussianProcess
 from turgor.studies.surrogates.held_out import HeldOut
-from turgor.studies.surrogates.trained_models import Model
 
 Array = NDArray[np.float64]
 
@@ -66,10 +66,8 @@ class Surrogate(Saved):
         Inputs with their ranges; the drive comes last where it is one.
     held_out : tuple of HeldOut
         Each measure with its error in rows that were held out.
-    model : Model
-        Trained model: inputs as `Coding` makes them, outputs in SI units.
-    kind : str
-        ``"gaussian_process"`` or ``"network"``.
+    model : GaussianProcess
+        Inputs as `Coding` makes them, outputs in SI units.
     along : str
         Name of the drive among the inputs; empty where there is none.
     rows : int
@@ -82,8 +80,7 @@ class Surrogate(Saved):
 
     factors: tuple[Factor, ...]
     held_out: tuple[HeldOut, ...]
-    model: Model
-    kind: str
+    model: GaussianProcess
     along: str
     rows: int
     notes: tuple[str, ...]
@@ -92,7 +89,7 @@ class Surrogate(Saved):
     def __repr__(self) -> str:
         asked = ", ".join(f"{each.name} {each.range_told}" for each in self.factors)
         told = ", ".join(f"{each.name} ± {100 * each.share:.2g} %" for each in self.held_out)
-        return f"Surrogate({self.kind} of {self.rows} rows: {asked}; {told} of the range)"
+        return f"Surrogate(Gaussian process of {self.rows} rows: {asked}; {told} of the range)"
 
     @property
     def measures(self) -> tuple[str, ...]:
@@ -219,7 +216,7 @@ class Surrogate(Saved):
             columns.append(Column(each.name, each.unit, mean[:, n]))
         for n, each in enumerate(self.held_out):
             columns.append(Column(f"{each.name}_deviation", each.unit, deviation[:, n]))
-        source = Source(text="a surrogate", detail=f"{self.kind} of {self.rows} rows; {self.source}")
+        source = Source(text="a surrogate", detail=f"Gaussian process of {self.rows} rows; {self.source}")
         return Response(columns=tuple(columns), source=source, status="converged", findings=findings)
 
     def point(self, values: Mapping[str, Value], names: list[str] | None = None) -> Array:

@@ -13,7 +13,7 @@ def test_a_module_that_is_there():
     assert needed("json", "a test") is json
 
 
-@pytest.mark.parametrize(("module", "name"), [("sklearn.neural_network", "scikit-learn"), ("SALib.sample", "SALib")])
+@pytest.mark.parametrize(("module", "name"), [("sklearn.gaussian_process", "scikit-learn"), ("SALib.sample", "SALib")])
 def test_a_missing_package_is_told_with_how_to_install_it(module, name, monkeypatch):
     monkeypatch.setitem(sys.modules, module, None)  # an import of it fails
     monkeypatch.setitem(sys.modules, module.split(".")[0], None)

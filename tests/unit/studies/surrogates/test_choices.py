@@ -83,15 +83,6 @@ def test_a_choice_alone_is_sought(fitted):
         invert(fitted, {ANGLE: wanted}, held={"wall": 1.5 * mm, "rubber": "soft"})
 
 
-def test_networks_take_choices():
-    study = cases.study_of(cases.finger_of, [cases.WALL, cases.RUBBER], 64)
-    network = surrogate(study, [ANGLE], kind="network")
-    for rubber in cases.RUBBERS:
-        assert network.predict({"wall": 1.5 * mm, "rubber": rubber})[ANGLE] == pytest.approx(
-            angle(1.5 * mm, rubber), abs=2 * deg
-        )
-
-
 def test_choices_are_learned(fitted):
     asked = next_design(fitted, 4)
     assert {each["rubber"] for each in asked} <= set(cases.RUBBERS)

@@ -15,7 +15,6 @@ from turgor.foundation.source import Source
 from turgor.studies.runs.factor import Factor
 from turgor.studies.runs.study import Study
 from turgor.studies.surrogates.fit import surrogate
-from turgor.studies.surrogates.fit_network import NetworkTrainer
 from turgor.studies.surrogates.held_out import parts_of
 from turgor.studies.surrogates.surrogate import Surrogate
 from turgor.studies.surrogates.training import training
@@ -153,19 +152,12 @@ def test_long_choices_and_small_studies_are_refused(study):
         surrogate(Study(factors=study.factors, rows=study.rows[:4], source=study.source))
     with pytest.raises(TurgorError, match="did you mean 'bending_angle'"):
         surrogate(study, ["bending_angel"])
-    with pytest.raises(TurgorError, match="did you mean 'network'"):
-        surrogate(study, kind="netwrok")
     with pytest.raises(TurgorError, match="give one of them"):
         surrogate(study, at=("pressure", 1e4), along="pressure")
 
 
-@pytest.mark.parametrize("kind", ["gaussian_process", "network"])
-def test_it_is_loaded_without_what_trained_it(study, fitted, kind, tmp_path):
+def test_it_is_loaded_without_what_trained_it(fitted, tmp_path):
     found = fitted
-    if kind == "network":
-        given = training(study, at=("pressure", 40 * kPa))
-        model = NetworkTrainer(members=2, iterations=50).fit(given.shares, given.targets, given.noise)
-        found = replace(fitted, model=model, kind=kind)
     file = found.save(tmp_path / "finger")
     assert isinstance(tg.load(file), Surrogate)
     said = found.predict(DESIGN)
@@ -185,7 +177,7 @@ def test_it_is_loaded_without_what_trained_it(study, fitted, kind, tmp_path):
 def test_training_without_scikit_learn_is_a_sentence(study, monkeypatch):
     monkeypatch.setitem(sys.modules, "sklearn.gaussian_process", None)
     with pytest.raises(TurgorError, match=r'pip install "turgor\[studies\]"'):
-        surrogate(study, kind="gaussian_process")
+        surrogate(study)
 
 
 def test_a_measure_of_one_state_needs_no_drive():
