@@ -87,8 +87,8 @@ class JobFunction:
         Computation
         """
         values: dict[str, Any] = dict(self.values)
-        if mesh_error != "nominal":
-            values["mesh_error"] = mesh_error == "every"
+        if mesh_error == "every":  # else it is left out, so that the same runs serve searches with and without it
+            values["mesh_error"] = True
         if measures:
             values["measures"] = list(measures)
         if slopes:
