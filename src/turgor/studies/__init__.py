@@ -1,4 +1,4 @@
-"""Studies: parameters calibrated, uncertainty carried to responses, derivatives of measures, runs kept on disk."""
+"""Studies: parameters calibrated, uncertainty propagated to responses, derivatives of measures, runs stored on disk."""
 
 from typing import TYPE_CHECKING
 

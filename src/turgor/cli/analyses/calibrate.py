@@ -104,7 +104,7 @@ def _run(asked: _Options) -> None:
         base = job_function(study.job, folder)
         for note in equal_constants(plan.free, base):
             typer.echo(note, err=True)
-        runs = kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry)
+        runs = kept_in(folder / RUNS, processes=asked.processes, progress=report_run, retry=asked.retry)
         with kept_in_folder(folder):
             found = calibrate_job(plan, base, runs)
         files = [*write_calibration(found, folder), folder / CALIBRATED]
@@ -140,7 +140,7 @@ def _stated(asked: _Options) -> "tuple[StudyFile, str]":
     return stated_study(asked.job, "calibrate", factors, table, options, asked.changes)
 
 
-def told_run(ended: "Ended") -> None:
+def report_run(ended: "Ended") -> None:
     """Print how a run ended.
 
     Parameters

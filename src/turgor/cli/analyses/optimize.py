@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.analyses.calibrate import told_run
+from turgor.cli.analyses.calibrate import report_run
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, Retry, command_of, output_option
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
@@ -68,7 +68,7 @@ def _searched(wanted: "JobOptimization", folder: Path, asked: _Options) -> "Opti
     from turgor.studies.runs.evaluations import kept_in
     from turgor.studies.runs.jobs.job_function import RUNS
 
-    runs = kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry)
+    runs = kept_in(folder / RUNS, processes=asked.processes, progress=report_run, retry=asked.retry)
     with kept_in_folder(folder), runs:
         return wanted.search(runs)
 

@@ -93,8 +93,8 @@ class _Asked:
     ] = None
     want: Annotated[
         list[str] | None,
-        often("--want", "NAME=VALUE", "A wanted measure, such as bending_angle='60 deg': inputs are sought that give "
-              "it, those of --at are held."),
+        often("--want", "NAME=VALUE", "A wanted measure, such as bending_angle='60 deg': inputs are searched that give "
+              "it, those of --at are fixed."),
     ] = None  # fmt: skip
     prefer: Annotated[
         list[str] | None, often("--prefer", "NAME=VALUE", "A preferred input where many give what is wanted.")
@@ -117,7 +117,7 @@ def _predict(asked: _Asked) -> None:
         at = values_given(asked.at, found.factors, "--at")
         if asked.want:
             if asked.extrapolate:
-                raise TurgorError("--extrapolate does not go with --want: inputs are sought within their ranges.")
+                raise TurgorError("--extrapolate does not go with --want: inputs are searched within their ranges.")
             _invert(found, at, asked, answer)
         if asked.prefer:
             raise TurgorError("--prefer goes with --want.")
@@ -133,7 +133,7 @@ def _say(found: "Surrogate", at: "dict[str, Value]", asked: _Asked, answer: "Ans
     said = found.predict(at, extrapolate=asked.extrapolate)
     answer.warn(said.findings)
     for name in found.measures:
-        typer.echo(f"{name.replace('_', ' ')} {said.told(name)}")
+        typer.echo(f"{name.replace('_', ' ')} {said.text(name)}")
     answer.give(lambda: prediction_result(said, at))
     raise typer.Exit(DONE)
 

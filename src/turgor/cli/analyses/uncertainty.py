@@ -1,4 +1,4 @@
-"""Command ``turgor uncertainty``: the spread of rubber, dimensions and pressure carried to the response of a job."""
+"""Command ``turgor uncertainty``: the spread of rubber, dimensions and pressure propagated to the response of a job."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from turgor.cli.analyses.calibrate import often, told_run
+from turgor.cli.analyses.calibrate import often, report_run
 from turgor.cli.exits import DONE, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobOrStudy, Json, Retry, command_of, output_option
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
@@ -72,7 +72,7 @@ def _run(asked: _Options) -> None:
         at = plan.at
         folder = asked.output if asked.output is not None else Path(f"{name}-uncertainty")
         base = job_function(study.job, folder)
-        runs = kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry)
+        runs = kept_in(folder / RUNS, processes=asked.processes, progress=report_run, retry=asked.retry)
         with kept_in_folder(folder):
             found = propagate_job(plan, base, runs)
         sentences = [found.sentence(name, at) for name in found.bands]

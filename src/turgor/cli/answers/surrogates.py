@@ -92,7 +92,7 @@ class PredictionResult:
 
 def prediction_result(said: "Prediction", at: Mapping[str, float | int | str]) -> PredictionResult:
     """Make the result of a prediction."""
-    told = ", ".join(f"{name.replace('_', ' ')} {said.told(name)}" for name in said.values)
+    told = ", ".join(f"{name.replace('_', ' ')} {said.text(name)}" for name in said.values)
     return PredictionResult(
         at=at, values=said.values, deviations=said.deviations, reached=None, sought={}, others=[], sentence=told
     )

@@ -73,7 +73,7 @@ def write_candidates(found: Optimization, file: Path) -> None:
             value = float(row.values[each.name]) / unit_value(each.unit)
             line[f"{each.name} ({each.unit})" if each.unit else each.name] = f"{value:.9g}"
         for goal, head in zip(found.goals, heads, strict=True):
-            value = goal.told(row).value
+            value = goal.reading(row).value
             told = f"{value / COLUMN_UNITS.get(head.unit, 1.0):.9g}" if isfinite(value) else ""
             line[f"{head.name} ({head.unit})" if head.unit else head.name] = told
         line["kept"] = int(found.scores[number].kept)

@@ -16,7 +16,7 @@ Progress = Callable[[Ended], None]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Evaluations:
-    """Runs that an analysis asks for one batch after another, each computed once.
+    """Runs that an analysis requests in batches, each computed once.
 
     ``with`` ends processes that wait for further runs; without it they end with this process.
 
@@ -32,7 +32,7 @@ class Evaluations:
         Whether runs that failed or ended early before are computed again; by default they are read, as all others.
         What was killed or broke has not ended, and is computed in any case.
     ended : dict of str to Ended
-        All runs so far by their keys, in the order in which they were asked for.
+        All runs by their keys, in the order in which they were requested.
     """
 
     folder: Path | None = None
@@ -42,7 +42,7 @@ class Evaluations:
     ended: dict[str, Ended] = field(default_factory=dict)
 
     def of(self, runs: Sequence[Run]) -> list[Ended]:
-        """Return how runs ended, in their order; those that have not been asked for before are computed."""
+        """Return how runs ended, in their order; those that have not been requested before are computed."""
         fresh = {run.key: run for run in runs if run.key not in self.ended}
         waiting = [run for run in fresh.values() if not self._read(run)]
         for each in self.executor.compute(waiting, self.folder) if waiting else ():

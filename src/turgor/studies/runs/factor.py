@@ -114,7 +114,7 @@ class Factor:
         return self.levels[int(number)] if self.is_choice else float(number)
 
     @property
-    def range_told(self) -> str:
+    def range_text(self) -> str:
         """Its range or its choices in words."""
         if self.is_choice:
             return " or ".join(map(str, self.levels))

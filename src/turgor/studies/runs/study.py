@@ -197,15 +197,15 @@ class Study:
         for row in self.rows:
             if row.problem:
                 ended = "failed" if row.response is None else "ended early"
-                told.append(f"The run with {self.told(row.values)} {ended}: {row.problem}")
+                told.append(f"The run with {self.values_text(row.values)} {ended}: {row.problem}")
         return tuple(told)
 
-    def told(self, values: Mapping[str, Value]) -> str:
+    def values_text(self, values: Mapping[str, Value]) -> str:
         """Return values of the factors as text, with their units."""
-        return told(self.factors, values)
+        return values_text(self.factors, values)
 
 
-def told(factors: Sequence[Factor], values: Mapping[str, Value]) -> str:
+def values_text(factors: Sequence[Factor], values: Mapping[str, Value]) -> str:
     """Return values of factors as text, with their units."""
     return ", ".join(f"{each.name} {each.shown(values[each.name])}" for each in factors)
 

@@ -12,7 +12,7 @@ from turgor.studies.runs.designs import Designs, factorial
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.runs.run import Computed, with_values
-from turgor.studies.runs.study import Row, Study, told
+from turgor.studies.runs.study import Row, Study, values_text
 
 Function = Callable[..., Response | Computed]
 
@@ -90,7 +90,7 @@ def study_of(computation: Computation, designs: Designs, evaluations: Evaluation
     -------
     Study
     """
-    ended = evaluations.of([computation.run(each, name=told(designs.factors, each)) for each in designs.values])
+    ended = evaluations.of([computation.run(each, name=values_text(designs.factors, each)) for each in designs.values])
     rows = tuple(Row(values=values, ended=each) for values, each in zip(designs.values, ended, strict=True))
     return Study(factors=designs.factors, rows=rows, source=source)
 

@@ -53,7 +53,7 @@ def indices_figure(found: Sequence[Indices]) -> PlotFigure:
 
 
 def anova_figure(found: Sequence[tuple[str, Anova]]) -> PlotFigure:
-    """Draw the shares of main effects and pairs, with bars for each analysis beside each other.
+    """Draw the shares of main effects and pairs, with the bars of the analyses side by side.
 
     Parameters
     ----------

@@ -217,5 +217,5 @@ def _check(study: Study, values: np.ndarray) -> None:
         if not np.isfinite(value):
             why = row.problem or "its path does not reach the value that was asked for."
             raise TurgorError(
-                f"the run with {study.told(row.values)} gives no value: {why} Smaller tolerances may help."
+                f"the run with {study.values_text(row.values)} gives no value: {why} Smaller tolerances may help."
             )

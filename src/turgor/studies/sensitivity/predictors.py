@@ -102,7 +102,8 @@ class Direct:
             row = study.rows[int(bad[0])]
             why = row.problem or "its path does not reach the value that was asked for."
             raise TurgorError(
-                f"{len(bad)} of {len(found)} runs give no value, such as that with {study.told(row.values)}: {why} "
+                f"{len(bad)} of {len(found)} runs give no value, such as that with {study.values_text(row.values)}: "
+                f"{why} "
                 "Narrow the ranges, or fit a surrogate to the runs that end."
             )
         return found

@@ -47,7 +47,7 @@ class Prediction:
             raise unknown("measure of the surrogate", name, self.values)
         return self.values[name]
 
-    def told(self, name: str) -> str:
+    def text(self, name: str) -> str:
         """Return value and standard deviation of a measure as text with its unit."""
         column = Column(name, self.units[name], np.array([self[name], self.deviations[name]]))
         value, deviation = column.in_unit
@@ -87,7 +87,7 @@ class Surrogate(Saved):
     source: Source
 
     def __repr__(self) -> str:
-        asked = ", ".join(f"{each.name} {each.range_told}" for each in self.factors)
+        asked = ", ".join(f"{each.name} {each.range_text}" for each in self.factors)
         told = ", ".join(f"{each.name} ± {100 * each.share:.2g} %" for each in self.held_out)
         return f"Surrogate(Gaussian process of {self.rows} rows: {asked}; {told} of the range)"
 
@@ -275,7 +275,7 @@ class Surrogate(Saved):
         row, n = np.unravel_index(np.argmax(off), off.shape)
         factor = self.factors[n]
         value = float(points[row, n])
-        told = f"{factor.name} is {factor.shown(value)}; the surrogate knows {factor.range_told}"
+        told = f"{factor.name} is {factor.shown(value)}; the surrogate knows {factor.range_text}"
         if not extrapolate:
             raise TurgorError(f"{told}. Compute more rows there, or ask with extrapolate=True at your own risk.")
         message = f"{told}: {100 * off[row, n]:.3g} % of the range beyond."

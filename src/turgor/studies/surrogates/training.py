@@ -109,7 +109,7 @@ def training(
     found, problems = [], []
     for number, row in enumerate(study.rows):
         lines = _read(row, names, along or drive, grid)
-        problems += [] if len(lines) else [study.told(row.values)]
+        problems += [] if len(lines) else [study.values_text(row.values)]
         found += [(number, *line) for line in lines]
     rows = np.array([line[0] for line in found], dtype=np.int64)
     used = len(set(rows.tolist()))

@@ -89,7 +89,7 @@ class Plan:
 
     @property
     def count(self) -> int:
-        """Number of runs so far."""
+        """Number of runs that were requested."""
         return len(self.evaluations.ended) - self.before
 
     def nominal(self) -> Response:
@@ -194,7 +194,7 @@ class Plan:
         inside = whole[(whole > low + reach) & (whole < high - reach)]
         return np.concatenate([[low], inside, [high]])
 
-    def told(self) -> str:
+    def description(self) -> str:
         """Return what was done, in a sentence."""
         kinds = {
             "linear": "Linear propagation with central differences at one standard deviation",

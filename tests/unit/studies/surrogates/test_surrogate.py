@@ -43,7 +43,7 @@ def test_it_predicts_what_a_run_gives(fitted):
     said = fitted.predict(DESIGN)
     assert said["bending_angle"] == pytest.approx(exact["bending_angle"][8], rel=2e-3)
     assert fitted.measures == ("bending_angle", "tip_displacement_z")  # not the pressure, not the load factor
-    assert said.told("bending_angle").endswith(" deg")
+    assert said.text("bending_angle").endswith(" deg")
     assert fitted.error("bending_angle").share < 0.01
     assert "bending angle: " in fitted.summary()
     assert "of the range" in repr(fitted)

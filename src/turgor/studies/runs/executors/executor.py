@@ -27,7 +27,7 @@ class Executor(Protocol):
         """
 
     def close(self) -> None:
-        """End what waits for further runs; a later call of `compute` begins anew."""
+        """End what waits for further runs; a later call of `compute` starts again."""
 
 
 class Here:

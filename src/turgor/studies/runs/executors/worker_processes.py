@@ -171,7 +171,7 @@ def _answer(worker: _Worker) -> object:
 
 
 def _ended(run: Run, answer: object, folder: Path | None) -> Ended:
-    """Make how a run ended from the answer: the problem as text, beside what was kept, if anything."""
+    """Make how a run ended from the answer: the problem as text, and what was stored, if anything."""
     if isinstance(answer, Ended):
         return answer
     before = None if folder is None else ended_before(run, folder)

@@ -48,7 +48,7 @@ def gradient_of_job(
     """Differentiate measures by the numbers of a job: dimensions of the actuator, materials, loads, fibers.
 
     The shape moves with the nodes of its mesh: the actuator is built a little larger and smaller. Hexahedra are swept
-    anew with the same settings, and must be the same cells; tetrahedra are carried along with the CAD shape.
+    again with the same settings, and must be the same elements; tetrahedra move with the CAD shape.
 
     Parameters
     ----------
