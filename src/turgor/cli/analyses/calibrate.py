@@ -135,7 +135,8 @@ def _stated(asked: _Options) -> "tuple[StudyFile, str]":
         "loading": asked.only_loading,
     }
     table = {key: value for key, value in given.items() if value}
-    options = {("factors", key): "--prior" if "prior" in each else "--free" for key, each in factors.items()}
+    options: dict[tuple[str, ...], str] = {}
+    options |= {("factors", key): "--prior" if "prior" in each else "--free" for key, each in factors.items()}
     options |= {("calibrate", key): OPTIONS[key] for key in table}
     return stated_study(asked.job, "calibrate", factors, table, options, asked.changes)
 

@@ -107,6 +107,6 @@ def _stated(asked: _Options) -> "tuple[StudyFile, str]":
         "mesh_error": asked.mesh_error,
     }
     table = {key: value for key, value in given.items() if value != DEFAULTS.get(key)}
-    options = {("factors", key): "--spread" for key in factors}
+    options: dict[tuple[str, ...], str] = {("factors", key): "--spread" for key in factors}
     options |= {("uncertainty", key): f"--{key.replace('_', '-')}" for key in table}
     return stated_study(asked.job, "uncertainty", factors, table, options, asked.changes)

@@ -185,7 +185,7 @@ def _missing_direction(problem: Problem, candidate: Candidate, radius: float) ->
 
 def _toward(problem: Problem, center: Array, radius: float, moving: Flags, direction: Array) -> Array | None:
     step = np.zeros(len(center))
-    step[moving] = direction / np.abs(direction).max()
+    step[moving] = direction / direction[np.argmax(np.abs(direction))]  # the sign of a singular vector is round-off
     points = [problem.snapped(center + side * radius * step) for side in (1.0, -1.0)]
     tried = [each.at for each in problem.candidates]
     kept = [
