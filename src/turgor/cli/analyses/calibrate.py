@@ -83,28 +83,28 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
+def _run(options: _Options) -> None:
     """Find numbers of a job from experiments, with their errors, and say what is not determined.
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.answers.studies import calibration_result
         from turgor.studies.calibration.job_calibration import CALIBRATED, calibrate_job, equal_constants
         from turgor.studies.calibration.write import write_calibration
         from turgor.studies.runs.evaluations import kept_in
         from turgor.studies.runs.jobs.job_function import RUNS, job_function
 
-        study, name = _stated(asked)
+        study, name = _stated(options)
         plan = study.calibrate
         assert plan is not None
-        if asked.most_solves is not None:
-            plan = replace(plan, most_solves=asked.most_solves)
-        folder = asked.output if asked.output is not None else Path(f"{name}-calibration")
+        if options.most_solves is not None:
+            plan = replace(plan, most_solves=options.most_solves)
+        folder = options.output if options.output is not None else Path(f"{name}-calibration")
         base = job_function(study.job, folder)
         for note in equal_constants(plan.free, base):
             typer.echo(note, err=True)
-        runs = kept_in(folder / RUNS, processes=asked.processes, progress=report_run, retry=asked.retry)
+        runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
         with kept_in_folder(folder):
             found = calibrate_job(plan, base, runs)
         files = [*write_calibration(found, folder), folder / CALIBRATED]
@@ -118,27 +118,27 @@ def _run(asked: _Options) -> None:
 calibrate_command = command_of(_Options, _run)
 
 
-def _stated(asked: _Options) -> "tuple[StudyFile, str]":
+def _stated(options: _Options) -> "tuple[StudyFile, str]":
     """Read the study file, or what the options state."""
     from turgor.cli.analyses.stated import free_factors, stated_study
     from turgor.cli.options import name_and_unit
 
-    factors = free_factors(asked.free, asked.prior)
+    factors = free_factors(options.free, options.prior)
     given: dict[str, Any] = {
-        "experiments": [str(file) for file in asked.experiments or ()],
-        "hold_out": [str(file) for file in asked.hold_out or ()],
-        "rig": list(asked.rig or ()),
-        "units": dict(name_and_unit(each) for each in asked.unit or ()),
-        "spread": list(asked.spread or ()),
-        "y": asked.y,
-        "x": asked.x,
-        "loading": asked.only_loading,
+        "experiments": [str(file) for file in options.experiments or ()],
+        "hold_out": [str(file) for file in options.hold_out or ()],
+        "rig": list(options.rig or ()),
+        "units": dict(name_and_unit(each) for each in options.unit or ()),
+        "spread": list(options.spread or ()),
+        "y": options.y,
+        "x": options.x,
+        "loading": options.only_loading,
     }
     table = {key: value for key, value in given.items() if value}
-    options: dict[tuple[str, ...], str] = {}
-    options |= {("factors", key): "--prior" if "prior" in each else "--free" for key, each in factors.items()}
-    options |= {("calibrate", key): OPTIONS[key] for key in table}
-    return stated_study(asked.job, "calibrate", factors, table, options, asked.changes)
+    places: dict[tuple[str, ...], str] = {}
+    places |= {("factors", key): "--prior" if "prior" in each else "--free" for key, each in factors.items()}
+    places |= {("calibrate", key): OPTIONS[key] for key in table}
+    return stated_study(options.job, "calibrate", factors, table, places, options.changes)
 
 
 def report_run(ended: "Ended") -> None:

@@ -37,26 +37,26 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
+def _run(options: _Options) -> None:
     """Choose numbers of a job so that targets are met, or that it is best within limits.
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.answers.optimization import optimization_result
         from turgor.job.text.overrides import parse_changes
         from turgor.studies.optimization.job_optimization import job_optimization
         from turgor.studies.optimization.write import write_optimization
         from turgor.studies.study_file.study_file import read_study_file
 
-        study = read_study_file(asked.study, parse_changes(asked.changes or ()), "optimize")
+        study = read_study_file(options.study, parse_changes(options.changes or ()), "optimize")
         plan = study.optimize
         assert plan is not None
-        if asked.most_solves is not None:
-            plan = replace(plan, search=replace(plan.search, most_solves=asked.most_solves))
-        folder = asked.output if asked.output is not None else Path(f"{study.name}-optimization")
-        wanted = job_optimization(plan, study.job, folder, mesh_error=asked.mesh_error)
-        found = _searched(wanted, folder, asked)
+        if options.most_solves is not None:
+            plan = replace(plan, search=replace(plan.search, most_solves=options.most_solves))
+        folder = options.output if options.output is not None else Path(f"{study.name}-optimization")
+        wanted = job_optimization(plan, study.job, folder, mesh_error=options.mesh_error)
+        found = _searched(wanted, folder, options)
         files = write_optimization(found, folder, wanted.base)
         typer.echo(found.summary())
         typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
@@ -64,11 +64,11 @@ def _run(asked: _Options) -> None:
         raise typer.Exit(DONE if found.converged else NOT_CONVERGED)
 
 
-def _searched(wanted: "JobOptimization", folder: Path, asked: _Options) -> "Optimization":
+def _searched(wanted: "JobOptimization", folder: Path, options: _Options) -> "Optimization":
     from turgor.studies.runs.evaluations import kept_in
     from turgor.studies.runs.jobs.job_function import RUNS
 
-    runs = kept_in(folder / RUNS, processes=asked.processes, progress=report_run, retry=asked.retry)
+    runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
     with kept_in_folder(folder), runs:
         return wanted.search(runs)
 

@@ -52,20 +52,20 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
+def _run(options: _Options) -> None:
     """Say which factors of a study matter: shares of the variance, with a picture.
 
     A full factorial gets an analysis of variance. Samples get Sobol indices of a surrogate, whose error is told.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
         from turgor.cli.answers.surrogates import SensitivityResult
         from turgor.foundation.errors import TurgorError, unknown
         from turgor.studies.sensitivity.anova import is_factorial
         from turgor.views.plots.figures import write_figure
 
-        given = given_study(asked.study, asked, "sensitivity")
-        wanted = _wanted(asked, given.file)
+        given = given_study(options.study, options, "sensitivity")
+        wanted = _wanted(options, given.file)
         if wanted.method not in METHODS:
             raise unknown("method", wanted.method, METHODS)
         study, at = given.study, read_at(wanted.at, given.study) or given.at
@@ -74,7 +74,7 @@ def _run(asked: _Options) -> None:
             raise TurgorError(f"{'--hold' if wanted.fixed else '--spread'} goes with the method sobol.")
         names = wanted.measures or list(given.measures) or None
         text, terms, figure = _anova(study, names, at) if method == "anova" else _sobol(study, names, at, wanted)
-        folder = asked.output if asked.output is not None else given.folder
+        folder = options.output if options.output is not None else given.folder
         folder.mkdir(parents=True, exist_ok=True)
         files = [folder / "sensitivity.png", folder / "sensitivity.txt"]
         write_figure(files[0], figure)
@@ -90,14 +90,14 @@ sensitivity_command = command_of(_Options, _run)
 Found = tuple[str, list[dict[str, object]], "PlotFigure"]
 
 
-def _wanted(asked: _Options, file: "StudyFile | None") -> "SensitivityTable":
+def _wanted(options: _Options, file: "StudyFile | None") -> "SensitivityTable":
     """Return what the study file states, with what the options state in its place."""
     from turgor.studies.study_file.analysis_tables import SensitivityTable
 
     stated = SensitivityTable() if file is None else file.sensitivity
     given = {
-        "method": asked.method, "measures": asked.measures, "at": asked.at, "fixed": _by_name(asked.hold, "--hold"),
-        "spread": _by_name(asked.spread, "--spread"), "samples": asked.samples,
+        "method": options.method, "measures": options.measures, "at": options.at, "samples": options.samples,
+        "fixed": _by_name(options.hold, "--hold"), "spread": _by_name(options.spread, "--spread"),
     }  # fmt: skip
     return stated.model_copy(update={key: value for key, value in given.items() if value})
 

@@ -54,9 +54,9 @@ class _Options:
     debug: Debug = False
 
 
-def _fit(asked: _Options) -> None:
+def _fit(options: _Options) -> None:
     """Fit a fast function to a study: it predicts measures with their errors, and is inverted by 'turgor predict'."""
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
         from turgor.cli.answers.surrogates import surrogate_result
         from turgor.studies.study_file.analysis_tables import SurrogateTable
@@ -64,13 +64,13 @@ def _fit(asked: _Options) -> None:
         from turgor.studies.surrogates.fit import surrogate
         from turgor.views.plots.figures import write_figure
 
-        given = given_study(asked.study, asked, "surrogate")
+        given = given_study(options.study, options, "surrogate")
         stated = SurrogateTable() if given.file is None else given.file.surrogate
-        along = asked.along or stated.along
-        at = None if along else read_at(asked.at or stated.at, given.study) or given.at
-        measures = asked.measures or stated.measures or given.measures or None
+        along = options.along or stated.along
+        at = None if along else read_at(options.at or stated.at, given.study) or given.at
+        measures = options.measures or stated.measures or given.measures or None
         found = surrogate(given.study, measures, at=at, along=along)
-        folder = asked.output if asked.output is not None else given.folder
+        folder = options.output if options.output is not None else given.folder
         folder.mkdir(parents=True, exist_ok=True)
         files = [found.save(folder / "surrogate"), folder / "surrogate.png", folder / "surrogate.txt"]
         write_figure(files[1], surrogate_figure(found))
@@ -106,31 +106,31 @@ class _Asked:
     debug: Debug = False
 
 
-def _predict(asked: _Asked) -> None:
+def _predict(options: _Asked) -> None:
     """Say what a surrogate gives for values of its factors, or which of them give wanted measures."""
-    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+    with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.analyses.given_study import values_given
         from turgor.foundation.errors import TurgorError
         from turgor.studies.surrogates.surrogate import Surrogate
 
-        found = Surrogate.load(asked.file)
-        at = values_given(asked.at, found.factors, "--at")
-        if asked.want:
-            if asked.extrapolate:
+        found = Surrogate.load(options.file)
+        at = values_given(options.at, found.factors, "--at")
+        if options.want:
+            if options.extrapolate:
                 raise TurgorError("--extrapolate does not go with --want: inputs are searched within their ranges.")
-            _invert(found, at, asked, answer)
-        if asked.prefer:
+            _invert(found, at, options, answer)
+        if options.prefer:
             raise TurgorError("--prefer goes with --want.")
-        _say(found, at, asked, answer)
+        _say(found, at, options, answer)
 
 
 predict_command = command_of(_Asked, _predict)
 
 
-def _say(found: "Surrogate", at: "dict[str, Value]", asked: _Asked, answer: "Answer") -> None:
+def _say(found: "Surrogate", at: "dict[str, Value]", options: _Asked, answer: "Answer") -> None:
     from turgor.cli.answers.surrogates import prediction_result
 
-    said = found.predict(at, extrapolate=asked.extrapolate)
+    said = found.predict(at, extrapolate=options.extrapolate)
     answer.warn(said.findings)
     for name in found.measures:
         typer.echo(f"{name.replace('_', ' ')} {said.text(name)}")
@@ -138,13 +138,13 @@ def _say(found: "Surrogate", at: "dict[str, Value]", asked: _Asked, answer: "Ans
     raise typer.Exit(DONE)
 
 
-def _invert(found: "Surrogate", held: "dict[str, Value]", asked: _Asked, answer: "Answer") -> None:
+def _invert(found: "Surrogate", held: "dict[str, Value]", options: _Asked, answer: "Answer") -> None:
     from turgor.cli.analyses.given_study import numbers_given, values_given
     from turgor.cli.answers.surrogates import inverse_result
     from turgor.studies.surrogates.invert import invert
 
-    prefer = values_given(asked.prefer, found.factors, "--prefer")
-    inverse = invert(found, numbers_given(asked.want, found.units, "--want"), held=held, prefer=prefer)
+    prefer = values_given(options.prefer, found.factors, "--prefer")
+    inverse = invert(found, numbers_given(options.want, found.units, "--want"), held=held, prefer=prefer)
     typer.echo(inverse.sentence())
     for each in found.factors:
         if each.name in inverse.deviations:

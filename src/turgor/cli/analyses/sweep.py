@@ -54,12 +54,12 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
+def _run(options: _Options) -> None:
     """Compute a job at many designs: a table, pictures, and the whole curve of each.
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import computed_study
         from turgor.cli.analyses.machines import (
             Script,
@@ -74,29 +74,29 @@ def _run(asked: _Options) -> None:
         from turgor.studies.runs.files.study_folder import write_study
         from turgor.studies.study_file.study_file import read_study_file
 
-        given = read_study_file(asked.study, parse_changes(asked.changes or ()), "sweep")
+        given = read_study_file(options.study, parse_changes(options.changes or ()), "sweep")
         plan = given.sweep
         assert plan is not None
-        if asked.dry_run:
+        if options.dry_run:
             _list(plan.designs)
             answer.give(partial(designs_result, plan.designs))
             raise typer.Exit(DONE)
-        folder = asked.output if asked.output is not None else Path(f"{given.name}-study")
-        check_together(asked.scheduler, asked.index, asked.of, asked.gather, asked.sbatch)
-        check_retry(asked.retry, asked.gather, asked.sbatch)
-        if asked.sbatch is not None:
-            script = Script(file=asked.sbatch, tasks=asked.of, force=asked.force)
-            typer.echo(write_script(given, asked.study, folder, script))
+        folder = options.output if options.output is not None else Path(f"{given.name}-study")
+        check_together(options.scheduler, options.index, options.of, options.gather, options.sbatch)
+        check_retry(options.retry, options.gather, options.sbatch)
+        if options.sbatch is not None:
+            script = Script(file=options.sbatch, tasks=options.of, force=options.force)
+            typer.echo(write_script(given, options.study, folder, script))
             answer.give(partial(designs_result, plan.designs))
             raise typer.Exit(DONE)
-        if asked.index is not None:
-            plan = share_of(plan, asked.index, asked.of)
+        if options.index is not None:
+            plan = share_of(plan, options.index, options.of)
             given = replace(given, sweep=plan)
-        executor = executor_of(asked.scheduler, asked.gather, asked.processes)
-        study = computed_study(given, folder, executor, retry=asked.retry)
-        if asked.index is not None:
+        executor = executor_of(options.scheduler, options.gather, options.processes)
+        study = computed_study(given, folder, executor, retry=options.retry)
+        if options.index is not None:
             failed = sum(row.response is None for row in study.rows)
-            typer.echo(f"Task {asked.index}: {len(study)} designs, {failed} failed; kept in {folder}.")
+            typer.echo(f"Task {options.index}: {len(study)} designs, {failed} failed; kept in {folder}.")
             answer.give(partial(designs_result, plan.designs))
             raise typer.Exit(NOT_CONVERGED if study.problems else DONE)
         measures = plan.measures or study.measures

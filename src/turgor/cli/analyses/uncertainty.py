@@ -52,12 +52,12 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
+def _run(options: _Options) -> None:
     """Propagate the spread of rubber, dimensions and pressure to the response: bands, and where they come from.
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.answers.studies import uncertainty_result
         from turgor.studies.runs.evaluations import kept_in
         from turgor.studies.runs.jobs.job_function import RUNS, job_function
@@ -66,13 +66,13 @@ def _run(asked: _Options) -> None:
         from turgor.studies.uncertainty.job_uncertainty import propagate_job
         from turgor.views.plots.figures import write_figure
 
-        study, name = _stated(asked)
+        study, name = _stated(options)
         plan = study.uncertainty
         assert plan is not None
         at = plan.at
-        folder = asked.output if asked.output is not None else Path(f"{name}-uncertainty")
+        folder = options.output if options.output is not None else Path(f"{name}-uncertainty")
         base = job_function(study.job, folder)
-        runs = kept_in(folder / RUNS, processes=asked.processes, progress=report_run, retry=asked.retry)
+        runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
         with kept_in_folder(folder):
             found = propagate_job(plan, base, runs)
         sentences = [found.sentence(name, at) for name in found.bands]
@@ -93,20 +93,20 @@ def _run(asked: _Options) -> None:
 uncertainty_command = command_of(_Options, _run)
 
 
-def _stated(asked: _Options) -> "tuple[StudyFile, str]":
+def _stated(options: _Options) -> "tuple[StudyFile, str]":
     """Read the study file, or what the options state."""
     from turgor.cli.analyses.stated import files_by_label, labels_of_records, spread_factors, stated_study
 
-    factors = spread_factors(asked.spread)
+    factors = spread_factors(options.spread)
     given: dict[str, Any] = {
-        "sets": files_by_label(asked.sets),
-        "records": labels_of_records(asked.records),
-        "leave_out_doubtful": asked.leave_out_doubtful,
-        "method": asked.method,
-        "at": asked.at,
-        "mesh_error": asked.mesh_error,
+        "sets": files_by_label(options.sets),
+        "records": labels_of_records(options.records),
+        "leave_out_doubtful": options.leave_out_doubtful,
+        "method": options.method,
+        "at": options.at,
+        "mesh_error": options.mesh_error,
     }
     table = {key: value for key, value in given.items() if value != DEFAULTS.get(key)}
-    options: dict[tuple[str, ...], str] = {("factors", key): "--spread" for key in factors}
-    options |= {("uncertainty", key): f"--{key.replace('_', '-')}" for key in table}
-    return stated_study(asked.job, "uncertainty", factors, table, options, asked.changes)
+    places: dict[tuple[str, ...], str] = {("factors", key): "--spread" for key in factors}
+    places |= {("uncertainty", key): f"--{key.replace('_', '-')}" for key in table}
+    return stated_study(options.job, "uncertainty", factors, table, places, options.changes)
