@@ -45,7 +45,7 @@ HOME = {
     "pyarrow": ("studies.runs",),
     "SALib": ("studies.sensitivity",),
     "sklearn": ("studies.surrogates",),
-    "pydantic": ("job",),
+    "pydantic": ("job", "studies.study_file"),
     "pymoo": ("studies.optimization",),
     "rich": ("cli", "core.solvers"),
     "typer": ("cli",),

@@ -167,10 +167,12 @@ def solved_job_and_workspace(
 
     Parameters
     ----------
-    job, digest, numbers, mesh_error, as_design
+    job, digest, numbers
         As those of `solved_job`.
     workspace : mapping of str to sequence of float [Pa]
         Pressures of each cavity.
+    mesh_error, as_design
+        As those of `solved_job`.
 
     Returns
     -------
