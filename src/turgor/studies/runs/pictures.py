@@ -1,7 +1,5 @@
 """Pictures of a study: the kind that suits the number of its factors, and each kind by itself."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
@@ -9,12 +7,13 @@ import numpy as np
 from turgor.core.results.drive import drive_of
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import COLUMN_UNITS, Column, unit_text
-from turgor.studies.runs.factor import Array, Factor, Value
+from turgor.studies.runs.factor import Array, Factor
+from turgor.studies.runs.grid import Grid
 from turgor.studies.runs.study import Study
 from turgor.units import unit_value
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import plot_response
-from turgor.views.plots.studies.effects import Effect, plot_effects, shades
+from turgor.views.plots.studies.effects import plot_effects, shades
 from turgor.views.plots.studies.heat_map import plot_heat_map
 from turgor.views.plots.studies.parallel import Coordinate, plot_parallel
 from turgor.views.plots.styling import INK
@@ -59,54 +58,6 @@ def study_picture(study: Study, measure: str, at: At = None) -> PlotFigure:
         return map_picture(study, measure, at)
     few = len(grid.factors) == 3 and len(grid.levels[2]) <= MOST_PANELS and len(grid.levels[1]) <= MOST_LINES
     return multiples_picture(study, measure, at) if few else parallel_picture(study, measure, at)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Grid:
-    """The rows of a study on a full grid.
-
-    Parameters
-    ----------
-    factors : tuple of Factor
-        Those that vary.
-    levels : tuple of list
-        Levels of each in their order.
-    rows : array of int
-        Number of the row at each point of the grid.
-    """
-
-    factors: tuple[Factor, ...]
-    levels: tuple[list[Value], ...]
-    rows: "np.ndarray[tuple[int, ...], np.dtype[np.int64]]"
-
-    @staticmethod
-    def of(study: Study) -> "Grid | None":
-        """Return the grid of a study; None where there is none."""
-        found: dict[str, list[Value]] = {}
-        for each in study.factors:
-            values = list(dict.fromkeys(row.values[each.name] for row in study.rows))
-            if len(values) > 1:
-                found[each.name] = values if each.is_choice else sorted(values)
-        factors = tuple(each for each in study.factors if each.name in found)
-        levels = tuple(found.values())
-        places = {tuple(row.values[each.name] for each in factors): k for k, row in enumerate(study.rows)}
-        points = list(product(*levels))
-        if not factors or len(points) != len(study.rows) or any(point not in places for point in points):
-            return None
-        rows = np.array([places[point] for point in points]).reshape([len(each) for each in levels])
-        return Grid(factors=factors, levels=levels, rows=rows)
-
-    def effect(self, values: Array, errors: Array, along: int, others: Sequence[int], label: str = "") -> Effect:
-        """Return the effect of a factor, at a level of each other one, by its place."""
-        index: list[int | slice] = [*others]
-        index.insert(along, slice(None))
-        rows = self.rows[tuple(index)]
-        return Effect(label=label, values=values[rows], errors=errors[rows])
-
-    def ticks(self, along: int) -> list[float | str]:
-        """Return the levels of a factor in its unit."""
-        factor = self.factors[along]
-        return [each if isinstance(each, str) else each / unit_value(factor.unit) for each in self.levels[along]]
 
 
 def curves_picture(study: Study, measure: str, at: At = None) -> PlotFigure:
@@ -212,12 +163,12 @@ def multiples_picture(study: Study, measure: str, at: At = None) -> PlotFigure:
         effects = [
             grid.effect(values, errors, 0, (n, k), second.shown(level)) for n, level in enumerate(grid.levels[1])
         ]
-        below, beside = k + columns >= panels, k % columns == 0
+        lowest, first_in_row = k + columns >= panels, k % columns == 0
         plot_effects(
-            axes, grid.ticks(0), effects, _axis(study, first) if below else "",
-            _label(study, measure, at) if beside else "",
+            axes, grid.ticks(0), effects, _axis(study, first) if lowest else "",
+            _label(study, measure, at) if first_in_row else "",
         )  # fmt: skip
-        axes.tick_params(labelbottom=below)
+        axes.tick_params(labelbottom=lowest)
         axes.set_title(f"{_name(study, third)} {third.shown(grid.levels[2][k])}", loc="left", color=INK, fontsize=10)
     every[0].legend(frameon=False, labelcolor=INK, fontsize=8, title=_name(study, second), title_fontsize=8)
     return figure
