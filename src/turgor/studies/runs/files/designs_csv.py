@@ -64,7 +64,7 @@ def _head(text: str, path: Path) -> tuple[str, str]:
     match = _HEAD.fullmatch(text)
     if match is None:
         raise TurgorError(f"'{path}': '{text}' is no name with a unit, such as wall (mm).")
-    return match[1], match[2] or ""
+    return match[1].replace("+", ","), match[2] or ""  # a comma would need quotes in CSV
 
 
 def _column(
