@@ -3,7 +3,7 @@
 Problem: the tip of an arc that two pressures bend in two planes; a finger that bends with pressure over stiffness and
 wall; both in closed form.
 Exact: the pressures that the tip was computed with; the formula of the finger.
-Tolerance: 0.2 % of the range, where the held-out error of the surrogate is below 0.1 %; 0.5 % of the range for many
+Tolerance: 0.2 % of the range, where the held-out error of the surrogate is below 0.1 %; 0.1 % of the range for many
 rows.
 """
 
@@ -61,14 +61,14 @@ def test_a_surrogate_of_many_rows(record_verification):
         claim="surrogate of 1024 rows of a finger: RMS error of 512 fresh rows over the range; share within 95 %",
         source="the formula",
         expected=[0, 0.95],
-        got=[round(share, 4), round(covered, 3)],
-        tolerance="0.005; 0.05",
+        got=[float(f"{share:.2g}"), round(covered, 3)],
+        tolerance="0.001; 0.04",
     )
-    assert share < 0.005
-    assert error.share < 0.005
-    assert covered == pytest.approx(0.95, abs=0.05)
-    step = 1e-6
+    assert share < 0.001
+    assert error.share < 0.001
+    assert covered == pytest.approx(0.95, abs=0.04)
+    step = 1e-3  # round-off of the mean, 1e-9, over a smaller step would be seen
     slope = [
         (model.mean(fresh[:1] + step * e) - model.mean(fresh[:1] - step * e))[0, 0] / (2 * step) for e in np.eye(3)
     ]
-    assert model.slope(fresh[0])[0] == pytest.approx(slope, rel=1e-5)
+    assert model.slope(fresh[0])[0] == pytest.approx(slope, rel=1e-4)
