@@ -20,8 +20,8 @@ IMAGES = Path(__file__).parent / "images"
 ROOMS = (
     "core.materials", "core.geometry", "core.meshing", "core.model", "core.engine", "core.solvers", "core.setups",
     "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views", "accuracy.gradients",
-    "accuracy.adaptivity", "accuracy.laboratory", "job", "studies.study", "studies.calibration", "studies.uncertainty",
-    "studies.sensitivity", "studies.surrogates", "studies.optimization", "cli",
+    "accuracy.adaptivity", "accuracy.laboratory", "job", "studies.runs", "studies.calibration", "studies.uncertainty",
+    "studies.sensitivity", "studies.surrogates", "studies.optimization", "studies.study_file", "cli",
 )  # fmt: skip
 
 #: The files on which all rooms stand.

@@ -36,7 +36,7 @@ def bellows() -> None:
             supports=[tg.Fixed("fixed")],
             loads=[tg.Pressure("cavity", 1 * kPa)],
         )
-        shown[f"{name}: {found.study.told(values)}"] = tg.solve(model)
+        shown[f"{name}: {found.study.values_text(values)}"] = tg.solve(model)
     tg.pictures.side_by_side(shown, FOLDER / "bellows-shapes.png", width=1300)
 
 
@@ -59,7 +59,7 @@ def path() -> None:
         places = np.array(held["PLACES"]) / mm
         axes.plot(places[:, 0] + length / mm, places[:, 1], "x", color="#d55e00", ms=9, mew=2, label="wanted")
         axes.set_title(
-            f"{name}: {found.study.told(row.values)}; {found.reads(number)[0].short} from the path", fontsize=9
+            f"{name}: {found.study.values_text(row.values)}; {found.reads(number)[0].short} from the path", fontsize=9
         )
         axes.set_xlabel("x [mm]")
         axes.set_aspect("equal")

@@ -5,9 +5,11 @@ from pathlib import Path
 import numpy as np
 
 import turgor as tg
+from turgor.cli.analyses.stated import free_factors
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
+from turgor.studies.study_file.calibrate_table import parameter_of
 from turgor.units import kPa, mm
 
 #: Values at which experiments are made up.
@@ -108,3 +110,8 @@ def thick_sphere(C10: float = 0.12e6, wall: float = 5 * mm, inner_radius: float 
     rubber = tg.Material(name="test rubber", law=tg.laws.NeoHooke(C10=C10))
     ball = tg.formulas.HollowSphere(inner_radius=inner_radius, wall=wall)
     return tg.formulas.thick_sphere(ball, rubber, np.linspace(10 * kPa, 60 * kPa, 6))
+
+
+def free_parameters(free, priors, job):
+    """The parameters of a job that options of the command line state."""
+    return tuple(parameter_of(key, given, job.numbers) for key, given in free_factors(free, priors).items())

@@ -8,10 +8,10 @@ from scipy.stats import qmc
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Factor
-from turgor.studies.study.study import Row, Study
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.study import Row, Study
 from turgor.units import kPa, mm
 
 WALL = Factor(name="wall", low=1 * mm, high=2 * mm, unit="mm")

@@ -17,8 +17,8 @@ import numpy as np
 
 import turgor as tg
 from turgor.foundation.response import Column
-from turgor.studies.study.run_all import run_all
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
+from turgor.studies.runs.run_all import run_all
 from turgor.units import deg, kPa, mm
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # so that `benchmarks` is found

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from turgor.studies.study.running.run_outcome import Ended
+from turgor.studies.runs.executors.run_outcome import Ended
 
 PAGE = Path(__file__).parents[2] / "docs" / "which-model.md"
 MODELS = ("section", "rod", "formula")

@@ -1,6 +1,6 @@
 """Chosen numbers of the solvers: which of them decide anything, at half and at double their value.
 
-python benchmarks/robustness/constants.py [SECONDS]   writes constants.md from the robustness cases that take at most so long
+python benchmarks/robustness/constants.py [SECONDS]   writes constants.md from the cases that take at most so long
 
 Every field of the settings in `turgor.core.solvers` is replaced by a probe: a number that also knows half and double
 its value. A probe behaves like the number, so the cases run as they do without it. Where it is compared, or a result
@@ -20,12 +20,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from robustness import written
-from robustness_cases import CASES
-from robustness_cases.case import MM, RUBBER, limited, one
-from tables import table
 
+sys.path.insert(0, str(Path(__file__).parents[2]))  # so that `benchmarks` is found
 import turgor as tg
+from benchmarks.robustness.robustness import written
+from benchmarks.robustness.robustness_cases import CASES
+from benchmarks.robustness.robustness_cases.case import MM, RUBBER, limited, one
+from benchmarks.shared.tables import table
 
 import meshes  # isort: skip  (found where robustness_cases.case says)
 
@@ -208,7 +209,8 @@ def main() -> None:
         print(f"{name}: {solution.status}, {solution.iterations} iterations, {seconds:.1f} CPU s", flush=True)
     lines = [row(name, value, notes.marks[name]) for name, value in values.items()]
     text = (__doc__ or "").split("\n\n")[2].replace("\n", " ")
-    page = f"# Chosen numbers of the solvers\n\nWritten by `python benchmarks/robustness/constants.py` from {done} cases. {text}\n\n"
+    written_by = f"Written by `python benchmarks/robustness/constants.py` from {done} cases."
+    page = f"# Chosen numbers of the solvers\n\n{written_by} {text}\n\n"
     PAGE.write_text(page + table(HEAD, lines) + "\n", "utf-8")
 
 

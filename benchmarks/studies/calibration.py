@@ -11,12 +11,15 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests"))
+
 import turgor as tg
+from calibration_cases import free_parameters
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.calibration.job_files import free_parameters, job_trial
-from turgor.studies.study.job_runs import solved_job
-from turgor.studies.study.jobs.job_file import job_file
+from turgor.studies.calibration.job_calibration import job_trial
+from turgor.studies.runs.jobs.job_function import job_function
+from turgor.studies.runs.jobs.job_runs import solved_job
 from turgor.units import deg, kPa, mm
 
 JOB = """
@@ -45,7 +48,7 @@ TRUE = {"materials.body.C10": 0.1e6, "actuator.floor": 1.65 * mm}
 def main(folder: Path) -> None:
     """Calibrate, and print what it took."""
     (folder / "bender.toml").write_text(JOB, encoding="utf-8")
-    job = job_file(tg.jobs.read_job(folder / "bender.toml"), folder / "calibration")
+    job = job_function(tg.jobs.read_job(folder / "bender.toml"), folder / "calibration")
     true = solved_job(**job.values, numbers=TRUE)
     at = np.linspace(1 * kPa, 19 * kPa, 15)
     angle = np.interp(at, true["pressure"], true["bending_angle"])

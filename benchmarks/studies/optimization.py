@@ -11,8 +11,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import turgor as tg
-from turgor.studies.study.job_runs import solved_job
-from turgor.studies.study.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_function import job_function
+from turgor.studies.runs.jobs.job_runs import solved_job
 from turgor.units import kPa, mm
 
 JOB = """
@@ -42,7 +42,7 @@ MOST = 25
 def main(folder: Path) -> None:
     """Optimize, and print what it took."""
     (folder / "finger.toml").write_text(JOB, encoding="utf-8")
-    job = job_file(tg.jobs.read_job(folder / "finger.toml"), folder / "optimization")
+    job = job_function(tg.jobs.read_job(folder / "finger.toml"), folder / "optimization")
     computation = tg.studies.Computation(function=solved_job, values=job.values, gather="numbers")
     runs = tg.studies.kept_in(folder / "optimization" / "runs", processes=2, progress=told)
     (true,) = runs.of([computation.run(TRUE)])

@@ -18,9 +18,9 @@ from time import perf_counter
 import numpy as np
 
 import turgor as tg
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.jobs.job_file import job_file
-from turgor.studies.study.running.workers import Workers
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.worker_processes import Workers
+from turgor.studies.runs.jobs.job_function import job_function
 from turgor.units import mm
 
 JOB = """
@@ -48,7 +48,7 @@ def main(count: int) -> None:
     with TemporaryDirectory() as temporary:
         folder = Path(temporary)
         (folder / "tube.toml").write_text(JOB, encoding="utf-8")
-        base = job_file(tg.jobs.read_job(folder / "tube.toml"), folder / "study")
+        base = job_function(tg.jobs.read_job(folder / "tube.toml"), folder / "study")
         computation = base.computation(mesh_error=True)
         runs = [computation.run({"actuator.wall": float(wall)}) for wall in np.linspace(2 * mm, 3 * mm, count)]
         walls, busy = {}, {}

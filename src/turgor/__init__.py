@@ -86,7 +86,7 @@ if TYPE_CHECKING:
     from turgor.namespaces import solutions as solutions
     from turgor.namespaces import supports as supports
     from turgor.studies.optimization.optimize import optimize as optimize
-    from turgor.studies.study.sweep import sweep as sweep
+    from turgor.studies.runs.sweep import sweep as sweep
     from turgor.views.pictures.picture import picture as picture
     from turgor.views.report.solution_report import report as report
 

@@ -38,6 +38,6 @@ def test_the_code_of_the_guide(tmp_path, monkeypatch, capsys):
 def test_the_study_file_of_the_guide():
     shown = tomllib.loads(re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)[0])
     assert shown == tomllib.loads((ROOT / "examples" / "bellows_study.toml").read_text(encoding="utf-8"))
-    asked = tg.studies.read_study_file(ROOT / "examples" / "bellows_study.toml")
-    assert len(asked.designs) == 12
-    assert asked.at == ("pressure", 3 * kPa)
+    plan = tg.studies.read_study_file(ROOT / "examples" / "bellows_study.toml").sweep
+    assert len(plan.designs) == 12
+    assert plan.at == ("pressure", 3 * kPa)

@@ -12,6 +12,10 @@ import tomlkit
 from fuzz_texts import DESIGNS, FULL, OPTIMIZATION, STAGED, STUDY, TABLE_STUDY
 from mutants import changed_bytes, changed_table, changed_text
 from trials import Case, apart
+from turgor.studies.optimization.files.study_files import read_factors
+from turgor.studies.optimization.files.study_files import read_study_file as read_optimization
+from turgor.studies.runs.jobs.job_file import job_file
+from turgor.studies.runs.jobs.study_file import read_study_file
 
 from turgor.core.materials.library.record_files import read_records
 from turgor.job.job import Job
@@ -19,12 +23,8 @@ from turgor.job.output.folder import LOCK
 from turgor.job.output.identity import check_same_job, read_lock
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
-from turgor.studies.optimization.files.study_files import read_factors
-from turgor.studies.optimization.files.study_files import read_study_file as read_optimization
-from turgor.studies.study.files.designs_csv import read_designs
-from turgor.studies.study.jobs.job_file import job_file
-from turgor.studies.study.jobs.job_numbers import JobNumber, numbers_of
-from turgor.studies.study.jobs.study_file import read_study_file
+from turgor.studies.runs.files.designs_csv import read_designs
+from turgor.studies.runs.jobs.job_numbers import JobNumber, numbers_of
 
 JUNK_CELLS = (
     "",

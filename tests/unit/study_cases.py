@@ -12,7 +12,7 @@ import numpy as np
 from turgor.foundation.errors import NotHere, TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 
 #: The smallest picture: one gray pixel.
 PICTURE = b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg==")

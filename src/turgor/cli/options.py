@@ -12,6 +12,12 @@ if TYPE_CHECKING:
     from turgor.job.job import Job
 
 JobFile = Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)]
+JobOrStudy = Annotated[
+    Path,
+    typer.Argument(
+        metavar="FILE", help="Job file in TOML, or a study file, whose tables state the options.", show_default=False
+    ),
+]
 Changes = Annotated[
     list[str] | None,
     typer.Option(

@@ -1,4 +1,4 @@
-"""Studies: parameters calibrated, uncertainty carried to responses, derivatives of measures, runs kept on disk."""
+"""Studies: parameters calibrated, uncertainty propagated to responses, derivatives of measures, runs stored on disk."""
 
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from turgor.studies.calibration.trial import Trial as Trial
     from turgor.studies.calibration.write import write_calibration as write_calibration
     from turgor.studies.optimization.figure import optimization_figure as optimization_figure
-    from turgor.studies.optimization.files.write import write_optimization as write_optimization
     from turgor.studies.optimization.goals import Limit as Limit
     from turgor.studies.optimization.goals import Maximize as Maximize
     from turgor.studies.optimization.goals import Minimize as Minimize
@@ -29,6 +28,39 @@ if TYPE_CHECKING:
     from turgor.studies.optimization.search import Ending as Ending
     from turgor.studies.optimization.search import Search as Search
     from turgor.studies.optimization.searches.starts import Descent as Descent
+    from turgor.studies.optimization.write import write_optimization as write_optimization
+    from turgor.studies.runs.computation import Computation as Computation
+    from turgor.studies.runs.designs import Designs as Designs
+    from turgor.studies.runs.designs import factorial as factorial
+    from turgor.studies.runs.designs import latin_hypercube as latin_hypercube
+    from turgor.studies.runs.designs import sobol as sobol
+    from turgor.studies.runs.evaluations import Evaluations as Evaluations
+    from turgor.studies.runs.evaluations import kept_in as kept_in
+    from turgor.studies.runs.executors.dask_workers import OnDask as OnDask
+    from turgor.studies.runs.executors.executor import Executor as Executor
+    from turgor.studies.runs.executors.executor import Here as Here
+    from turgor.studies.runs.executors.run_outcome import Ended as Ended
+    from turgor.studies.runs.executors.run_outcome import ended_before as ended_before
+    from turgor.studies.runs.executors.worker_processes import Workers as Workers
+    from turgor.studies.runs.factor import Factor as Factor
+    from turgor.studies.runs.files.designs_csv import read_designs as read_designs
+    from turgor.studies.runs.files.study_folder import load_study as load_study
+    from turgor.studies.runs.files.study_folder import write_study as write_study
+    from turgor.studies.runs.jobs.job_gradients import gradient_of_job as gradient_of_job
+    from turgor.studies.runs.pictures import curves_picture as curves_picture
+    from turgor.studies.runs.pictures import hidden_by_mesh as hidden_by_mesh
+    from turgor.studies.runs.pictures import map_picture as map_picture
+    from turgor.studies.runs.pictures import multiples_picture as multiples_picture
+    from turgor.studies.runs.pictures import parallel_picture as parallel_picture
+    from turgor.studies.runs.pictures import study_picture as study_picture
+    from turgor.studies.runs.run import Computed as Computed
+    from turgor.studies.runs.run import Run as Run
+    from turgor.studies.runs.run_all import run_all as run_all
+    from turgor.studies.runs.slopes import with_slopes as with_slopes
+    from turgor.studies.runs.study import Row as Row
+    from turgor.studies.runs.study import Study as Study
+    from turgor.studies.runs.workspaces import WorkspaceRuns as WorkspaceRuns
+    from turgor.studies.runs.workspaces import workspace_of as workspace_of
     from turgor.studies.sensitivity.anova import Anova as Anova
     from turgor.studies.sensitivity.anova import Term as Term
     from turgor.studies.sensitivity.anova import anova as anova
@@ -43,41 +75,9 @@ if TYPE_CHECKING:
     from turgor.studies.sensitivity.local_sensitivity import local_sensitivities as local_sensitivities
     from turgor.studies.sensitivity.local_sensitivity import sensitivities_of as sensitivities_of
     from turgor.studies.sensitivity.predictors import Direct as Direct
-    from turgor.studies.study.computation import Computation as Computation
-    from turgor.studies.study.designs import Designs as Designs
-    from turgor.studies.study.designs import factorial as factorial
-    from turgor.studies.study.designs import latin_hypercube as latin_hypercube
-    from turgor.studies.study.designs import sobol as sobol
-    from turgor.studies.study.evaluations import Evaluations as Evaluations
-    from turgor.studies.study.evaluations import kept_in as kept_in
-    from turgor.studies.study.factor import Factor as Factor
-    from turgor.studies.study.files.designs_csv import read_designs as read_designs
-    from turgor.studies.study.files.study_folder import load_study as load_study
-    from turgor.studies.study.files.study_folder import write_study as write_study
-    from turgor.studies.study.job_gradients import gradient_of_job as gradient_of_job
-    from turgor.studies.study.jobs.job_sweep import sweep_job as sweep_job
-    from turgor.studies.study.jobs.study_file import StudyFile as StudyFile
-    from turgor.studies.study.jobs.study_file import read_study_file as read_study_file
-    from turgor.studies.study.pictures import curves_picture as curves_picture
-    from turgor.studies.study.pictures import hidden_by_mesh as hidden_by_mesh
-    from turgor.studies.study.pictures import map_picture as map_picture
-    from turgor.studies.study.pictures import multiples_picture as multiples_picture
-    from turgor.studies.study.pictures import parallel_picture as parallel_picture
-    from turgor.studies.study.pictures import study_picture as study_picture
-    from turgor.studies.study.run_all import run_all as run_all
-    from turgor.studies.study.running.executors import Executor as Executor
-    from turgor.studies.study.running.executors import Here as Here
-    from turgor.studies.study.running.on_dask import OnDask as OnDask
-    from turgor.studies.study.running.run_outcome import Ended as Ended
-    from turgor.studies.study.running.run_outcome import ended_before as ended_before
-    from turgor.studies.study.running.workers import Workers as Workers
-    from turgor.studies.study.runs import Computed as Computed
-    from turgor.studies.study.runs import Run as Run
-    from turgor.studies.study.slopes import with_slopes as with_slopes
-    from turgor.studies.study.study import Row as Row
-    from turgor.studies.study.study import Study as Study
-    from turgor.studies.study.workspaces import WorkspaceRuns as WorkspaceRuns
-    from turgor.studies.study.workspaces import workspace_of as workspace_of
+    from turgor.studies.study_file.job_sweep import sweep_job as sweep_job
+    from turgor.studies.study_file.study_file import StudyFile as StudyFile
+    from turgor.studies.study_file.study_file import read_study_file as read_study_file
     from turgor.studies.surrogates.figure import surrogate_figure as surrogate_figure
     from turgor.studies.surrogates.fit import surrogate as surrogate
     from turgor.studies.surrogates.held_out import HeldOut as HeldOut

@@ -18,7 +18,7 @@ SOURCES = (ROOT / "src" / "turgor", ROOT / "guidelines" / "src" / "turgor_guidel
 FILES = sorted(path for folder in SOURCES for path in folder.rglob("*.py"))
 
 #: Public functions whose keywords are names that only the user knows: the factors of a sweep are fields of a design.
-OPEN_KEYWORDS = ("src/turgor/studies/study/sweep.py: sweep",)
+OPEN_KEYWORDS = ("src/turgor/studies/runs/sweep.py: sweep",)
 
 #: Lines of a file, and files of a folder.
 LONGEST_FILE, LARGEST_FOLDER = 500, 15

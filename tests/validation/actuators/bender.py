@@ -13,7 +13,7 @@ from ecoflex import WHOLE, material, scaled
 
 import turgor as tg
 from turgor.foundation.source import Source
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 from turgor.units import MPa, deg, kPa, mm
 
 CHAMBER, HEIGHT, WIDTH, CHANNEL = 2 * mm, 8 * mm, 8 * mm, 2 * mm

@@ -13,7 +13,7 @@ from turgor.measures import Measure
 
 import turgor as tg
 from turgor.foundation.response import Column
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 from turgor.units import N, kPa, mm
 
 #: Spring that keeps the tip from turning, in effect [N m/rad].

@@ -15,7 +15,7 @@ from meshes import box
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.foundation.response import Column
 from turgor.foundation.source import Source
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 from turgor.units import kPa, mm
 
 FOLDER = DATA / "eth-dragonskin10-beam"

@@ -17,7 +17,7 @@ from netgen.occ import Cylinder, Glue, Pnt, X
 import turgor as tg
 from turgor.foundation.response import Column
 from turgor.foundation.source import Source
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.run import Computed
 from turgor.units import MPa, kPa, mL, mm
 
 FOLDER = DATA / "upenn-ecoflex30-membranes"

@@ -6,7 +6,7 @@ import inflated
 from bender import bends
 from bender_rig import STIFF, fitted_spring, holds, rests
 
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 
 #: Highest pressure [kPa], and how far beyond a limit point the cavity may grow, of the whole curves and of variations.
 WHOLE_CURVE, VARIED = (46.0, 8.0), (46.0, 1.2)

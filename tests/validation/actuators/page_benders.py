@@ -10,7 +10,7 @@ from ecoflex import fitted
 from measured_runs import ALONE, BLIND_BENDERS, VARIATIONS, free, whole
 from page_parts import COLORS, Page, lines_of, new_figure, number, save
 
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 
 #: Pressures [kPa] in the tables.
 AT = (20.0, 30.0, 34.0)

@@ -11,7 +11,7 @@ from measured_runs import FITTED, HELD, MEETS, PRESSED, PRESSED_BY, PRESSED_TO, 
 from page_parts import COLORS, Page, lines_of, new_figure, number, save
 
 import turgor as tg
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.run import Run
 from turgor.units import deg, mm
 
 #: Pressures [kPa] in the tables.

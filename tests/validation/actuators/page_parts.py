@@ -12,8 +12,8 @@ from PIL import Image
 from turgor.pictures import COLORS as COLORS
 
 import turgor as tg
-from turgor.studies.study.running.run_outcome import Ended
-from turgor.studies.study.runs import Run
+from turgor.studies.runs.executors.run_outcome import Ended
+from turgor.studies.runs.run import Run
 
 DOCS = Path(__file__).parents[3] / "docs"
 IMAGES = DOCS / "images" / "measured"

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 import surrogate_cases as cases
+from turgor.studies.runs.factor import Factor
 from turgor.studies.sensitivity.indices import screening, sobol_indices
-from turgor.studies.study.factor import Factor
 
 #: Constants of the g-function.
 A = np.array([0.0, 1.0, 4.5, 9.0])

@@ -1,9 +1,10 @@
-"""The inverse of a surrogate gives back the inputs of exact outputs; a network of many rows predicts fresh ones.
+"""The inverse of a surrogate gives back the inputs of exact outputs; a surrogate of many rows predicts fresh ones.
 
 Problem: the tip of an arc that two pressures bend in two planes; a finger that bends with pressure over stiffness and
 wall; both in closed form.
 Exact: the pressures that the tip was computed with; the formula of the finger.
-Tolerance: 0.2 % of the range, where the held-out error of the surrogate is below 0.1 %; 2 % of the range for a network.
+Tolerance: 0.2 % of the range, where the held-out error of the surrogate is below 0.1 %; 0.1 % of the range for many
+rows.
 """
 
 import numpy as np
@@ -13,7 +14,7 @@ from scipy.stats import qmc
 import surrogate_cases as cases
 from turgor.foundation.response import Column
 from turgor.studies.surrogates.fit import surrogate
-from turgor.studies.surrogates.fit_network import NetworkTrainer
+from turgor.studies.surrogates.fit_gaussian_process import GaussianProcessTrainer
 from turgor.studies.surrogates.held_out import held_out
 from turgor.studies.surrogates.invert import invert
 from turgor.units import kPa
@@ -42,14 +43,14 @@ def test_pressures_of_a_shape(record_verification):
     assert worst < 4 * spread  # the deviation that it tells is of the size of the error
 
 
-def test_a_network_of_many_rows(record_verification):
+def test_a_surrogate_of_many_rows(record_verification):
     def bent(at):
         pressure, stiffness, wall = at[:, 0], 0.5 + at[:, 1], 1 + at[:, 2]
         return np.arctan(2 * pressure / (stiffness * wall**1.2))
 
     points, fresh = qmc.Sobol(3, seed=0).random(1024), qmc.Sobol(3, seed=5).random(512)
     y, none = bent(points), np.zeros((1024, 1))
-    trainer = NetworkTrainer(members=3, iterations=200, parts=3)
+    trainer = GaussianProcessTrainer(parts=3)
     model = trainer.fit(points, y[:, None], none)
     (error,) = held_out(trainer, model, points, [Column("angle", "", y)], none, np.arange(1024))
     mean, deviation = model.spread(fresh)
@@ -57,17 +58,17 @@ def test_a_network_of_many_rows(record_verification):
     share = float(np.sqrt(np.mean(off**2))) / float(np.ptp(y))
     covered = float(np.mean(off < 1.96 * error.factor * deviation[:, 0]))
     record_verification(
-        claim="network of 1024 rows of a finger: RMS error of 512 fresh rows over the range; share within 95 %",
+        claim="surrogate of 1024 rows of a finger: RMS error of 512 fresh rows over the range; share within 95 %",
         source="the formula",
         expected=[0, 0.95],
-        got=[round(share, 4), round(covered, 3)],
-        tolerance="0.02; 0.04",
+        got=[float(f"{share:.2g}"), round(covered, 3)],
+        tolerance="0.001; 0.04",
     )
-    assert share < 0.02
-    assert error.share < 0.02
+    assert share < 0.001
+    assert error.share < 0.001
     assert covered == pytest.approx(0.95, abs=0.04)
-    step = 1e-6
+    step = 1e-3  # round-off of the mean, 1e-9, over a smaller step would be seen
     slope = [
         (model.mean(fresh[:1] + step * e) - model.mean(fresh[:1] - step * e))[0, 0] / (2 * step) for e in np.eye(3)
     ]
-    assert model.slope(fresh[0])[0] == pytest.approx(slope, rel=1e-5)
+    assert model.slope(fresh[0])[0] == pytest.approx(slope, rel=1e-4)

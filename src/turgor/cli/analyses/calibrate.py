@@ -1,22 +1,26 @@
 """Command ``turgor calibrate``: numbers of a job found from experiments."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from math import isfinite, nan
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, Retry, asked_job, command_of, output_option
+from turgor.cli.options import Changes, Debug, JobOrStudy, Json, Retry, command_of, output_option
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
-    from turgor.foundation.response import Response
-    from turgor.studies.study.running.run_outcome import Ended
+    from turgor.studies.runs.executors.run_outcome import Ended
+    from turgor.studies.study_file.study_file import StudyFile
 
 Texts = list[str] | None
+
+#: What states each key of the table of a study file.
+OPTIONS = {
+    "experiments": "EXPERIMENT", "hold_out": "--hold-out", "rig": "--rig", "units": "--unit", "spread": "--spread",
+    "y": "--y", "x": "--x", "loading": "--loading",
+}  # fmt: skip
 
 
 def often(name: str, metavar: str, text: str) -> typer.models.OptionInfo:
@@ -36,8 +40,10 @@ def often(name: str, metavar: str, text: str) -> typer.models.OptionInfo:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Options:
-    job: JobFile
-    experiments: Annotated[list[Path], typer.Argument(metavar="EXPERIMENT...", help="Tables of a laboratory.")]
+    job: JobOrStudy
+    experiments: Annotated[
+        list[Path] | None, typer.Argument(metavar="EXPERIMENT...", help="Tables of a laboratory.", show_default=False)
+    ] = None
     free: Annotated[
         Texts,
         often(
@@ -77,41 +83,30 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
+def _run(options: _Options) -> None:
     """Find numbers of a job from experiments, with their errors, and say what is not determined.
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.answers.studies import calibration_result
-        from turgor.studies.calibration.calibrate import calibrate
-        from turgor.studies.calibration.job_files import CALIBRATED, free_parameters, job_trial, left_as_they_are
+        from turgor.studies.calibration.job_calibration import CALIBRATED, calibrate_job, equal_constants
         from turgor.studies.calibration.write import write_calibration
-        from turgor.studies.study.evaluations import kept_in
-        from turgor.studies.study.jobs.job_file import RUNS, job_file
+        from turgor.studies.runs.evaluations import kept_in
+        from turgor.studies.runs.jobs.job_function import RUNS, job_function
 
-        measured = [_measured(file, asked) for file in (*asked.experiments, *(asked.hold_out or ()))]
-        job = asked_job(asked.job, asked.changes)
-        folder = asked.output if asked.output is not None else Path(f"{job.name}-calibration")
-        base = job_file(job, folder)
-        free = free_parameters(asked.free or (), asked.prior or (), base)
-        for note in left_as_they_are(free, base):
+        study, name = _stated(options)
+        plan = study.calibrate
+        assert plan is not None
+        if options.most_solves is not None:
+            plan = replace(plan, most_solves=options.most_solves)
+        folder = options.output if options.output is not None else Path(f"{name}-calibration")
+        base = job_function(study.job, folder)
+        for note in equal_constants(plan.free, base):
             typer.echo(note, err=True)
-        pairs = zip(measured, _spreads(asked, measured), strict=True)
-        count = len(asked.experiments)
-        trials = [
-            job_trial(base, each, y=asked.y, x=asked.x, spread=spread, fitted=measured[:count])
-            for each, spread in pairs
-        ]
+        runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
         with kept_in_folder(folder):
-            found = calibrate(
-                trials[:count],
-                free,
-                rig=asked.rig or (),
-                hold_out=trials[count:],
-                most_solves=asked.most_solves,
-                evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry),
-            )
+            found = calibrate_job(plan, base, runs)
         files = [*write_calibration(found, folder), folder / CALIBRATED]
         base.write(found.values, files[-1], f"Calibrated:\n{found.summary()}")
         typer.echo(found.summary())
@@ -123,38 +118,30 @@ def _run(asked: _Options) -> None:
 calibrate_command = command_of(_Options, _run)
 
 
-def _measured(file: Path, asked: _Options) -> "Response":
-    from turgor.accuracy.laboratory.read_experiment import read_experiment
-    from turgor.accuracy.laboratory.runs import loading
+def _stated(options: _Options) -> "tuple[StudyFile, str]":
+    """Read the study file, or what the options state."""
+    from turgor.cli.analyses.stated import free_factors, stated_study
     from turgor.cli.options import name_and_unit
-    from turgor.core.results.drive import drive_of
 
-    measured = read_experiment(file, units=dict(name_and_unit(each) for each in asked.unit or ()))
-    return loading(measured, drive_of(measured)) if asked.only_loading else measured
-
-
-def _spreads(asked: _Options, measured: "Sequence[Response]") -> list[float | None]:
-    """Read standard deviations; each is that of the experiments with a column in its unit."""
-    from turgor.foundation.errors import TurgorError
-    from turgor.foundation.response import COLUMN_UNITS
-
-    found: list[float | None] = [None] * len(measured)
-    for text in asked.spread or ():
-        number, _, unit = text.strip().partition(" ")
-        fitting = [n for n, each in enumerate(measured) if any(unit and unit in c.units for c in each.columns)]
-        try:
-            value = float(number) * COLUMN_UNITS.get(unit, nan)
-        except ValueError:
-            value = nan
-        if not (fitting and isfinite(value)):
-            units = ", ".join(sorted({c.unit for each in measured for c in each.columns if c.unit}))
-            raise TurgorError(f"--spread is '{text}'; write a number and a unit of the experiments ({units}).")
-        for n in fitting:
-            found[n] = value
-    return found
+    factors = free_factors(options.free, options.prior)
+    given: dict[str, Any] = {
+        "experiments": [str(file) for file in options.experiments or ()],
+        "hold_out": [str(file) for file in options.hold_out or ()],
+        "rig": list(options.rig or ()),
+        "units": dict(name_and_unit(each) for each in options.unit or ()),
+        "spread": list(options.spread or ()),
+        "y": options.y,
+        "x": options.x,
+        "loading": options.only_loading,
+    }
+    table = {key: value for key, value in given.items() if value}
+    places: dict[tuple[str, ...], str] = {}
+    places |= {("factors", key): "--prior" if "prior" in each else "--free" for key, each in factors.items()}
+    places |= {("calibrate", key): OPTIONS[key] for key in table}
+    return stated_study(options.job, "calibrate", factors, table, places, options.changes)
 
 
-def told_run(ended: "Ended") -> None:
+def report_run(ended: "Ended") -> None:
     """Print how a run ended.
 
     Parameters

@@ -1,6 +1,7 @@
 """Studies that commands take: a folder or a table that was written, or a study file that is computed first."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
@@ -9,10 +10,10 @@ import typer
 from turgor.cli.start.signals import kept_in_folder
 
 if TYPE_CHECKING:
-    from turgor.studies.study.factor import Factor
-    from turgor.studies.study.jobs.study_file import StudyFile
-    from turgor.studies.study.running.executors import Executor
-    from turgor.studies.study.study import Study
+    from turgor.studies.runs.executors.executor import Executor
+    from turgor.studies.runs.factor import Factor
+    from turgor.studies.runs.study import Study
+    from turgor.studies.study_file.study_file import StudyFile
     from turgor.studies.uncertainty.spread import Spread
 
 #: Ending of study files.
@@ -39,7 +40,35 @@ class HowComputed(Protocol):
         """What ``--set`` states."""
 
 
-def given_study(path: Path, how: HowComputed) -> "tuple[Study, Path, tuple[str, float] | None, Sequence[str]]":
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GivenStudy:
+    """A study that a command analyzes.
+
+    Parameters
+    ----------
+    study : Study
+    folder : Path
+        Folder of its files.
+    file : StudyFile or None
+        The study file, if there is one: where and what measures are read, and how they are analyzed.
+    """
+
+    study: "Study"
+    folder: Path
+    file: "StudyFile | None" = None
+
+    @property
+    def at(self) -> tuple[str, float] | None:
+        """Where measures are read, as the study file says."""
+        return None if self.file is None or self.file.sweep is None else self.file.sweep.at
+
+    @property
+    def measures(self) -> Sequence[str]:
+        """What is measured, as the study file says."""
+        return () if self.file is None or self.file.sweep is None else self.file.sweep.measures
+
+
+def given_study(path: Path, how: HowComputed, kind: str) -> GivenStudy:
     """Read a study, or compute that of a study file.
 
     Parameters
@@ -48,17 +77,18 @@ def given_study(path: Path, how: HowComputed) -> "tuple[Study, Path, tuple[str, 
         Folder of ``turgor sweep``, table of a study, or study file.
     how : HowComputed
         For a study file.
+    kind : str
+        ``"sensitivity"`` or ``"surrogate"``.
 
     Returns
     -------
-    (Study, Path, (str, float) or None, sequence of str)
-        The study, the folder of its files, and where and what measures are read according to the study file.
+    GivenStudy
     """
     from turgor.cli.analyses.machines import executor_of
     from turgor.foundation.errors import TurgorError
     from turgor.job.text.overrides import parse_changes
-    from turgor.studies.study.files.study_folder import load_study, write_study
-    from turgor.studies.study.jobs.study_file import read_study_file
+    from turgor.studies.runs.files.study_folder import load_study, write_study
+    from turgor.studies.study_file.study_file import read_study_file
 
     if path.suffix.lower() != TOML:
         given_options = {"--set": how.changes, "--scheduler": how.scheduler, "--retry": how.retry}
@@ -66,23 +96,25 @@ def given_study(path: Path, how: HowComputed) -> "tuple[Study, Path, tuple[str, 
         if option is not None:
             raise TurgorError(f"{option} goes with a study file, which is computed; '{path}' is read as it is.")
         study = load_study(path)
-        return study, path if path.is_dir() else path.with_suffix(""), None, ()
-    given = read_study_file(path, parse_changes(how.changes or ()))
-    folder = Path(f"{given.name}-study")
+        return GivenStudy(study=study, folder=path if path.is_dir() else path.with_suffix(""))
+    file = read_study_file(path, parse_changes(how.changes or ()), kind)
+    folder = Path(f"{file.name}-study")
     executor = executor_of(how.scheduler, gather=False, processes=how.processes)
-    study = computed_study(given, folder, executor, retry=how.retry)
+    study = computed_study(file, folder, executor, retry=how.retry)
+    given = GivenStudy(study=study, folder=folder, file=file)
     write_study(study, folder, given.measures or study.measures, given.at)
     for line in study.problems:
         typer.echo(line, err=True)
-    return study, folder, given.at, given.measures
+    return given
 
 
-def computed_study(given: "StudyFile", folder: Path, executor: "Executor", *, retry: bool = False) -> "Study":
-    """Compute a study file, with a display of its progress; its runs are kept in the folder.
+def computed_study(file: "StudyFile", folder: Path, executor: "Executor", *, retry: bool = False) -> "Study":
+    """Compute a study file, with a display of its progress; its runs are stored in the folder.
 
     Parameters
     ----------
-    given : StudyFile
+    file : StudyFile
+        With a sweep.
     folder : Path
     executor : Executor
         Where runs are computed.
@@ -94,16 +126,16 @@ def computed_study(given: "StudyFile", folder: Path, executor: "Executor", *, re
     Study
     """
     from turgor.cli.analyses.progress import StudyProgress
-    from turgor.studies.study.evaluations import Evaluations
-    from turgor.studies.study.jobs.job_file import RUNS
-    from turgor.studies.study.jobs.job_sweep import sweep_job
+    from turgor.studies.runs.evaluations import Evaluations
+    from turgor.studies.runs.jobs.job_function import RUNS
+    from turgor.studies.study_file.job_sweep import sweep_job
 
     with (
         kept_in_folder(folder),
-        StudyProgress(len(given.designs)) as progress,
+        StudyProgress(0 if file.sweep is None else len(file.sweep.designs)) as progress,
         Evaluations(folder=folder / RUNS, executor=executor, progress=progress, retry=retry) as runs,
     ):
-        return sweep_job(given, folder, runs)
+        return sweep_job(file, folder, runs)
 
 
 def numbers_given(texts: Sequence[str] | None, units: Mapping[str, str], option: str) -> dict[str, float]:
@@ -122,7 +154,7 @@ def numbers_given(texts: Sequence[str] | None, units: Mapping[str, str], option:
     dict of str to float [SI]
     """
     from turgor.foundation.errors import TurgorError, unknown
-    from turgor.studies.study.jobs.job_numbers import JobNumber, read_number
+    from turgor.studies.runs.jobs.job_numbers import JobNumber, read_number
 
     found = {}
     for text in texts or ():
@@ -172,8 +204,8 @@ def spreads_given(texts: Sequence[str], factors: "Sequence[Factor]") -> "list[Sp
     list of Spread
     """
     from turgor.foundation.errors import TurgorError, unknown
-    from turgor.studies.study.jobs.job_numbers import JobNumber
-    from turgor.studies.uncertainty.job_files import read_spread
+    from turgor.studies.runs.jobs.job_numbers import JobNumber
+    from turgor.studies.uncertainty.job_spreads import read_spread
 
     known = {each.name: each for each in factors}
     found = []
@@ -184,7 +216,11 @@ def spreads_given(texts: Sequence[str], factors: "Sequence[Factor]") -> "list[Sp
         if name not in known:
             raise unknown("name in --spread", name, known)
         middle = float(known[name].at(0.5))
-        found.append(read_spread(name, value, JobNumber(key=name, value=middle, unit=known[name].unit)))
+        number = JobNumber(key=name, value=middle, unit=known[name].unit)
+        try:
+            found.append(read_spread(name, value, number))
+        except TurgorError as error:
+            raise TurgorError(f"--spread {name}: {error}") from None
     return found
 
 

@@ -34,7 +34,7 @@ def _run(asked: _Options) -> None:
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer:
         from turgor.cli.answers.studies import gradient_result
-        from turgor.studies.study.job_gradients import gradient_of_job
+        from turgor.studies.runs.jobs.job_gradients import gradient_of_job
 
         job = asked_job(asked.job, asked.changes)
         found = gradient_of_job(job, asked.wrt or (), asked.measures or ())

@@ -9,12 +9,13 @@ from pathlib import Path
 from turgor.cli.options import check_new
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.store.atomic_files import whole
-from turgor.studies.study.jobs.job_file import job_file
-from turgor.studies.study.jobs.study_file import StudyFile
-from turgor.studies.study.running.array_tasks import Gathering, share
-from turgor.studies.study.running.executors import Executor
-from turgor.studies.study.running.on_dask import OnDask
-from turgor.studies.study.running.workers import Workers
+from turgor.studies.runs.executors.array_tasks import Gathering, share
+from turgor.studies.runs.executors.dask_workers import OnDask
+from turgor.studies.runs.executors.executor import Executor
+from turgor.studies.runs.executors.worker_processes import Workers
+from turgor.studies.runs.jobs.job_function import job_function
+from turgor.studies.study_file.study_file import StudyFile
+from turgor.studies.study_file.sweep_table import SweepPlan
 
 #: A job script of SLURM: an array of tasks that each compute a share.
 SCRIPT = """\
@@ -53,8 +54,8 @@ def executor_of(scheduler: str | None, gather: bool, processes: int) -> Executor
     return Workers(processes=processes) if scheduler is None else OnDask(scheduler=scheduler)
 
 
-def share_of(given: StudyFile, index: int, of: int | None) -> StudyFile:
-    """Return a study with the designs of one task alone; an error if it has none."""
+def share_of(given: SweepPlan, index: int, of: int | None) -> SweepPlan:
+    """Return a sweep with the designs of one task alone; an error if it has none."""
     count = len(given.designs)
     places = share(count, index, count if of is None else of)
     if not places:
@@ -99,9 +100,9 @@ def write_script(given: StudyFile, study: Path, folder: Path, script: Script) ->
         If the file exists, or the name of a file or folder has a line break, which would add lines to the script.
     """
     check_new(script.file, script.force, "--sbatch")
-    designs = len(given.designs)
+    designs = 0 if given.sweep is None else len(given.sweep.designs)
     tasks = min(script.tasks or designs, designs)
-    job_file(given.job, folder)
+    job_function(given.job, folder)
     _directive(str(study))
     asked = ["sweep", str(study), "--output", str(folder)]
     text = SCRIPT.format(

@@ -6,20 +6,20 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.analyses.calibrate import told_run
+from turgor.cli.analyses.calibrate import report_run
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, Retry, asked_job, command_of, output_option
+from turgor.cli.options import Changes, Debug, Json, Retry, command_of, output_option
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
-    from turgor.studies.optimization.files.jobs import JobOptimization
+    from turgor.studies.optimization.job_optimization import JobOptimization
     from turgor.studies.optimization.result import Optimization
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Options:
     study: Annotated[
-        Path, typer.Argument(metavar="STUDY", help="Study file in TOML: job, factors, goals.", show_default=False)
+        Path, typer.Argument(metavar="STUDY", help="Study file in TOML with a table [optimize].", show_default=False)
     ]
     most_solves: Annotated[
         int | None,
@@ -37,24 +37,26 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
+def _run(options: _Options) -> None:
     """Choose numbers of a job so that targets are met, or that it is best within limits.
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.answers.optimization import optimization_result
-        from turgor.studies.optimization.files.jobs import job_optimization
-        from turgor.studies.optimization.files.study_files import read_study_file
-        from turgor.studies.optimization.files.write import write_optimization
+        from turgor.job.text.overrides import parse_changes
+        from turgor.studies.optimization.job_optimization import job_optimization
+        from turgor.studies.optimization.write import write_optimization
+        from turgor.studies.study_file.study_file import read_study_file
 
-        study = read_study_file(asked.study)
-        if asked.most_solves is not None:
-            study = replace(study, search=replace(study.search, most_solves=asked.most_solves))
-        job = asked_job(study.job, asked.changes)
-        folder = asked.output if asked.output is not None else Path(f"{asked.study.stem}-optimization")
-        wanted = job_optimization(study, job, folder, mesh_error=asked.mesh_error)
-        found = _searched(wanted, folder, asked)
+        study = read_study_file(options.study, parse_changes(options.changes or ()), "optimize")
+        plan = study.optimize
+        assert plan is not None
+        if options.most_solves is not None:
+            plan = replace(plan, search=replace(plan.search, most_solves=options.most_solves))
+        folder = options.output if options.output is not None else Path(f"{study.name}-optimization")
+        wanted = job_optimization(plan, study.job, folder, mesh_error=options.mesh_error)
+        found = _searched(wanted, folder, options)
         files = write_optimization(found, folder, wanted.base)
         typer.echo(found.summary())
         typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
@@ -62,11 +64,11 @@ def _run(asked: _Options) -> None:
         raise typer.Exit(DONE if found.converged else NOT_CONVERGED)
 
 
-def _searched(wanted: "JobOptimization", folder: Path, asked: _Options) -> "Optimization":
-    from turgor.studies.study.evaluations import kept_in
-    from turgor.studies.study.jobs.job_file import RUNS
+def _searched(wanted: "JobOptimization", folder: Path, options: _Options) -> "Optimization":
+    from turgor.studies.runs.evaluations import kept_in
+    from turgor.studies.runs.jobs.job_function import RUNS
 
-    runs = kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry)
+    runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
     with kept_in_folder(folder), runs:
         return wanted.search(runs)
 

@@ -9,10 +9,10 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Column
 from rich.text import Text
 
-from turgor.cli.analyses.calibrate import told_run
+from turgor.cli.analyses.calibrate import report_run
 from turgor.cli.live import PatientConsole
 from turgor.core.solvers.progress.progress import clock
-from turgor.studies.study.running.run_outcome import Ended
+from turgor.studies.runs.executors.run_outcome import Ended
 
 
 class Counts:
@@ -82,7 +82,7 @@ class StudyProgress:
         """Show a run that has ended."""
         self.counts.take(ended)
         if self._bar is None or self._task is None:
-            told_run(ended)
+            report_run(ended)
             return
         if ended.problem:
             line = Text(f"{ended.run.name}: {ended.problem}", overflow="ellipsis", no_wrap=True)

@@ -14,7 +14,9 @@ from turgor.cli.start.signals import ends_at_once
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from turgor.studies.study.study import Study
+    from turgor.studies.runs.study import Study
+    from turgor.studies.study_file.analysis_tables import SensitivityTable
+    from turgor.studies.study_file.study_file import StudyFile
     from turgor.views.plots.figures import PlotFigure
 
 #: Ways to analyze a study: the first chooses by its design.
@@ -24,9 +26,12 @@ METHODS = ("auto", "anova", "sobol")
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Options:
     study: StudyPath
-    method: Annotated[str, typer.Option(help="anova for a factorial, sobol for samples (by a surrogate), or auto.")] = (
-        "auto"
-    )
+    method: Annotated[
+        str,
+        typer.Option(
+            help="anova for a factorial, sobol for samples (by a surrogate), or auto, the default.", show_default=False
+        ),
+    ] = ""
     measures: Measures = None
     at: At = ""
     hold: Annotated[list[str] | None, often("--hold", "NAME=VALUE", "A factor that does not vary, for sobol.")] = None
@@ -35,7 +40,9 @@ class _Options:
         often("--spread", "NAME=MEAN+-DEVIATION", "A factor that is normal within its range instead of uniform, for "
               "sobol; without a mean around the middle of the range."),
     ] = None  # fmt: skip
-    samples: Annotated[int, typer.Option(help="Points of sobol, a power of two.")] = 1024
+    samples: Annotated[
+        int | None, typer.Option(help="Points of sobol, a power of two; 1024 by default.", show_default=False)
+    ] = None
     processes: Processes = 1
     scheduler: Scheduler = None
     output: Output = None
@@ -45,28 +52,29 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
+def _run(options: _Options) -> None:
     """Say which factors of a study matter: shares of the variance, with a picture.
 
     A full factorial gets an analysis of variance. Samples get Sobol indices of a surrogate, whose error is told.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
         from turgor.cli.answers.surrogates import SensitivityResult
         from turgor.foundation.errors import TurgorError, unknown
         from turgor.studies.sensitivity.anova import is_factorial
         from turgor.views.plots.figures import write_figure
 
-        if asked.method not in METHODS:
-            raise unknown("method", asked.method, METHODS)
-        study, place, at, measures = given_study(asked.study, asked)
-        at = read_at(asked.at, study) or at
-        method = asked.method if asked.method != "auto" else "anova" if is_factorial(study) else "sobol"
-        if method == "anova" and (asked.hold or asked.spread):
-            raise TurgorError(f"{'--hold' if asked.hold else '--spread'} goes with the method sobol.")
-        names = asked.measures or list(measures) or None
-        text, terms, figure = _anova(study, names, at) if method == "anova" else _sobol(study, names, at, asked)
-        folder = asked.output if asked.output is not None else place
+        given = given_study(options.study, options, "sensitivity")
+        wanted = _wanted(options, given.file)
+        if wanted.method not in METHODS:
+            raise unknown("method", wanted.method, METHODS)
+        study, at = given.study, read_at(wanted.at, given.study) or given.at
+        method = wanted.method if wanted.method != "auto" else "anova" if is_factorial(study) else "sobol"
+        if method == "anova" and (wanted.fixed or wanted.spread):
+            raise TurgorError(f"{'--hold' if wanted.fixed else '--spread'} goes with the method sobol.")
+        names = wanted.measures or list(given.measures) or None
+        text, terms, figure = _anova(study, names, at) if method == "anova" else _sobol(study, names, at, wanted)
+        folder = options.output if options.output is not None else given.folder
         folder.mkdir(parents=True, exist_ok=True)
         files = [folder / "sensitivity.png", folder / "sensitivity.txt"]
         write_figure(files[0], figure)
@@ -82,6 +90,31 @@ sensitivity_command = command_of(_Options, _run)
 Found = tuple[str, list[dict[str, object]], "PlotFigure"]
 
 
+def _wanted(options: _Options, file: "StudyFile | None") -> "SensitivityTable":
+    """Return what the study file states, with what the options state in its place."""
+    from turgor.studies.study_file.analysis_tables import SensitivityTable
+
+    stated = SensitivityTable() if file is None else file.sensitivity
+    given = {
+        "method": options.method, "measures": options.measures, "at": options.at, "samples": options.samples,
+        "fixed": _by_name(options.hold, "--hold"), "spread": _by_name(options.spread, "--spread"),
+    }  # fmt: skip
+    return stated.model_copy(update={key: value for key, value in given.items() if value})
+
+
+def _by_name(texts: "Sequence[str] | None", option: str) -> dict[str, str]:
+    from turgor.foundation.errors import TurgorError
+
+    example = "NAME=MEAN+-DEVIATION, such as wall='1.2 mm+-0.1 mm'" if option == "--spread" else "NAME=VALUE"
+    found = {}
+    for text in texts or ():
+        name, sign, value = (part.strip() for part in text.partition("="))
+        if not (sign and name and value):
+            raise TurgorError(f"{option} is '{text}'; write {example}.")
+        found[name] = value
+    return found
+
+
 def _anova(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None) -> Found:
     from turgor.cli.answers.surrogates import anova_terms
     from turgor.studies.sensitivity.anova import anova
@@ -95,7 +128,9 @@ def _anova(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] 
     return text, [term for each in found for term in anova_terms(each)], figure
 
 
-def _sobol(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None, asked: _Options) -> Found:
+def _sobol(
+    study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None, wanted: "SensitivityTable"
+) -> Found:
     from turgor.cli.analyses.given_study import spreads_given, values_given
     from turgor.cli.answers.surrogates import index_terms
     from turgor.studies.sensitivity.figure import indices_figure
@@ -103,8 +138,8 @@ def _sobol(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] 
     from turgor.studies.surrogates.fit import surrogate
 
     fitted = surrogate(study, names, at=at)
-    held = values_given(asked.hold, fitted.factors, "--hold")
-    spreads = spreads_given(asked.spread or (), fitted.factors)
-    found = sobol_indices(fitted, spreads=spreads, held=held, samples=asked.samples)
+    fixed = values_given([f"{name}={text}" for name, text in wanted.fixed.items()], fitted.factors, "--hold")
+    spreads = spreads_given([f"{name}={text}" for name, text in wanted.spread.items()], fitted.factors)
+    found = sobol_indices(fitted, spreads=spreads, held=fixed, samples=wanted.samples)
     text = "\n".join([*(each.sentence() for each in found), *fitted.notes])
     return text, [term for each in found for term in index_terms(each)], indices_figure(found)

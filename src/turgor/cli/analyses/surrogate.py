@@ -13,7 +13,7 @@ from turgor.cli.start.signals import ends_at_once
 
 if TYPE_CHECKING:
     from turgor.cli.exits import Answer
-    from turgor.studies.study.factor import Value
+    from turgor.studies.runs.factor import Value
     from turgor.studies.surrogates.surrogate import Surrogate
 
 StudyPath = Annotated[
@@ -45,7 +45,6 @@ class _Options:
     along: Annotated[
         str, typer.Option(metavar="NAME", help="A column that becomes an input, such as pressure: whole curves.")
     ] = ""
-    kind: Annotated[str, typer.Option(help="gaussian_process, network or auto.")] = "auto"
     processes: Processes = 1
     scheduler: Scheduler = None
     output: Output = None
@@ -55,19 +54,23 @@ class _Options:
     debug: Debug = False
 
 
-def _fit(asked: _Options) -> None:
+def _fit(options: _Options) -> None:
     """Fit a fast function to a study: it predicts measures with their errors, and is inverted by 'turgor predict'."""
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
         from turgor.cli.answers.surrogates import surrogate_result
+        from turgor.studies.study_file.analysis_tables import SurrogateTable
         from turgor.studies.surrogates.figure import surrogate_figure
         from turgor.studies.surrogates.fit import surrogate
         from turgor.views.plots.figures import write_figure
 
-        study, place, at, measures = given_study(asked.study, asked)
-        at = None if asked.along else read_at(asked.at, study) or at
-        found = surrogate(study, asked.measures or measures or None, kind=asked.kind, at=at, along=asked.along)
-        folder = asked.output if asked.output is not None else place
+        given = given_study(options.study, options, "surrogate")
+        stated = SurrogateTable() if given.file is None else given.file.surrogate
+        along = options.along or stated.along
+        at = None if along else read_at(options.at or stated.at, given.study) or given.at
+        measures = options.measures or stated.measures or given.measures or None
+        found = surrogate(given.study, measures, at=at, along=along)
+        folder = options.output if options.output is not None else given.folder
         folder.mkdir(parents=True, exist_ok=True)
         files = [found.save(folder / "surrogate"), folder / "surrogate.png", folder / "surrogate.txt"]
         write_figure(files[1], surrogate_figure(found))
@@ -90,8 +93,8 @@ class _Asked:
     ] = None
     want: Annotated[
         list[str] | None,
-        often("--want", "NAME=VALUE", "A wanted measure, such as bending_angle='60 deg': inputs are sought that give "
-              "it, those of --at are held."),
+        often("--want", "NAME=VALUE", "A wanted measure, such as bending_angle='60 deg': inputs are searched that give "
+              "it, those of --at are fixed."),
     ] = None  # fmt: skip
     prefer: Annotated[
         list[str] | None, often("--prefer", "NAME=VALUE", "A preferred input where many give what is wanted.")
@@ -103,45 +106,45 @@ class _Asked:
     debug: Debug = False
 
 
-def _predict(asked: _Asked) -> None:
+def _predict(options: _Asked) -> None:
     """Say what a surrogate gives for values of its factors, or which of them give wanted measures."""
-    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+    with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.analyses.given_study import values_given
         from turgor.foundation.errors import TurgorError
         from turgor.studies.surrogates.surrogate import Surrogate
 
-        found = Surrogate.load(asked.file)
-        at = values_given(asked.at, found.factors, "--at")
-        if asked.want:
-            if asked.extrapolate:
-                raise TurgorError("--extrapolate does not go with --want: inputs are sought within their ranges.")
-            _invert(found, at, asked, answer)
-        if asked.prefer:
+        found = Surrogate.load(options.file)
+        at = values_given(options.at, found.factors, "--at")
+        if options.want:
+            if options.extrapolate:
+                raise TurgorError("--extrapolate does not go with --want: inputs are searched within their ranges.")
+            _invert(found, at, options, answer)
+        if options.prefer:
             raise TurgorError("--prefer goes with --want.")
-        _say(found, at, asked, answer)
+        _say(found, at, options, answer)
 
 
 predict_command = command_of(_Asked, _predict)
 
 
-def _say(found: "Surrogate", at: "dict[str, Value]", asked: _Asked, answer: "Answer") -> None:
+def _say(found: "Surrogate", at: "dict[str, Value]", options: _Asked, answer: "Answer") -> None:
     from turgor.cli.answers.surrogates import prediction_result
 
-    said = found.predict(at, extrapolate=asked.extrapolate)
+    said = found.predict(at, extrapolate=options.extrapolate)
     answer.warn(said.findings)
     for name in found.measures:
-        typer.echo(f"{name.replace('_', ' ')} {said.told(name)}")
+        typer.echo(f"{name.replace('_', ' ')} {said.text(name)}")
     answer.give(lambda: prediction_result(said, at))
     raise typer.Exit(DONE)
 
 
-def _invert(found: "Surrogate", held: "dict[str, Value]", asked: _Asked, answer: "Answer") -> None:
+def _invert(found: "Surrogate", held: "dict[str, Value]", options: _Asked, answer: "Answer") -> None:
     from turgor.cli.analyses.given_study import numbers_given, values_given
     from turgor.cli.answers.surrogates import inverse_result
     from turgor.studies.surrogates.invert import invert
 
-    prefer = values_given(asked.prefer, found.factors, "--prefer")
-    inverse = invert(found, numbers_given(asked.want, found.units, "--want"), held=held, prefer=prefer)
+    prefer = values_given(options.prefer, found.factors, "--prefer")
+    inverse = invert(found, numbers_given(options.want, found.units, "--want"), held=held, prefer=prefer)
     typer.echo(inverse.sentence())
     for each in found.factors:
         if each.name in inverse.deviations:

@@ -1,7 +1,7 @@
 """Command ``turgor sweep``: a job at many designs, in processes that stay, kept as they end."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -13,9 +13,9 @@ from turgor.cli.options import Changes, Debug, Json, Retry, command_of, output_o
 from turgor.cli.start.signals import ends_at_once
 
 if TYPE_CHECKING:
-    from turgor.studies.study.designs import Designs
-    from turgor.studies.study.jobs.study_file import StudyFile
-    from turgor.studies.study.study import Study
+    from turgor.studies.runs.designs import Designs
+    from turgor.studies.runs.study import Study
+    from turgor.studies.study_file.sweep_table import SweepPlan
 
 #: Rows of a table on a terminal; the file has all.
 MOST_ROWS = 40
@@ -54,12 +54,12 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
+def _run(options: _Options) -> None:
     """Compute a job at many designs: a table, pictures, and the whole curve of each.
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import computed_study
         from turgor.cli.analyses.machines import (
             Script,
@@ -71,58 +71,61 @@ def _run(asked: _Options) -> None:
         )
         from turgor.cli.answers.sweeps import designs_result, sweep_result
         from turgor.job.text.overrides import parse_changes
-        from turgor.studies.study.files.study_folder import write_study
-        from turgor.studies.study.jobs.study_file import read_study_file
+        from turgor.studies.runs.files.study_folder import write_study
+        from turgor.studies.study_file.study_file import read_study_file
 
-        given = read_study_file(asked.study, parse_changes(asked.changes or ()))
-        if asked.dry_run:
-            _list(given.designs)
-            answer.give(partial(designs_result, given.designs))
+        given = read_study_file(options.study, parse_changes(options.changes or ()), "sweep")
+        plan = given.sweep
+        assert plan is not None
+        if options.dry_run:
+            _list(plan.designs)
+            answer.give(partial(designs_result, plan.designs))
             raise typer.Exit(DONE)
-        folder = asked.output if asked.output is not None else Path(f"{given.name}-study")
-        check_together(asked.scheduler, asked.index, asked.of, asked.gather, asked.sbatch)
-        check_retry(asked.retry, asked.gather, asked.sbatch)
-        if asked.sbatch is not None:
-            script = Script(file=asked.sbatch, tasks=asked.of, force=asked.force)
-            typer.echo(write_script(given, asked.study, folder, script))
-            answer.give(partial(designs_result, given.designs))
+        folder = options.output if options.output is not None else Path(f"{given.name}-study")
+        check_together(options.scheduler, options.index, options.of, options.gather, options.sbatch)
+        check_retry(options.retry, options.gather, options.sbatch)
+        if options.sbatch is not None:
+            script = Script(file=options.sbatch, tasks=options.of, force=options.force)
+            typer.echo(write_script(given, options.study, folder, script))
+            answer.give(partial(designs_result, plan.designs))
             raise typer.Exit(DONE)
-        if asked.index is not None:
-            given = share_of(given, asked.index, asked.of)
-        executor = executor_of(asked.scheduler, asked.gather, asked.processes)
-        study = computed_study(given, folder, executor, retry=asked.retry)
-        if asked.index is not None:
+        if options.index is not None:
+            plan = share_of(plan, options.index, options.of)
+            given = replace(given, sweep=plan)
+        executor = executor_of(options.scheduler, options.gather, options.processes)
+        study = computed_study(given, folder, executor, retry=options.retry)
+        if options.index is not None:
             failed = sum(row.response is None for row in study.rows)
-            typer.echo(f"Task {asked.index}: {len(study)} designs, {failed} failed; kept in {folder}.")
-            answer.give(partial(designs_result, given.designs))
+            typer.echo(f"Task {options.index}: {len(study)} designs, {failed} failed; kept in {folder}.")
+            answer.give(partial(designs_result, plan.designs))
             raise typer.Exit(NOT_CONVERGED if study.problems else DONE)
-        measures = given.measures or study.measures
-        files = [write_study(study, folder, measures, given.at)]
-        pictures, sentences = _drawn(study, folder, given)
+        measures = plan.measures or study.measures
+        files = [write_study(study, folder, measures, plan.at)]
+        pictures, sentences = _drawn(study, folder, plan)
         files += pictures
         for line in (*study.problems, *sentences):
             typer.echo(line)
         failed = sum(row.response is None for row in study.rows)
         typer.echo(f"{len(study)} designs, {failed} failed. Written in {folder}: {', '.join(f.name for f in files)}.")
-        answer.give(lambda: sweep_result(study, study.table(measures, given.at), sentences, files))
+        answer.give(lambda: sweep_result(study, study.table(measures, plan.at), sentences, files))
         raise typer.Exit(NOT_CONVERGED if study.problems else DONE)
 
 
 sweep_command = command_of(_Options, _run)
 
 
-def _drawn(study: "Study", folder: Path, given: "StudyFile") -> tuple[list[Path], list[str]]:
+def _drawn(study: "Study", folder: Path, plan: "SweepPlan") -> tuple[list[Path], list[str]]:
     """Draw each measure; return the files, and sentences on what mesh errors hide."""
-    from turgor.studies.study.pictures import hidden_by_mesh, study_picture
+    from turgor.studies.runs.pictures import hidden_by_mesh, study_picture
     from turgor.views.plots.figures import write_figure
 
     files: list[Path] = []
     sentences: list[str] = []
-    for name in given.measures or study.measures:
-        if name in study.measures and name != (given.at or ("",))[0] and len(study) > 1:
+    for name in plan.measures or study.measures:
+        if name in study.measures and name != (plan.at or ("",))[0] and len(study) > 1:
             files.append(folder / f"{name}.png")
-            write_figure(files[-1], study_picture(study, name, given.at))
-            sentences += hidden_by_mesh(study, name, given.at)
+            write_figure(files[-1], study_picture(study, name, plan.at))
+            sentences += hidden_by_mesh(study, name, plan.at)
     return files, sentences
 
 

@@ -1,20 +1,28 @@
-"""Command ``turgor uncertainty``: the spread of rubber, dimensions and pressure carried to the response of a job."""
+"""Command ``turgor uncertainty``: the spread of rubber, dimensions and pressure propagated to the response of a job."""
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from turgor.cli.analyses.calibrate import often, told_run
+from turgor.cli.analyses.calibrate import often, report_run
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, Retry, asked_job, command_of, output_option
+from turgor.cli.options import Changes, Debug, JobOrStudy, Json, Retry, command_of, output_option
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
+
+if TYPE_CHECKING:
+    from turgor.studies.study_file.study_file import StudyFile
+
+#: What the options state by default.
+DEFAULTS = {
+    "sets": {}, "records": {}, "leave_out_doubtful": False, "method": "linear", "at": "", "mesh_error": True
+}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Options:
-    job: JobFile
+    job: JobOrStudy
     spread: Annotated[
         list[str] | None,
         often("--spread", "KEY=DEVIATION", "Standard deviation of a number of the job, or of the pressure, such as "
@@ -31,7 +39,7 @@ class _Options:
     ] = None  # fmt: skip
     leave_out_doubtful: Annotated[bool, typer.Option(help="Leave out records with a doubt, for --records.")] = False
     method: Annotated[str, typer.Option(help="linear, quadratic or interactions.")] = "linear"
-    at: Annotated[str, typer.Option(help="Pressure at which values are told, such as '40 kPa'.")] = ""
+    at: Annotated[str, typer.Option(help="Pressure at which values are reported, such as '40 kPa'.")] = ""
     mesh_error: Annotated[bool, typer.Option(help="Estimate the mesh error of the nominal run.")] = True
     processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
     output: Annotated[
@@ -44,34 +52,29 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
-    """Carry the spread of rubber, dimensions and pressure to the response: bands, and where they come from.
+def _run(options: _Options) -> None:
+    """Propagate the spread of rubber, dimensions and pressure to the response: bands, and where they come from.
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+    with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.answers.studies import uncertainty_result
-        from turgor.studies.study.evaluations import kept_in
-        from turgor.studies.study.jobs.job_file import RUNS, job_file
-        from turgor.studies.study.jobs.job_numbers import read_number
+        from turgor.studies.runs.evaluations import kept_in
+        from turgor.studies.runs.jobs.job_function import RUNS, job_function
         from turgor.studies.uncertainty.cases import write_cases
         from turgor.studies.uncertainty.figure import uncertainty_figure
-        from turgor.studies.uncertainty.job_files import PRESSURE, job_computation, read_sets, read_spreads
-        from turgor.studies.uncertainty.job_records import read_records
-        from turgor.studies.uncertainty.propagate import propagate
+        from turgor.studies.uncertainty.job_uncertainty import propagate_job
         from turgor.views.plots.figures import write_figure
 
-        job = asked_job(asked.job, asked.changes)
-        folder = asked.output if asked.output is not None else Path(f"{job.name}-uncertainty")
-        base = job_file(job, folder)
-        inputs = [*read_spreads(asked.spread or (), base), *read_sets(asked.sets or (), base)]
-        inputs = read_records(asked.records or (), job, inputs, leave_out_doubtful=asked.leave_out_doubtful)
-        at = read_number(asked.at, PRESSURE, "--at") if asked.at else None
+        study, name = _stated(options)
+        plan = study.uncertainty
+        assert plan is not None
+        at = plan.at
+        folder = options.output if options.output is not None else Path(f"{name}-uncertainty")
+        base = job_function(study.job, folder)
+        runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
         with kept_in_folder(folder):
-            found = propagate(
-                job_computation(base, mesh_error=asked.mesh_error), inputs, method=asked.method,
-                evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry),
-            )  # fmt: skip
+            found = propagate_job(plan, base, runs)
         sentences = [found.sentence(name, at) for name in found.bands]
         files = [folder / "uncertainty.csv", folder / "uncertainty.png", folder / "uncertainty.txt"]
         found.to_response().to_csv(files[0])
@@ -88,3 +91,22 @@ def _run(asked: _Options) -> None:
 
 
 uncertainty_command = command_of(_Options, _run)
+
+
+def _stated(options: _Options) -> "tuple[StudyFile, str]":
+    """Read the study file, or what the options state."""
+    from turgor.cli.analyses.stated import files_by_label, labels_of_records, spread_factors, stated_study
+
+    factors = spread_factors(options.spread)
+    given: dict[str, Any] = {
+        "sets": files_by_label(options.sets),
+        "records": labels_of_records(options.records),
+        "leave_out_doubtful": options.leave_out_doubtful,
+        "method": options.method,
+        "at": options.at,
+        "mesh_error": options.mesh_error,
+    }
+    table = {key: value for key, value in given.items() if value != DEFAULTS.get(key)}
+    places: dict[tuple[str, ...], str] = {("factors", key): "--spread" for key in factors}
+    places |= {("uncertainty", key): f"--{key.replace('_', '-')}" for key in table}
+    return stated_study(options.job, "uncertainty", factors, table, places, options.changes)

@@ -18,8 +18,6 @@ class SurrogateResult:
 
     Parameters
     ----------
-    kind : str
-        ``"gaussian_process"`` or ``"network"``.
     rows : int
         Rows of the study that were used.
     factors : list of tables
@@ -33,7 +31,6 @@ class SurrogateResult:
         Files that were written.
     """
 
-    kind: str
     rows: int
     factors: list[dict[str, Any]]
     measures: list[dict[str, Any]]
@@ -44,7 +41,6 @@ class SurrogateResult:
 def surrogate_result(found: "Surrogate", files: Sequence[Path]) -> SurrogateResult:
     """Make the result of a fit."""
     return SurrogateResult(
-        kind=found.kind,
         rows=found.rows,
         factors=[
             {"name": each.name, "unit": each.unit, "levels": list(each.levels)}
@@ -96,7 +92,7 @@ class PredictionResult:
 
 def prediction_result(said: "Prediction", at: Mapping[str, float | int | str]) -> PredictionResult:
     """Make the result of a prediction."""
-    told = ", ".join(f"{name.replace('_', ' ')} {said.told(name)}" for name in said.values)
+    told = ", ".join(f"{name.replace('_', ' ')} {said.text(name)}" for name in said.values)
     return PredictionResult(
         at=at, values=said.values, deviations=said.deviations, reached=None, sought={}, others=[], sentence=told
     )

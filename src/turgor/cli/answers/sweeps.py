@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from turgor.studies.study.designs import Designs
-    from turgor.studies.study.study import Study
+    from turgor.studies.runs.designs import Designs
+    from turgor.studies.runs.study import Study
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,6 +62,6 @@ def sweep_result(
 
 def designs_result(designs: "Designs") -> SweepResult:
     """Make the result of a sweep that was not computed: its designs."""
-    from turgor.studies.study.designs import design_table
+    from turgor.studies.runs.designs import design_table
 
     return SweepResult(rule=designs.rule, designs=len(designs), columns=design_table(designs.factors, designs.values))

@@ -13,8 +13,8 @@ from turgor.studies.calibration.parameter import Parameter, check_names, values_
 from turgor.studies.calibration.result import Calibration, CalibrationStatus, Fitted, rms
 from turgor.studies.calibration.search import Found, search
 from turgor.studies.calibration.trial import Data, Trial, check_taken, data_of
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.running.run_outcome import Ended
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.run_outcome import Ended
 
 
 def calibrate(

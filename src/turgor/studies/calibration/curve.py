@@ -11,7 +11,7 @@ from scipy.interpolate import PchipInterpolator
 from turgor.accuracy.laboratory.compare import first_branch
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
-from turgor.studies.study.slopes import slope_name
+from turgor.studies.runs.slopes import slope_name
 
 Array = NDArray[np.float64]
 

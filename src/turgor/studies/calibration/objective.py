@@ -10,8 +10,8 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
 from turgor.studies.calibration.parameter import OFFSET, SCALE, Parameter, values_at
 from turgor.studies.calibration.trial import Data
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.running.run_outcome import Ended
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.run_outcome import Ended
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError
-from turgor.studies.study.rounding import rounded
+from turgor.studies.runs.rounding import rounded
 from turgor.units import unit_value
 
 Array = NDArray[np.float64]
@@ -39,7 +39,7 @@ class Parameter:
         Unit in which the value is shown, such as ``"kPa"``.
     step : float [-]
         Step of the finite differences: relative where both bounds are positive, else as a share of the range. A shape
-        that is meshed anew needs a larger one than a material, because the mesh changes with it.
+        that is remeshed needs a larger one than a material, because the mesh changes with it.
 
     Raises
     ------

@@ -60,7 +60,7 @@ class Fitted:
         return f"{Column('y', self.unit, np.array([value])).in_unit[0]:.3g} {self.unit}".rstrip()
 
     def to_response(self) -> Response:
-        """Return the measured rows, corrected for the rig, beside the curves before and after."""
+        """Return the measured rows, corrected for the rig, with the curves before and after."""
         data = self.data
         drive, value = data.corrected(self.rig)
         x, y = self.fitted.find(data.x), self.fitted.find(data.y)

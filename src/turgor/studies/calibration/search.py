@@ -84,7 +84,7 @@ def search(objective: Objective, start: Array, most: int) -> Found:
     at, residuals = start, objective.residuals(start)
     jacobian = objective.jacobian(at)
     for _ in range(MOST_ROUNDS):
-        if _no_step_left(objective, at, residuals, jacobian):
+        if no_step_left(objective, at, residuals, jacobian):
             return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
         to = _one_round(objective, at, jacobian, most)
         if to is None:
@@ -97,7 +97,7 @@ def search(objective: Objective, start: Array, most: int) -> Found:
             return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
         if len(objective.evaluations.ended) >= most:
             break
-    done = _no_step_left(objective, at, residuals, jacobian)
+    done = no_step_left(objective, at, residuals, jacobian)
     return Found(at=at, residuals=residuals, jacobian=jacobian, converged=done)
 
 
@@ -152,7 +152,7 @@ class _Following:
         exact = self.objective.known_jacobian(to)
         known = known_columns(exact)
         here = self.objective.residuals(to)
-        if known.all() and _no_step_left(self.objective, to, here, exact):
+        if known.all() and no_step_left(self.objective, to, here, exact):
             raise _IdleError
         mean = (exact[:, known] + self.jacobian[:, known]) / 2
         missed = here - self.objective.residuals(self.at) - mean @ step[known]
@@ -165,8 +165,21 @@ class _Following:
         return self.jacobian
 
 
-def _no_step_left(objective: Objective, at: Array, residuals: Array, jacobian: Array) -> bool:
-    """Whether the best step of the linear problem within the bounds gains next to nothing."""
+def no_step_left(objective: Objective, at: Array, residuals: Array, jacobian: Array) -> bool:
+    """Return whether the best step of the linear problem within the bounds gains next to nothing.
+
+    Parameters
+    ----------
+    objective : Objective
+    at : (n,) array
+        Coordinates.
+    residuals : (m,) array
+    jacobian : (m, n) array
+
+    Returns
+    -------
+    bool
+    """
     step = _linear_step(objective, at, residuals, jacobian)
     gain = _cost(residuals) - _cost(residuals + jacobian @ step)
     return bool(gain < _least_gain(objective, residuals) or np.abs(step).max() < SMALLEST_STEP)

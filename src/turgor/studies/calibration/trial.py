@@ -15,7 +15,7 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
 from turgor.studies.calibration.curve import PathCurve
 from turgor.studies.calibration.parameter import OFFSET, SCALE, Parameter
-from turgor.studies.study.runs import Computed, Run
+from turgor.studies.runs.run import Computed, Run
 
 Array = NDArray[np.float64]
 

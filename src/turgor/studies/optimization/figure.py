@@ -64,7 +64,7 @@ def ends_of(found: Optimization) -> tuple[int, int]:
 
 
 def before_and_after(found: Optimization, states: Sequence[State] = ()) -> PlotFigure | None:
-    """Draw the start and the best design beside each other, with their values.
+    """Draw the start and the best design side by side, with their values.
 
     Parameters
     ----------
@@ -91,14 +91,14 @@ def before_and_after(found: Optimization, states: Sequence[State] = ()) -> PlotF
     titles = []
     for name, number, row in rows:
         reached = "; ".join(f"{each.name} {each.short}" for each in found.reads(number))
-        text = f"{name}: {found.study.told(row.values)}\n{reached}"
+        text = f"{name}: {found.study.values_text(row.values)}\n{reached}"
         titles.append("\n".join(fill(line, TITLE_LETTERS) for line in text.splitlines()))
     return pictures_beside(list(zip(titles, pictures, strict=True)), (11.0, 4.4))
 
 
 def _history(axes: Any, found: Optimization, goal: Goal) -> None:
     """Draw what one goal reads from each run, with what was wanted and the best design."""
-    reads = [goal.told(row) for row in found.study.rows]
+    reads = [goal.reading(row) for row in found.study.rows]
     shown = reads[found.best or 0]
     values, numbers = _in_unit(reads, shown.unit), np.arange(1, len(reads) + 1)
     kept = np.array([each.kept for each in found.scores])
@@ -123,7 +123,7 @@ def _history(axes: Any, found: Optimization, goal: Goal) -> None:
 def _front_figure(found: Optimization, objectives: list[Minimize]) -> PlotFigure:
     figure = PlotFigure(figsize=(6.4, 4.6))
     axes = figure.subplots()
-    reads = [[goal.told(row) for row in found.study.rows] for goal in objectives]
+    reads = [[goal.reading(row) for row in found.study.rows] for goal in objectives]
     units = [each[found.best or 0].unit for each in reads]
     x, y = (_in_unit(each, unit) for each, unit in zip(reads, units, strict=True))
     front = list(found.pareto)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import TurgorError
 from turgor.studies.optimization.row_values import At, Measure, Read, read, shown_of, unit_of, words_of
 from turgor.studies.optimization.slopes import slopes_of
-from turgor.studies.study.study import Row
+from turgor.studies.runs.study import Row
 from turgor.units import mm
 
 Array = NDArray[np.float64]
@@ -83,7 +83,7 @@ class Target:
         """Return what differences are divided by and what is subtracted: they are met where their length is below 1."""
         return np.array([_size(self.scale) * self.tolerance]), np.array([self.value])
 
-    def told(self, row: Row) -> Read:
+    def reading(self, row: Row) -> Read:
         """Return the value in words."""
         asked = f"wanted {shown_of(self.value, self.shown_unit(row))}"
         return Read.of(row, self.measure, self.at, self.shown_unit(row), asked)
@@ -155,7 +155,7 @@ class Limit:
         kept = [(sign, end) for sign, end in ends if end is not None]
         return np.array([sign for sign, _ in kept]), np.array([end for _, end in kept])
 
-    def told(self, row: Row) -> Read:
+    def reading(self, row: Row) -> Read:
         """Return the value in words."""
         unit = self.unit or unit_of(row, self.measure)
         asked = [f"most {shown_of(self.most, unit)}"] if self.most is not None else []
@@ -165,7 +165,7 @@ class Limit:
 
 @dataclass(frozen=True, slots=True)
 class Minimize:
-    """A measure that is to be as small as possible, under the targets and limits beside it.
+    """A measure that is to be as small as possible, under the targets and limits.
 
     Parameters
     ----------
@@ -207,7 +207,7 @@ class Minimize:
         """Return the signed divisor, and 0."""
         return np.array([self.sign * _size(self.scale)]), np.zeros(1)
 
-    def told(self, row: Row) -> Read:
+    def reading(self, row: Row) -> Read:
         """Return the value in words."""
         asked = "as small as possible" if self.sign > 0 else "as large as possible"
         return Read.of(row, self.measure, self.at, self.unit or unit_of(row, self.measure), asked)
@@ -303,7 +303,7 @@ class TipPath:
         apart = self.read(row).reshape(self.wanted.shape) - self.wanted
         return float(np.sqrt(np.mean(np.sum(apart**2, axis=1))))
 
-    def told(self, row: Row) -> Read:
+    def reading(self, row: Row) -> Read:
         """Return the distance in words."""
         asked = f"within {shown_of(self.tolerance, 'mm')}"
         return Read(name="distance from the path", value=self.distance(row), unit="mm", asked=asked)

@@ -10,7 +10,7 @@ from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
 from turgor.core.geometry.rules import in_mm
 from turgor.foundation.errors import TurgorError
 from turgor.studies.optimization.rules import Margin, Rule
-from turgor.studies.study.factor import Value
+from turgor.studies.runs.factor import Value
 from turgor.units import deg, mm
 
 Make = Callable[[Mapping[str, Value]], Any]

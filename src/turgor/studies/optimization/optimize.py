@@ -10,7 +10,7 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
 from turgor.foundation.source import Source
 from turgor.studies.optimization.goals import MET, Goal, Minimize, with_scales
-from turgor.studies.optimization.outcome_text import told_ending
+from turgor.studies.optimization.outcome_text import ending_text
 from turgor.studies.optimization.problem import Candidate, Problem, check_factors
 from turgor.studies.optimization.result import Optimization
 from turgor.studies.optimization.rules import Rule
@@ -18,11 +18,11 @@ from turgor.studies.optimization.search import Search
 from turgor.studies.optimization.searches.pareto import best_of_front, evolution, front_of, pareto_search
 from turgor.studies.optimization.searches.starts import Descent, best_of, descents_of
 from turgor.studies.optimization.searches.trust_region import trust_region
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Factor, Value
-from turgor.studies.study.runs import Computed
-from turgor.studies.study.study import Study
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Factor, Value
+from turgor.studies.runs.run import Computed
+from turgor.studies.runs.study import Study
 
 Function = Callable[..., Response | Computed]
 
@@ -114,7 +114,7 @@ def _problem(
 
 
 def _result(problem: Problem, descents: tuple[Descent, ...], search: Search) -> Optimization:
-    """Gather what was found; it ended as the search from the start did that led to the best design."""
+    """Gather what was found; the status is that of the search that reached the best design."""
     front = front_of(problem) if len(problem.objectives) > 1 else []
     best = best_of_front(problem, front) if front else best_of(problem)
     led = [each for each in descents if each.best is not None and problem.candidates[each.best] is best]
@@ -124,7 +124,7 @@ def _result(problem: Problem, descents: tuple[Descent, ...], search: Search) -> 
     rows = [each.row for each in problem.candidates]
     names = ", ".join(each.name for each in problem.factors)
     study = Study(factors=problem.factors, rows=tuple(rows), source=Source(text=f"optimization of {names}"))
-    message, advice = told_ending(problem, ending, best, search)
+    message, advice = ending_text(problem, ending, best, search)
     places = {id(each.row): number for number, each in enumerate(problem.candidates)}
     return Optimization(
         study=study, goals=problem.goals, scores=tuple(each.score for each in problem.candidates), start=0,

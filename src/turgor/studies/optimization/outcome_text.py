@@ -5,7 +5,7 @@ from turgor.studies.optimization.problem import Candidate, Problem
 from turgor.studies.optimization.search import Ending, Search
 
 
-def told_ending(problem: Problem, ending: Ending, best: Candidate | None, search: Search) -> tuple[str, str]:
+def ending_text(problem: Problem, ending: Ending, best: Candidate | None, search: Search) -> tuple[str, str]:
     """Return a sentence on how the search ended, and advice."""
     runs = f"{len(problem.candidates)} runs"
     failed = [each for each in problem.candidates if not each.known]
@@ -43,7 +43,7 @@ def missed_goals(problem: Problem, candidate: Candidate) -> list[str]:
         scaled = (part - wanted) / divisor
         size = float(scaled.max()) if isinstance(goal, Limit) else float((scaled @ scaled) ** 0.5)
         if size > 1.0:
-            told.append(str(goal.told(candidate.row)))
+            told.append(str(goal.reading(candidate.row)))
     return told
 
 

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import TurgorError
 from turgor.studies.optimization.goals import MET, Goal, Limit, Minimize
 from turgor.studies.optimization.rules import Rule
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Factor, Value
-from turgor.studies.study.rounding import rounded
-from turgor.studies.study.runs import Run
-from turgor.studies.study.study import Row, told
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Factor, Value
+from turgor.studies.runs.rounding import rounded
+from turgor.studies.runs.run import Run
+from turgor.studies.runs.study import Row, values_text
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -43,7 +43,7 @@ class Score:
 
     @property
     def kept(self) -> bool:
-        """Whether all limits are kept, and targets beside an objective are met."""
+        """Whether all limits hold, and targets besides an objective are met."""
         return self.known and self.violation <= 1.0
 
 
@@ -82,7 +82,7 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Problem:
-    """What is varied, what is wanted, and the candidates so far.
+    """What is varied, the goals, and the candidates that were computed.
 
     Parameters
     ----------
@@ -165,7 +165,7 @@ class Problem:
         runs: dict[str, tuple[Run, Array, dict[str, Value]]] = {}
         for point in points:
             values = self.values(point)
-            run = self.computation.run(values, nominal=nominal, name=told(self.factors, values))
+            run = self.computation.run(values, nominal=nominal, name=values_text(self.factors, values))
             runs.setdefault(run.key, (run, point, values))
         fresh = [entry for key, entry in runs.items() if key not in before][: max(self.left, 0)]
         ended = self.evaluations.of([run for run, _, _ in fresh])

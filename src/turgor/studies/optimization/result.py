@@ -9,8 +9,8 @@ from turgor.studies.optimization.problem import Score
 from turgor.studies.optimization.row_values import Read
 from turgor.studies.optimization.search import Ending
 from turgor.studies.optimization.searches.starts import Descent
-from turgor.studies.study.factor import Value
-from turgor.studies.study.study import Row, Study
+from turgor.studies.runs.factor import Value
+from turgor.studies.runs.study import Row, Study
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -38,7 +38,7 @@ class Optimization:
     advice : str
         What to do; empty where nothing is to be done.
     descents : tuple of Descent
-        Where the search from each start led, the first one from ``start``.
+        Where the search from each start ended, the first one from ``start``.
     notes : tuple of str
         What the runs say of themselves, such as why they have no slopes: those of the first one that says something.
     """
@@ -78,7 +78,7 @@ class Optimization:
     def reads(self, row: int | None = None) -> tuple[Read, ...]:
         """Return what each goal reads from a row; by default from the best design."""
         number = self.best if row is None else row
-        return () if number is None else tuple(each.told(self.study.rows[number]) for each in self.goals)
+        return () if number is None else tuple(each.reading(self.study.rows[number]) for each in self.goals)
 
     def objectives(self) -> np.ndarray:
         """Return the objectives of the rows [SI], (rows, objectives), as they are told; NaN where a run failed."""
@@ -95,7 +95,7 @@ class Optimization:
             before, after = each.shown(start.values[each.name]), each.shown(best.values[each.name])
             lines.append(f"{each.name}: {before} → {after}{_at_end(each.bounds, best.values[each.name])}")
         for goal in self.goals:
-            before_read, after_read = goal.told(start), goal.told(best)
+            before_read, after_read = goal.reading(start), goal.reading(best)
             if before_read.name == after_read.name and np.isfinite(before_read.value):
                 lines.append(f"{after_read}, at the start {before_read.short}")
             else:
@@ -103,17 +103,17 @@ class Optimization:
         return "\n".join([*lines, *self.descent_lines(), *self.front_lines(), *self.notes])
 
     def descent_lines(self) -> list[str]:
-        """Return where each start led as lines of text; none for one start."""
+        """Return where the search from each start ended as lines of text; none for one start."""
         if len(self.descents) < 2:
             return []
         lines = [f"{len(self.descents)} starts; the best design of each:"]
         for each in self.descents:
-            begun = self.study.told(self.study.rows[each.start].values)
+            begun = self.study.values_text(self.study.rows[each.start].values)
             if each.best is None:
                 lines.append(f"  from {begun}: no run gave all values")
                 continue
             values = "; ".join(f"{read.name} {read.short}" for read in self.reads(each.best))
-            led = self.study.told(self.study.rows[each.best].values)
+            led = self.study.values_text(self.study.rows[each.best].values)
             lines.append(f"  from {begun}: {led}: {values} ({each.ending.value.replace('_', ' ')})")
         return lines
 
@@ -124,7 +124,7 @@ class Optimization:
         lines = [f"{len(self.pareto)} designs that no other one beats in all objectives:"]
         for number in self.pareto:
             values = "; ".join(f"{each.name} {each.short}" for each in self.reads(number))
-            lines.append(f"  {self.study.told(self.study.rows[number].values)}: {values}")
+            lines.append(f"  {self.study.values_text(self.study.rows[number].values)}: {values}")
         return lines
 
 

@@ -8,8 +8,8 @@ from typing import TypeAlias
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import COLUMN_UNITS, MESH_ERROR, Response, unit_text
 from turgor.foundation.source import Source
-from turgor.studies.study.factor import Factor
-from turgor.studies.study.study import Row, Study
+from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.study import Row, Study
 from turgor.units import unit_value
 
 Measure: TypeAlias = str | Callable[[Response], float]

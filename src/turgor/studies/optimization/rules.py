@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from turgor.foundation.errors import TurgorError
-from turgor.studies.study.factor import Value
+from turgor.studies.runs.factor import Value
 
 #: What a margin may be below zero: values are rounded to nine digits.
 ROUNDING = 1e-9

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from turgor.foundation.response import Response
 from turgor.studies.optimization.row_values import At, Measure, read
-from turgor.studies.study.slopes import slope_name
-from turgor.studies.study.study import Row, place_on
+from turgor.studies.runs.slopes import slope_name
+from turgor.studies.runs.study import Row, place_on
 
 Array = NDArray[np.float64]
 

@@ -11,9 +11,9 @@ from scipy.stats import chi2, f
 
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column
-from turgor.studies.study.factor import Factor, Value
-from turgor.studies.study.rounding import percent
-from turgor.studies.study.study import Study
+from turgor.studies.runs.factor import Factor, Value
+from turgor.studies.runs.rounding import percent
+from turgor.studies.runs.study import Study
 
 Array = NDArray[np.float64]
 
@@ -159,7 +159,7 @@ def anova(study: Study, measure: str, *, at: tuple[str, float] | None = None, in
     --------
     >>> from turgor.foundation.response import Response
     >>> from turgor.foundation.source import Source
-    >>> from turgor.studies.study.sweep import sweep
+    >>> from turgor.studies.runs.sweep import sweep
     >>> def angle(wall, gap):
     ...     return Response(columns=(Column("angle", "", [10 - 2 * wall - gap]),), source=Source(text="a formula"))
     >>> found = anova(sweep(angle, wall=[1.0, 2.0], gap=[1.0, 2.0]), "angle")

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from turgor.studies.runs.rounding import percent
 from turgor.studies.sensitivity.anova import Anova
 from turgor.studies.sensitivity.indices import Indices
-from turgor.studies.study.rounding import percent
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import COLORS
 from turgor.views.plots.styling import INK, QUIET, style_axes
@@ -53,7 +53,7 @@ def indices_figure(found: Sequence[Indices]) -> PlotFigure:
 
 
 def anova_figure(found: Sequence[tuple[str, Anova]]) -> PlotFigure:
-    """Draw the shares of main effects and pairs, with bars for each analysis beside each other.
+    """Draw the shares of main effects and pairs, with the bars of the analyses side by side.
 
     Parameters
     ----------

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column
+from turgor.studies.runs.factor import Value
+from turgor.studies.runs.optional_parts import needed
+from turgor.studies.runs.rounding import percent
 from turgor.studies.sensitivity.predictors import Asked, Problem, problem_of
-from turgor.studies.study.factor import Value
-from turgor.studies.study.optional_parts import needed
-from turgor.studies.study.rounding import percent
 from turgor.studies.uncertainty.spread import Spread
 
 Array = NDArray[np.float64]
@@ -178,7 +178,7 @@ def sobol_indices(
     >>> from turgor.foundation.response import Response
     >>> from turgor.studies.sensitivity.predictors import Direct
     >>> from turgor.foundation.source import Source
-    >>> from turgor.studies.study.factor import Factor
+    >>> from turgor.studies.runs.factor import Factor
     >>> def angle(wall, gap):
     ...     return Response(columns=(Column("angle", "", [10 - 2 * wall - gap]),), source=Source(text="a formula"))
     >>> factors = Factor(name="wall", low=1.0, high=2.0), Factor(name="gap", low=1.0, high=2.0)

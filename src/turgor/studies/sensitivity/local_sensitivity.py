@@ -8,11 +8,11 @@ import numpy as np
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Factor
-from turgor.studies.study.runs import Computed
-from turgor.studies.study.study import Row, Study
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.run import Computed
+from turgor.studies.runs.study import Row, Study
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -217,5 +217,5 @@ def _check(study: Study, values: np.ndarray) -> None:
         if not np.isfinite(value):
             why = row.problem or "its path does not reach the value that was asked for."
             raise TurgorError(
-                f"the run with {study.told(row.values)} gives no value: {why} Smaller tolerances may help."
+                f"the run with {study.values_text(row.values)} gives no value: {why} Smaller tolerances may help."
             )

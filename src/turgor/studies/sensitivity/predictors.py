@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
 from turgor.foundation.source import Source
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Factor, Value
-from turgor.studies.study.runs import Computed
-from turgor.studies.study.study import Row, Study
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Factor, Value
+from turgor.studies.runs.run import Computed
+from turgor.studies.runs.study import Row, Study
 from turgor.studies.uncertainty.spread import Spread
 
 Array = NDArray[np.float64]
@@ -102,7 +102,8 @@ class Direct:
             row = study.rows[int(bad[0])]
             why = row.problem or "its path does not reach the value that was asked for."
             raise TurgorError(
-                f"{len(bad)} of {len(found)} runs give no value, such as that with {study.told(row.values)}: {why} "
+                f"{len(bad)} of {len(found)} runs give no value, such as that with {study.values_text(row.values)}: "
+                f"{why} "
                 "Narrow the ranges, or fit a surrogate to the runs that end."
             )
         return found

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError
-from turgor.studies.study.factor import Factor
+from turgor.studies.runs.factor import Factor
 
 Array = NDArray[np.float64]
 

@@ -1,45 +1,28 @@
 """surrogate: fit a fast function to a study."""
 
-from collections.abc import Mapping, Sequence
-from types import MappingProxyType
-from typing import Any
+from collections.abc import Sequence
 
 from threadpoolctl import threadpool_limits
 
-from turgor.foundation.errors import unknown
-from turgor.studies.study.study import Study
+from turgor.studies.runs.study import Study
 from turgor.studies.surrogates.fit_gaussian_process import GaussianProcessTrainer
-from turgor.studies.surrogates.fit_network import NetworkTrainer
 from turgor.studies.surrogates.held_out import held_out
 from turgor.studies.surrogates.surrogate import Surrogate
-from turgor.studies.surrogates.trained_models import Trainer
 from turgor.studies.surrogates.training import training
-
-#: Trainers by the kind of surrogate.
-TRAINERS: Mapping[str, Trainer[Any]] = MappingProxyType(
-    {"gaussian_process": GaussianProcessTrainer(), "network": NetworkTrainer()}
-)
-
-#: Kind that is chosen by the number of points.
-AUTO = "auto"
-
-#: Points from which a network is chosen: a Gaussian process takes time with their cube.
-MANY = 600
 
 
 def surrogate(
     study: Study,
     measures: Sequence[str] | None = None,
     *,
-    kind: str = AUTO,
     at: tuple[str, float] | None = None,
     along: str = "",
 ) -> Surrogate:
     """Fit a surrogate to a study: a function of its factors that takes less than a millisecond.
 
-    Each part of the rows is predicted from the others (cross-validation in at most ten parts). The errors are told, and
-    the standard deviations scaled until intervals hold what they should. Mesh errors of the study count as standard
-    deviations of its values. Failed rows are left out and counted.
+    It is a Gaussian process for each measure. Each part of the rows is predicted from the others (cross-validation in
+    at most ten parts). The errors are reported, and the standard deviations scaled until intervals hold what they
+    should. Mesh errors of the study count as standard deviations of its values. Failed rows are left out and counted.
 
     Parameters
     ----------
@@ -47,8 +30,6 @@ def surrogate(
         Its factors are numbers, or choices of up to ten; those that do not vary are left out.
     measures : sequence of str, optional
         By default all but the drive.
-    kind : str
-        ``"gaussian_process"``, ``"network"`` (for many points), or ``"auto"``: a network from 600 points on.
     at : (str, float), optional
         Column and value [SI] at which measures are read, such as ``("pressure", 50e3)``; by default the last state.
     along : str
@@ -68,7 +49,7 @@ def surrogate(
     >>> import numpy as np
     >>> from turgor.foundation.source import Source
     >>> from turgor.foundation.response import Column, Response
-    >>> from turgor.studies.study.sweep import sweep
+    >>> from turgor.studies.runs.sweep import sweep
     >>> def bent(wall):
     ...     columns = Column("pressure", "kPa", [0, 2e4]), Column("angle", "deg", [0, 2e-3 / wall])
     ...     return Response(columns=columns, source=Source(text="a formula"))
@@ -79,11 +60,8 @@ def surrogate(
     Traceback (most recent call last):
     turgor.TurgorError: wall is 0.0009; the surrogate knows 0.001 to 0.002. ...
     """
-    if kind not in (AUTO, *TRAINERS):
-        raise unknown("kind of surrogate", kind, (AUTO, *TRAINERS))
     given = training(study, measures, at=at, along=along)
-    chosen = kind if kind != AUTO else "network" if len(given.inputs) >= MANY else "gaussian_process"
-    trainer = TRAINERS[chosen]
+    trainer = GaussianProcessTrainer()
     with threadpool_limits(1):  # small matrices: further threads cost more than they bring
         model = trainer.fit(given.shares, given.targets, given.noise)
         errors = held_out(trainer, model, given.shares, given.outputs, given.noise, given.row)
@@ -91,7 +69,6 @@ def surrogate(
         factors=given.factors,
         held_out=errors,
         model=model,
-        kind=chosen,
         along=along,
         rows=len(set(given.row.tolist())),
         notes=given.notes,

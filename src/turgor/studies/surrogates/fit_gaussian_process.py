@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.studies.study.optional_parts import needed
+from turgor.studies.runs.optional_parts import needed
 from turgor.studies.surrogates.gaussian_process import GaussianProcess, conditioned, scaling
 
 Array = NDArray[np.float64]
@@ -17,6 +17,9 @@ AMPLITUDE, LENGTHS, SCATTER = (1e-2, 1e3), (0.03, 100.0), (1e-10, 1.0)
 
 #: Starts of the search for a kernel.
 STARTS = 3
+
+#: Points from which a kernel is searched at most; its time grows with their cube. All points condition the process.
+MOST_SEARCHED = 400
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -38,7 +41,13 @@ class GaussianProcessTrainer:
         """Fit to inputs, (n, k) as shares, and targets and noise, (n, m) [SI]."""
         center, scale = scaling(targets)
         scaled, deviation = (targets - center) / scale, noise / scale
-        found = [_best(self._candidates(n, inputs, scaled[:, n], deviation[:, n])) for n in range(targets.shape[1])]
+        some = np.arange(len(inputs))
+        if len(inputs) > MOST_SEARCHED:
+            some = np.random.default_rng(0).choice(some, MOST_SEARCHED, replace=False)
+        found = [
+            _best(self._candidates(n, inputs[some], scaled[some, n], deviation[some, n]))
+            for n in range(targets.shape[1])
+        ]
         return conditioned(
             inputs,
             targets,

@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.response import Column
-from turgor.studies.surrogates.trained_models import Fitted, Trainer
+from turgor.studies.surrogates.fit_gaussian_process import GaussianProcessTrainer
+from turgor.studies.surrogates.gaussian_process import GaussianProcess
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
@@ -112,8 +113,8 @@ def parts_of(row: Whole, most: int) -> Whole:
 
 
 def held_out(
-    trainer: Trainer[Fitted],
-    fitted: Fitted,
+    trainer: GaussianProcessTrainer,
+    fitted: GaussianProcess,
     inputs: Array,
     outputs: Sequence[Column],
     noise: Array,
@@ -123,8 +124,8 @@ def held_out(
 
     Parameters
     ----------
-    trainer : Trainer
-    fitted : Model
+    trainer : GaussianProcessTrainer
+    fitted : GaussianProcess
         Fit to all rows, from which those to the parts start.
     inputs : (n, k) array
         As shares of their ranges.

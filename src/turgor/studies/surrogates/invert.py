@@ -12,8 +12,8 @@ from scipy.stats import qmc
 
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column
-from turgor.studies.study.factor import Value
-from turgor.studies.study.study import told
+from turgor.studies.runs.factor import Value
+from turgor.studies.runs.study import values_text
 from turgor.studies.surrogates.surrogate import Prediction, Surrogate
 
 Array = NDArray[np.float64]
@@ -37,7 +37,7 @@ class Inverse:
     values : mapping of str to float or str [SI]
         Every factor, those that were held too.
     deviations : mapping of str to float [SI]
-        Standard deviation of the numbers that were sought, from that of the surrogate; infinite where the outputs do
+        Standard deviation of the unknown numbers, from that of the surrogate; infinite where the outputs do
         not depend on one.
     wanted : mapping of str to float [SI]
     prediction : Prediction
@@ -60,7 +60,7 @@ class Inverse:
 
     def sentence(self) -> str:
         """Return the answer in a sentence; where nothing gives what was wanted, how close it gets."""
-        given = ", ".join(f"{self._words(name)} {self.prediction.told(name)}" for name in self.wanted)
+        given = ", ".join(f"{self._words(name)} {self.prediction.text(name)}" for name in self.wanted)
         more = f" {len(self.others)} other solutions lie in the range." if self.others else ""
         if self.reached:
             return f"{self.shown} give {given}.{more}"
@@ -90,7 +90,7 @@ def invert(
     """Find inputs within the range that give wanted outputs: from shape to pressures.
 
     The distance of all outputs, each over its range, is minimized from several starts (bounded least squares with the
-    exact slopes of the surrogate). Where more inputs are sought than outputs are wanted, many inputs give the same;
+    exact slopes of the surrogate). If there are more unknown inputs than wanted outputs, many inputs give the same;
     then those nearest to the preferred ones are returned, each difference over the range of its factor. Of choices, all
     combinations are searched; another choice than the preferred one counts as far as a whole range.
 
@@ -129,7 +129,7 @@ def invert(
         prediction=surrogate.predict(values),
         reached=reached,
         others=tuple(each.values(other) for each, other in _others(nearest)) if reached else (),
-        shown=told(surrogate.factors, values),
+        shown=values_text(surrogate.factors, values),
     )
 
 
@@ -161,7 +161,7 @@ class _Search:
     point : (w,) array
         Inputs of the model; those of free numbers are replaced.
     free : list of int
-        Places of the numbers that are sought, among the factors.
+        Places of the unknown numbers among the factors.
     preferred : (f,) array
         Shares.
     apart : int

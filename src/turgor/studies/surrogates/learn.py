@@ -8,11 +8,11 @@ from scipy.stats import qmc
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
 from turgor.foundation.source import Source
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.factor import Factor
-from turgor.studies.study.runs import Computed
-from turgor.studies.study.study import Row, Study
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.run import Computed
+from turgor.studies.runs.study import Row, Study
 from turgor.studies.surrogates.coding import Coding, check_levels
 from turgor.studies.surrogates.fit import surrogate
 from turgor.studies.surrogates.next_design import next_design

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.studies.study.factor import Factor, Value
+from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.surrogates.coding import Coding
 from turgor.studies.surrogates.surrogate import Surrogate
 
@@ -145,7 +145,7 @@ class _Candidates:
     def _away(self, chosen: list[int]) -> Array:
         """Factor from 0 at designs that are chosen or avoided to 1 away from them.
 
-        Of a Gaussian process the variance says so too, but networks have few members to tell it.
+        The variance of the process says so too; the factor keeps designs apart where its kernel is long.
         """
         k = self.avoided.shape[1]
         designs = self.points[:: self.each, :k]

@@ -11,10 +11,10 @@ from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.foundation.store.saved_objects import Saved
-from turgor.studies.study.factor import Factor, Value
+from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.surrogates.coding import Coding
+from turgor.studies.surrogates.gaussian_process import GaussianProcess
 from turgor.studies.surrogates.held_out import HeldOut
-from turgor.studies.surrogates.trained_models import Model
 
 Array = NDArray[np.float64]
 
@@ -47,7 +47,7 @@ class Prediction:
             raise unknown("measure of the surrogate", name, self.values)
         return self.values[name]
 
-    def told(self, name: str) -> str:
+    def text(self, name: str) -> str:
         """Return value and standard deviation of a measure as text with its unit."""
         column = Column(name, self.units[name], np.array([self[name], self.deviations[name]]))
         value, deviation = column.in_unit
@@ -66,10 +66,8 @@ class Surrogate(Saved):
         Inputs with their ranges; the drive comes last where it is one.
     held_out : tuple of HeldOut
         Each measure with its error in rows that were held out.
-    model : Model
-        Trained model: inputs as `Coding` makes them, outputs in SI units.
-    kind : str
-        ``"gaussian_process"`` or ``"network"``.
+    model : GaussianProcess
+        Inputs as `Coding` makes them, outputs in SI units.
     along : str
         Name of the drive among the inputs; empty where there is none.
     rows : int
@@ -82,17 +80,16 @@ class Surrogate(Saved):
 
     factors: tuple[Factor, ...]
     held_out: tuple[HeldOut, ...]
-    model: Model
-    kind: str
+    model: GaussianProcess
     along: str
     rows: int
     notes: tuple[str, ...]
     source: Source
 
     def __repr__(self) -> str:
-        asked = ", ".join(f"{each.name} {each.range_told}" for each in self.factors)
+        asked = ", ".join(f"{each.name} {each.range_text}" for each in self.factors)
         told = ", ".join(f"{each.name} ± {100 * each.share:.2g} %" for each in self.held_out)
-        return f"Surrogate({self.kind} of {self.rows} rows: {asked}; {told} of the range)"
+        return f"Surrogate(Gaussian process of {self.rows} rows: {asked}; {told} of the range)"
 
     @property
     def measures(self) -> tuple[str, ...]:
@@ -219,7 +216,7 @@ class Surrogate(Saved):
             columns.append(Column(each.name, each.unit, mean[:, n]))
         for n, each in enumerate(self.held_out):
             columns.append(Column(f"{each.name}_deviation", each.unit, deviation[:, n]))
-        source = Source(text="a surrogate", detail=f"{self.kind} of {self.rows} rows; {self.source}")
+        source = Source(text="a surrogate", detail=f"Gaussian process of {self.rows} rows; {self.source}")
         return Response(columns=tuple(columns), source=source, status="converged", findings=findings)
 
     def point(self, values: Mapping[str, Value], names: list[str] | None = None) -> Array:
@@ -278,7 +275,7 @@ class Surrogate(Saved):
         row, n = np.unravel_index(np.argmax(off), off.shape)
         factor = self.factors[n]
         value = float(points[row, n])
-        told = f"{factor.name} is {factor.shown(value)}; the surrogate knows {factor.range_told}"
+        told = f"{factor.name} is {factor.shown(value)}; the surrogate knows {factor.range_text}"
         if not extrapolate:
             raise TurgorError(f"{told}. Compute more rows there, or ask with extrapolate=True at your own risk.")
         message = f"{told}: {100 * off[row, n]:.3g} % of the range beyond."

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import COLUMN_UNITS, Column, Response
-from turgor.studies.study.factor import Factor
-from turgor.studies.study.study import Row, Study
+from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.study import Row, Study
 from turgor.studies.surrogates.coding import Coding, check_levels
 
 Array = NDArray[np.float64]
@@ -109,7 +109,7 @@ def training(
     found, problems = [], []
     for number, row in enumerate(study.rows):
         lines = _read(row, names, along or drive, grid)
-        problems += [] if len(lines) else [study.told(row.values)]
+        problems += [] if len(lines) else [study.values_text(row.values)]
         found += [(number, *line) for line in lines]
     rows = np.array([line[0] for line in found], dtype=np.int64)
     used = len(set(rows.tolist()))

@@ -1,1 +1,1 @@
-"""Uncertainty: the spread of materials, dimensions and pressures carried to the response."""
+"""Uncertainty: the spread of materials, dimensions and pressures propagated to the response."""

@@ -71,7 +71,7 @@ class Band:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Uncertainty:
-    """The spread of inputs carried to a response.
+    """The spread of inputs propagated to a response.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Records of the rubbers of a job as alternatives."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from turgor.core.materials.library.record_files import all_records
@@ -12,51 +12,47 @@ from turgor.studies.uncertainty.cases import library_alternatives
 from turgor.studies.uncertainty.spread import Alternatives, Input
 
 
-def read_records(
-    texts: Iterable[str], job: Job, others: Sequence[Input], *, leave_out_doubtful: bool = False
-) -> list[Input]:
-    """Add the records of the rubbers of a job to other inputs, for keys such as ``"materials.body"``.
+def read_records(keys: str, label: str, job: Job, *, leave_out_doubtful: bool = False) -> Alternatives:
+    """Return the records of the rubber of a job as alternatives, for keys such as ``"materials.body"``.
 
     Parameters
     ----------
-    texts : iterable of str
-        Keys of materials, with commas between those that have one record; then ``as LABEL``. The record of the job
-        is the nominal one.
+    keys : str
+        Keys of materials, with commas between those that have one record. The record of the job is the nominal one.
+    label : str
+        Name in sentences and pictures.
     job : Job
-    others : sequence of Spread or Alternatives
-        Other inputs, which must not vary a constant of these materials.
     leave_out_doubtful : bool
-        Whether records with a doubt are left out.
+        Whether records with a caveat are left out.
 
     Returns
     -------
-    list of Spread or Alternatives
+    Alternatives
 
     Raises
     ------
     TurgorError
-        If a key is unknown, its material is not from the library, its rubber has one record only, or a constant has a
-        spread too.
+        If a key is unknown, its material is not from the library, or its rubber has one record only.
     """
-    found: list[Input] = [*others]
-    for text in texts:
-        keys, _, label = (part.strip() for part in text.partition(" as "))
-        names = [each.strip() for each in keys.split(",")]
-        rubbers = {_record_of(name, job) for name in names}
-        if len(rubbers) > 1:
-            raise TurgorError(f"--records is '{keys}': the materials have different records; name one key each.")
-        library, record = rubbers.pop()
-        found_here = library_alternatives(
-            ",".join(names), library, nominal=record, leave_out_doubtful=leave_out_doubtful, label=label
-        )
-        sets = tuple({name: f"{library}/{value}" for name, value in each.items()} for each in found_here.sets)
-        found.append(replace(found_here, sets=sets))
-    _check(found)
-    return found
+    names = [each.strip() for each in keys.split(",")]
+    rubbers = {_record_of(name, job) for name in names}
+    if len(rubbers) > 1:
+        raise TurgorError(f"the materials '{keys}' have different records; name one key each.")
+    library, record = rubbers.pop()
+    found = library_alternatives(
+        ",".join(names), library, nominal=record, leave_out_doubtful=leave_out_doubtful, label=label
+    )
+    sets = tuple({name: f"{library}/{value}" for name, value in each.items()} for each in found.sets)
+    return replace(found, sets=sets)
 
 
-def _check(inputs: Sequence[Input]) -> None:
-    """Raise an error if a constant of a material has a spread beside the records of this material."""
+def check_records(inputs: Sequence[Input]) -> None:
+    """Raise an error if a constant of a material has a spread besides the records of this material.
+
+    Parameters
+    ----------
+    inputs : sequence of Spread or Alternatives
+    """
     names = [name for each in inputs for name in (each.sets[0] if isinstance(each, Alternatives) else (each.name,))]
     single = [key for name in names for key in name.split(",")]
     wholes = [key for each in inputs if isinstance(each, Alternatives) and each.names
@@ -64,7 +60,7 @@ def _check(inputs: Sequence[Input]) -> None:
     for key in single:
         for whole in wholes:
             if key.startswith(f"{whole}.") or single.count(whole) > 1:
-                raise TurgorError(f"'{key}' has two spreads, its own and --records {whole}; give it one.")
+                raise TurgorError(f"'{key}' has two spreads, its own and that of the records of {whole}; give it one.")
 
 
 def _record_of(key: str, job: Job) -> tuple[str, str]:
@@ -82,6 +78,6 @@ def _record_of(key: str, job: Job) -> tuple[str, str]:
         if same.law == material.law and same.source == material.source:
             return record.library, record.name
     raise TurgorError(
-        f"--records {key}: '{material.name}' is no record of the library. Write it in the job as "
-        f'{key.split(".")[-1]} = {{ library = "...", record = "..." }}, or give constants of your own with --sets.'
+        f"{key}: '{material.name}' is no record of the library. Write it in the job as "
+        f'{key.split(".")[-1]} = {{ library = "...", record = "..." }}, or give sets of constants.'
     )

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from turgor.accuracy.laboratory.compare import first_branch
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column, Response
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.running.run_outcome import Ended
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.run_outcome import Ended
 from turgor.studies.uncertainty.spread import Alternatives, Input, Spread, check_inputs, nominal_values
 from turgor.studies.uncertainty.surface import Point, check_points, design
 
@@ -89,7 +89,7 @@ class Plan:
 
     @property
     def count(self) -> int:
-        """Number of runs so far."""
+        """Number of runs that were requested."""
         return len(self.evaluations.ended) - self.before
 
     def nominal(self) -> Response:
@@ -194,7 +194,7 @@ class Plan:
         inside = whole[(whole > low + reach) & (whole < high - reach)]
         return np.concatenate([[low], inside, [high]])
 
-    def told(self) -> str:
+    def description(self) -> str:
         """Return what was done, in a sentence."""
         kinds = {
             "linear": "Linear propagation with central differences at one standard deviation",

@@ -1,4 +1,4 @@
-"""propagate: carry the spread of inputs to the response of a function."""
+"""propagate: the spread of inputs propagated to the response of a function."""
 
 from collections.abc import Callable, Sequence
 
@@ -10,10 +10,10 @@ from turgor.core.results.drive import drive_of
 from turgor.foundation.errors import unknown
 from turgor.foundation.response import Column, Response
 from turgor.studies.calibration.curve import PathCurve
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.running.run_outcome import Ended
-from turgor.studies.study.runs import Computed
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.run_outcome import Ended
+from turgor.studies.runs.run import Computed
 from turgor.studies.uncertainty.band import Band, Uncertainty
 from turgor.studies.uncertainty.cases import Case
 from turgor.studies.uncertainty.plan import METHODS, Plan
@@ -36,7 +36,7 @@ def propagate(
     x: str | None = None,
     evaluations: Evaluations | None = None,
 ) -> Uncertainty:
-    """Carry the spread of inputs to the response of a function (propagation of uncertainty).
+    """Propagate the spread of inputs to the response of a function.
 
     Inputs are independent and normal. The linear method takes central differences at one standard deviation, with two
     runs for each input. The quadratic one takes them at √3 standard deviations and keeps the curvature, with as many
@@ -94,7 +94,7 @@ def propagate(
         bands[name], residual[name] = _band(plan, nominal, name, drive, at)
     column = nominal.find(drive)
     return Uncertainty(
-        drive=Column(drive, column.unit, at), bands=bands, method=plan.told(), runs=plan.count,
+        drive=Column(drive, column.unit, at), bands=bands, method=plan.description(), runs=plan.count,
         residual=residual, notes=tuple(plan.notes), cases=_cases(plan, nominal, drive, at, names),
     )  # fmt: skip
 

@@ -18,7 +18,7 @@ from turgor.studies.calibration.calibrate import calibrate
 from turgor.studies.calibration.curve import PathCurve
 from turgor.studies.calibration.parameter import Parameter
 from turgor.studies.calibration.trial import Trial
-from turgor.studies.study.evaluations import Evaluations, kept_in
+from turgor.studies.runs.evaluations import Evaluations, kept_in
 from turgor.units import kPa, mm
 
 C10 = Parameter(name="C10", start=0.2e6, unit="MPa")
@@ -235,7 +235,7 @@ from pathlib import Path
 import calibration_cases as cases
 from turgor.studies.calibration.calibrate import calibrate
 from turgor.studies.calibration.curve import PathCurve
-from turgor.studies.study.evaluations import kept_in
+from turgor.studies.runs.evaluations import kept_in
 from turgor.studies.calibration.parameter import Parameter
 from turgor.studies.calibration.trial import Trial
 

@@ -13,7 +13,8 @@ from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.job.read import read_job
-from turgor.studies.study.job_runs import digest_of, solved_job, write_whole_job
+from turgor.studies.runs.jobs.job_runs import solved_job
+from turgor.studies.runs.jobs.whole_job import digest_of, write_whole_job
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +24,7 @@ def folder(tmp_path_factory):
     (folder / "tube.toml").write_text(JOB, encoding="utf-8")
     start = folder / "true.toml"
     write_whole_job(read_job(folder / "tube.toml"), start)
-    true = solved_job(str(start), digest_of(start), {"materials.body.C10": 0.1e6, "actuator.wall": 2.2e-3})
+    true = solved_job(str(start), digest_of(start), {"materials.body.C10": 0.1e6, "actuator.wall": 2.2e-3}).response
     at = np.linspace(1e3, 19e3, 15)
     for name, unit, noise in (("tip_displacement_x", "mm", 2e-6), ("cavity_volume", "mL", 1e-8)):
         values = np.interp(at, true["pressure"], true[name]) + noise * np.random.default_rng(1).standard_normal(15)
@@ -89,7 +90,7 @@ def test_files_and_sentences(call, folder):
             ["--free", "materials.body.C1"],
             "unknown number of the job 'materials.body.C1'; did you mean 'materials.body.C10'",
         ),
-        (["--free", "materials.body.C10=5"], "--free materials.body.C10: '5' needs a unit"),
+        (["--free", "materials.body.C10=5"], "--free: factors.materials.body.C10: start: '5' needs a unit"),
         (["--free", "materials.body.C10=0.1 MPa:0.2 MPa:0.3 MPa"], "starts at 0.1 MPa; allowed is 0.2 MPa to 0.3 MPa"),
         (["--free", "materials.body.C10:1"], "write KEY, KEY=START, or KEY=START:LOWER:UPPER"),
         (["--free", "mesh.wall_cells"], "'mesh.wall_cells' is a whole number"),
@@ -122,6 +123,16 @@ def test_a_rubber_of_two_regions_is_noticed(folder, monkeypatch, capsys):
     text = text.replace('length = "20 mm"\ncap = "3 mm"\n', "").replace("wall_cells = 1\n", "")
     rubber = 'body = { law = "neo_hooke", C10 = "0.12 MPa" }\nbase = { law = "neo_hooke", C10 = "0.12 MPa" }\n'
     (folder / "finger.toml").write_text(f'{text}[materials]\n{rubber}[loads]\npressure = "1 kPa"\n', encoding="utf-8")
-    call = ["calibrate", "finger.toml", "tip_displacement_x.csv", "--free", "materials.body.C10", "--spread", "3"]
+    call = [
+        "calibrate",
+        "finger.toml",
+        "tip_displacement_x.csv",
+        "--free",
+        "materials.body.C10",
+        "--rig",
+        "presure_offset",
+    ]
     assert main(call) == BAD_INPUT
-    assert "materials.base.C10 has the same value and stays as it is; to free both, write" in capsys.readouterr().err
+    assert (
+        "materials.base.C10 has the same value as materials.body.C10 and is fixed; the key" in capsys.readouterr().err
+    )

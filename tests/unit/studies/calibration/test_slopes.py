@@ -5,21 +5,21 @@ import pytest
 
 import calibration_cases as cases
 import turgor as tg
+from calibration_cases import free_parameters
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.calibration import job_model
 from turgor.studies.calibration.calibrate import calibrate
 from turgor.studies.calibration.curve import PathCurve
-from turgor.studies.calibration.job_files import free_parameters, job_trial
+from turgor.studies.calibration.job_calibration import job_trial
 from turgor.studies.calibration.objective import Objective, rig_parameter
 from turgor.studies.calibration.parameter import Parameter
 from turgor.studies.calibration.trial import Trial, data_of
-from turgor.studies.study.evaluations import Evaluations, kept_in
-from turgor.studies.study.job_runs import solved_job
-from turgor.studies.study.jobs import job_slopes
-from turgor.studies.study.jobs.job_file import job_file
-from turgor.studies.study.slopes import slope_name
+from turgor.studies.runs.evaluations import Evaluations, kept_in
+from turgor.studies.runs.jobs import job_slopes
+from turgor.studies.runs.jobs.job_function import job_function
+from turgor.studies.runs.jobs.job_runs import solved_job
+from turgor.studies.runs.slopes import slope_name
 from turgor.units import kPa, mm
 
 #: Between 1.6 and 1.97 mm the mesh keeps its layers; at others there are no differences to compare with.
@@ -31,12 +31,12 @@ PRIOR = ["actuator.wall=1.85 mm +- 1 %"]
 def base_of(folder, text=cases.JOB):
     folder.mkdir(exist_ok=True)
     (folder / "tube.toml").write_text(text, encoding="utf-8")
-    return job_file(tg.jobs.read_job(folder / "tube.toml"), folder / "results")
+    return job_function(tg.jobs.read_job(folder / "tube.toml"), folder / "results")
 
 
 def curve_of(base, name="tip_displacement_x", noise=2e-6, **more):
     """What a rig would measure of the true tube."""
-    true = solved_job(**base.values, numbers={**TRUE, **more})
+    true = solved_job(**base.values, numbers={**TRUE, **more}).response
     at = np.linspace(1.1 * kPa, 18.9 * kPa, 15)  # not at states, where the second derivative of the curve jumps
     values = np.interp(at, true["pressure"], true[name]) + noise * np.random.default_rng(1).standard_normal(15)
     columns = Column("pressure", "kPa", at), Column(name, "mm", values)
@@ -184,8 +184,10 @@ def test_tetrahedra_have_slopes_by_a_dimension_too(tmp_path):
     base = base_of(
         tmp_path, cases.JOB.replace('"axisymmetric"', '"tetrahedra"').replace('"3 mm"\nwall', '"12 mm"\nwall')
     )
-    found = job_model.calibrated_job(
-        **base.values, numbers={key: TRUE[key] for key in TRUE}, slopes=[["pressure"], ["cavity_volume"]]
+    found = solved_job(
+        **base.values,
+        numbers={key: TRUE[key] for key in TRUE},
+        slopes={"drives": ["pressure"], "columns": ["cavity_volume"]},
     )
     assert found.notes == ()
     slopes = {name for name in found.response.names if "_slope_" in name}
@@ -197,7 +199,7 @@ def test_a_procedure_that_sets_the_drive_is_left_to_differences(tmp_path):
     free_of_loads = cases.JOB.replace('[loads]\npressure = "20 kPa"\n', "")
     base = base_of(tmp_path, free_of_loads + '\n[procedure]\ntype = "volume_control"\nvolume = "0.3 mL"\n')
     numbers = {"materials.body.C10": 0.12e6, "procedure.volume": 0.3e-6}
-    found = job_model.calibrated_job(**base.values, numbers=numbers, slopes=[["injected_volume"], ["pressure"]])
+    found = solved_job(**base.values, numbers=numbers, slopes={"drives": ["injected_volume"], "columns": ["pressure"]})
     assert found.notes == ("There are no slopes by procedure.volume: they change the injected volume, too.",)
     assert np.isfinite(found.response["pressure_slope_materials_body_C10"][1:]).all()
 

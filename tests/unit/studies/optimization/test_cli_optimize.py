@@ -10,7 +10,7 @@ from turgor.jobs import read_job
 from calibration_cases import JOB
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
-from turgor.studies.optimization.files.study_files import read_study_file
+from turgor.studies.study_file.study_file import read_study_file
 from turgor.views.pictures.state_picture import state_figure
 
 STUDY = """
@@ -20,16 +20,16 @@ job = "tube.toml"
 "actuator.wall" = { low = "1 mm", high = "4 mm" }
 "actuator.inner_radius" = { low = "4 mm", high = "10 mm", start = "7 mm" }
 
-[[targets]]
+[optimize]
+precision = 0.02
+
+[[optimize.targets]]
 measure = "tip_displacement_x"
 value = "0.8 mm"
 at = { pressure = "15 kPa" }
 
-[[objectives]]
+[[optimize.objectives]]
 minimize = "solid_volume"
-
-[search]
-precision = 0.02
 """
 
 
@@ -92,7 +92,8 @@ def test_before_and_after_have_one_scale_and_runs_are_whole_numbers(call, folder
 def test_factors_may_be_tables_within_tables(folder):
     text = STUDY.replace('"actuator.wall"', "actuator.wall").replace('"actuator.inner_radius"', "actuator.inner_radius")
     (folder / "plain.toml").write_text(text, encoding="utf-8")
-    assert read_study_file(folder / "plain.toml").factors == read_study_file(folder / "lean.toml").factors
+    plain, lean = (read_study_file(folder / f"{name}.toml").optimize for name in ("plain", "lean"))
+    assert (plain.factors, plain.start) == (lean.factors, lean.start)
 
 
 def test_the_answer_for_programs(call):
@@ -110,7 +111,10 @@ def test_the_answer_for_programs(call):
 
 
 def test_what_cannot_be_cast_is_not_computed(call, folder):
-    text = STUDY.replace('"1 mm", high', '"0.2 mm", high') + '\n[casting]\nmold = false\nsmallest_wall = "1.5 mm"\n'
+    text = (
+        STUDY.replace('"1 mm", high', '"0.2 mm", high')
+        + '\n[optimize.casting]\nmold = false\nsmallest_wall = "1.5 mm"\n'
+    )
     (folder / "cast.toml").write_text(text, encoding="utf-8")
     code, _, _ = call("cast.toml", "--no-mesh-error")
     assert code == DONE
@@ -121,34 +125,33 @@ def test_what_cannot_be_cast_is_not_computed(call, folder):
 @pytest.mark.parametrize(
     ("old", "new", "sentence"),
     [
-        ('job = "tube.toml"', "", "'job' is missing; name the job file"),
+        ('job = "tube.toml"', "", "'job' is missing; name a job file"),
         ("tube.toml", "tub.toml", "tub.toml"),
         (
             'job = "tube.toml"',
             'job = "tube.toml"\nfactor = 1',
-            "unknown key in wrong.toml: 'factor'; did you mean 'factors'?",
+            "wrong.toml:3: factor: unknown key 'factor'; did you mean 'factors'?",
         ),
         ("actuator.wall", "actuator.wal", "unknown number of the job 'actuator.wal'; did you mean 'actuator.wall'?"),
-        ('low = "1 mm"', "low = 1", "[factors] actuator.wall: 1 needs a unit, such as '1 mm'"),
+        ('low = "1 mm"', "low = 1", "wrong.toml:5: factors.actuator.wall: 1 needs a unit, such as '1 mm'"),
         ('low = "1 mm"', 'low = "1 kPa"', "'1 kPa' is a pressure"),
-        ('low = "1 mm", ', "", "[factors] actuator.wall: 'low' is missing"),
+        ('low = "1 mm", ', "", "factors.actuator.wall: 'low' is missing"),
         ('low = "1 mm"', 'low = "5 mm"', "'actuator.wall' goes from 0.005 to 0.004; low must be below high"),
-        ('start = "7 mm"', 'begin = "7 mm"', "unknown key in wrong.toml: [factors] actuator.inner_radius: 'begin'"),
+        ('start = "7 mm"', 'begin = "7 mm"', "factors.actuator.inner_radius: unknown key of a factor 'begin'"),
         ('"tip_displacement_x"', '"tip_displacment_x"', "did you mean 'tip_displacement_x'?"),
-        ('measure = "tip_displacement_x"', "", "[[targets]]: 'measure' is missing"),
-        ('value = "0.8 mm"', "", "[[targets]]: 'value' is missing"),
+        ('measure = "tip_displacement_x"', "", "wrong.toml:11: optimize.targets.1: 'measure' is missing"),
+        ('value = "0.8 mm"', "", "optimize.targets.1: 'value' is missing"),
         ('value = "0.8 mm"', 'value = "0.8 furlongs"', "'0.8 furlongs' is no number with a known unit"),
-        ('at = { pressure = "15 kPa" }', "at = 15", "[[targets]].at is 15; write one column and its value"),
-        ("at = { pressure", "at = { presure", "wrong.toml: at: unknown column 'presure'; did you mean 'pressure'?"),
-        ("minimize", "minimise", "unknown key in wrong.toml: [[objectives]]: 'minimise'"),
+        ('at = { pressure = "15 kPa" }', "at = 15", "at is 15; write one column and its value"),
+        ("at = { pressure", "at = { presure", "at of a goal: unknown column 'presure'; did you mean 'pressure'?"),
+        ("minimize", "minimise", "unknown key in objectives 'minimise'"),
         ('minimize = "solid_volume"', "scale = 1", "needs either minimize or maximize"),
         ("precision = 0.02", "precision = 2", "precision is 2; allowed is between 0 and 0.1"),
         ("precision = 0.02", 'method = "newton"', "unknown method 'newton'"),
         ("precision = 0.02", "starts = 20", "starts is 20; allowed is 1 to 12, half of most_solves, 25"),
         ("precision = 0.02", 'slopes = "no"', "slopes is 'no'; allowed is true or false"),
-        ("[search]", "[[search]]", "it is a table, [search]"),
-        ("[[targets]]", "[targets]", "it is a list of tables, [[targets]]"),
-        ("[search]\nprecision = 0.02", "[casting]", "there is no mold for ExtendingCylinder"),
+        ("[[optimize.targets]]", "[optimize.targets]", "is not a list of tables, [[optimize.targets]]"),
+        ("precision = 0.02", "[optimize.casting]", "there is no mold for ExtendingCylinder"),
     ],
 )
 def test_mistakes_are_answered(call, folder, old, new, sentence):
@@ -161,26 +164,25 @@ def test_mistakes_are_answered(call, folder, old, new, sentence):
 
 
 def test_paths_limits_and_shares_are_read(folder):
-    from turgor.studies.optimization.files.study_files import read_study_file
     from turgor.units import kPa, mm
 
     text = (
-        STUDY.split("[[targets]]")[0]
+        STUDY.split("[[optimize.targets]]")[0]
         + """
-[[paths]]
+[[optimize.paths]]
 x = "0, -2, -8 mm"
 z = "0, 10, 18 mm"
 pressure = "0, 10, 20 kPa"
 tolerance = "0.5 mm"
 
-[[limits]]
+[[optimize.limits]]
 measure = "maximum_von_mises"
 most = "0.2 MPa"
 tolerance = "1 %"
 """
     )
     (folder / "path.toml").write_text(text, encoding="utf-8")
-    path, limit = read_study_file(folder / "path.toml").goals
+    path, limit = read_study_file(folder / "path.toml").optimize.goals
     assert path.points == [(0, 0), (pytest.approx(-2 * mm), pytest.approx(10 * mm)), (pytest.approx(-8 * mm), 18 * mm)]
     assert path.at == ("pressure", [0, 10 * kPa, 20 * kPa])
     assert path.tolerance == pytest.approx(0.5 * mm)

@@ -5,16 +5,16 @@ import pytest
 
 import turgor as tg
 from calibration_cases import JOB
-from turgor.studies.optimization.files.job_slopes import SOLID_VOLUME, asked_slopes
-from turgor.studies.optimization.files.jobs import job_optimization, solved_design
-from turgor.studies.optimization.files.study_files import read_study_file
+from turgor.studies.optimization.job_optimization import job_optimization, readings_of
 from turgor.studies.optimization.slopes import slopes_of
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.jobs.job_file import job_file
-from turgor.studies.study.jobs.job_slopes import refused_at_once
-from turgor.studies.study.running.run_outcome import Ended
-from turgor.studies.study.runs import Run
-from turgor.studies.study.study import Row
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.run_outcome import Ended
+from turgor.studies.runs.jobs.job_function import job_function
+from turgor.studies.runs.jobs.job_runs import solved_job
+from turgor.studies.runs.jobs.job_slopes import refused_at_once
+from turgor.studies.runs.jobs.solid_volume import SOLID_VOLUME
+from turgor.studies.runs.run import Run
+from turgor.studies.runs.study import Row
 from turgor.units import MPa, kPa, mm
 
 studies = tg.studies
@@ -26,16 +26,16 @@ job = "part.toml"
 "actuator.wall" = { low = "1 mm", high = "4 mm" }
 "actuator.inner_radius" = { low = "4 mm", high = "10 mm", start = "7 mm" }
 
-[[targets]]
+[optimize]
+precision = 0.02
+
+[[optimize.targets]]
 measure = "tip_displacement_x"
 value = "0.8 mm"
 at = { pressure = "15 kPa" }
 
-[[objectives]]
+[[optimize.objectives]]
 minimize = "solid_volume"
-
-[search]
-precision = 0.02
 """
 
 FINGER = """
@@ -68,21 +68,21 @@ job = "part.toml"
 "actuator.chambers" = { low = 1, high = 2 }
 "materials.body.C10" = { low = "0.08 MPa", high = "0.2 MPa" }
 
-[[targets]]
+[optimize]
+most_solves = 2
+
+[[optimize.targets]]
 measure = "bending_angle"
 value = "40 deg"
-
-[search]
-most_solves = 2
 """
 
 
 def searched(folder, job, study, runs=None, **search):
     (folder / "part.toml").write_text(job, encoding="utf-8")
     more = "".join(f"{key} = {value}\n" for key, value in search.items())
-    (folder / "study.toml").write_text(study + more, encoding="utf-8")
-    asked = read_study_file(folder / "study.toml")
-    wanted = job_optimization(asked, tg.jobs.read_job(asked.job), folder / f"results{len(more)}", mesh_error=False)
+    (folder / "study.toml").write_text(study.replace("[optimize]\n", f"[optimize]\n{more}"), encoding="utf-8")
+    asked = studies.read_study_file(folder / "study.toml")
+    wanted = job_optimization(asked.optimize, asked.job, folder / f"results{len(more)}", mesh_error=False)
     return wanted.search(runs or Evaluations())
 
 
@@ -93,7 +93,7 @@ def drawn_nothing(monkeypatch):
     class Nothing:
         png = b""
 
-    monkeypatch.setattr("turgor.studies.optimization.files.jobs.picture", lambda *_, **__: Nothing())
+    monkeypatch.setattr("turgor.studies.runs.jobs.job_runs.picture", lambda *_, **__: Nothing())
 
 
 @pytest.mark.usefixtures("drawn_nothing")
@@ -112,7 +112,7 @@ def test_slopes_spare_runs_of_a_job(tmp_path):
 def base(tmp_path_factory):
     folder = tmp_path_factory.mktemp("tube")
     (folder / "tube.toml").write_text(JOB, encoding="utf-8")
-    return job_file(tg.jobs.read_job(folder / "tube.toml"), folder / "results")
+    return job_function(tg.jobs.read_job(folder / "tube.toml"), folder / "results")
 
 
 #: The factors of which each is changed, away from where the mesh gets another layer; and what is read: at a pressure
@@ -127,15 +127,15 @@ READ = [
 
 
 def run_of(base, values, **more):
-    found = solved_design(**base.values, numbers=values, **more)
-    run = Run(name="tube", function=solved_design, values={**base.values, "numbers": values})
+    found = solved_job(**base.values, numbers=values, as_design=True, **more)
+    run = Run(name="tube", function=solved_job, values={**base.values, "numbers": values})
     return Row(values=values, ended=Ended(run=run, found=found))
 
 
 @pytest.mark.usefixtures("drawn_nothing")
 def test_slopes_are_those_of_what_the_goals_read(base):
     goals = [studies.Minimize(name, at=at) for name, at in READ]
-    row = run_of(base, VALUES, slopes=asked_slopes(goals, VALUES))
+    row = run_of(base, VALUES, slopes={"readings": readings_of(goals, VALUES)})
     assert row.ended.found.notes == ()
     found = np.array([slopes_of(row, name, at, list(VALUES)) for name, at in READ])
     for place, (key, value) in enumerate(VALUES.items()):
@@ -152,12 +152,12 @@ def test_slopes_are_those_of_what_the_goals_read(base):
 def test_the_end_of_a_path_that_ended_early_has_no_slopes(base):
     numbers = {"actuator.wall": 1 * mm, "loads.pressure": 90 * kPa}
     asked = [["tip_displacement_x", None, 0.0], ["cavity_volume", "pressure", 10 * kPa]]
-    row = run_of(base, numbers, slopes=asked)
+    row = run_of(base, numbers, slopes={"readings": asked})
     assert "limit point" in row.problem
     assert np.isnan(slopes_of(row, "tip_displacement_x", None, list(numbers))).all()
     before = slopes_of(row, "cavity_volume", ("pressure", 10 * kPa), list(numbers))
     assert np.isfinite(before).all() and before[0] < 0
-    alone = run_of(base, numbers, slopes=asked[:1])
+    alone = run_of(base, numbers, slopes={"readings": asked[:1]})
     assert np.isnan(slopes_of(alone, "tip_displacement_x", None, list(numbers))).all()
 
 
@@ -184,14 +184,14 @@ def test_what_has_no_slopes_is_said_once_and_left_to_the_surfaces(tmp_path):
 
 def test_what_no_derivative_can_be_taken_of_is_not_asked_for():
     path = studies.TipPath([(0.0, 0.0), (1 * mm, 2 * mm)], at=("pressure", [0.0, 5 * kPa]))
-    assert asked_slopes([path, studies.Limit("wall", most=1.0)], {"wall"})[-1] == [
+    assert readings_of([path, studies.Limit("wall", most=1.0)], {"wall"})[-1] == [
         "tip_displacement_z",
         "pressure",
         5e3,
     ]
-    assert len(asked_slopes([path], {})) == 4
-    assert asked_slopes([path, studies.TipPath([(0.0, 0.0), (1.0, 2.0)])], {}) == []
-    assert asked_slopes([path, studies.Minimize(len)], {}) == []
+    assert len(readings_of([path], {})) == 4
+    assert readings_of([path, studies.TipPath([(0.0, 0.0), (1.0, 2.0)])], {}) == []
+    assert readings_of([path, studies.Minimize(len)], {}) == []
 
 
 def test_what_is_known_to_have_no_derivative_is_not_tried():

@@ -11,10 +11,10 @@ import turgor as tg
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.study.evaluations import Evaluations
-from turgor.studies.study.running.run_outcome import Ended
-from turgor.studies.study.runs import Computed
-from turgor.studies.study.study import Row
+from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors.run_outcome import Ended
+from turgor.studies.runs.run import Computed
+from turgor.studies.runs.study import Row
 from turgor.units import mm
 
 studies = tg.studies

@@ -9,8 +9,8 @@ import turgor as tg
 from calibration_cases import JOB
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
-from turgor.studies.study.job_runs import solved_job
-from turgor.studies.study.jobs.job_file import job_file
+from turgor.studies.runs.jobs.job_function import job_function
+from turgor.studies.runs.jobs.job_runs import solved_job
 from turgor.units import kPa, mL, mm
 
 studies = tg.studies
@@ -40,7 +40,7 @@ job = "blocked.toml"
 [factors]
 "actuator.inner_radius" = { low = "4 mm", high = "10 mm", start = "6 mm" }
 
-[[targets]]
+[[optimize.targets]]
 measure = "blocked_force"
 value = "0.8 N"
 at = { pressure = "8 kPa" }
@@ -56,8 +56,8 @@ def test_a_tip_before_a_plate_is_to_push_with_a_force(tmp_path, monkeypatch, cap
     said, progress = capsys.readouterr()
     assert progress.lstrip().startswith("actuator.inner_radius 6 mm: done")
     assert "N (wanted 0.8 N), at the start 0.2" in said
-    best = job_file(tg.jobs.read_job(tmp_path / "push-optimization" / "best.toml"), tmp_path / "again")
-    found = solved_job(**best.values, numbers={}, measures=["blocked_force"])
+    best = job_function(tg.jobs.read_job(tmp_path / "push-optimization" / "best.toml"), tmp_path / "again")
+    found = solved_job(**best.values, numbers={}, measures=["blocked_force"]).response
     assert list(found["pressure"])[-2:] == pytest.approx([8 * kPa, 10 * kPa])  # a state where the goal reads
     assert found["blocked_force"][-2] == pytest.approx(0.8, rel=0.011)
 
@@ -85,19 +85,19 @@ job = "bender.toml"
 [factors]
 "actuator.outer_wall" = { low = "1.5 mm", high = "3 mm" }
 
-[[objectives]]
+[optimize]
+most_solves = 2
+
+[[optimize.objectives]]
 maximize = "workspace_area"
 
-[[limits]]
+[[optimize.limits]]
 measure = "workspace_area"
 least = "0.001 mm²"
 
-[workspace]
+[optimize.workspace]
 cavity_1 = "0, 10 kPa"
 cavity_2 = "0, 10 kPa"
-
-[search]
-most_solves = 2
 """
 
 
@@ -127,12 +127,16 @@ def test_a_job_is_to_reach_far_with_all_combinations_of_its_pressures(reaches, c
 @pytest.mark.parametrize(
     ("old", "new", "sentence"),
     [
-        ("cavity_2 =", "cavty_2 =", "unknown cavity in reach.toml: [workspace]: 'cavty_2'; did you mean 'cavity_2'?"),
-        ('"0, 10 kPa"', '"0, 10 mm"', "reach.toml: [workspace].cavity_1: '0 mm' is a length"),
-        ('"0, 10 kPa"', "10", '[workspace].cavity_1 is 10; write numbers and their unit, such as "0, 10, 20 kPa"'),
-        ("[workspace]", "[workspaces]", "unknown key in reach.toml: 'workspaces'; did you mean 'workspace'?"),
-        (REACHES.partition("[workspace]")[2], "", "reads 'workspace_area', which needs the pressures of the cavities"),
-        ("workspace_area", "solid_volume", "[workspace]: no goal reads workspace_area or workspace_volume"),
+        ("cavity_2 =", "cavty_2 =", "unknown cavity of the workspace 'cavty_2'; did you mean 'cavity_2'?"),
+        ('"0, 10 kPa"', '"0, 10 mm"', "optimize.workspace: cavity_1: '0 mm' is a length"),
+        ('"0, 10 kPa"', "10", 'cavity_1 is 10; write numbers and their unit, such as "0, 10, 20 kPa"'),
+        ("optimize.workspace]", "optimize.workspaces]", "unknown key 'workspaces'; did you mean 'workspace'?"),
+        (
+            REACHES.partition("[optimize.workspace]")[2],
+            "",
+            "reads 'workspace_area', which needs the pressures of the cavities",
+        ),
+        ("workspace_area", "solid_volume", "no goal reads workspace_area or workspace_volume"),
         ('"workspace_area"', '"workspace_aera"', "did you mean 'workspace_area'?"),
     ],
 )

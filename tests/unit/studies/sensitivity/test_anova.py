@@ -7,12 +7,12 @@ from scipy.stats import f_oneway
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
+from turgor.studies.runs.executors.run_outcome import Ended
+from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.run import Computed, Run
+from turgor.studies.runs.study import Row, Study
 from turgor.studies.sensitivity.anova import anova
 from turgor.studies.sensitivity.figure import anova_figure
-from turgor.studies.study.factor import Factor
-from turgor.studies.study.running.run_outcome import Ended
-from turgor.studies.study.runs import Computed, Run
-from turgor.studies.study.study import Row, Study
 
 A = Factor(name="a", levels=(1.0, 2.0))
 B = Factor(name="b", levels=("x", "y", "z"))

@@ -9,11 +9,11 @@ import surrogate_cases as cases
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
+from turgor.studies.runs.factor import Factor
 from turgor.studies.sensitivity.figure import indices_figure
 from turgor.studies.sensitivity.indices import screening, sobol_indices
 from turgor.studies.sensitivity.local_sensitivity import Tolerance, local_sensitivities, sensitivities_of
 from turgor.studies.sensitivity.predictors import Direct
-from turgor.studies.study.factor import Factor
 from turgor.studies.surrogates.fit import surrogate
 from turgor.studies.uncertainty.spread import Spread
 from turgor.units import deg, kPa, mm

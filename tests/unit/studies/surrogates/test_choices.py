@@ -8,8 +8,8 @@ import pytest
 import surrogate_cases as cases
 from turgor.cli import main
 from turgor.foundation.errors import TurgorError
+from turgor.studies.runs.factor import Factor
 from turgor.studies.sensitivity.indices import sobol_indices
-from turgor.studies.study.factor import Factor
 from turgor.studies.surrogates.fit import surrogate
 from turgor.studies.surrogates.invert import invert
 from turgor.studies.surrogates.learn import Goal, learn
@@ -81,15 +81,6 @@ def test_a_choice_alone_is_sought(fitted):
     assert found.prediction[ANGLE] == pytest.approx(wanted, abs=0.3 * deg)
     with pytest.raises(TurgorError, match="all factors are held"):
         invert(fitted, {ANGLE: wanted}, held={"wall": 1.5 * mm, "rubber": "soft"})
-
-
-def test_networks_take_choices():
-    study = cases.study_of(cases.finger_of, [cases.WALL, cases.RUBBER], 64)
-    network = surrogate(study, [ANGLE], kind="network")
-    for rubber in cases.RUBBERS:
-        assert network.predict({"wall": 1.5 * mm, "rubber": rubber})[ANGLE] == pytest.approx(
-            angle(1.5 * mm, rubber), abs=2 * deg
-        )
 
 
 def test_choices_are_learned(fitted):

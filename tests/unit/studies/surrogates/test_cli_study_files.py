@@ -21,7 +21,7 @@ job = "tube.toml"
 actuator.wall = { low = "2 mm", high = "2.5 mm", levels = 3 }
 "materials.body.C10" = { low = "0.1 MPa", high = "0.14 MPa", levels = 3 }
 
-[output]
+[sweep]
 measures = ["tip_displacement_x"]
 at = { pressure = "10 kPa" }
 mesh_error = false

@@ -6,8 +6,8 @@ import pytest
 
 import surrogate_cases as cases
 from turgor.cli.app import main
-from turgor.studies.study.files.study_folder import write_study
-from turgor.studies.study.sweep import sweep
+from turgor.studies.runs.files.study_folder import write_study
+from turgor.studies.runs.sweep import sweep
 from turgor.studies.surrogates.surrogate import Surrogate
 from turgor.units import deg, kPa, mm
 

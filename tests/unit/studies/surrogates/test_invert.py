@@ -9,7 +9,7 @@ import surrogate_cases as cases
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.study.factor import Factor
+from turgor.studies.runs.factor import Factor
 from turgor.studies.surrogates.fit import surrogate
 from turgor.studies.surrogates.invert import invert
 from turgor.units import deg, kPa, mm

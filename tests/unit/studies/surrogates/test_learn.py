@@ -7,8 +7,8 @@ import pytest
 
 import surrogate_cases as cases
 from turgor.foundation.errors import TurgorError
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.surrogates.fit import surrogate
 from turgor.studies.surrogates.learn import Goal, learn
 from turgor.studies.surrogates.next_design import next_design
@@ -23,7 +23,7 @@ ONE_SIDE = [{"wall": wall * mm, "C10": C10 * kPa} for wall in (1.0, 1.15, 1.3) f
 @pytest.fixture(scope="module")
 def one_sided():
     study = cases.study_of(cases.finger, [cases.WALL, cases.C10], designs=ONE_SIDE)
-    return surrogate(study, ["bending_angle"], kind="gaussian_process")
+    return surrogate(study, ["bending_angle"])
 
 
 def test_it_asks_where_nothing_is_known(one_sided):
@@ -55,7 +55,7 @@ def test_with_a_target_it_asks_near_it(one_sided):
 
 def test_without_the_drive(one_sided):
     study = cases.study_of(cases.finger, [cases.WALL, cases.C10], 8)
-    curves = surrogate(study, ["bending_angle"], along="pressure", kind="gaussian_process")
+    curves = surrogate(study, ["bending_angle"], along="pressure")
     assert set(next_design(curves)[0]) == {"wall", "C10"}
     assert set(next_design(curves, target={"bending_angle": 0.3})[0]) == {"wall", "C10"}
 

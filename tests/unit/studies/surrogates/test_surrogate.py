@@ -12,10 +12,9 @@ import turgor as tg
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.study.factor import Factor
-from turgor.studies.study.study import Study
+from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.study import Study
 from turgor.studies.surrogates.fit import surrogate
-from turgor.studies.surrogates.fit_network import NetworkTrainer
 from turgor.studies.surrogates.held_out import parts_of
 from turgor.studies.surrogates.surrogate import Surrogate
 from turgor.studies.surrogates.training import training
@@ -44,7 +43,7 @@ def test_it_predicts_what_a_run_gives(fitted):
     said = fitted.predict(DESIGN)
     assert said["bending_angle"] == pytest.approx(exact["bending_angle"][8], rel=2e-3)
     assert fitted.measures == ("bending_angle", "tip_displacement_z")  # not the pressure, not the load factor
-    assert said.told("bending_angle").endswith(" deg")
+    assert said.text("bending_angle").endswith(" deg")
     assert fitted.error("bending_angle").share < 0.01
     assert "bending angle: " in fitted.summary()
     assert "of the range" in repr(fitted)
@@ -153,19 +152,12 @@ def test_long_choices_and_small_studies_are_refused(study):
         surrogate(Study(factors=study.factors, rows=study.rows[:4], source=study.source))
     with pytest.raises(TurgorError, match="did you mean 'bending_angle'"):
         surrogate(study, ["bending_angel"])
-    with pytest.raises(TurgorError, match="did you mean 'network'"):
-        surrogate(study, kind="netwrok")
     with pytest.raises(TurgorError, match="give one of them"):
         surrogate(study, at=("pressure", 1e4), along="pressure")
 
 
-@pytest.mark.parametrize("kind", ["gaussian_process", "network"])
-def test_it_is_loaded_without_what_trained_it(study, fitted, kind, tmp_path):
+def test_it_is_loaded_without_what_trained_it(fitted, tmp_path):
     found = fitted
-    if kind == "network":
-        given = training(study, at=("pressure", 40 * kPa))
-        model = NetworkTrainer(members=2, iterations=50).fit(given.shares, given.targets, given.noise)
-        found = replace(fitted, model=model, kind=kind)
     file = found.save(tmp_path / "finger")
     assert isinstance(tg.load(file), Surrogate)
     said = found.predict(DESIGN)
@@ -185,7 +177,7 @@ def test_it_is_loaded_without_what_trained_it(study, fitted, kind, tmp_path):
 def test_training_without_scikit_learn_is_a_sentence(study, monkeypatch):
     monkeypatch.setitem(sys.modules, "sklearn.gaussian_process", None)
     with pytest.raises(TurgorError, match=r'pip install "turgor\[studies\]"'):
-        surrogate(study, kind="gaussian_process")
+        surrogate(study)
 
 
 def test_a_measure_of_one_state_needs_no_drive():

@@ -7,8 +7,8 @@ import calibration_cases as cases
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.study.computation import Computation
-from turgor.studies.study.evaluations import Evaluations
+from turgor.studies.runs.computation import Computation
+from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.uncertainty.figure import uncertainty_figure
 from turgor.studies.uncertainty.propagate import propagate
 from turgor.studies.uncertainty.spread import Alternatives, Spread

@@ -11,7 +11,7 @@ from turgor.studies.optimization.problem import Candidate, Problem
 from turgor.studies.optimization.search import Ending, Search
 from turgor.studies.optimization.searches.starts import spread
 from turgor.studies.optimization.searches.surfaces import surfaces_through
-from turgor.studies.study.optional_parts import needed
+from turgor.studies.runs.optional_parts import needed
 
 Array = NDArray[np.float64]
 

@@ -20,7 +20,7 @@ DRAWS = 8
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Descent:
-    """Where the search from one start led.
+    """Where the search from one start ended.
 
     Parameters
     ----------

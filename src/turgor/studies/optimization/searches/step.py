@@ -140,7 +140,7 @@ class _Smooth:
         return length, (values @ slopes) / length
 
     def conditions(self, at: Array) -> tuple[Array, Array]:
-        """Return what must not be above 0, and its derivatives: limits, and targets beside an objective."""
+        """Return what must not be above 0, and its derivatives: limits, and targets besides an objective."""
         found, slopes = [0.0], [np.zeros(len(at))]
         for goal, (values, slope) in zip(self.problem.goals, self._scaled(at), strict=True):
             if isinstance(goal, Limit):

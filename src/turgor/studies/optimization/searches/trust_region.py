@@ -27,7 +27,7 @@ SPANNED = 0.1
 #: … counting those within so many radii.
 NEAR = 2.0
 
-#: Slopes are given to the surfaces as points at this share of the radius beside each candidate.
+#: Slopes are given to the surfaces as points at this share of the radius from each candidate.
 SLOPE_STEP = 0.05
 
 #: A step below the precision ends the search where the region is at most so many times the precision.
@@ -107,7 +107,7 @@ def _begun(problem: Problem, start: Array, search: Search) -> Candidate | None:
 
 
 def _around(problem: Problem, begun: Candidate) -> list[Array]:
-    """Return a point beside the start along each factor without slopes, on the side with more room within the rules."""
+    """Return a point near the start along each factor without slopes, on the side with more room within the rules."""
     found, center = [], begun.at
     for direction in np.eye(len(center))[~begun.sloped]:
         reach = max(FIRST_RADIUS, float(problem.levels @ direction))
@@ -119,7 +119,7 @@ def _around(problem: Problem, begun: Candidate) -> list[Array]:
 
 
 def _surfaces(problem: Problem, step: float) -> Surfaces:
-    """Return surfaces through the candidates, and, where slopes are known, through points beside them."""
+    """Return surfaces through the candidates, and, where slopes are known, through points next to them."""
     points, values = [], []
     for each in problem.known:
         points.append(each.at)
@@ -185,7 +185,7 @@ def _missing_direction(problem: Problem, candidate: Candidate, radius: float) ->
 
 def _toward(problem: Problem, center: Array, radius: float, moving: Flags, direction: Array) -> Array | None:
     step = np.zeros(len(center))
-    step[moving] = direction / np.abs(direction).max()
+    step[moving] = direction / direction[np.argmax(np.abs(direction))]  # the sign of a singular vector is round-off
     points = [problem.snapped(center + side * radius * step) for side in (1.0, -1.0)]
     tried = [each.at for each in problem.candidates]
     kept = [

@@ -1,1 +1,0 @@
-"""Study files, optimizations of jobs, and files that are written."""

@@ -1,0 +1,51 @@
+"""Executors: where the runs of a study are computed. `Evaluations` hands runs to one of them, and to nothing else.
+
+`Here` computes in this process; `turgor.studies.runs.executors.worker_processes.Workers` in processes of this machine.
+"""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from time import sleep
+from typing import Protocol
+
+from turgor.studies.runs.executors.claims import POLL, Claims
+from turgor.studies.runs.executors.run_outcome import Ended, compute
+from turgor.studies.runs.run import Run
+
+
+class Executor(Protocol):
+    """Where runs are computed."""
+
+    def compute(self, runs: Sequence[Run], folder: Path | None) -> Iterator[Ended]:
+        """Compute runs, and give each as it ends, in any order.
+
+        Nothing of them is kept yet, and no two have one key. With a folder, a run is kept there by whatever computes
+        it before it is given, so that the study may be killed at any moment. It is locked as it is computed (`Claims`),
+        so that other processes may compute the same study: how a run ended there is given like any other. A run that
+        fails is given with its problem, and the others go on. If the caller stops before the last one, what is still
+        running is ended.
+        """
+
+    def close(self) -> None:
+        """End what waits for further runs; a later call of `compute` starts again."""
+
+
+class Here:
+    """Computes runs in this process, one after the other, which suits formulas."""
+
+    def compute(self, runs: Sequence[Run], folder: Path | None) -> Iterator[Ended]:
+        """Compute runs, and give each as it ends."""
+        with Claims(runs, folder) as claims:
+            while claims:
+                taken = claims.take()
+                if isinstance(taken, Run):
+                    ended = compute(taken, folder)
+                    claims.release(taken)
+                    yield ended
+                elif taken is not None:
+                    yield taken
+                else:
+                    sleep(POLL)
+
+    def close(self) -> None:
+        """Do nothing: nothing waits."""

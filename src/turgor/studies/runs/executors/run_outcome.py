@@ -1,0 +1,128 @@
+"""Ended: how one run ended; and one run computed in this process."""
+
+import errno
+import traceback
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import process_time
+
+from turgor.foundation.errors import NotHere, NotSolved, TurgorError
+from turgor.foundation.response import Response
+from turgor.studies.runs.files.run_files import keep, keep_problem, kept, kept_problem
+from turgor.studies.runs.run import Computed, Run
+
+#: What a full disk and one that cannot be written answer.
+_NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EROFS})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ended:
+    """How one run ended.
+
+    Parameters
+    ----------
+    run : Run
+    found : Computed or None
+        None where the run failed.
+    problem : str
+        Why it failed; empty where it did not.
+    again : bool
+        Whether it was read from disk.
+    final : bool
+        Whether it failed by a sentence of turgor that the same call would give again. Such a failure is kept; where a
+        worker was killed, a function broke or this machine lacks something, the next call tries again.
+    """
+
+    run: Run
+    found: Computed | None
+    problem: str = ""
+    again: bool = False
+    final: bool = False
+
+    @property
+    def early(self) -> bool:
+        """Whether its path ended early."""
+        return self.found is not None and bool(self.found.response.message)
+
+
+def compute(run: Run, folder: Path | None = None) -> Ended:
+    """Compute one run in this process.
+
+    Parameters
+    ----------
+    run : Run
+    folder : Path or None
+        Where it is kept before this returns; None keeps nothing.
+
+    Returns
+    -------
+    Ended
+        With the sentence that says why, where the run failed.
+    """
+    try:
+        return keep_ended(_called(run), folder)
+    except OSError as error:
+        if error.errno not in _NO_ROOM:
+            raise
+        where = f"'{error.filename}'" if error.filename else "its files"
+        return Ended(run=run, found=None, problem=f"{where} cannot be written: {error.strerror}; make room and go on.")
+
+
+def _called(run: Run) -> Ended:
+    begun = process_time()
+    try:
+        found = run.call()
+    except TurgorError as error:
+        if isinstance(error, NotSolved) and error.interrupted:
+            raise KeyboardInterrupt from None  # Ctrl-C ends the study; this run has not ended
+        return Ended(run=run, found=None, problem=str(error), final=not isinstance(error, NotHere))
+    except Exception as error:  # what a study's own function does is not known here; the others go on
+        if isinstance(error, OSError) and error.errno in _NO_ROOM:
+            raise
+        return Ended(run=run, found=None, problem=traceback.format_exc().strip())
+    computed = Computed(response=found) if isinstance(found, Response) else found
+    return Ended(run=run, found=replace(computed, seconds=computed.seconds or process_time() - begun))
+
+
+def keep_ended(ended: Ended, folder: Path | None) -> Ended:
+    """Keep what a run found, or why it failed where that is final.
+
+    Parameters
+    ----------
+    ended : Ended
+    folder : Path or None
+        None keeps nothing.
+
+    Returns
+    -------
+    Ended
+        With what a later call reads. A table may differ from it in the last bit, and an analysis that goes on after it
+        was killed must find what it finds at once.
+    """
+    if folder is not None and ended.found is not None:
+        keep(ended.run, ended.found, folder)
+        return replace(ended, found=kept(ended.run, folder) or ended.found)
+    if folder is not None and ended.final:
+        keep_problem(ended.run, ended.problem, folder)
+    return ended
+
+
+def ended_before(run: Run, folder: Path) -> Ended | None:
+    """Read how a run ended before.
+
+    Parameters
+    ----------
+    run : Run
+    folder : Path
+        Where it was kept.
+
+    Returns
+    -------
+    Ended or None
+        None where it has not ended.
+    """
+    found = kept(run, folder)
+    if found is not None:
+        return Ended(run=run, found=found, again=True)
+    problem = kept_problem(run, folder)
+    return Ended(run=run, found=None, problem=problem, again=True, final=True) if problem else None

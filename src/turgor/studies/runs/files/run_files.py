@@ -1,0 +1,154 @@
+"""What runs have found, as files that a later call reads again: a table, a picture and notes; or why one failed."""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from turgor.core.results.files.response_csv import read_response
+from turgor.foundation.response import Response
+from turgor.foundation.source import Source
+from turgor.foundation.store.atomic_files import whole
+from turgor.studies.runs.run import Computed, Run
+
+#: Key of the notes of a run that failed.
+PROBLEM = "problem"
+
+
+def kept(run: Run, folder: Path) -> Computed | None:
+    """Read what a run found, if it has ended before.
+
+    Parameters
+    ----------
+    run : Run
+    folder : Path
+        Where `keep` wrote it.
+
+    Returns
+    -------
+    Computed or None
+    """
+    return kept_as(run.key, folder)
+
+
+def kept_as(key: str, folder: Path) -> Computed | None:
+    """Read what the run with a key found, if it has ended.
+
+    Parameters
+    ----------
+    key : str
+    folder : Path
+
+    Returns
+    -------
+    Computed or None
+    """
+    notes, table, picture = _files(key, folder)
+    told = _told(notes)
+    if PROBLEM in told or not told or not table.is_file():
+        return None
+    read = read_response(table)
+    source, status = Source(text=told["source"]), told.get("status", "")
+    response = Response(columns=read.columns, source=source, status=status, message=told["message"])
+    return Computed(
+        response=response,
+        picture=picture.read_bytes() if picture.is_file() else b"",
+        seconds=float(told["cpu_seconds"]),
+        notes=tuple(told.get("notes", ())),
+    )
+
+
+def keep(run: Run, found: Computed, folder: Path) -> None:
+    """Write what a run found: its table, its picture, and at last its notes, without which it has not ended.
+
+    Parameters
+    ----------
+    run : Run
+    found : Computed
+    folder : Path
+        Made if there is none.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    notes, table, picture = _files(run.key, folder)
+    found.response.to_csv(table)
+    if found.picture:
+        with whole(picture) as part:
+            part.write_bytes(found.picture)
+    told = {
+        **_asked(run),
+        "source": str(found.response.source),
+        "status": found.response.status,
+        "message": found.response.message,
+        "cpu_seconds": round(found.seconds, 3),
+        **({"notes": list(found.notes)} if found.notes else {}),
+    }
+    _write(notes, told)
+
+
+def keep_problem(run: Run, problem: str, folder: Path) -> None:
+    """Write why a run failed.
+
+    Parameters
+    ----------
+    run : Run
+    problem : str
+    folder : Path
+        Made if there is none.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    _write(_files(run.key, folder)[0], {**_asked(run), PROBLEM: problem})
+
+
+def kept_problem(run: Run, folder: Path) -> str:
+    """Read why a run failed before.
+
+    Parameters
+    ----------
+    run : Run
+    folder : Path
+        Where `keep_problem` wrote it.
+
+    Returns
+    -------
+    str
+        Empty where it has not failed.
+    """
+    return str(_told(_files(run.key, folder)[0]).get(PROBLEM, ""))
+
+
+def forget(run: Run, folder: Path) -> None:
+    """Remove what was kept of a run, its notes first, so that it is computed again.
+
+    Parameters
+    ----------
+    run : Run
+    folder : Path
+    """
+    for file in _files(run.key, folder):
+        file.unlink(missing_ok=True)
+
+
+def _asked(run: Run) -> dict[str, Any]:
+    return {
+        "name": run.name,
+        "function": f"{run.function.__module__}.{run.function.__qualname__}",
+        "values": dict(run.values),
+        **({} if run.design is None else {"design": run.written_design}),
+    }
+
+
+def _told(notes: Path) -> dict[str, Any]:
+    """Read notes; nothing where there are none, or another call removes them at this moment to try again."""
+    try:
+        return dict(json.loads(notes.read_text(encoding="utf-8")))
+    except FileNotFoundError:
+        return {}
+
+
+def _write(notes: Path, told: Mapping[str, Any]) -> None:
+    with whole(notes) as part:
+        part.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
+
+
+def _files(key: str, folder: Path) -> tuple[Path, Path, Path]:
+    return folder / f"{key}.json", folder / f"{key}.csv", folder / f"{key}.png"

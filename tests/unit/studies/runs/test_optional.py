@@ -1,0 +1,21 @@
+"""Optional packages: what is missing is told by the name that installs it."""
+
+import json
+import sys
+
+import pytest
+
+from turgor.foundation.errors import TurgorError
+from turgor.studies.runs.optional_parts import needed
+
+
+def test_a_module_that_is_there():
+    assert needed("json", "a test") is json
+
+
+@pytest.mark.parametrize(("module", "name"), [("sklearn.gaussian_process", "scikit-learn"), ("SALib.sample", "SALib")])
+def test_a_missing_package_is_told_with_how_to_install_it(module, name, monkeypatch):
+    monkeypatch.setitem(sys.modules, module, None)  # an import of it fails
+    monkeypatch.setitem(sys.modules, module.split(".")[0], None)
+    with pytest.raises(TurgorError, match=rf'^a test needs {name}, .*pip install "turgor\[studies\]"$'):
+        needed(module, "a test")
