@@ -49,7 +49,7 @@ def main(folder: Path) -> None:
     """Calibrate, and print what it took."""
     (folder / "bender.toml").write_text(JOB, encoding="utf-8")
     job = job_function(tg.jobs.read_job(folder / "bender.toml"), folder / "calibration")
-    true = solved_job(**job.values, numbers=TRUE)
+    true = solved_job(**job.values, numbers=TRUE).response
     at = np.linspace(1 * kPa, 19 * kPa, 15)
     angle = np.interp(at, true["pressure"], true["bending_angle"])
     angle += 0.05 * deg * np.random.default_rng(0).standard_normal(15)
