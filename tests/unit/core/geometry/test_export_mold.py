@@ -66,6 +66,6 @@ def test_parts_are_closed_stl(tmp_path, actuator):
 
 def test_refusals():
     with pytest.raises(TurgorError, match="not for BellowsOfRevolution"):
-        casting_mold(tg.geometry.BellowsOfRevolution())
+        casting_mold(tg.actuators.BellowsOfRevolution())
     with pytest.raises(TurgorError, match=r"pin_diameter is 9 mm; allowed is 0\.5 mm to 6\.6 mm"):
         MoldSettings(pin_diameter=9 * mm)

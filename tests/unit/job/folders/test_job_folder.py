@@ -94,7 +94,7 @@ def test_files_of_a_user_stay(file, tmp_path, how):
 def test_resume_needs_a_run(file, tmp_path):
     (tmp_path / "lab").mkdir()
     (tmp_path / "lab" / "notes.txt").write_text("mine")
-    with pytest.raises(TurgorError, match="holds files, and none of a run that could go on"):
+    with pytest.raises(TurgorError, match="holds files, and none of a run that could continue"):
         run(file, tmp_path / "lab", resume=True)
     assert [each.name for each in (tmp_path / "lab").iterdir()] == ["notes.txt"]
 

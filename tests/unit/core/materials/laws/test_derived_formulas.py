@@ -66,7 +66,7 @@ def test_a_damaged_file_is_derived_again_and_mended(derived, tmp_path, text):
     cached_formulas(Yeoh, "a", derive)
     (file,) = (tmp_path / "laws").iterdir()
     file.write_bytes(text)
-    with pytest.warns(UserWarning, match="a damaged law in the cache is derived again"):
+    with pytest.warns(UserWarning, match="a damaged entry in the cache of laws was removed"):
         assert cached_formulas(Yeoh, "a", derive)(1.0, 2.0) == [0.0, 2.0]
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -3,25 +3,25 @@
 import numpy as np
 import pytest
 
-import turgor.core.geometry as geometry
 from turgor.core.geometry.thin_corners import find_thin_corners
 from turgor.core.meshing.generate import mesh
 from turgor.core.meshing.sizing.local_sizes import local_sizes
+from turgor.namespaces import actuators
 from turgor.units import mm
 
-SECTORS = geometry.OmnidirectionalActuator(chamber_shape="ring_sector", length=30 * mm, symmetric=True)
+SECTORS = actuators.OmnidirectionalActuator(chamber_shape="ring_sector", length=30 * mm, symmetric=True)
 
 #: Family, and corners of each cavity.
 FOUND = {
-    "long box": (geometry.RectangularBender(), {"cavity": 8}),
-    "half circle": (geometry.SemicircularBender(), {"cavity": 1}),
-    "circles": (geometry.OmnidirectionalActuator(), {}),
+    "long box": (actuators.RectangularBender(), {"cavity": 8}),
+    "half circle": (actuators.SemicircularBender(), {"cavity": 1}),
+    "circles": (actuators.OmnidirectionalActuator(), {}),
     "half circles in a thick wall": (
-        geometry.OmnidirectionalActuator(chamber_shape="semicircular_flat_inward", chamber_size=6 * mm),
+        actuators.OmnidirectionalActuator(chamber_shape="semicircular_flat_inward", chamber_size=6 * mm),
         {},
     ),
-    "tube": (geometry.ExtendingCylinder(), {}),
-    "chambers": (geometry.FastPneuNet(), {}),
+    "tube": (actuators.ExtendingCylinder(), {}),
+    "chambers": (actuators.FastPneuNet(), {}),
 }
 
 

@@ -13,10 +13,11 @@ from turgor.core.geometry.actuators.eccentric_bender import EccentricBender
 from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.actuators.fiber_reinforced_bender import FiberReinforcedBender
-from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder, OmnidirectionalActuator
+from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.core.geometry.actuators.free_bottom_pneunet import FreeBottomPneuNet
 from turgor.core.geometry.actuators.helical_pneunet import HelicalPneuNet
 from turgor.core.geometry.actuators.manta_fin import MantaFin
+from turgor.core.geometry.actuators.omnidirectional_actuator import OmnidirectionalActuator
 from turgor.core.geometry.actuators.parallel_bellows import ParallelBellows
 from turgor.core.geometry.actuators.rectangular_bender import RectangularBender
 from turgor.core.geometry.actuators.semicircular_bender import SemicircularBender
