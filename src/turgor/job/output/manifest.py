@@ -193,13 +193,20 @@ def drop_previous(folder: Path) -> None:
 
 
 def bring_back(folder: Path) -> None:
-    """Move the results of an earlier run back, after the run that should replace them has failed at its beginning."""
-    previous = folder / PREVIOUS
+    """Move the results of an earlier run back, after the run that should replace them has failed at its beginning.
+
+    A process that is killed here leaves what one leaves that is killed in `set_aside`: the next call of that continues.
+    """
+    previous, moving = folder / PREVIOUS, folder / MOVING
     if previous.is_symlink() or not (previous / MANIFEST).exists():
         return
     remove(folder, [*own_files(folder), folder / MANIFEST])
-    _move(own_files(previous), previous, folder)
-    os.replace(previous / MANIFEST, folder / MANIFEST)
-    remove_empty(previous)
-    with suppress(OSError):
-        previous.rmdir()
+    os.replace(previous, moving)
+    write_whole(folder / MANIFEST, (moving / MANIFEST).read_text("utf-8"))
+    _move(own_files(moving), moving, folder)
+    (moving / MANIFEST).unlink()
+    remove_empty(moving)
+    try:
+        moving.rmdir()
+    except OSError:  # what others put there stays
+        os.replace(moving, previous)

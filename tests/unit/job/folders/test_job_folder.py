@@ -9,7 +9,16 @@ from turgor.cli import main
 from turgor.core.results.files.response_csv import read_response
 from turgor.core.solvers.checkpoints.record import INDEX
 from turgor.foundation.errors import TurgorError
-from turgor.job.output.manifest import MANIFEST, PREVIOUS, listed, own_files, remove, set_aside
+from turgor.job.output.manifest import (
+    MANIFEST,
+    PREVIOUS,
+    bring_back,
+    list_files,
+    listed,
+    own_files,
+    remove,
+    set_aside,
+)
 from turgor.job.postprocess import report_folder
 from turgor.job.read import read_job
 from turgor.job.run import run_job
@@ -184,6 +193,33 @@ def test_a_move_that_was_killed_goes_on(file, tmp_path, monkeypatch):
     set_aside(folder)
     assert {path.relative_to(folder / PREVIOUS): path.read_bytes() for path in own_files(folder / PREVIOUS)} == before
     assert own_files(folder) == []
+
+
+@pytest.mark.parametrize("moves", range(1, 5))
+def test_results_that_were_on_their_way_back_are_not_lost(tmp_path, monkeypatch, moves):
+    """A process is killed in `bring_back`; the next run with ``--force`` sets aside all results of the earlier one."""
+    names = ("response.csv", "run.log", "steps.csv")
+    list_files(tmp_path, names)
+    for name in names:
+        (tmp_path / name).write_text(name)
+    set_aside(tmp_path)
+    left, real = moves, os.replace
+
+    def killed(source, target):
+        nonlocal left
+        left -= 1
+        if left < 0:
+            raise KeyboardInterrupt
+        real(source, target)
+
+    with monkeypatch.context() as patch:
+        patch.setattr("turgor.job.output.manifest.os.replace", killed)
+        with pytest.raises(KeyboardInterrupt):
+            bring_back(tmp_path)
+    set_aside(tmp_path)
+    waiting = tmp_path / PREVIOUS
+    assert {name: (waiting / name).read_text() for name in names} == dict(zip(names, names, strict=True))
+    assert listed(waiting) == frozenset(names)
 
 
 def test_a_resumed_run_whose_move_was_killed_begins(file, tmp_path, monkeypatch):
