@@ -12,10 +12,6 @@ import tomlkit
 from fuzz_texts import DESIGNS, FULL, OPTIMIZATION, STAGED, STUDY, TABLE_STUDY
 from mutants import changed_bytes, changed_table, changed_text
 from trials import Case, apart
-from turgor.studies.optimization.files.study_files import read_factors
-from turgor.studies.optimization.files.study_files import read_study_file as read_optimization
-from turgor.studies.runs.jobs.job_file import job_file
-from turgor.studies.runs.jobs.study_file import read_study_file
 
 from turgor.core.materials.library.record_files import read_records
 from turgor.job.job import Job
@@ -25,6 +21,7 @@ from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.studies.runs.files.designs_csv import read_designs
 from turgor.studies.runs.jobs.job_numbers import JobNumber, numbers_of
+from turgor.studies.study_file.study_file import read_study_file
 
 JUNK_CELLS = (
     "",
@@ -128,12 +125,8 @@ def damaged_study(chance: random.Random, folder: Path) -> Path:
 
 
 def use_study(file: Path) -> None:
-    if file.stem != "optimization":
-        study = read_study_file(file)
-        assert 0 < len(study.designs.values) <= 100_000
-        return
-    found = read_optimization(file)
-    read_factors(found, job_file(read_job(found.job), file.parent))
+    study = read_study_file(file)
+    assert study.sweep is None or 0 < len(study.sweep.designs.values) <= 100_000
 
 
 def damaged_designs(chance: random.Random, folder: Path) -> Path:

@@ -19,7 +19,7 @@ from trials import Case, apart
 from turgor.laws import NeoHooke
 
 import turgor as tg
-from turgor.core.geometry import ExtendingCylinder
+from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.laws.derived_formulas import cached_formulas, formulas_of
 from turgor.core.meshing.generate import mesh_with

@@ -93,22 +93,23 @@ job = "job.toml"
 actuator.length = ["25 mm", "30 mm"]
 materials.body.C10 = { low = "0.1 MPa", high = "0.12 MPa" }
 
-[design]
-kind = "sobol"
+[sweep]
+design = "sobol"
 samples = 8
 seed = 1
-
-[output]
 measures = ["tip_displacement_x", "cavity_volume"]
 at = { pressure = "10 kPa" }
 mesh_error = false
+
+[surrogate]
+along = "pressure"
 """
 
 TABLE_STUDY = """\
 job = "job.toml"
 
-[design]
-kind = "table"
+[sweep]
+design = "table"
 table = "designs.csv"
 """
 
@@ -117,28 +118,19 @@ job = "job.toml"
 
 [factors]
 "actuator.length" = { low = "20 mm", high = "40 mm", start = "30 mm" }
-"materials.body.C10" = { low = "0.1 MPa", high = "0.2 MPa" }
+"materials.body.C10" = { low = "0.1 MPa", high = "0.2 MPa", spread = "5 %" }
 
-[[targets]]
-measure = "tip_displacement_x"
-value = "4 mm"
+[optimize]
+precision = 0.02
+targets = [{ measure = "tip_displacement_x", value = "4 mm" }]
+limits = [{ measure = "von_mises_p99", most = "0.13 MPa" }]
+objectives = [{ minimize = "solid_volume" }]
 
-[[limits]]
-measure = "von_mises_p99"
-most = "0.13 MPa"
-
-[[objectives]]
-minimize = "solid_volume"
-
-[workspace]
-"tip_displacement_x" = ["0 mm", "10 mm"]
-
-[casting]
+[optimize.casting]
 smallest_wall = "1 mm"
 draft = "0.5 deg"
 
-[search]
-precision = 0.02
+[uncertainty]
 """
 
 DESIGNS = """\

@@ -53,7 +53,7 @@ mesh_error = false
 
 #: Compiles a small loop, then shows where compiled loops are.
 COMPILE = """
-from turgor.core.engine.warmup.cell_loops import compile_pattern
+from turgor.core.engine.warmup.cell_kernels import compile_pattern
 compile_pattern()
 from turgor.foundation.startup.kernel_folder import folder
 print(folder())

@@ -110,7 +110,7 @@ height of 13.5 mm.
         -------
         Geometry
             Region ``body`` (both sides); faces ``cavity_1`` above and ``cavity_2`` below, the others as those of
-            `turgor.core.geometry.FastPneuNet.build`.
+            `turgor.FastPneuNet.build`.
 
         Raises
         ------

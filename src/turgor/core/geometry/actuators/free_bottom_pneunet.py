@@ -147,7 +147,7 @@ ends between floor and top of the chambers.
         Returns
         -------
         Geometry
-            Regions and faces as those of `turgor.core.geometry.FastPneuNet.build`; ``strain_limiting_layer`` covers the
+            Regions and faces as those of `turgor.FastPneuNet.build`; ``strain_limiting_layer`` covers the
             whole base, in the free intervals too.
 
         Raises

@@ -151,7 +151,7 @@ chambers keep an inside; a larger end_extension or length, or fewer chambers all
         Returns
         -------
         Geometry
-            Regions and faces as those of a whole `turgor.core.geometry.FastPneuNet`.
+            Regions and faces as those of a whole `turgor.FastPneuNet`.
 
         Raises
         ------

@@ -117,7 +117,7 @@ class MantaFin:
         Returns
         -------
         Geometry
-            Regions and faces as those of `turgor.core.geometry.FastPneuNet.build`; ``fixed`` is the root.
+            Regions and faces as those of `turgor.FastPneuNet.build`; ``fixed`` is the root.
 
         Raises
         ------

@@ -101,7 +101,7 @@ class SlowPneuNet:
         Returns
         -------
         Geometry
-            Regions and faces as those of `turgor.core.geometry.FastPneuNet.build`.
+            Regions and faces as those of `turgor.FastPneuNet.build`.
 
         Raises
         ------

@@ -132,7 +132,7 @@ feet 12.38 mm long.
         Returns
         -------
         Geometry
-            Regions and faces as those of `turgor.core.geometry.FastPneuNet.build`.
+            Regions and faces as those of `turgor.FastPneuNet.build`.
 
         Raises
         ------

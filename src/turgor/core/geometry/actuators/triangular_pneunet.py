@@ -115,7 +115,7 @@ height of 15 mm.
         Returns
         -------
         Geometry
-            Regions and faces as those of `turgor.core.geometry.FastPneuNet.build`.
+            Regions and faces as those of `turgor.FastPneuNet.build`.
 
         Raises
         ------

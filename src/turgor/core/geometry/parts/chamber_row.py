@@ -15,7 +15,7 @@ from turgor.units import m, mm
 class ChamberRow:
     """Chambers in a row, apart from each other and joined by an air channel; x counts from the plane x = 0.
 
-    The fields are those of `turgor.core.geometry.FastPneuNet`, and these:
+    The fields are those of `turgor.FastPneuNet`, and these:
 
     Parameters
     ----------
