@@ -102,12 +102,12 @@ def _question(model: Model, stage: Stage, last: _End | None) -> Model:
     pressures = dict(last.pressures)
     if isinstance(stage.procedure, VolumeControl | GasMass):
         # here, as in `turgor.core.solvers.methods`: few procedures fill cavities
-        from turgor.core.solvers.continuation.scalar_control.cavity_control import asked_cavities
+        from turgor.core.solvers.continuation.scalar_control.cavity_control import filled_cavities
 
         stated = {load.face for load in pressures_among(stage.loads)}
-        for name in asked_cavities(last.model, stage.procedure):
+        for name in filled_cavities(last.model, stage.procedure):
             if name not in stated:
-                pressures.pop(name, None)  # it is sought from here on
+                pressures.pop(name, None)  # it is unknown from here on
     acting = (last.load_factor, pressures)
     return continued(last.model, acting, stage.loads, stage.displacements, stage.moves)
 

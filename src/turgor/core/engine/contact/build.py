@@ -39,7 +39,7 @@ ROUNDS = 4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bodies:
-    """Obstacles held by springs.
+    """Obstacles on springs.
 
     Parameters
     ----------
@@ -48,14 +48,14 @@ class Bodies:
         Scaled stiffness, of the modeled part.
     unknowns : tuple of int
         First unknown of each.
-    held : (3 b,) bool array
+    prescribed : (3 b,) bool array
         Directions across mirror planes, in which they cannot move.
     """
 
     names: tuple[str, ...]
     springs: Array
     unknowns: tuple[int, ...]
-    held: NDArray[np.bool_]
+    prescribed: NDArray[np.bool_]
 
     @staticmethod
     def of(model: Model, scales: tuple[float, float], first_unknown: int) -> "Bodies":

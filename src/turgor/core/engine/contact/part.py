@@ -16,12 +16,12 @@ Ints = NDArray[np.int64]
 ROUND_OFF = 1e-12
 
 
-class Look(Enum):
+class SearchMode(Enum):
     """How partners of contact are found: kept, followed from side to side, or searched for globally."""
 
     KEEP = "keep"
     FOLLOW = "follow"
-    ANEW = "anew"
+    GLOBAL = "global"
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -30,13 +30,13 @@ class Compression:
     force : (n,) array [N/m]
         Negative in compression.
     area : (n,) array [m²]
-    held : float [N/m]
+    wrinkling_force : float [N/m]
         Compression from which it wrinkles on this mesh.
     """
 
     force: Array
     area: Array
-    held: float
+    wrinkling_force: float
 
     @classmethod
     def of(cls, state: State, name: str) -> "Compression":
@@ -47,7 +47,7 @@ class Compression:
         """
         force, area = least_tension(state.model, name, state.displacement)
         edge = float(np.sqrt(area.sum() / len(area)))
-        return cls(force=force.ravel(), area=area.ravel(), held=2 * softest(state.model) * edge / np.pi)
+        return cls(force=force.ravel(), area=area.ravel(), wrinkling_force=2 * softest(state.model) * edge / np.pi)
 
     def share(self, beyond: float) -> float:
         """Share of the area that is compressed by more than a force per width."""
@@ -56,7 +56,7 @@ class Compression:
     @property
     def wrinkled(self) -> float:
         """Share of the area that wrinkles on this mesh."""
-        return self.share(self.held)
+        return self.share(self.wrinkling_force)
 
     @property
     def largest(self) -> float:

@@ -12,7 +12,7 @@ from turgor.core.engine.system import Evaluation
 from turgor.core.model.drive import kinks
 from turgor.core.solvers.checks.distortion import distortion_text
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.guide import ASTRAY, Guide
+from turgor.core.solvers.continuation.guide import MOST_FAILED, Guide
 from turgor.core.solvers.continuation.path_follower import follow, noted
 from turgor.core.solvers.continuation.path_points import nothing, plain_point, settings_of
 from turgor.core.solvers.continuation.path_run import Ending, Judgment, Point, Rescue, Run, StepMemory, Task, Turn
@@ -53,7 +53,7 @@ def load_run(
     patient : bool
         Whether pseudo-transient continuation may help where Newton's method finds nothing.
     stop : callable, optional
-        Asked instead of the listener of the problem.
+        Called instead of the listener of the problem.
     history : list of Point, optional
         Filled with the last points.
     """
@@ -65,7 +65,7 @@ def load_run(
         problem=problem,
         procedure=procedure,
         strategy=LoadStrategy(patient, guide),
-        settings=replace(settings_of(procedure), count_anew=True),
+        settings=replace(settings_of(procedure), recount=True),
         driven=nothing,
         finished=_full_load,
         kinks=turns,
@@ -101,7 +101,7 @@ def _reached(run: Run) -> Outcome:
     if run.memory.guided_until is None:
         return outcome
     until = run.memory.guided_until
-    without = f" From load factor {until:.3g} on the guide led astray; steps went on without it."
+    without = f" From load factor {until:.3g} on the guide predicted wrongly; steps went on without it."
     return replace(outcome, message=outcome.message + without)
 
 
@@ -155,19 +155,19 @@ class LoadStrategy:
     def _led(self, run: Run, parameter: float) -> Evaluation | None:
         """The last state moved on as the guide moves; None where that turns a cell inside out."""
         assert self.guide is not None
-        last, held = run.history[-1], run.task.system.held
+        last, prescribed = run.history[-1], run.task.system.prescribed
         unknowns = last.unknowns + self.guide.at(parameter) - self.guide.at(last.parameter)
-        unknowns[held] = last.unknowns[held]
+        unknowns[prescribed] = last.unknowns[prescribed]
         return evaluate(run.constraint, run.task.tangent, (unknowns, last.scalars), parameter)
 
     def _rejected(self, run: Run, result: NewtonResult) -> StepMemory:
-        """What the next attempt knows of one that found no state; no guide after it has led astray too often."""
+        """What the next attempt knows of one that found no state; no guide after it has failed too often."""
         memory = replace(run.memory, lost_stability=run.memory.lost_stability or bool(result.unstable_modes))
         if self.guide is None or memory.guided_until is not None:
             return memory
         failed = memory.failed_guides + 1
         return replace(
-            memory, failed_guides=failed, guided_until=run.history[-1].parameter if failed >= ASTRAY else None
+            memory, failed_guides=failed, guided_until=run.history[-1].parameter if failed >= MOST_FAILED else None
         )
 
     def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:

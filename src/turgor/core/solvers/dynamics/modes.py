@@ -146,7 +146,7 @@ def _check(system: System, count: int) -> None:
             "a pressure acts on an open surface and has no potential there, so that its modes are not those of an "
             "elastic body; close the cavity, or leave the pressure out."
         )
-    largest = max(1, int((system.moving & ~system.held).sum()) // 10)
+    largest = max(1, int((system.moving & ~system.prescribed).sum()) // 10)
     if not 1 <= count <= largest:
         raise TurgorError(f"count is {count}; allowed is 1 to {largest}, a tenth of the free displacements.")
 
@@ -156,7 +156,7 @@ def _solve(system: System, stiffness: Array, mass: Array, count: int, options: E
     system.apply_supports(stiffness)
     mass = system.layout.spread(mass.copy())
     system.apply_supports(mass)
-    mass[system.pattern.diagonal[system.held]] = 0.0
+    mass[system.pattern.diagonal[system.prescribed]] = 0.0
     solver = linear_solver(options.linear_solver, system.pattern, options.threads)
     shift = _first_shift(system)
     for _ in range(MODES.shift_lowerings):
@@ -212,7 +212,7 @@ def _modes(system: System, at: tuple[float, Array], eigenvalues: Array, vectors:
     load_factor, unknowns = at
     shapes, masses = [], []
     for vector in vectors.T:
-        motion = np.where(system.held, 0.0, vector)
+        motion = np.where(system.prescribed, 0.0, vector)
         motion[~system.moving] = 0.0
         shape = system.displacement(motion)
         size = np.linalg.norm(shape, axis=1)

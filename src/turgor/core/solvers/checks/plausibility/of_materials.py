@@ -83,7 +83,7 @@ def _solids(question: Question) -> list[tuple[Material, bool]]:
 
 
 def _is_stiff(material: Material, softest: float) -> bool:
-    """Whether a solid is stiffer than any rubber, and either compressible or far stiffer than the rubber beside it."""
+    """Whether a solid is stiffer than any rubber, and either compressible or far stiffer than the rubber next to it."""
     shear = material.law.shear_modulus
     return shear > STIFFEST_RUBBER and (material.bulk_modulus < NO_RUBBER * shear or shear > RIGID * softest)
 
