@@ -341,8 +341,8 @@ class System:
             self.contact.rubbing(at.contacts, self.size),
             self.terms.unsymmetric_matrix(self.configuration(at), self.size),
         )
-        found = [part for part in parts if part is not None]
-        return self._ties.reduce(self._frames.turn_matrix(sum(found[1:], found[0]).tocsc())) if found else None
+        present = [part for part in parts if part is not None]
+        return self._ties.reduce(self._frames.turn_matrix(sum(present[1:], present[0]).tocsc())) if present else None
 
     def apply_supports(self, data: Array) -> None:
         """Replace the equations of prescribed unknowns by identities, in place."""

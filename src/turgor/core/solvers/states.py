@@ -43,10 +43,10 @@ def acting_pressures(system: System, at: Evaluation) -> dict[str, float]:
     """Gauge pressures [Pa] in every cavity and on every pressed face, stated or unknown; none where nothing presses."""
     if at.unknown_pressures is None and not system.model.pressures:
         return {}
-    found = pressures_at(system.model, at.load_factor)
+    by_face = pressures_at(system.model, at.load_factor)
     if (unknown := at.unknown_pressures) is not None:
-        found |= {name: float(p) * system.stress_scale for name, p in zip(system.controlled, unknown, strict=True)}
-    return found
+        by_face |= {name: float(p) * system.stress_scale for name, p in zip(system.controlled, unknown, strict=True)}
+    return by_face
 
 
 def touches(system: System, at: Evaluation) -> dict[str, Touch]:

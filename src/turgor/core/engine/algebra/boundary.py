@@ -256,16 +256,16 @@ def radial_normals(model: Model) -> tuple[Ints, Array]:
     -------
     tuple of array
     """
-    found: dict[int, Array] = {}
+    normal_at: dict[int, Array] = {}
     for support in model.supports:
         if not isinstance(support, Radial):
             continue
         nodes = model.mesh.face_nodes(support.face)
         for node, normal in zip(nodes.tolist(), _cylinder_normals(model.mesh.points[nodes], support), strict=True):
-            if node in found and abs(float(found[node] @ normal)) < 1 - 1e-6:
+            if node in normal_at and abs(float(normal_at[node] @ normal)) < 1 - 1e-6:
                 raise TurgorError(f"Radial of '{support.face}': it meets another cylinder whose radius is fixed.")
-            found[node] = normal
-    return np.array(list(found), dtype=np.int64), np.array(list(found.values())).reshape(-1, 3)
+            normal_at[node] = normal
+    return np.array(list(normal_at), dtype=np.int64), np.array(list(normal_at.values())).reshape(-1, 3)
 
 
 def _cylinder_normals(points: Array, support: Radial) -> Array:

@@ -66,17 +66,17 @@ def plane_sections(model: Model) -> tuple[Section, ...]:
     TurgorError
         If a face is no coordinate plane, or two sections with the same normal share nodes.
     """
-    found: list[Section] = []
+    sections: list[Section] = []
     for support in model.supports:
         if not isinstance(support, PlaneSection):
             continue
         axis = coordinate_plane(model.mesh, support.face, "a plane section")
         section = Section(support.face, model.mesh.face_nodes(support.face), axis)
-        for other in found:
+        for other in sections:
             if other.axis == axis and np.intersect1d(other.nodes, section.nodes).size:
                 raise TurgorError(f"PlaneSection of '{section.face}': it shares nodes with '{other.face}'; keep one.")
-        found.append(section)
-    return tuple(found)
+        sections.append(section)
+    return tuple(sections)
 
 
 def coordinate_plane(mesh: Mesh, face: str, what: str) -> int:

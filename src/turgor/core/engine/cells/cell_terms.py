@@ -19,7 +19,7 @@ Integers = NDArray[np.int64]
 REGULARIZATION = 1e-9
 
 #: Entries of cell matrices in memory at once when the tangent is formed: few enough to be added up while the processor
-#: still has them close by, which spares a tenth of the time. And cells at least, so that threads have something to share.
+#: still has them close by, which spares a tenth of the time. And cells at least, so that threads have a share each.
 CHUNK_ENTRIES, CHUNK_CELLS = 1_000_000, 600
 
 

@@ -213,11 +213,11 @@ def _partners(
         reach=_reach(weights),
     )
     for _ in range(ROUNDS):
-        found = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, np.zeros(3))
-        inside = np.argwhere(found.gap < -1e-6 * height[:, None])
+        contact = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, np.zeros(3))
+        inside = np.argwhere(contact.gap < -1e-6 * height[:, None])
         if not len(inside):
             break
-        partners = _apart(partners, inside[:, 0], found.partner[inside[:, 0], inside[:, 1]])
+        partners = _apart(partners, inside[:, 0], contact.partner[inside[:, 0], inside[:, 1]])
     return partners
 
 

@@ -73,7 +73,7 @@ def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
     return by_weight(
         (
             *constants_in_doubt(model),
-            *(found for question in questions for found in implausible(question)),
+            *(finding for question in questions for finding in implausible(question)),
             *everything_fixed(model),
             *fixed_cavities(model),
             *fixed_tip(model),

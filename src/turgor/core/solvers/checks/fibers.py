@@ -24,18 +24,18 @@ def check_fibers(model: Model) -> tuple[Finding, ...]:
     TurgorError
         If a winding cannot lie on its face.
     """
-    found = []
+    findings = []
     for fibers in model.reinforcements:
         course = course_of(model.mesh, fibers)
         lay(model.mesh, fibers)  # an error for threads that lie nowhere on their face
-        found += [
+        findings += [
             *_resisting(fibers),
             *_far_apart(model, fibers, course),
             *_other_spacing(fibers, course),
             *_both_hands(fibers, course),
             *_too_stiff(model, fibers, course),
         ]
-    return tuple(found)
+    return tuple(findings)
 
 
 def _resisting(fibers: Fibers) -> list[Finding]:

@@ -193,9 +193,9 @@ class LoadStrategy:
             return Rescue(None, ending, memory)
         memory = replace(memory, relaxations=memory.relaxations + 1)
         for share in (1.0, LOAD_CONTROL.shorter_reach):
-            found = _pseudo_transient(run, _reach(run, share))
-            if found is not None:
-                return Rescue(found, None, replace(memory, rate=inf))
+            point = _pseudo_transient(run, _reach(run, share))
+            if point is not None:
+                return Rescue(point, None, replace(memory, rate=inf))
         if in_vain(run.steps):
             ending = stuck(model, run.states, run.steps, memory.lost_stability)
         return Rescue(None, ending, memory)
@@ -231,11 +231,11 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
     result = pseudo_transient(run.constraint, task.tangent, last.unknowns, load, task.settings, report)
     why = why_rejected(system, run.states, run.history, result) if result.converged else None
     folds = why is not None and system.model.sheets_wrinkle and _folds(run, result, why)
-    found = result.converged and (why is None or folds)
+    accepted = result.converged and (why is None or folds)
     snapped = folds and len(run.states) > 1
-    how = Reason(Cause.FOLD_SNAPPED if snapped else Cause.PSEUDO_TRANSIENT) if found else result.reason or why
-    noted(run, result, (load, perf_counter() - began), Judgment(last if found else None, how))
-    if not found or result.evaluation is None:
+    how = Reason(Cause.FOLD_SNAPPED if snapped else Cause.PSEUDO_TRANSIENT) if accepted else result.reason or why
+    noted(run, result, (load, perf_counter() - began), Judgment(last if accepted else None, how))
+    if not accepted or result.evaluation is None:
         return None
     return plain_point(run, result.evaluation, (load, result.scalars), result.unstable_modes), result
 

@@ -191,7 +191,7 @@ def _along_tangent(
 
 def _touching(contacts: Contacts) -> int:
     """How many points touch."""
-    return sum(int(found.inside.sum()) for found in contacts.found)
+    return sum(int(each.inside.sum()) for each in contacts.found)
 
 
 def _bent(history: Sequence[Point], parameter: float) -> Array | None:
@@ -222,13 +222,13 @@ def _not_deeper(
     """Shorten an extrapolation of load control until it presses no wall much deeper into another."""
     contact, parameter, here_ = constraint.scalar_unknowns.system.contact, at.load_factor, last.unknowns
     here = evaluate(constraint, tangent, (here_, last.scalars), parameter)
-    found: Evaluation | None = at
+    trial: Evaluation | None = at
     for _ in range(PREDICTOR.shortenings):
-        if found is None or here is None:
+        if trial is None or here is None:
             break
-        share = contact.shortening(here.contacts, found.contacts)
+        share = contact.shortening(here.contacts, trial.contacts)
         if share == 1:
-            return found.unknowns, found
-        place = here_ + share * (found.unknowns - here_)
-        found = evaluate(constraint, tangent, (place, last.scalars), parameter)
-    return (here_, here) if found is None else (found.unknowns, found)
+            return trial.unknowns, trial
+        place = here_ + share * (trial.unknowns - here_)
+        trial = evaluate(constraint, tangent, (place, last.scalars), parameter)
+    return (here_, here) if trial is None else (trial.unknowns, trial)

@@ -68,8 +68,8 @@ class Accelerations:
         right[self._system.prescribed] = 0.0
         if not np.abs(right).any():
             return np.zeros_like(right), np.zeros_like(right)
-        found = self._solver.solve(right)
-        acceleration, stress = found * self._scale, found.copy()
+        solved = self._solver.solve(right)
+        acceleration, stress = solved * self._scale, solved.copy()
         acceleration[~self._system.moving] = 0.0
         stress[~self._fixed] = 0.0
         return acceleration, stress

@@ -109,8 +109,8 @@ def natural_frequencies(
     options = options or EngineOptions()
     with use_threads(options.threads):
         compile_kernels(options.notify, Needs.of(model))
-        found = {} if state is None else _found_pressures(model, state)
-        system = System(model, tuple(found))
+        by_cavity = {} if state is None else _found_pressures(model, state)
+        system = System(model, tuple(by_cavity))
         _check(system, count)
         unknowns = np.zeros(system.size)
         memory = None if state is None or state.memory is None else state.memory.of_rubber  # friction yields
@@ -118,7 +118,7 @@ def natural_frequencies(
         if state is not None:
             unknowns = unknowns_of(system, state)
         load_factor = 0.0 if state is None else state.load_factor
-        pressures = np.array(list(found.values())) / system.stress_scale if found else None
+        pressures = np.array(list(by_cavity.values())) / system.stress_scale if by_cavity else None
         at = system.evaluate(unknowns, load_factor, pressures, history=history)
         if at is None:
             raise TurgorError("the state turns a cell inside out; it is no equilibrium of this model.")
@@ -168,13 +168,13 @@ def _solve(system: System, stiffness: Array, mass: Array, count: int, options: E
     inverse = LinearOperator((system.size, system.size), matvec=exactly, dtype=np.float64)
     begin = exactly(full @ np.random.default_rng(1).normal(size=system.size))
     try:
-        found, vectors = eigsh(
+        values, vectors = eigsh(
             inverse, k=count, M=full, sigma=-shift, OPinv=inverse, v0=begin, which="LM", ncv=max(2 * count + 2, 20)
         )
     except ArpackNoConvergence as error:
         raise TurgorError(f"only {len(error.eigenvalues)} of {count} modes converged; ask for fewer.") from error
-    order = np.argsort(found)
-    return found[order], vectors[:, order]
+    order = np.argsort(values)
+    return values[order], vectors[:, order]
 
 
 def _refined(solver: LinearSolver, pattern: Pattern, data: Array, right: Array) -> Array:

@@ -27,9 +27,9 @@ def newton_with_contact(
         result = newton(constraint, tangent, start, parameter, settings, report)
         if result.converged or tangent.plain or len(start.scalars):  # with a border there is no potential to lower
             return result
-        found = inertia_corrected(constraint, tangent, start.unknowns, parameter, settings, report)
-        iterations = result.iterations + found.iterations
-        return replace(found if found.converged else result, iterations=iterations)
+        corrected = inertia_corrected(constraint, tangent, start.unknowns, parameter, settings, report)
+        iterations = result.iterations + corrected.iterations
+        return replace(corrected if corrected.converged else result, iterations=iterations)
 
     contact, result = constraint.scalar_unknowns.system.contact, find(constraint, start)
     if not contact.parts:
@@ -46,8 +46,8 @@ def newton_with_contact(
             return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
         if not (stiffened or renewed) and number >= CONTACT_NEWTON.patience and residual <= CONTACT_NEWTON.wedged:
             return replace(result, iterations=iterations, hardest=hardest)
-        found = find(constraint, Start(at.unknowns, constraint.scalar_unknowns.system.stresses(at), result.scalars))
-        result = replace(found, reason=result.reason) if found.converged and found.reason is None else found
+        again = find(constraint, Start(at.unknowns, constraint.scalar_unknowns.system.stresses(at), result.scalars))
+        result = replace(again, reason=result.reason) if again.converged and again.reason is None else again
         iterations += result.iterations
         hardest = max(hardest, result.iterations)
     if result.converged:

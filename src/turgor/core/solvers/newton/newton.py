@@ -97,10 +97,10 @@ class _Newton:
         fresh, geometric = _factors(self, now)
         left = forcing(fresh, self.border.tangent.iterative, now.residuals, self.settings.tolerance)
         try:
-            found = self.border.newton_update(now.at, (geometric, now.jump, fresh), now.conditions, left)
+            updates = self.border.newton_update(now.at, (geometric, now.jump, fresh), now.conditions, left)
         except (SingularTangentError, np.linalg.LinAlgError) as error:
             raise Stopped(Reason(Cause.SINGULAR_TANGENT, detail=str(error))) from None
-        return _Update(*found, geometric, fresh)
+        return _Update(*updates, geometric, fresh)
 
     def advanced(self, now: _Iterate, update: _Update) -> _Iterate:
         """Go along an update as far as the line search allows."""

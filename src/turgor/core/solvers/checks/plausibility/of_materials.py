@@ -77,9 +77,9 @@ def materials_of(question: Question) -> tuple[Material, ...]:
 
 def _solids(question: Question) -> list[tuple[Material, bool]]:
     """Materials of the regions, and whether each is a stiff part rather than a rubber."""
-    found = distinct(question.model.region_materials.values())
-    softest = min(each.law.shear_modulus for each in found)
-    return [(each, _is_stiff(each, softest)) for each in found]
+    materials = distinct(question.model.region_materials.values())
+    softest = min(each.law.shear_modulus for each in materials)
+    return [(each, _is_stiff(each, softest)) for each in materials]
 
 
 def _is_stiff(material: Material, softest: float) -> bool:
