@@ -131,7 +131,7 @@ class LoadStrategy:
         load = run.stepping.next_load(now)
         while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
             load = now + 0.5 * (load - now)
-        if run.task.tangent.plain or self._leads(run, load):
+        if run.task.tangent.plain or self._guides(run, load):
             return load
         gently = now + gentle_share(run.task.system, run.history, load) * (load - now)
         return min(load, max(gently, now + run.stepping.min_step))
@@ -141,18 +141,18 @@ class LoadStrategy:
         last = run.history[-1]
         if run.task.tangent.plain:
             return Start(last.unknowns, last.stresses)
-        led = self._led(run, parameter) if self._leads(run, parameter) else None
-        if led is not None:
-            return Start(led.unknowns, run.task.system.stresses(led), evaluation=led)
+        guided = self._guided(run, parameter) if self._guides(run, parameter) else None
+        if guided is not None:
+            return Start(guided.unknowns, run.task.system.stresses(guided), evaluation=guided)
         start = predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
         at_rest = len(run.states) == 1 and run.task.tangent.has_factors_of(last.unknowns)
         return replace(start, fresh=not at_rest)
 
-    def _leads(self, run: Run, load: float) -> bool:
+    def _guides(self, run: Run, load: float) -> bool:
         """Whether the guide reaches a load."""
         return self.guide is not None and run.memory.guided_until is None and self.guide.leads_to(load)
 
-    def _led(self, run: Run, parameter: float) -> Evaluation | None:
+    def _guided(self, run: Run, parameter: float) -> Evaluation | None:
         """The last state moved on as the guide moves; None where that turns a cell inside out."""
         assert self.guide is not None
         last, prescribed = run.history[-1], run.task.system.prescribed
