@@ -133,7 +133,7 @@ def together(model: Model, procedure: Stages, solutions: Sequence[Solution]) -> 
     ----------
     model : Model
     procedure : Stages
-    found : sequence of Solution
+    solutions : sequence of Solution
         Of the first stages.
 
     Returns
