@@ -165,7 +165,7 @@ def _solved(
     """Solve a job, refine its mesh where it has a target, and measure."""
     job, findings = files.job, record.question.findings or ()
     files.say("solving")
-    record.told = lambda: files.grow(record)
+    record.on_checkpoint = lambda: files.grow(record)
     question = replace(record.question, options=options)
     solution = follow_question(question, Listeners(progress), record, throw=False)
     if solution.status is Status.INTERRUPTED:

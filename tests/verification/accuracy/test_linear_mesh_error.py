@@ -59,11 +59,11 @@ def weighted_residuals(solution):
     tangent = Tangent(system, OPTIONS.linear_solver, 1)
     tangent.use_double()
     border = Border(constraint, tangent)
-    border.factor(at, None, np.zeros(int(system.held.sum())))
+    border.factor(at, None, np.zeros(int(system.prescribed.sum())))
     there = state_of(system, at, None)
     base = Equilibrium(there, solution.procedure, system, border, constraint, at, np.zeros(0), Systems())
     facts = MeshFacts(refinement.mesh)
-    found = adjoint_of(base, MEASURES, facts).slopes(np.where(system.held, 0.0, at.residual), np.zeros(0))
+    found = adjoint_of(base, MEASURES, facts).slopes(np.where(system.prescribed, 0.0, at.residual), np.zeros(0))
     return found, np.array([each(StateFields(there, facts)) for each in MEASURES])
 
 

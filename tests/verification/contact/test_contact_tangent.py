@@ -62,7 +62,7 @@ def _bare(system):
 
 def _error(system, unknowns, record, name, history=None, h=1e-6):
     """Worst error of the tangent of contact along random directions over its largest value."""
-    free, rng, bare = np.flatnonzero(~system.held), np.random.default_rng(23), _bare(system)
+    free, rng, bare = np.flatnonzero(~system.prescribed), np.random.default_rng(23), _bare(system)
     count = bare.size
     tangent, without = system.tangent(unknowns, 1.0, history), bare.tangent(unknowns[:count], 1.0)
 
@@ -181,7 +181,7 @@ def test_tangent_of_friction(name, way, record_verification):
 
 def _sideways(system, unknowns, way, upper_only):
     """Everything that is free moved sideways."""
-    moved, free = np.zeros(system.size), ~system.held
+    moved, free = np.zeros(system.size), ~system.prescribed
     moved[0 : 3 * system.node_count : 3], moved[1 : 3 * system.node_count : 3] = 1.0, 0.4
     if upper_only:
         moved[: 3 * system.node_count] *= np.repeat(system.model.mesh.points[:, 2] > 5.05 * MM, 3)
@@ -196,7 +196,7 @@ def _pull(system, unknowns, history):
 
 def _residuals(system, x, count):
     """Norms of the free residual of the textbook's iteration at the full load."""
-    free, norms = np.flatnonzero(~system.held), []
+    free, norms = np.flatnonzero(~system.prescribed), []
     for _ in range(count):
         residual = system.residual(x, 1.0)[free]
         norms.append(float(np.linalg.norm(residual)))
@@ -210,7 +210,7 @@ def test_newton_is_quadratic(name, record_verification):
     system = _pressed(SHAPES["ball"]) if name == "ball" else _stacked(HEXAHEDRON)
     x = np.zeros(system.size) if name == "ball" else _overlapping(system, 7)
     norms = _residuals(system, x, 14)
-    displaced = np.flatnonzero(~system.held[: 3 * system.node_count])
+    displaced = np.flatnonzero(~system.prescribed[: 3 * system.node_count])
     bump = np.random.default_rng(9).normal(0, 1e-3, len(displaced))
     left = []
     for share in (1.0, 0.5):

@@ -95,7 +95,7 @@ def _rubbing(friction=0.4):
     history = system.history(system.remembered(system.evaluate(unknowns, 1.0)))
     moved = unknowns.copy()
     moved[0 : 3 * system.node_count : 3] += np.where(
-        system.held[0 : 3 * system.node_count : 3], 0.0, 0.3 * MM / system.length
+        system.prescribed[0 : 3 * system.node_count : 3], 0.0, 0.3 * MM / system.length
     )
     return system, moved, history
 
@@ -103,12 +103,12 @@ def _rubbing(friction=0.4):
 def test_solutions_contain_friction():
     """The factors are those of the symmetric part; what is solved is the whole."""
     system, unknowns, history = _rubbing()
-    at, free = system.evaluate(unknowns, 1.0, history=history), np.flatnonzero(~system.held)
+    at, free = system.evaluate(unknowns, 1.0, history=history), np.flatnonzero(~system.prescribed)
     tangent = Tangent(system, "rslab", 1)
     tangent.factor(at)
     whole = system.tangent(unknowns, 1.0, history)[free][:, free]
     assert abs(whole - whole.T).max() > 0.01
-    right = np.where(system.held, 0.0, np.random.default_rng(3).normal(size=system.size))
+    right = np.where(system.prescribed, 0.0, np.random.default_rng(3).normal(size=system.size))
     off = whole @ tangent.solve(right)[free] - right[free]
     assert np.linalg.norm(off) < 1e-3 * np.linalg.norm(right)
 
@@ -129,13 +129,13 @@ def _slid():
             history = system.history(system.remembered(result.evaluation))
     x = x.copy()
     bump = np.random.default_rng(4).normal(0, 1e-4, 3 * system.node_count)
-    x[: len(bump)] += np.where(system.held[: len(bump)], 0.0, bump)
+    x[: len(bump)] += np.where(system.prescribed[: len(bump)], 0.0, bump)
     return system, x, history
 
 
 def test_newton_is_quadratic_with_friction(record_verification):
     system, x, history = _slid()
-    free, norms = np.flatnonzero(~system.held), []
+    free, norms = np.flatnonzero(~system.prescribed), []
     for _ in range(8):
         residual = system.residual(x, 1.0, history)[free]
         norms.append(float(np.linalg.norm(residual)))

@@ -87,7 +87,7 @@ def test_tangent_is_the_derivative_of_the_residual(tube):
     )
     system = System(model)
     random = np.random.default_rng(1)
-    free = ~system.held
+    free = ~system.prescribed
     at, step = np.zeros(system.size), np.zeros(system.size)
     at[free], step[free] = 1e-2 * random.standard_normal((2, int(free.sum())))
     size = 1e-4
@@ -100,7 +100,7 @@ def test_tangent_is_the_derivative_of_the_residual(tube):
 def test_negative_pivots_of_a_stable_tangent_are_those_of_its_constraints(tube):
     model = problems.one_material(tube, LAW, supports=[tg.supports.Fixed("fixed")])
     system = System(model)
-    tangent = system.tangent(np.zeros(system.size), 0.0).toarray()[~system.held][:, ~system.held]
+    tangent = system.tangent(np.zeros(system.size), 0.0).toarray()[~system.prescribed][:, ~system.prescribed]
     assert int((np.linalg.eigvalsh(tangent) < 0).sum()) == system.constraint_count
 
 

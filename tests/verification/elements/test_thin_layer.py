@@ -110,7 +110,7 @@ def inf_sup_constant(kind, ratio):
     system = System(tg.Model(mesh, materials, [tg.Fixed("x0")], []))
     displaced = 3 * system.node_count
     tangent = system.tangent(np.zeros(system.size), 1.0).toarray()
-    free = np.flatnonzero(~system.held[:displaced])
+    free = np.flatnonzero(~system.prescribed[:displaced])
     stiffness, coupling = tangent[np.ix_(free, free)], tangent[displaced:][:, free]
     mass, numbers, M = np.zeros((system.element.mean_count,) * 2), system.element.mean, system.element.tables.M
     for name, law in laws.items():

@@ -213,7 +213,7 @@ def test_the_tangent_of_a_wedge_is_the_derivative_of_its_residual(tube):
     model = problems.one_material(tube, LAW, supports=[tg.Fixed("fixed")], loads=[tg.Pressure("cavity", 5 * kPa)])
     system = System(model)
     generator = np.random.default_rng(1)
-    free = ~system.held
+    free = ~system.prescribed
     at, step = np.zeros(system.size), np.zeros(system.size)
     at[free], step[free] = 0.01 * generator.standard_normal(free.sum()), generator.standard_normal(free.sum())
     h = 1e-6
@@ -230,7 +230,7 @@ def test_the_volume_of_a_cut_cavity_and_its_gradient(tube):
         pi * (6 * mm) ** 2 * 20 * mm, rel=1e-3
     )
     generator = np.random.default_rng(2)
-    free = ~chambers.system.held
+    free = ~chambers.system.prescribed
     at, step = np.zeros(chambers.system.size), np.zeros(chambers.system.size)
     at[free], step[free] = 0.1 * generator.standard_normal(free.sum()), generator.standard_normal(free.sum())
     h = 1e-5

@@ -41,7 +41,7 @@ def test_tangent_is_the_derivative_of_the_residual(name, record_verification):
     X = mesh.points
     u = X @ (0.25 * rng.uniform(-1, 1, (3, 3))) + 10 * X[:, [2, 0, 1]] * X + rng.normal(0, 1e-4, X.shape)
     unknowns = np.concatenate([u.ravel() / system.length, rng.uniform(-1, 1, system.element.mean_count)])
-    free = np.flatnonzero(~system.held)
+    free = np.flatnonzero(~system.prescribed)
     exact = difference(system, unknowns)[np.ix_(free, free)]
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     error = float(np.abs(tangent - exact).max() / np.abs(exact).max())

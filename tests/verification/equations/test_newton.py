@@ -57,7 +57,7 @@ def _residuals(model, tangent_of, count):
 
 def _newton(system, x, tangent_of, count):
     """Norms of the free residual of the textbook's iteration at the full load, over the first one."""
-    free = np.flatnonzero(~system.held)
+    free = np.flatnonzero(~system.prescribed)
     norms = []
     for _ in range(count):
         residual = system.residual(x, 1.0)[free]
@@ -93,10 +93,10 @@ def test_every_law_is_quadratic_from_rest(name, record_verification):
     pull = tg.Displacement("x1", lambda X, t: np.full_like(X, 0.3 * 0.03 * t) * [1, 0, 0], "xyz")
     system = System(problems.one_material(mesh, LAWS[name], supports=[tg.Fixed("x0"), pull]))
     rest = np.zeros(system.size)
-    free = np.flatnonzero(~system.held)
+    free = np.flatnonzero(~system.prescribed)
     tangent = system.tangent(rest, 0.0)
     x = rest.copy()
-    x[system.held] = system.prescribed(1.0)
+    x[system.prescribed] = system.prescribed_values(1.0)
     x[free] -= splu(tangent[free][:, free].tocsc()).solve((tangent @ x)[free])  # the linear answer at rest is the start
     norms = _newton(system, x, lambda system, x: system.tangent(x, 1.0), 9)
     order = _order(norms)

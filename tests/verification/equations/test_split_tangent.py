@@ -74,11 +74,11 @@ def saddle(system, unknowns):
 def test_energy_residual_and_tangent(kind, bulk, record_verification):
     system = System(two_rubbers(KINDS[kind], BULK[bulk]))
     assert system.element.mean_count == system.model.mesh.vertex_count + 4
-    x, free = deformed(system), np.flatnonzero(~system.held)
+    x, free = deformed(system), np.flatnonzero(~system.prescribed)
     residual, rng, h = system.residual(x, 1.0), np.random.default_rng(5), 1e-5
     errors = []
     for _ in range(6):
-        way = np.where(system.held, 0.0, rng.normal(size=system.size))
+        way = np.where(system.prescribed, 0.0, rng.normal(size=system.size))
         slope = (saddle(system, x + h * way) - saddle(system, x - h * way)) / (2 * h)
         errors.append(abs(slope - residual @ way) / np.linalg.norm(residual[free]) / np.linalg.norm(way))
     exact = difference(system, x)[np.ix_(free, free)]
@@ -102,7 +102,7 @@ def test_extrapolated_stress_is_linear_in_the_update(kind, bulk, record_verifica
     """What is extrapolated along a way x + t d, against the stress that is there: the error grows as t²."""
     system = System(two_rubbers(KINDS[kind], BULK[bulk]))
     x = deformed(system)
-    way = 1e-3 * np.where(system.held, 0.0, np.random.default_rng(5).normal(size=system.size))
+    way = 1e-3 * np.where(system.prescribed, 0.0, np.random.default_rng(5).normal(size=system.size))
     at, errors = system.evaluate(x, 1.0), []
     for share in (1.0, 0.5):
         found = system.stresses(at, share * way).cells

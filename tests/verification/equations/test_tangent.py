@@ -67,7 +67,7 @@ def _deformed(system, seed):
 def test_tangent_is_the_derivative_of_the_residual(name, record_verification):
     system = _system(name)
     unknowns = _deformed(system, seed=17)
-    free = np.flatnonzero(~system.held)
+    free = np.flatnonzero(~system.prescribed)
     exact = difference(system, unknowns)[np.ix_(free, free)]
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     error = float(np.abs(tangent - exact).max() / np.abs(exact).max())
@@ -97,7 +97,7 @@ def test_tangent_of_a_law_in_stretches_where_they_are_equal(state, kappa, record
     move = Q @ np.diag(stretches) @ Q.T - np.eye(3) if state != "rest" else np.zeros((3, 3))
     p = np.random.default_rng(3).uniform(-1, 1, mesh.vertex_count)
     unknowns = np.concatenate([(mesh.points @ move.T).ravel() / system.length, p])
-    free = np.flatnonzero(~system.held)
+    free = np.flatnonzero(~system.prescribed)
     exact = difference(system, unknowns)[np.ix_(free, free)]
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     error = float(np.abs(tangent - exact).max() / np.abs(exact).max())
@@ -118,8 +118,8 @@ def test_mirror_planes_keep_the_pressure_tangent_symmetric(record_verification):
     system = System(model)
     rng = np.random.default_rng(2)
     unknowns = 0.05 * rng.uniform(-1, 1, system.size)
-    unknowns[system.held] = 0
-    free = np.flatnonzero(~system.held)
+    unknowns[system.prescribed] = 0
+    free = np.flatnonzero(~system.prescribed)
     exact = difference(system, unknowns)[np.ix_(free, free)]
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     error = float(np.abs(tangent - exact).max() / np.abs(exact).max())

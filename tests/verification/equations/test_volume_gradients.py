@@ -52,7 +52,7 @@ def test_gradients_are_the_slopes_of_the_volumes(case, record_verification):
     """Mirror planes and fixed faces stay; planes that are moved by a support do move."""
     name, system, chambers, _ = case
     rng = np.random.default_rng(1)
-    stay = system.held & np.isclose(_prescribed(system), 0.0)
+    stay = system.prescribed & np.isclose(_prescribed(system), 0.0)
     unknowns, change = (np.where(stay, 0.0, rng.normal(size=system.size)) for _ in range(2))
     step = 1e-5
     there = 0.02 * unknowns
@@ -71,7 +71,7 @@ def test_a_pressure_pushes_along_the_gradient(name, record_verification):
     gradients = Chambers(system, names).gradients(np.zeros(system.size))
     forces = system.terms.unit_forces(system.points, len(names))
     pushed = np.array([mesh.symmetry_factor * system.joined(force) for force in forces])
-    worst = np.abs(pushed - gradients)[:, ~system.held].max()
+    worst = np.abs(pushed - gradients)[:, ~system.prescribed].max()
     claim = f"{name}: force of a unit pressure against the gradient of the volume, largest difference"
     record_verification(claim, "V24, exact", 0.0, worst, "1e-12")
     assert worst < 1e-12
@@ -79,5 +79,5 @@ def test_a_pressure_pushes_along_the_gradient(name, record_verification):
 
 def _prescribed(system):
     out = np.zeros(system.size)
-    out[system.held] = system.prescribed(1.0)
+    out[system.prescribed] = system.prescribed_values(1.0)
     return out

@@ -16,7 +16,7 @@ from hoops import INNER, LAW, OUTER, PRESSURE, STRETCH
 import meshes
 import problems
 import turgor as tg
-from turgor.core.engine.algebra.boundary import held_components
+from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.system import System
 from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.core.model.supports import Displacement, Radial
@@ -108,7 +108,7 @@ def test_the_tangent_is_turned_with_the_unknowns(kind, record_verification):
     turned = System(problems.one_material(mesh, problems.NEO_HOOKE, supports=held, loads=loads))
     rng = np.random.default_rng(5)
     unknowns = 0.02 * rng.standard_normal(plain.size)
-    frames = held_components(turned.model).frames
+    frames = prescribed_components(turned.model).frames
     assert len(frames.nodes) > 5
     local = unknowns.copy()
     local[: 3 * plain.node_count] = frames.to_local(unknowns[: 3 * plain.node_count].reshape(-1, 3)).ravel()

@@ -120,8 +120,8 @@ def test_the_tangent_is_the_derivative(kind, held, record_verification):
     model = cut_tube(kind, (HELD_INNER, HELD_OUTER), (1, 1, 1), held, 0.02 * MPA)
     system = System(model)
     rng = np.random.default_rng(3)
-    unknowns = np.where(system.held, 0.0, 0.01 * rng.standard_normal(system.size))
-    free = ~system.held
+    unknowns = np.where(system.prescribed, 0.0, 0.01 * rng.standard_normal(system.size))
+    free = ~system.prescribed
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     expected = difference(system, unknowns)[np.ix_(free, free)]
     worst = np.abs(tangent - expected).max() / np.abs(expected).max()
@@ -136,11 +136,11 @@ def test_the_thrust_is_the_derivative_of_the_volume():
     model = cut_tube(HEXAHEDRON, counts=(1, 2, 1))
     system = System(model, ("cavity",))
     rng = np.random.default_rng(4)
-    unknowns = np.where(system.held, 0.0, 0.05 * rng.standard_normal(system.size))
+    unknowns = np.where(system.prescribed, 0.0, 0.05 * rng.standard_normal(system.size))
     position = system.points + system.split(unknowns)[0]
     forces = system.joined(system.terms.unit_forces(position, 1)[0])
     gradient = Chambers(system, ["cavity"]).gradients(unknowns)[0] / model.mesh.symmetry_factor
-    free = ~system.held
+    free = ~system.prescribed
     assert np.abs(forces[free]).max() > 0.1
     assert forces[free] == pytest.approx(gradient[free], abs=1e-10 * np.abs(gradient).max())
 
@@ -163,7 +163,7 @@ def test_motion_goes_on_with_the_section():
     ("supports", "said"),
     [
         ([PlaneSection("cavity")], "not a coordinate plane; a plane section must be one"),
-        ([PlaneSection("z1"), tg.Fixed("z1", "z")], "nodes are held along z by another support"),
+        ([PlaneSection("z1"), tg.Fixed("z1", "z")], "nodes are fixed along z by another support"),
         ([PlaneSection("z1"), PlaneSection("z1")], "shares nodes with 'z1'"),
         ([PlaneSection("z2")], "z2"),
     ],
@@ -188,7 +188,7 @@ def test_the_tangent_where_a_plate_presses_on_the_section(more):
     plate = Plane(point=(OUTER - 0.15 * MM, 0, 0), normal=(-1.0, 0.02, -0.3))
     touching = Contact(obstacles=(Obstacle(name="plate", shape=plate, stiffness=1e9, **more),))
     system = System(tg.Model(model.mesh, model.materials, model.supports, model.loads, contact=touching))
-    free = ~system.held
+    free = ~system.prescribed
     unknowns = np.where(free, 0.004 * np.random.default_rng(6).standard_normal(system.size), 0.0)
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     expected = difference(system, unknowns, 1e-6)[np.ix_(free, free)]

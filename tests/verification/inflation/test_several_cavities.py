@@ -127,7 +127,7 @@ def test_tangent_of_two_histories_is_the_derivative_of_the_residual(load_factor,
     rng = np.random.default_rng(11)
     gradient = 0.2 * rng.uniform(-1, 1, (3, 3))
     unknowns = np.concatenate([(mesh.points @ gradient).ravel() / system.length, rng.uniform(-1, 1, mesh.vertex_count)])
-    free, worst, largest = np.flatnonzero(~system.held), 0.0, 0.0
+    free, worst, largest = np.flatnonzero(~system.prescribed), 0.0, 0.0
     tangent = system.tangent(unknowns, load_factor)
     for _ in range(12):
         along = np.zeros(system.size)

@@ -134,7 +134,7 @@ def test_a_rigid_face_moves_as_a_rigid_body():
     unknowns = system.unknowns(moved - points, np.zeros(system.element.mean_count))
     assert not unknowns[rig.followers(system)].any()
     assert system.physical(unknowns)[0] == pytest.approx(moved - points, abs=1e-15)
-    loose = unknowns + np.where(system.held, 0.0, 0.1)
+    loose = unknowns + np.where(system.prescribed, 0.0, 0.1)
     loose[: 3 * len(points)] = unknowns[: 3 * len(points)]  # other arrows: a face that is stretched, too
     assert np.abs(system.residual(loose, 0.0)[system.multipliers]).max() > 1e-2
     residual = system.residual(unknowns, 0.0)
@@ -196,7 +196,7 @@ def test_a_solver_that_pivots_in_fronts_factors_them(coupling, kind, counts):
         solver = linear_solver("rslab", system.pattern, 1)
         solver.factor(data)
         assert solver.negative_pivots(system.constraint_count) == system.constraint_count
-        right = np.where(system.held, 0.0, 1.0)
+        right = np.where(system.prescribed, 0.0, 1.0)
         solution = solver.solve(right)
         left = right - system.pattern.product(exact, solution)
         assert np.linalg.norm(left) < 1e-2 * np.linalg.norm(right)

@@ -22,7 +22,7 @@ from turgor.core.solvers.constraints.cavities import CavityPressures, VolumeTarg
 from turgor.core.solvers.constraints.constraint import Constraint, Target
 from turgor.core.solvers.constraints.load_factor import LoadFactor, WorkTarget
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.scalar_control.cavity_control import asked_cavities
+from turgor.core.solvers.continuation.scalar_control.cavity_control import filled_cavities
 from turgor.core.solvers.newton.border import Border
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
 from turgor.core.solvers.newton.iteration import iterate
@@ -130,7 +130,7 @@ def _controlled(state: State, procedure: OneProcedure) -> tuple[str, ...]:
     """Cavities whose pressure the procedure found."""
     if not isinstance(procedure, VolumeControl | GasMass):
         return ()
-    return asked_cavities(state.model, procedure)
+    return filled_cavities(state.model, procedure)
 
 
 def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -> State | None:

@@ -91,8 +91,8 @@ class SimpleUpdates:
 
     def update(self, now: Iterate) -> tuple[Array, bool]:
         """The update, and whether its factors are new."""
-        system, at, tangent = self.border.constraint.sought.system, now.at, self.border.tangent
-        jump = system.prescribed(at.load_factor) - at.unknowns[system.held]
+        system, at, tangent = self.border.constraint.scalar_unknowns.system, now.at, self.border.tangent
+        jump = system.prescribed_values(at.load_factor) - at.unknowns[system.prescribed]
         jump[np.abs(jump) < self.settings.rounding] = 0.0  # else each would cost a tangent
         fresh = now.fresh or bool(jump.any())
         none = self.border.constraint.target.conditions(at.unknowns, at.load_factor, np.empty(0))
@@ -101,7 +101,7 @@ class SimpleUpdates:
 
     def advanced(self, now: Iterate, made: tuple[Array, bool]) -> Iterate:
         """The state after the update; the same one where old factors fail, to be tried again with new ones."""
-        (update, fresh), system, tangent = made, self.border.constraint.sought.system, self.border.tangent
+        (update, fresh), system, tangent = made, self.border.constraint.scalar_unknowns.system, self.border.tangent
         new = system.evaluate(now.at.unknowns + update, now.at.load_factor, history=now.at.history)
         moved = update[system.moving]
         size, total = float(np.linalg.norm(moved)), float(np.linalg.norm(now.whole + moved))
@@ -120,5 +120,5 @@ class SimpleUpdates:
         small = self.settings.chatter if now.hard and not self.exact else self.settings.small
         good = now.size <= small * float(np.linalg.norm(now.whole))
         if good and self.exact:
-            good = relative_residual(self.border.constraint.sought.system, now.at) <= self.settings.tolerance
+            good = relative_residual(self.border.constraint.scalar_unknowns.system, now.at) <= self.settings.tolerance
         return CONVERGED if good else None

@@ -71,7 +71,7 @@ def adjoint_of(base: Equilibrium, measures: tuple[Measure, ...], facts: MeshFact
     -------
     Adjoint
     """
-    held, found, left = base.system.held, [], 0.0
+    held, found, left = base.system.prescribed, [], 0.0
     for each in measures:
         right = np.where(held, 0.0, by_unknowns(base, each, facts))
         unknowns, scalars = base.transposed_answer(right)
@@ -82,6 +82,6 @@ def adjoint_of(base: Equilibrium, measures: tuple[Measure, ...], facts: MeshFact
 
 def _difference(base: Equilibrium, unknowns: Array) -> float:
     """Relative difference of the forces that a motion causes by the tangent and by residuals."""
-    told = np.where(base.system.held, 0.0, base.border.tangent.product(unknowns))
+    told = np.where(base.system.prescribed, 0.0, base.border.tangent.product(unknowns))
     caused, _ = motion_along(base, unknowns, np.zeros(len(base.scalars))).forces()
     return float(np.linalg.norm(caused - told)) / max(float(np.linalg.norm(told)), 1e-300)

@@ -56,7 +56,7 @@ class Motion:
         """Rates of residual and conditions, from the difference of the ends."""
         one, other = self.ends
         residual = (one.at.residual - other.at.residual) / (2 * self.step)
-        residual[self.itself.system.held] = 0.0
+        residual[self.itself.system.prescribed] = 0.0
         return residual, (one.errors - other.errors) / (2 * self.step)
 
 
@@ -141,10 +141,10 @@ def forces_of(base: Equilibrium, neighbors: Neighbors) -> tuple[tuple[Place, ...
     tuple
     """
     moved = np.zeros(base.system.size)
-    moved[base.system.held] = neighbors.held()
+    moved[base.system.prescribed] = neighbors.held()
     places = neighbors.look(moved)
     residual = neighbors.difference(lambda _, place: place.at.residual, places)
-    residual[base.system.held] = 0.0
+    residual[base.system.prescribed] = 0.0
     return places, residual, neighbors.difference(lambda _, place: place.errors, places)
 
 

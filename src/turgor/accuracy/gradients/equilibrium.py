@@ -19,7 +19,7 @@ from turgor.core.solvers.constraints.constraint import Constraint, Target
 from turgor.core.solvers.constraints.elimination import Conditions
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.continuation.scalar_control.cavity_control import (
-    asked_cavities,
+    filled_cavities,
     gas_target,
     of_each,
 )
@@ -88,7 +88,7 @@ class Equilibrium:
     @cached_property
     def columns(self) -> Array:
         """Derivatives (k, size) of the residual by the scalars, zero at held unknowns."""
-        return np.where(self.system.held, 0.0, self.constraint.sought.columns(self.at))
+        return np.where(self.system.prescribed, 0.0, self.constraint.scalar_unknowns.columns(self.at))
 
     def answer(self, right: Array, errors: Array) -> tuple[Array, Array]:
         """Changes of unknowns and scalars that right sides of equilibrium and conditions cause, refined.
@@ -111,7 +111,7 @@ class Equilibrium:
 
         The tangent must be symmetric.
         """
-        rows, corner = np.where(self.system.held, 0.0, self.conditions.rows), self.conditions.corner.T
+        rows, corner = np.where(self.system.prescribed, 0.0, self.conditions.rows), self.conditions.corner.T
         tangent = self.border.tangent
         solved = np.array([tangent.solve(row) for row in rows]).reshape(rows.shape)
         small = corner - self.columns @ solved.T
@@ -188,11 +188,11 @@ def _found_again(
 
     What a solve leaves takes one update as a rule, after which the factors are as good as new: answers are refined.
     """
-    system = constraint.sought.system
+    system = constraint.scalar_unknowns.system
     scalars = np.array([state.pressures[name] for name in system.controlled]) / system.stress_scale
     unknowns = unknowns_of(system, state)
     if not len(scalars):  # supports are where they should be, up to round-off
-        unknowns[system.held] = system.prescribed(state.load_factor)
+        unknowns[system.prescribed] = system.prescribed_values(state.load_factor)
     begin = constraint.evaluate(unknowns, state.load_factor, scalars)
     if begin is None:
         raise limit_point(state)
@@ -200,7 +200,7 @@ def _found_again(
     tangent = systems.tangent_of(state.model, system, options)
     border = Border(constraint, tangent)
     if not len(scalars):
-        border.factor(begin, None, np.zeros(int(system.held.sum())))
+        border.factor(begin, None, np.zeros(int(system.prescribed.sum())))
     start = Start(unknowns, None, scalars, begin, fresh=bool(len(scalars)))
     loaded = bool(state.displacement.any())  # at rest there is nothing but round-off to compare a residual with
     settings = SETTINGS if loaded else replace(SETTINGS, max_iterations=1)
@@ -211,7 +211,7 @@ def _found_again(
     if result.iterations <= FEW_UPDATES:
         border.renew(at)
     else:
-        border.factor(at, None, np.zeros(int(system.held.sum())))
+        border.factor(at, None, np.zeros(int(system.prescribed.sum())))
     return result, border
 
 
@@ -227,7 +227,7 @@ def controlled_cavities(state: State, procedure: OneProcedure) -> tuple[str, ...
     -------
     tuple of str
     """
-    return asked_cavities(state.model, procedure) if isinstance(procedure, VolumeControl | GasMass) else ()
+    return filled_cavities(state.model, procedure) if isinstance(procedure, VolumeControl | GasMass) else ()
 
 
 def constraint_of(system: System, state: State, procedure: OneProcedure) -> Constraint:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from turgor.accuracy.gradients.equilibrium import Equilibrium, constraint_of
 from turgor.accuracy.gradients.moved_mesh import same_cells
 from turgor.accuracy.gradients.variation import Variation
-from turgor.core.engine.contact.part import Look
+from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.meshing.mesh import Mesh
@@ -76,7 +76,7 @@ class Neighbor:
     @cached_property
     def prescribed(self) -> Array:
         """Scaled values of the held unknowns."""
-        return self.system.prescribed(self.base.state.load_factor)
+        return self.system.prescribed_values(self.base.state.load_factor)
 
     @cached_property
     def contacts(self) -> Contacts | None:
@@ -91,7 +91,7 @@ class Neighbor:
         """Evaluate equations and conditions at changes of unknowns and scalars; None where a cell turns inside out."""
         base, factor = self.base, self.base.state.load_factor
         place = base.at.unknowns + unknowns, base.scalars + scalars
-        how = Look.KEEP if self.contacts is not None else Look.FOLLOW
+        how = SearchMode.KEEP if self.contacts is not None else SearchMode.FOLLOW
         at = self.constraint.evaluate(place[0], factor, place[1], self.contacts, how)
         if at is None:
             return None
@@ -200,7 +200,7 @@ def _neighbor(base: Equilibrium, variation: Variation, name: str, steps: int) ->
     _check_cells(base.state.model.mesh, model.mesh, name)
     asked, touching = _touching(base, model)
     system = base.systems.near(model, asked, touching, base.system)
-    if system.size != base.system.size or not np.array_equal(system.held, base.system.held):
+    if system.size != base.system.size or not np.array_equal(system.prescribed, base.system.prescribed):
         raise TurgorError(_other_unknowns(base, name))
     for part, known in zip(system.contact.parts, base.system.contact.parts, strict=False):
         if part.penalty_scale.shape == known.penalty_scale.shape:

@@ -76,12 +76,12 @@ class Chambers:
     def gradients(self, unknowns: Array) -> Array:
         """Derivatives (k, size) of the volumes by the unknowns."""
         points = self._position(unknowns)
-        found = []
+        rows = []
         for walls, rim in zip(self._walls, self._rims, strict=True):
             by_node = cap_gradient(points, rim, self._axis)
             np.add.at(by_node, walls, _of_walls(points, walls))
-            found.append(self.system.joined(-self._factor * by_node))
-        return np.array(found)
+            rows.append(self.system.joined(-self._factor * by_node))
+        return np.array(rows)
 
     def _position(self, unknowns: Array) -> Array:
         return np.asarray(self.system.points + self.system.split(unknowns)[0] - self._shift)

@@ -54,9 +54,9 @@ def _pool(threads: int, _process: int) -> ThreadPoolExecutor:
 def calls(*modules: ModuleType) -> Callable[[Loop], Loop]:
     """Name a function after the text of the modules that it calls, below ``numba.njit``.
 
-    numba keeps compiled code beside the file of a function, under the function's qualified name, and renews it when
+    numba keeps compiled code next to the file of a function, under the function's qualified name, and renews it when
     that file changes. It does not notice a change in another file, whose functions it compiled along. With this
-    decorator such a change gives the function another name on disk, so that it is compiled anew. Name every module
+    decorator such a change gives the function another name on disk, so that it is compiled again. Name every module
     of turgor that the function calls, and those that these call.
     """
     text = b"".join(_text(module) for module in modules)

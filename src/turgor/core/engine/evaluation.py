@@ -56,7 +56,7 @@ class Evaluation:
         The contacts found.
     contact_force : float
         Size of the contact forces on the free nodes.
-    sought : (k,) array or None
+    unknown_pressures : (k,) array or None
         Scaled pressures of the controlled faces.
     history : History
         What rubber and friction brought into the step.
@@ -71,6 +71,6 @@ class Evaluation:
     isochoric: Isochoric
     contacts: Contacts
     contact_force: float
-    sought: Array | None
+    unknown_pressures: Array | None
     history: History
     addition: Addition | None = None

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.algebra.boundary import held_components
+from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.cell_materials import CellMaterials
 from turgor.core.engine.cells.element import Element, element_of, tables_with
@@ -221,7 +221,7 @@ def strain_energy(
     lost = penalty_energy(penalty, weight, J - 1 - mean * materials.compliance[:, None])
     carriers = carriers_of(model)
     rest = with_carried(mesh.points, carriers)
-    terms = Terms(Setting(model, rest, held_components(model).along_axes, weight, 1.0, 1.0))
+    terms = Terms(Setting(model, rest, prescribed_components(model).along_axes, weight, 1.0, 1.0))
     own = carried_displacement(carriers, (1.0, 1.0), displacement, points or {})
     position = rest + np.concatenate([displacement, own])
     return float((weight * density).sum() + lost.sum()) + terms.energy(position)

@@ -30,7 +30,7 @@ class EngineOptions:
         environment where that is less.
     notify : callable or None
         ``notify(text)``, called when something takes long, such as the first compilation on a machine. Without it that
-        is told on the standard error stream where this is a terminal.
+        is reported on the standard error stream where this is a terminal.
     iteration : str
         How Newton's method iterates, to measure what its refinements save: ``"mixed"`` does all that it can,
         ``"newton"`` leaves out mixed integration points, ``"plain"`` also starts each step at the last state instead

@@ -13,12 +13,12 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.additions import Addition
-from turgor.core.engine.algebra.boundary import held_components
+from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.algebra.pattern import Pattern, build_pattern
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.internal_variables import History, Memory, friction_of, joined_memory
 from turgor.core.engine.contact.couplings import Layout
-from turgor.core.engine.contact.part import Look
+from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.contact.surface import whole_surface
 from turgor.core.engine.contact.terms import ContactMemory, Contacts, ContactTerms
 from turgor.core.engine.evaluation import (
@@ -55,7 +55,7 @@ class System:
     ----------
     size : int
         Number of degrees of freedom (unknowns), prescribed ones included.
-    held : (size,) bool array
+    prescribed : (size,) bool array
         Which unknowns are prescribed.
     node_count : int
         Nodes of the mesh, and after them those of the reference points (``carriers``).
@@ -85,7 +85,7 @@ class System:
         self.length: float = _mean_edge(mesh.points, mesh.cells) if like is None else like.length
         stiffest = max(m.law.shear_modulus for m in model.region_materials.values())
         self.stress_scale: float = stiffest if like is None else like.stress_scale
-        supports = held_components(model)
+        supports = prescribed_components(model)
         self._supports, self._frames, self._ties = supports, supports.frames, supports.ties
         self.carriers = supports.carriers
         self.rest = with_carried(mesh.points, self.carriers)
@@ -96,15 +96,15 @@ class System:
         self.Jinv, self.dV = self.rubber.Jinv, self.rubber.dV
         self.mean_stress_volumes = self.rubber.mean_stress_volumes
         self.contact: ContactTerms = self._contact_terms(None if like is None else like.contact)
-        bodies = self.contact.bodies.held
+        bodies = self.contact.bodies.prescribed
         unused = np.ones(self.element.mean_count, dtype=bool)
         unused[self.element.mean] = False
-        self.held = np.concatenate([supports.mask.ravel(), unused, bodies])
-        self.size = len(self.held)
+        self.prescribed = np.concatenate([supports.mask.ravel(), unused, bodies])
+        self.size = len(self.prescribed)
         self.multipliers = self._multipliers()
         self.moving = np.arange(self.size) < 3 * self.node_count
         self.moving[self.multipliers] = False
-        self.constraint_count = int((~unused).sum() + (~self.held[self.multipliers]).sum())
+        self.constraint_count = int((~unused).sum() + (~self.prescribed[self.multipliers]).sum())
         scales, along_axes = (self.length, self.stress_scale), supports.along_axes
         self.terms = Terms(Setting(model, self.points, along_axes, self.dV, *scales, controlled))
         self.full_force = max(self._applied(factor) for factor in extremes(model))
@@ -121,19 +121,19 @@ class System:
         return ContactTerms(self.model, surface, self.points, scales, first, like)
 
     def _applied(self, load_factor: float) -> float:
-        """Size of the loads' forces on the free nodes at rest; pressures that are sought count as the modulus."""
+        """Size of the loads' forces on the free nodes at rest; unknown pressures count as the modulus."""
         _, external = self.terms.forces(Configuration(self.points, load_factor, np.ones(len(self.controlled))))
-        return float(np.linalg.norm(self.joined(external)[~self.held]))
+        return float(np.linalg.norm(self.joined(external)[~self.prescribed]))
 
     @cached_property
     def layout(self) -> Layout:
-        """Where the entries of the tangent stand; made when one is first asked for, because a residual needs none."""
+        """Where the entries of the tangent stand; made at first use, because a residual needs none."""
         pieces = (self.rubber.unknowns, *self.terms.couplings)
         tied = [self._ties.extended(rows) for rows in pieces] if len(self._ties.followers) else []
         base = build_pattern(pieces[0], self.size, *pieces[1:], *tied)
         self.rubber.locate(base)
         self.terms.locate(base)
-        return Layout(base, self.held, self._ties)
+        return Layout(base, self.prescribed, self._ties)
 
     @property
     def supports_are_plain(self) -> bool:
@@ -182,10 +182,10 @@ class System:
         out[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
         return self._ties.gather(out)
 
-    def external(self, unknowns: Array, load_factor: float, sought: Array | None = None) -> Array:
-        """Scaled external forces (size,) on a body that is held still, whatever is inside out."""
+    def external(self, unknowns: Array, load_factor: float, unknown_pressures: Array | None = None) -> Array:
+        """Scaled external forces (size,) on a body that does not move, whatever is inside out."""
         position = self.points + self.split(unknowns)[0]
-        _, forces = self.terms.forces(Configuration(position, load_factor, sought))
+        _, forces = self.terms.forces(Configuration(position, load_factor, unknown_pressures))
         return self.joined(forces)
 
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
@@ -230,28 +230,28 @@ class System:
         out: Array = np.bincount(places.ravel(), by_cell.ravel(), minlength=self.size).astype(np.float64)
         return out
 
-    def prescribed(self, load_factor: float) -> Array:
-        """Scaled values of the held unknowns at a load factor."""
+    def prescribed_values(self, load_factor: float) -> Array:
+        """Scaled values of the prescribed unknowns at a load factor."""
         values = np.zeros(self.size)
         moved = self._supports.values(self.rest, load_factor) / self.length
         values[: 3 * self.node_count] = moved.ravel()
-        return values[self.held]
+        return values[self.prescribed]
 
     def evaluate(
         self,
         unknowns: Array,
         load_factor: float,
-        sought: Array | None = None,
+        unknown_pressures: Array | None = None,
         known: Contacts | None = None,
-        how: Look = Look.FOLLOW,
+        how: SearchMode = SearchMode.FOLLOW,
         history: History | None = None,
         addition: Addition | None = None,
     ) -> Evaluation | None:
         """Residual at a point; None where a cell is turned inside out.
 
-        ``sought`` are scaled pressures of the controlled faces; `ContactTerms.look` explains ``known`` and ``how``.
-        ``history`` is what rubber and friction bring into the step, that of a sudden step from rest by default;
-        ``addition`` are forces besides those of the model, such as inertia.
+        ``unknown_pressures`` are scaled pressures of the controlled faces; `ContactTerms.look` explains ``known`` and
+        ``how``. ``history`` is what rubber and friction bring into the step, that of a sudden step from rest by
+        default; ``addition`` are forces besides those of the model, such as inertia.
         """
         u, p = self.split(unknowns)
         history = history or self.materials.rest
@@ -260,7 +260,7 @@ class System:
             return None
         internal = self._summed(self.rubber.forces(u, p, laws))
         position = self.points + u
-        forces, external = self.terms.forces(Configuration(position, load_factor, sought))
+        forces, external = self.terms.forces(Configuration(position, load_factor, unknown_pressures))
         springs = self.springs(unknowns)
         contacts = self.contact.look(position, springs, load_factor, known, how).with_friction(history.friction)
         pressing, bodies = self.contact.forces(contacts, springs)
@@ -273,8 +273,10 @@ class System:
         total = internal - outer
         if not np.isfinite(total).all():
             return None
-        pressed = float(np.linalg.norm(self.joined(pressing)[~self.held]))
-        return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought, history, addition)
+        pressed = float(np.linalg.norm(self.joined(pressing)[~self.prescribed]))
+        return Evaluation(
+            unknowns, load_factor, total, outer, laws, contacts, pressed, unknown_pressures, history, addition
+        )
 
     def contacts(self, unknowns: Array, load_factor: float) -> Contacts:
         """What touches at a point, followed from the last search."""
@@ -314,7 +316,7 @@ class System:
         data = np.zeros(len(self.layout.base.indices))
         self.rubber.add_tangents(data, u, p, at.isochoric, None if geometric is None else geometric.cells)
         given = None if geometric is None else geometric.terms
-        self.terms.add_tangents(data, Configuration(self.points + u, at.load_factor, at.sought), given)
+        self.terms.add_tangents(data, Configuration(self.points + u, at.load_factor, at.unknown_pressures), given)
         self.lay_out(at)
         data = self.layout.spread(data)
         self.contact.add_tangents(data, self.layout, at.contacts)
@@ -326,7 +328,7 @@ class System:
 
     def configuration(self, at: Evaluation) -> Configuration:
         """Where the terms were evaluated."""
-        return Configuration(self.points + self.split(at.unknowns)[0], at.load_factor, at.sought)
+        return Configuration(self.points + self.split(at.unknowns)[0], at.load_factor, at.unknown_pressures)
 
     def skew_matrix(self, at: Evaluation) -> sp.csc_matrix | None:
         """Skew part of the tangent from pressure on open surfaces; None where every pressure has a potential."""
@@ -339,11 +341,11 @@ class System:
             self.contact.rubbing(at.contacts, self.size),
             self.terms.unsymmetric_matrix(self.configuration(at), self.size),
         )
-        found = [part for part in parts if part is not None]
-        return self._ties.reduce(self._frames.turn_matrix(sum(found[1:], found[0]).tocsc())) if found else None
+        present = [part for part in parts if part is not None]
+        return self._ties.reduce(self._frames.turn_matrix(sum(present[1:], present[0]).tocsc())) if present else None
 
     def apply_supports(self, data: Array) -> None:
-        """Replace the equations of held unknowns by identities, in place."""
+        """Replace the equations of prescribed unknowns by identities, in place."""
         self.layout.apply_supports(data)
 
     def make_definite(self, data: Array) -> None:
@@ -355,7 +357,7 @@ class System:
         """
         own = [3 * each.node + np.arange(3 * each.count) for each in self.carriers]
         for unknowns in own:
-            free = unknowns[~self.held[unknowns]]
+            free = unknowns[~self.prescribed[unknowns]]
             data[self.pattern.diagonal[free]] += np.where(self.moving[free], DEFINITE, -DEFINITE)
 
     def correction(self, at: Evaluation, geometric: Stresses) -> Array | None:

@@ -27,7 +27,7 @@ class Setting:
     model : Model
     points : (n + e, 3) array
         Scaled reference positions of the nodes of the mesh, then of those of reference points.
-    held : (n + e, 3) bool array
+    prescribed : (n + e, 3) bool array
         Prescribed components.
     dV : (c, q) array
         Scaled volumes of the quadrature points of the cells.
@@ -39,7 +39,7 @@ class Setting:
 
     model: Model
     points: Array
-    held: NDArray[np.bool_]
+    prescribed: NDArray[np.bool_]
     dV: Array
     length: float
     stress: float
@@ -55,13 +55,13 @@ class Configuration:
     position : (n, 3) array
         Scaled positions of the nodes.
     load_factor : float
-    sought : (k,) array or None
+    unknown_pressures : (k,) array or None
         Scaled pressures of the controlled faces.
     """
 
     position: Array
     load_factor: float = 0.0
-    sought: Array | None = None
+    unknown_pressures: Array | None = None
 
 
 class Term(Protocol):

@@ -51,15 +51,15 @@ class _WithEnergies(Protocol):
 
 def largest_energy(states: Sequence[_WithEnergies]) -> float:
     """Largest sum of energies at any state of a path [J]; 0 where none were counted."""
-    found = [state.energies for state in states if state.energies is not None]
-    return max((each.kinetic + each.strain + each.dissipated for each in found), default=0.0)
+    energies = [state.energies for state in states if state.energies is not None]
+    return max((each.kinetic + each.strain + each.dissipated for each in energies), default=0.0)
 
 
 def imbalance(states: Sequence[_WithEnergies]) -> float:
     """Largest energy that is missing at any state, over the largest energy of the path."""
-    found = [abs(state.energies.missing) for state in states if state.energies is not None]
+    missing = [abs(state.energies.missing) for state in states if state.energies is not None]
     largest = largest_energy(states)
-    return max(found, default=0.0) / largest if largest > 0 else 0.0
+    return max(missing, default=0.0) / largest if largest > 0 else 0.0
 
 
 def unbalanced(states: Sequence[_WithEnergies]) -> tuple[Finding, ...]:

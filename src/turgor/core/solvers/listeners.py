@@ -27,7 +27,7 @@ class Listeners:
     found : callable or None
         Called with each finding that is a warning or an error, as soon as it is known.
     stage : str
-        Name of the stage whose steps are told.
+        Name of the stage whose steps are reported.
     """
 
     progress: Callable[[Iteration, State | None], None] | None = None
@@ -60,7 +60,7 @@ class Listeners:
         return None if self.stop is None else self.stop(state)
 
     def rejected(self, number: int, step: Step) -> None:
-        """Tell that an attempted step was rejected, and why; accepted ones are told with their state."""
+        """Report that an attempted step was rejected, and why; accepted ones are reported with their state."""
         if step.accepted:
             return
         how = step.iterations, step.residual, 0.0, 1.0

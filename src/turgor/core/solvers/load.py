@@ -80,8 +80,8 @@ def path_so_far(record: RunRecord) -> Solution:
     procedure = question.procedure
     if not isinstance(procedure, Stages):
         return _unfinished(procedure, paths[0])
-    found = [_unfinished(stage.procedure, path) for stage, path in zip(procedure.stages, paths, strict=False)]
-    whole = together(question.model, procedure, found)
+    solutions = [_unfinished(stage.procedure, path) for stage, path in zip(procedure.stages, paths, strict=False)]
+    whole = together(question.model, procedure, solutions)
     return Solution(
         model=question.model,
         procedure=procedure,

@@ -99,7 +99,7 @@ class Method:
     follow : callable
         ``follow(problem, procedure) -> Outcome`` fills the lists of the problem.
     controlled : callable
-        ``controlled(model, procedure) -> names`` of the cavities whose pressure is sought.
+        ``controlled(model, procedure) -> names`` of the cavities whose pressure is unknown.
     may_be_free : callable
         ``may_be_free(model) -> bool``: whether supports may leave rigid motions free.
     findings : callable

@@ -28,7 +28,7 @@ def reached(
     limits: Sequence[LimitPoint],
     bifurcations: Sequence[Bifurcation] = (),
 ) -> Outcome:
-    """All that was asked for was injected, pumped in or applied."""
+    """All that was requested was injected, pumped in or applied."""
     message = (
         f"Reached {_where(states[-1], states[0])}{_effort(states, steps)}.{_turns(limits)}{_branches(bifurcations)}"
     )
@@ -44,7 +44,7 @@ def reached(
 
 
 def followed(run: Run, why: str) -> Outcome:
-    """The path was followed as far as asked, and the load factor did not reach 1 again."""
+    """The path was followed as far as requested, and the load factor did not reach 1 again."""
     bend_it = f" {BEND_IT}" if run.bifurcations else ""
     return Outcome(
         Status.FOLLOWED,
@@ -100,7 +100,7 @@ def limit_point_findings(limits: Sequence[LimitPoint], severity: Severity) -> tu
             message=f"The path goes through {len(limits)} limit point{'s' if len(limits) > 1 else ''}: "
             f"{', '.join(map(_turn, limits[:NAMED]))}{' …' if len(limits) > NAMED else ''}.",
             advice="A source of pressure would make the actuator jump at a maximum; states on a falling branch can be "
-            "held only by a volume or an amount of gas that is given.",
+            "reached only with a given volume or amount of gas.",
         ),
     )
 

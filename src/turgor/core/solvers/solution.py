@@ -89,7 +89,7 @@ class State(Shown):
         Multipliers of the volume constraint (tension positive): at each vertex, then more where it jumps at a vertex
         (`turgor.core.engine.cells.element`); none in the displacement formulation.
     nodal_force : (n, 3) array [N]
-        Internal minus external force at every node: zero where it is free, the support's reaction where it is held.
+        Internal minus external force at every node: zero where it is free, the support's reaction where it is fixed.
     unstable_modes : int or None
         Negative pivots of the tangent beyond those of the mean stress; 0 where the equilibrium is stable,
         None where it was not looked at.
@@ -133,14 +133,14 @@ class State(Shown):
 
     def __repr__(self) -> str:
         farthest = float(np.linalg.norm(self.displacement, axis=1).max(initial=0.0))
-        told = [f"{self.stage!r}"] if self.stage else []
-        told += [f"load factor {self.load_factor:.4g}"]
-        told += [] if self.time is None else [f"time {self.time:.4g} s"]
+        parts = [f"{self.stage!r}"] if self.stage else []
+        parts += [f"load factor {self.load_factor:.4g}"]
+        parts += [] if self.time is None else [f"time {self.time:.4g} s"]
         acting = [f"{face} {pressure / kPa:.4g} kPa" for face, pressure in self.pressures.items()]
-        told += [listed(acting)] if acting else []
-        told += [f"largest displacement {farthest / mm:.4g} mm", f"{len(self.displacement):,} nodes"]
-        told += ["unstable"] if self.unstable_modes else []
-        return f"State({', '.join(told)})"
+        parts += [listed(acting)] if acting else []
+        parts += [f"largest displacement {farthest / mm:.4g} mm", f"{len(self.displacement):,} nodes"]
+        parts += ["unstable"] if self.unstable_modes else []
+        return f"State({', '.join(parts)})"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -277,7 +277,7 @@ class Solution(Saved, Shown):
     Parameters
     ----------
     model, procedure
-        What was asked.
+        What was solved, and how.
     states : tuple of State
         Equilibria in order, the undeformed state (load factor 0) first; the path so far when the solve stopped early.
     status : Status
@@ -307,9 +307,9 @@ class Solution(Saved, Shown):
 
     def __repr__(self) -> str:
         said = shorten(self.message.rstrip("."), LONGEST_MESSAGE, placeholder=" …")
-        heavy = [found for found in self.findings if found.severity is not Severity.NOTE]
-        heavy = [found for found in heavy if found.message.rstrip(".") not in self.message]  # which may begin with one
-        warned = "".join(f"; {shorten(str(found), LONGEST_MESSAGE, placeholder=' …')}" for found in heavy[:MOST_SHOWN])
+        heavy = [each for each in self.findings if each.severity is not Severity.NOTE]
+        heavy = [each for each in heavy if each.message.rstrip(".") not in self.message]  # which may begin with one
+        warned = "".join(f"; {shorten(str(each), LONGEST_MESSAGE, placeholder=' …')}" for each in heavy[:MOST_SHOWN])
         left = f"; and {len(heavy) - MOST_SHOWN} more findings" if len(heavy) > MOST_SHOWN else ""
         return f"Solution({self.status}, {len(self.states)} states of '{self.model.mesh.name}': {said}{warned}{left})"
 
@@ -320,7 +320,7 @@ class Solution(Saved, Shown):
 
     @property
     def complete(self) -> bool:
-        """Whether the procedure went as far as it was asked, past limit points where the load cannot be reached."""
+        """Whether the procedure went as far as requested, past limit points where the load cannot be reached."""
         return self.status in (Status.CONVERGED, Status.FOLLOWED)
 
     @property

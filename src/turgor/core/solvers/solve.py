@@ -158,7 +158,7 @@ def _followed(
 
 
 def follow_question(question: Question, listeners: Listeners, record: RunRecord | None, throw: bool) -> Solution:
-    """Solve what a run was asked, from its beginning or from where its record ends.
+    """Solve the question of a run, from its beginning or from where its record ends.
 
     Parameters
     ----------

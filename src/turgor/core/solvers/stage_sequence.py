@@ -30,7 +30,7 @@ Follow = Callable[[Model, OneProcedure, Listeners, Restart | None], tuple[Soluti
 
 def solve_stages(model: Model, procedure: Stages, listeners: Listeners, follow: Follow) -> Solution:
     """Solve the stages of a sequence until one of them stops early."""
-    found: list[Solution] = []
+    solutions: list[Solution] = []
     restart: Restart | None = None
     first = _movable(model, procedure)
     for stage in procedure.stages:
@@ -40,10 +40,10 @@ def solve_stages(model: Model, procedure: Stages, listeners: Listeners, follow: 
             solution, restart = follow(question, stage.procedure, _within(stage, listeners), restart)
         except TurgorError as error:
             raise TurgorError(f"stage '{stage.name}': {error}") from None
-        found.append(solution)
+        solutions.append(solution)
         if not solution.complete:
             break
-    return together(model, procedure, found)
+    return together(model, procedure, solutions)
 
 
 def questions(model: Model, procedure: Stages) -> tuple[Model, ...]:
@@ -64,7 +64,7 @@ def questions(model: Model, procedure: Stages) -> tuple[Model, ...]:
     TurgorError
         If a stage changes what the model does not have, or seeks a pressure that it states.
     """
-    found: list[Model] = []
+    models: list[Model] = []
     first, last = _movable(model, procedure), None
     for stage in procedure.stages:
         try:
@@ -72,9 +72,9 @@ def questions(model: Model, procedure: Stages) -> tuple[Model, ...]:
             method_of(stage.procedure).controlled(question, stage.procedure)
         except TurgorError as error:
             raise TurgorError(f"stage '{stage.name}': {error}") from None
-        found.append(question)
+        models.append(question)
         last = _End(question, 1.0, pressures_at(question, 1.0))
-    return tuple(found)
+    return tuple(models)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,12 +102,12 @@ def _question(model: Model, stage: Stage, last: _End | None) -> Model:
     pressures = dict(last.pressures)
     if isinstance(stage.procedure, VolumeControl | GasMass):
         # here, as in `turgor.core.solvers.methods`: few procedures fill cavities
-        from turgor.core.solvers.continuation.scalar_control.cavity_control import asked_cavities
+        from turgor.core.solvers.continuation.scalar_control.cavity_control import filled_cavities
 
         stated = {load.face for load in pressures_among(stage.loads)}
-        for name in asked_cavities(last.model, stage.procedure):
+        for name in filled_cavities(last.model, stage.procedure):
             if name not in stated:
-                pressures.pop(name, None)  # it is sought from here on
+                pressures.pop(name, None)  # it is unknown from here on
     acting = (last.load_factor, pressures)
     return continued(last.model, acting, stage.loads, stage.displacements, stage.moves)
 
@@ -126,14 +126,14 @@ def _within(stage: Stage, listeners: Listeners) -> Listeners:
     return Listeners(tell, ask, stage=stage.name)
 
 
-def together(model: Model, procedure: Stages, found: Sequence[Solution]) -> Solution:
+def together(model: Model, procedure: Stages, solutions: Sequence[Solution]) -> Solution:
     """Make one solution of those of the stages; the first state of each but the first is the last of the former.
 
     Parameters
     ----------
     model : Model
     procedure : Stages
-    found : sequence of Solution
+    solutions : sequence of Solution
         Of the first stages.
 
     Returns
@@ -142,7 +142,7 @@ def together(model: Model, procedure: Stages, found: Sequence[Solution]) -> Solu
     """
     states: list[State] = []
     limits = []
-    for stage, solution in zip(procedure.stages, found, strict=False):
+    for stage, solution in zip(procedure.stages, solutions, strict=False):
         skipped = 1 if states else 0
         limits += [replace(limit, state=limit.state + len(states) - skipped) for limit in solution.limit_points]
         passed = max((state.time for state in states if state.time is not None), default=0.0)
@@ -153,24 +153,24 @@ def together(model: Model, procedure: Stages, found: Sequence[Solution]) -> Solu
         model=model,
         procedure=procedure,
         states=tuple(replace(state, pressures=each) for state, each in zip(states, acting, strict=True)),
-        status=_status(found),
-        message=" ".join(f"{s.name}: {each.message}" for s, each in zip(procedure.stages, found, strict=False)),
-        advice=" ".join(_once(each.advice for each in found if each.advice)),
+        status=_status(solutions),
+        message=" ".join(f"{s.name}: {each.message}" for s, each in zip(procedure.stages, solutions, strict=False)),
+        advice=" ".join(_once(each.advice for each in solutions if each.advice)),
         steps=tuple(
             replace(step, stage=stage.name)
-            for stage, each in zip(procedure.stages, found, strict=False)
+            for stage, each in zip(procedure.stages, solutions, strict=False)
             for step in each.steps
         ),
-        findings=_findings(procedure, found),
-        timing=Timing.together([each.timing for each in found]),
+        findings=_findings(procedure, solutions),
+        timing=Timing.together([each.timing for each in solutions]),
         limit_points=tuple(limits),
     )
 
 
-def _findings(procedure: Stages, found: Sequence[Solution]) -> tuple[Finding, ...]:
+def _findings(procedure: Stages, solutions: Sequence[Solution]) -> tuple[Finding, ...]:
     """What the checks of each stage noticed, with its name; what they notice again is left out."""
     named: dict[tuple[str, str], Finding] = {}
-    for stage, solution in zip(procedure.stages, found, strict=False):
+    for stage, solution in zip(procedure.stages, solutions, strict=False):
         for each in solution.findings:
             what = each.code if each.code in LASTING else each.message
             named.setdefault((each.code, what), replace(each, message=f"Stage '{stage.name}': {each.message}"))
@@ -182,9 +182,9 @@ def _placed(state: State, stage: Stage, passed: float) -> State:
     return replace(state, stage=stage.name, time=None if state.time is None else passed + state.time)
 
 
-def _status(found: Sequence[Solution]) -> Status:
-    if not found[-1].complete or all(each.converged for each in found):
-        return found[-1].status
+def _status(solutions: Sequence[Solution]) -> Status:
+    if not solutions[-1].complete or all(each.converged for each in solutions):
+        return solutions[-1].status
     return Status.FOLLOWED
 
 

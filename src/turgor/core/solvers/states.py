@@ -40,13 +40,13 @@ def state_of(system: System, at: Evaluation, modes: int | None) -> State:
 
 
 def acting_pressures(system: System, at: Evaluation) -> dict[str, float]:
-    """Gauge pressures [Pa] in every cavity and on every pressed face, stated or sought; none where nothing presses."""
-    if at.sought is None and not system.model.pressures:
+    """Gauge pressures [Pa] in every cavity and on every pressed face, stated or unknown; none where nothing presses."""
+    if at.unknown_pressures is None and not system.model.pressures:
         return {}
-    found = pressures_at(system.model, at.load_factor)
-    if at.sought is not None:
-        found |= {name: float(p) * system.stress_scale for name, p in zip(system.controlled, at.sought, strict=True)}
-    return found
+    by_face = pressures_at(system.model, at.load_factor)
+    if (unknown := at.unknown_pressures) is not None:
+        by_face |= {name: float(p) * system.stress_scale for name, p in zip(system.controlled, unknown, strict=True)}
+    return by_face
 
 
 def touches(system: System, at: Evaluation) -> dict[str, Touch]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.algebra.boundary import held_components
+from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.model.model import Model
 from turgor.core.model.supports import Radial, Symmetry
 from turgor.fast_models.section.kinematics import STRAINS
@@ -131,7 +131,7 @@ def _check_supports(model: Model) -> None:
 
 def _held(model: Model, plane: Plane) -> tuple[Flags, Array]:
     """Prescribed components (n, 3) of the nodes of the section, and the directions of these components."""
-    supports = held_components(model)
+    supports = prescribed_components(model)
     place = near_nodes(plane)
     axes = np.tile(np.eye(3), (len(model.mesh.points), 1, 1))
     axes[supports.frames.nodes] = supports.frames.axes

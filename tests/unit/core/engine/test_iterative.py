@@ -38,7 +38,7 @@ def tangent(model: tg.Model) -> tuple[System, np.ndarray, np.ndarray]:
     assert at is not None
     data = system.tangent_data(at)
     system.apply_supports(data)
-    return system, data, np.where(system.held, 0.0, at.residual)
+    return system, data, np.where(system.prescribed, 0.0, at.residual)
 
 
 def made(system: System) -> IterativeSolver:

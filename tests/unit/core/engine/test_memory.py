@@ -166,7 +166,7 @@ def test_fields_are_those_of_the_state(finger):
     system = System(state.model)
     unknowns = system.unknowns(state.displacement, state.mean_stress)
     at = system.evaluate(unknowns, 1.0, history=system.history(state.memory))
-    free = ~system.held
+    free = ~system.prescribed
     assert np.linalg.norm(at.residual[free]) < 1e-5 * np.linalg.norm(at.external)
     with_memory, without = (StateFields(each).cells.von_mises for each in (state, replace(state, memory=None)))
     assert np.abs(with_memory - without).max() > 0.05 * with_memory.max()

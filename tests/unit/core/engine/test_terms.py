@@ -73,8 +73,8 @@ def test_a_term_of_ones_own_needs_one_name_in_the_list(model, monkeypatch):
     system = System(model)
     rng = np.random.default_rng(1)
     x, way = (rng.normal(0, 0.01, system.size) for _ in range(2))
-    free, h = ~system.held, 1e-6
-    x[system.held] = way[system.held] = 0.0  # where the rim of the cavity is held, its pressure has a potential
+    free, h = ~system.prescribed, 1e-6
+    x[system.prescribed] = way[system.prescribed] = 0.0  # a cavity with a fixed rim has a potential
     change = (system.residual(x + h * way, 1.0) - system.residual(x - h * way, 1.0)) / (2 * h)
     assert (system.tangent(x, 1.0) @ way)[free] == pytest.approx(change[free], abs=1e-6 * np.abs(change).max())
     added = system.residual(x, 1.0) - plain.residual(x, 1.0)

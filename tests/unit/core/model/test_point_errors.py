@@ -60,8 +60,8 @@ def test_what_does_not_fit_the_model_is_refused(point, supports, loads, said):
 @pytest.mark.parametrize(
     ("point", "supports", "said"),
     [
-        (PLATE, (tg.Fixed("y0"),), "nodes of its rigid face 'x1' are held by another support"),
-        (PLATE, (PlaneSection("x1"),), "nodes of its rigid face 'x1' are held by another support"),
+        (PLATE, (tg.Fixed("y0"),), "nodes of its rigid face 'x1' are fixed by another support"),
+        (PLATE, (PlaneSection("x1"),), "nodes of its rigid face 'x1' are fixed by another support"),
         (PLATE, (ReferencePoint("again", "x1"),), "their rigid faces share nodes"),
     ],
 )
@@ -114,7 +114,7 @@ def test_a_hinge_between_mirror_planes_turns_about_their_normal_or_not_at_all():
     still, turns = (
         System(rig.rig(PLATE, [Hinge("plate", axis)], mesh=rig.bar(half=True))) for axis in ((1, 1, 0), (0, 2, 0))
     )
-    free = [int((~s.held[3 * s.carriers[0].arrows[:, None] + np.arange(3)]).sum()) for s in (still, turns)]
+    free = [int((~s.prescribed[3 * s.carriers[0].arrows[:, None] + np.arange(3)]).sum()) for s in (still, turns)]
     assert free == [0, 4]
     with pytest.raises(TurgorError, match="it can turn about y only"):
         System(rig.rig(PLATE, [Rotation("plate", 1.0, (1, 1, 0), tilts=True)], mesh=rig.bar(half=True)))

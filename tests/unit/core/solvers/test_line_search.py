@@ -11,7 +11,7 @@ from turgor.core.solvers.newton.settings import LINE_SEARCH
 SYSTEM = SimpleNamespace(
     contact=SimpleNamespace(shortening=lambda old, new: 1.0),
     moving=np.array([True, True, False]),
-    held=np.array([False, True, False]),
+    prescribed=np.array([False, True, False]),
 )
 UPDATE = np.array([2.0, 5.0, 5.0])
 

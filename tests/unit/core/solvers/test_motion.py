@@ -32,7 +32,7 @@ def test_velocity_and_acceleration_keep_the_volume() -> None:
     wanted = system.joined(np.cross([0.0, 300.0, 0.0], system.points) + 100.0 * system.points[:, [0, 2, 1]])
     velocity = start.velocity(wanted)
     acceleration, _ = start.acceleration(velocity, np.zeros(system.size))
-    assert np.abs(velocity[system.held]).max() == 0
+    assert np.abs(velocity[system.prescribed]).max() == 0
     assert np.linalg.norm(velocity - wanted) < 0.9 * np.linalg.norm(wanted)
 
     def volume_error(time: float, share: float) -> float:
@@ -48,7 +48,7 @@ def test_compressible_rubber_takes_any_velocity() -> None:
     at = system.evaluate(np.zeros(system.size), 0.0)
     wanted = system.joined(system.points)
     found = Accelerations(system, at, mass_data(system)).velocity(wanted)
-    assert found[~system.held] == pytest.approx(np.where(system.held, 0.0, wanted)[~system.held])
+    assert found[~system.prescribed] == pytest.approx(np.where(system.prescribed, 0.0, wanted)[~system.prescribed])
 
 
 def test_a_moving_support_does_work() -> None:

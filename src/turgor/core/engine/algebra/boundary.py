@@ -36,7 +36,7 @@ Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Held:
+class PrescribedComponents:
     """Which displacement components are prescribed, and the functions that move some of them.
 
     Parameters
@@ -49,7 +49,7 @@ class Held:
     along_axes : (n + e, 3) bool array
         Components along x, y and z that are prescribed, those of rigid faces left out.
     normals : (k, 3) array
-        Of each node with a frame, the direction that is held besides the axes; zero where there is none.
+        Of each node with a frame, the direction that is prescribed besides the axes; zero where there is none.
     ties : MultiPoint
         Components that follow others; followers count as prescribed.
     carriers : tuple of Carrier
@@ -74,14 +74,14 @@ class Held:
             return out
         moved = np.einsum("ki,ki->k", self.normals, out[self.frames.nodes])
         out = self.frames.to_local(out)
-        # the component along the normal must be zero: the first direction compensates those of the held axes
+        # the component along the normal must be zero: the first direction compensates those of the fixed axes
         along = np.einsum("ki,ki->k", self.normals, self.frames.axes[:, 0])
         nodes = self.frames.nodes[along != 0]
         out[nodes, 0] = -moved[along != 0] / along[along != 0]
         return out
 
 
-def held_components(model: Model) -> Held:
+def prescribed_components(model: Model) -> PrescribedComponents:
     """Collect what the supports of a model prescribe.
 
     Raises
@@ -111,10 +111,10 @@ def held_components(model: Model) -> Held:
         mask[section.nodes, section.axis] = True
     if model.mesh.revolved:
         return _around_axis(model, mask, tuple(moving), sections, carriers)
-    held = _with_normals(mask, tuple(moving), radial, sections)
+    prescribed = _with_normals(mask, tuple(moving), radial, sections)
     if model.mesh.wedge is not None:
-        held = _with_cyclic(model, held, mask, sections)
-    return _with_rigid(held, carriers)
+        prescribed = _with_cyclic(model, prescribed, mask, sections)
+    return _with_rigid(prescribed, carriers)
 
 
 def _nodes(model: Model, support: Fixed | Symmetry | Displacement, points: Mapping[str, Carrier]) -> Ints:
@@ -123,37 +123,39 @@ def _nodes(model: Model, support: Fixed | Symmetry | Displacement, points: Mappi
     return np.unique(outer_triangles(model.mesh)) if support.face == "*" else model.mesh.face_nodes(support.face)
 
 
-def _with_rigid(held: Held, carriers: tuple[Carrier, ...]) -> Held:
+def _with_rigid(prescribed: PrescribedComponents, carriers: tuple[Carrier, ...]) -> PrescribedComponents:
     """Let rigid faces follow their reference points."""
     followers, leaders, weights = rigid_ties(carriers)
-    held.mask.ravel()[followers] = True
+    prescribed.mask.ravel()[followers] = True
     ties = MultiPoint(
-        np.concatenate([held.ties.followers, followers]),
-        np.concatenate([held.ties.leaders, leaders]),
-        np.concatenate([held.ties.weights, weights]),
+        np.concatenate([prescribed.ties.followers, followers]),
+        np.concatenate([prescribed.ties.leaders, leaders]),
+        np.concatenate([prescribed.ties.weights, weights]),
     )
-    return replace(held, ties=ties, carriers=carriers)
+    return replace(prescribed, ties=ties, carriers=carriers)
 
 
-def _with_cyclic(model: Model, held: Held, mask: NDArray[np.bool_], sections: tuple[Section, ...]) -> Held:
-    """Let the higher cut face of a wedge follow the lower one; ``mask`` are the components held along the axes."""
+def _with_cyclic(
+    model: Model, prescribed: PrescribedComponents, mask: NDArray[np.bool_], sections: tuple[Section, ...]
+) -> PrescribedComponents:
+    """Let the higher cut face of a wedge follow the lower one; ``mask`` are components prescribed along the axes."""
     carriers = carriers_of(model)
     pairs = CyclicPairs.of(model.mesh, carriers)
     pairs.check_alike(mask)
     pairs.check_sections(sections)
-    local, along = held.mask.copy(), held.along_axes.copy()
+    local, along = prescribed.mask.copy(), prescribed.along_axes.copy()
     local[pairs.low] |= local[pairs.high]
     for both in (local, along):
         both[pairs.on_axis[:, None], pairs.wedge.across] = True
-    frames, normals = pairs.frames(held.frames, held.normals, len(mask))
-    ties = pairs.ties(held.ties, len(mask))
-    held = replace(held, mask=local, frames=frames, along_axes=along, normals=normals, ties=ties)
+    frames, normals = pairs.frames(prescribed.frames, prescribed.normals, len(mask))
+    ties = pairs.ties(prescribed.ties, len(mask))
+    prescribed = replace(prescribed, mask=local, frames=frames, along_axes=along, normals=normals, ties=ties)
     points = with_carried(model.mesh.points, carriers)
-    for nodes, _, support in held.moving:
+    for nodes, _, support in prescribed.moving:
         if isinstance(support, Displacement):
-            pairs.check_moved(np.where(local, held.values(points, 1.0), 0.0), nodes, support.face)
+            pairs.check_moved(np.where(local, prescribed.values(points, 1.0), 0.0), nodes, support.face)
     local.ravel()[ties.followers] = True
-    return held
+    return prescribed
 
 
 def _around_axis(
@@ -162,7 +164,7 @@ def _around_axis(
     moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...],
     sections: tuple[Section, ...],
     carriers: tuple[Carrier, ...],
-) -> Held:
+) -> PrescribedComponents:
     """Hold and tie the nodes of a body of revolution ring by ring; see `turgor.core.engine.algebra.rings`.
 
     Its mirror planes leave a reference point the way along the axis alone, which a rigid face follows; the radii of
@@ -184,17 +186,19 @@ def _around_axis(
     ties = rings.ties(together, len(mask))
     along_axes = mask.copy()
     along_axes[:count] |= rings.on_axis[:, None] & (np.arange(3) != rings.axis)
-    held = Held(local, moving, rings.frames, along_axes, np.zeros_like(model.mesh.points), ties, carriers)
+    prescribed = PrescribedComponents(
+        local, moving, rings.frames, along_axes, np.zeros_like(model.mesh.points), ties, carriers
+    )
     for nodes, _, support in moving:
-        swept = held.values(with_carried(model.mesh.points, carriers), 1.0)[nodes]
-        astray = np.abs(swept[:, TANGENTIAL]).max(initial=0.0)
-        if isinstance(support, Displacement) and astray > ROUND * np.abs(swept).max():
+        swept = prescribed.values(with_carried(model.mesh.points, carriers), 1.0)[nodes]
+        across = np.abs(swept[:, TANGENTIAL]).max(initial=0.0)
+        if isinstance(support, Displacement) and across > ROUND * np.abs(swept).max():
             raise TurgorError(
                 f"Displacement of '{support.face}': it moves the face around the axis or across it, which an "
                 "axisymmetric mesh cannot follow; move it along the axis, or use another kind of cells."
             )
     local.ravel()[ties.followers] = True
-    return held
+    return prescribed
 
 
 def _with_normals(
@@ -202,11 +206,11 @@ def _with_normals(
     moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...],
     radial: tuple[Ints, Array],
     sections: tuple[Section, ...],
-) -> Held:
-    """Hold nodes along normals too: their first direction is the part of the normal across the held axes.
+) -> PrescribedComponents:
+    """Hold nodes along normals too: their first direction is the part of the normal across the fixed axes.
 
-    The components along the normal of a plane section are held in ``mask``, so that each is a direction of its node.
-    Then they are tied to that of the first node.
+    The components along the normal of a plane section are prescribed in ``mask``, so that each is a direction of its
+    node. Then they are tied to that of the first node.
     """
     nodes, normals = radial
     rest = np.where(mask[nodes], 0.0, normals)
@@ -216,23 +220,23 @@ def _with_normals(
     axes = np.empty((len(nodes), 3, 3))
     local, along = mask.copy(), mask.copy()
     for k, node in enumerate(nodes):
-        held = np.eye(3)[mask[node]]
-        basis = np.linalg.qr(np.concatenate([first[k : k + 1], held, np.eye(3)]).T)[0].T
-        axes[k] = np.concatenate([first[k : k + 1], held, basis[1 + len(held) :]])[:3]
-        local[node] = np.arange(3) <= len(held)
+        fixed = np.eye(3)[mask[node]]
+        basis = np.linalg.qr(np.concatenate([first[k : k + 1], fixed, np.eye(3)]).T)[0].T
+        axes[k] = np.concatenate([first[k : k + 1], fixed, basis[1 + len(fixed) :]])[:3]
+        local[node] = np.arange(3) <= len(fixed)
         along[node] |= local[node].all()
     for section in sections:
         section.check_across(nodes, normals)
     ties = _ties(mask, nodes, sections)
     local.ravel()[ties.leaders] = False
-    return Held(local, moving, NodeFrames(nodes, axes), along, normals, ties)
+    return PrescribedComponents(local, moving, NodeFrames(nodes, axes), along, normals, ties)
 
 
 def _ties(mask: NDArray[np.bool_], turned: Ints, sections: tuple[Section, ...]) -> MultiPoint:
     """Tie the components along the normal of each section to that of its first node; some nodes have turned axes."""
     followers, leaders = [UNTIED.followers], [UNTIED.leaders]
     for section in sections:
-        # of a node with a frame, the held axes come after the normal, in their order
+        # of a node with a frame, the fixed axes come after the normal, in their order
         rank = mask[section.nodes, : section.axis].sum(axis=1)
         tied = 3 * section.nodes + np.where(np.isin(section.nodes, turned), 1 + rank, section.axis)
         followers.append(tied[1:])
@@ -242,7 +246,7 @@ def _ties(mask: NDArray[np.bool_], turned: Ints, sections: tuple[Section, ...]) 
 
 
 def radial_normals(model: Model) -> tuple[Ints, Array]:
-    """Find the nodes (k,) that are held radially, and the outward normals (k, 3) of their cylinders at rest.
+    """Find the nodes (k,) whose radius is fixed, and the outward normals (k, 3) of their cylinders at rest.
 
     Parameters
     ----------
@@ -252,16 +256,16 @@ def radial_normals(model: Model) -> tuple[Ints, Array]:
     -------
     tuple of array
     """
-    found: dict[int, Array] = {}
+    normal_at: dict[int, Array] = {}
     for support in model.supports:
         if not isinstance(support, Radial):
             continue
         nodes = model.mesh.face_nodes(support.face)
         for node, normal in zip(nodes.tolist(), _cylinder_normals(model.mesh.points[nodes], support), strict=True):
-            if node in found and abs(float(found[node] @ normal)) < 1 - 1e-6:
-                raise TurgorError(f"Radial of '{support.face}': it meets another cylinder that is held radially.")
-            found[node] = normal
-    return np.array(list(found), dtype=np.int64), np.array(list(found.values())).reshape(-1, 3)
+            if node in normal_at and abs(float(normal_at[node] @ normal)) < 1 - 1e-6:
+                raise TurgorError(f"Radial of '{support.face}': it meets another cylinder whose radius is fixed.")
+            normal_at[node] = normal
+    return np.array(list(normal_at), dtype=np.int64), np.array(list(normal_at.values())).reshape(-1, 3)
 
 
 def _cylinder_normals(points: Array, support: Radial) -> Array:
@@ -282,7 +286,7 @@ def _cylinder_normals(points: Array, support: Radial) -> Array:
     if off > ROUND * radius:
         raise TurgorError(
             f"Radial of '{support.face}': a node lies {off / mm:.3g} mm off the cylinder around {support.axis} "
-            f"that fits best, of radius {radius / mm:.4g} mm; only the face of one cylinder can be held radially."
+            f"that fits best, of radius {radius / mm:.4g} mm; the face must be that of one cylinder."
         )
     return np.asarray((arm / radii[:, None]) @ across)
 

@@ -76,24 +76,24 @@ class CyclicPairs:
                 )
 
     def frames(self, frames: NodeFrames, normals: Array, count: int) -> tuple[NodeFrames, Array]:
-        """Directions of the nodes with those of the higher face, and the normals (k, 3) that are held there.
+        """Directions of the nodes with those of the higher face, and the normals (k, 3) that are prescribed there.
 
         Parameters
         ----------
         frames : NodeFrames
             Those without the wedge.
         normals : (j, 3) array
-            Directions that are held besides the axes, at the nodes of ``frames``.
+            Directions that are prescribed besides the axes, at the nodes of ``frames``.
         count : int
             Number of nodes.
         """
         turn = self.wedge.turn()
-        axes, held = np.tile(np.eye(3), (count, 1, 1)), np.zeros((count, 3))
-        axes[frames.nodes], held[frames.nodes] = frames.axes, normals
+        axes, directions = np.tile(np.eye(3), (count, 1, 1)), np.zeros((count, 3))
+        axes[frames.nodes], directions[frames.nodes] = frames.axes, normals
         axes[self.high] = axes[self.low] @ turn.T
-        held[self.high] = held[self.low] @ turn.T
+        directions[self.high] = directions[self.low] @ turn.T
         nodes = np.union1d(frames.nodes, self.high)
-        return NodeFrames(nodes, axes[nodes]), held[nodes]
+        return NodeFrames(nodes, axes[nodes]), directions[nodes]
 
     def ties(self, extra: MultiPoint, count: int) -> MultiPoint:
         """Tie the components of the higher face to those of the lower one, on top of other ties of weight one."""
@@ -109,8 +109,8 @@ class CyclicPairs:
         largest = float(np.abs(values[moved]).max(initial=0.0))
         chosen = np.isin(self.high, moved)
         apart = np.abs(values[self.high[chosen]] - values[self.low[chosen]]).max(initial=0.0)
-        beside = np.abs(values[np.intersect1d(self.on_axis, moved)][:, list(self.wedge.across)]).max(initial=0.0)
-        if max(float(apart), float(beside)) > 1e-6 * largest:
+        off_axis = np.abs(values[np.intersect1d(self.on_axis, moved)][:, list(self.wedge.across)]).max(initial=0.0)
+        if max(float(apart), float(off_axis)) > 1e-6 * largest:
             raise TurgorError(
                 f"Displacement of '{face}': it is not the same after a turn about {self.wedge.axis} by 1/"
                 f"{self.wedge.fold}, as it must be of a wedge; move the face along that axis or turn it about it, or "

@@ -1,4 +1,4 @@
-"""FreeSolver: a linear solver for the free unknowns alone, where many are held or follow others."""
+"""FreeSolver: a linear solver for the free unknowns alone, where many are prescribed or follow others."""
 
 from collections.abc import Callable
 
@@ -10,12 +10,12 @@ from turgor.core.engine.algebra.pattern import Pattern
 
 Array = NDArray[np.float64]
 
-#: Share of held unknowns from which they are left out of the factorization; those of an axisymmetric mesh are most.
+#: Share of prescribed unknowns from which they are left out of the factorization: in an axisymmetric mesh, most are.
 MANY = 0.25
 
 
 class FreeSolver:
-    """Factor the block of the free unknowns; the equations of held ones are identities.
+    """Factor the block of the free unknowns; the equations of prescribed ones are identities.
 
     Parameters
     ----------
@@ -23,11 +23,13 @@ class FreeSolver:
         Makes a solver of a pattern.
     pattern : Pattern
         Of all unknowns.
-    held : (size,) bool array
+    prescribed : (size,) bool array
     """
 
-    def __init__(self, make: Callable[[Pattern], LinearSolver], pattern: Pattern, held: NDArray[np.bool_]) -> None:
-        free = ~held
+    def __init__(
+        self, make: Callable[[Pattern], LinearSolver], pattern: Pattern, prescribed: NDArray[np.bool_]
+    ) -> None:
+        free = ~prescribed
         columns = np.repeat(np.arange(pattern.size), np.diff(pattern.indptr))
         number = np.cumsum(free) - 1
         self._kept = np.flatnonzero(free[pattern.indices] & free[columns])
@@ -67,6 +69,6 @@ class FreeSolver:
         return self._inner.negative_pivots(expected)
 
 
-def solver_of(make: Callable[[Pattern], LinearSolver], pattern: Pattern, held: NDArray[np.bool_]) -> LinearSolver:
-    """Make a solver of all unknowns, or of the free ones where many are held."""
-    return FreeSolver(make, pattern, held) if held.mean() > MANY else make(pattern)
+def solver_of(make: Callable[[Pattern], LinearSolver], pattern: Pattern, prescribed: NDArray[np.bool_]) -> LinearSolver:
+    """Make a solver of all unknowns, or of the free ones where many are prescribed."""
+    return FreeSolver(make, pattern, prescribed) if prescribed.mean() > MANY else make(pattern)

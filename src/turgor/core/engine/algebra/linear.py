@@ -29,11 +29,11 @@ DISSECTED_FROM, DISSECTED_ALONE_FROM = 10_000, 40_000
 #: Name that leaves the choice, and the one that asks for GMRES, of the equations that it is for; others are factored.
 AUTO, ITERATIVE = "auto", "iterative"
 
-#: Unknowns from which it is asked whether factors fit into the memory, and the share of it that they may take.
+#: Unknowns from which it is checked whether factors fit into the memory, and the share of it that they may take.
 LARGE, SHARE_OF_MEMORY = 300_000, 0.6
 
 #: Size to which smaller scaled pivots are lifted in single precision. Incompressible rubber has zeros on the diagonal.
-#: What round-off made of them in bent states and beside paper spoiled the factors, so that double ones had to be made.
+#: What round-off made of them in bent states and next to paper spoiled the factors, so that double ones had to be made.
 FLOOR = 1e-5
 
 #: Refinements at most of a solution from single precision factors, and the share of the residual that each must be

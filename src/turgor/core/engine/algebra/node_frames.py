@@ -1,6 +1,6 @@
-"""Frames of nodes: local directions for nodes that are held along other directions than the coordinate axes.
+"""Frames of nodes: local directions for nodes that are fixed along other directions than the coordinate axes.
 
-The displacement of such a node is counted along three unit vectors, of which the held ones are prescribed as any other
+The displacement of such a node is counted along three unit vectors, of which the fixed ones are prescribed as any other
 component; its rows and columns of the tangent are turned with it. No penalty and no multiplier is needed, and the
 sparsity stays as it is.
 """

@@ -101,7 +101,7 @@ def _transposed(members, size):
 
 @njit(**LOOP)
 def _fill_column(begin, end, indptr, indices, pieces, of):
-    """Rows of each column, rising: the unknowns on and below the diagonal that a piece has beside it.
+    """Rows of each column, rising: the unknowns on and below the diagonal that share a piece with it.
 
     Where ``indices`` has no place, it only counts them, into the place in ``indptr`` after that of the column.
     """

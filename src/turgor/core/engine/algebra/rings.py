@@ -37,7 +37,7 @@ class Rings:
     axes : (n, 3, 3) array
         Radial, tangential and axial unit vector of each node, in rows.
     on_axis : (n,) bool array
-        Nodes that stand for the axis: their radius is held.
+        Nodes that stand for the axis: their radius is fixed.
     """
 
     axis: int
@@ -58,16 +58,16 @@ class Rings:
         mask : (n, 3) bool array
             Prescribed components along x, y and z.
         radial : (m,) int array
-            Nodes whose radius is held.
+            Nodes whose radius is fixed.
 
         Raises
         ------
         TurgorError
-            If one of the two directions across the axis is held and the other is free.
+            If one of the two directions across the axis is fixed and the other is free.
         """
         across = [i for i in range(3) if i != self.axis]
         one = mask[:, across].sum(axis=1) == 1
-        one &= ~(mask & (np.abs(self.axes[:, TANGENTIAL]) > 1 - 1e-9)).any(axis=1)  # held by a mirror plane
+        one &= ~(mask & (np.abs(self.axes[:, TANGENTIAL]) > 1 - 1e-9)).any(axis=1)  # fixed by a mirror plane
         if one.any():
             raise TurgorError(
                 f"a support holds a face along {'xyz'[across[0]]} or {'xyz'[across[1]]} alone, which is not the same "
@@ -78,7 +78,7 @@ class Rings:
         out[:, TANGENTIAL] = True
         out[:, AXIAL] = mask[:, self.axis]
         out[radial, RADIAL] = True
-        np.logical_or.at(out, self.leader, out.copy())  # what is held at any node of a ring is held at its leader
+        np.logical_or.at(out, self.leader, out.copy())  # what is fixed at any node of a ring is fixed at its leader
         return np.asarray(out[self.leader])
 
     def ties(self, together: Sequence[tuple[Ints, int]], node_count: int) -> MultiPoint:

@@ -40,16 +40,16 @@ class Section:
         return int(self.nodes[0])
 
     def check(self, mask: NDArray[np.bool_]) -> None:
-        """Refuse a section of which some nodes are held along its normal already."""
-        held = int(mask[self.nodes, self.axis].sum())
-        if held:
+        """Refuse a section of which some nodes are fixed along its normal already."""
+        count = int(mask[self.nodes, self.axis].sum())
+        if count:
             raise TurgorError(
-                f"PlaneSection of '{self.face}': {held} of its {len(self.nodes)} nodes are held along "
+                f"PlaneSection of '{self.face}': {count} of its {len(self.nodes)} nodes are fixed along "
                 f"{'xyz'[self.axis]} by another support, so that it cannot move; remove one of both."
             )
 
     def check_across(self, nodes: Ints, normals: Array) -> None:
-        """Refuse a section that meets a face whose radius is held along an axis other than the section's normal."""
+        """Refuse a section that meets a face whose radius is fixed along an axis other than the section's normal."""
         meet = np.isin(nodes, self.nodes)
         if (np.abs(normals[meet, self.axis]) > FLAT).any():
             raise TurgorError(
@@ -66,17 +66,17 @@ def plane_sections(model: Model) -> tuple[Section, ...]:
     TurgorError
         If a face is no coordinate plane, or two sections with the same normal share nodes.
     """
-    found: list[Section] = []
+    sections: list[Section] = []
     for support in model.supports:
         if not isinstance(support, PlaneSection):
             continue
         axis = coordinate_plane(model.mesh, support.face, "a plane section")
         section = Section(support.face, model.mesh.face_nodes(support.face), axis)
-        for other in found:
+        for other in sections:
             if other.axis == axis and np.intersect1d(other.nodes, section.nodes).size:
                 raise TurgorError(f"PlaneSection of '{section.face}': it shares nodes with '{other.face}'; keep one.")
-        found.append(section)
-    return tuple(found)
+        sections.append(section)
+    return tuple(sections)
 
 
 def coordinate_plane(mesh: Mesh, face: str, what: str) -> int:

@@ -64,7 +64,7 @@ class Factored:
     data : (nnz,) array
         Values of the lower triangle that was factored last, supports applied; empty where no step uses it again.
     whole, rubbing : (data, indices, indptr) or None
-        The unsymmetric matrix, and the unsymmetric part of friction beside a symmetric one.
+        The unsymmetric matrix, and the unsymmetric part of friction besides a symmetric one.
     """
 
     double: bool
@@ -124,8 +124,8 @@ class Tangent:
     ) -> Array:
         """Form and factor the tangent; return the forces that belong to the right side besides the residual.
 
-        These are the forces that moving the held unknowns by ``jump`` would cause, and the correction of stresses that
-        the tangent is linearized about.
+        These are the forces that moving the prescribed unknowns by ``jump`` would cause, and the correction of stresses
+        that the tangent is linearized about.
 
         ``shift`` is added to the diagonal of the free displacements, to make it positive where it is not.
         """
@@ -161,7 +161,7 @@ class Tangent:
         coupling = np.zeros(system.size)
         if jump is not None and jump.any():
             moved = np.zeros(system.size)
-            moved[system.held] = jump
+            moved[system.prescribed] = jump
             coupling = system.pattern.product(data, moved)
             if skew is not None:
                 coupling += skew @ moved
@@ -169,18 +169,18 @@ class Tangent:
         if correction is not None:
             coupling += correction
         rubbing = system.rubbing(at)
-        self._rubbing = None if rubbing is None else sp.diags((~system.held).astype(np.float64)) @ rubbing
+        self._rubbing = None if rubbing is None else sp.diags((~system.prescribed).astype(np.float64)) @ rubbing
         if rubbing is not None and self.iterative:
             self.use_double()  # GMRES for friction wants the symmetric part inverted
         system.apply_supports(data)
         system.make_definite(data)
         if shift:
-            free = np.flatnonzero(system.moving & ~system.held)
+            free = np.flatnonzero(system.moving & ~system.prescribed)
             data[system.pattern.diagonal[free]] += shift
         self._data, self._whole = data, None
         if self._symmetric is None:
             assert skew is not None
-            free = sp.diags((~system.held).astype(np.float64))
+            free = sp.diags((~system.prescribed).astype(np.float64))
             self._whole = (system.pattern.full(data) + free @ skew @ free).tocsc()
         self.clock.assembly += perf_counter() - start
         return coupling
@@ -206,9 +206,9 @@ class Tangent:
     def _made(self, pattern: Pattern) -> LinearSolver:
         system, name = self._system, self._solver
         make = partial(linear_solver, name, threads=self._threads)
-        direct = partial(solver_of, make, pattern, system.held)
-        asked = name == ITERATIVE or (name == AUTO and not factors_fit(pattern, self._threads))
-        if not asked:
+        direct = partial(solver_of, make, pattern, system.prescribed)
+        iterative = name == ITERATIVE or (name == AUTO and not factors_fit(pattern, self._threads))
+        if not iterative:
             return direct()
         from turgor.core.engine.algebra.iterative.levels import levels_of  # here: factors serve most models
         from turgor.core.engine.algebra.iterative.solver import IterativeSolver
@@ -249,7 +249,7 @@ class Tangent:
         return out
 
     def product(self, vector: Array) -> Array:
-        """Product of the last factored matrix, in which the equations of held unknowns are identities."""
+        """Product of the last factored matrix, in which the equations of prescribed unknowns are identities."""
         whole = self._system.pattern.product(self._data, vector) if self._whole is None else self._whole @ vector
         return np.asarray(whole if self._rubbing is None else whole + self._rubbing @ vector)
 

@@ -134,8 +134,8 @@ class CellMaterials:
         out = np.zeros((5, *I1.shape)) if len(self._spectral) else np.empty((5, *I1.shape))
         for region in self._regions:
             if isinstance(region.law, InvariantLaw):
-                found = energy_and_derivatives(region.law, I1[region.cells], I2[region.cells])
-                for k, values in enumerate(_response(history, region, found, INVARIANT_PAIRS)):
+                derivatives = energy_and_derivatives(region.law, I1[region.cells], I2[region.cells])
+                for k, values in enumerate(_response(history, region, derivatives, INVARIANT_PAIRS)):
                     out[k, region.cells] = values / self._stress
         stress, tangent = self._in_stretches(F, history)
         for region in self._remembering:
@@ -157,11 +157,11 @@ class CellMaterials:
                 derivatives = stretch_derivatives(region.law, *bar[:, at])
                 for k, values in enumerate(_response(history, region, derivatives, STRETCH_PAIRS)):
                     W[k, at] = values / self._stress
-        found = spectral.spectral_response(bar, directions, scale, W[:3], W[3:])
+        response = spectral.spectral_response(bar, directions, scale, W[:3], W[3:])
         if len(among) == count:
-            return found[0], found[1]
+            return response[0], response[1]
         stress, tangent = np.zeros((count, F.shape[1], 6)), np.zeros((count, F.shape[1], spectral.TANGENT))
-        stress[among], tangent[among] = found
+        stress[among], tangent[among] = response
         return stress, tangent
 
     def energy(self, I1: Array, I2: Array, F: Array, history: History) -> Array:

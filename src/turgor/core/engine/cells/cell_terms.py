@@ -18,8 +18,8 @@ Integers = NDArray[np.int64]
 #: Relative compressibility added to the tangent alone: keeps it regular where the mean stress is undetermined.
 REGULARIZATION = 1e-9
 
-#: Entries of cell matrices held at once when the tangent is formed: few enough to be added up while the processor still
-#: has them close by, which spares a tenth of the time. And cells at least, so that threads have something to share.
+#: Entries of cell matrices in memory at once when the tangent is formed: few enough to be added up while the processor
+#: still has them close by, which spares a tenth of the time. And cells at least, so that threads have a share each.
 CHUNK_ENTRIES, CHUNK_CELLS = 1_000_000, 600
 
 

@@ -39,7 +39,7 @@ ROUNDS = 4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bodies:
-    """Obstacles held by springs.
+    """Obstacles on springs.
 
     Parameters
     ----------
@@ -48,14 +48,14 @@ class Bodies:
         Scaled stiffness, of the modeled part.
     unknowns : tuple of int
         First unknown of each.
-    held : (3 b,) bool array
+    prescribed : (3 b,) bool array
         Directions across mirror planes, in which they cannot move.
     """
 
     names: tuple[str, ...]
     springs: Array
     unknowns: tuple[int, ...]
-    held: NDArray[np.bool_]
+    prescribed: NDArray[np.bool_]
 
     @staticmethod
     def of(model: Model, scales: tuple[float, float], first_unknown: int) -> "Bodies":
@@ -213,11 +213,11 @@ def _partners(
         reach=_reach(weights),
     )
     for _ in range(ROUNDS):
-        found = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, np.zeros(3))
-        inside = np.argwhere(found.gap < -1e-6 * height[:, None])
+        contact = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, np.zeros(3))
+        inside = np.argwhere(contact.gap < -1e-6 * height[:, None])
         if not len(inside):
             break
-        partners = _apart(partners, inside[:, 0], found.partner[inside[:, 0], inside[:, 1]])
+        partners = _apart(partners, inside[:, 0], contact.partner[inside[:, 0], inside[:, 1]])
     return partners
 
 

@@ -18,7 +18,7 @@ class Layout:
     ----------
     base : Pattern
         Of the cells and everything else that stays.
-    held : (size,) bool array
+    prescribed : (size,) bool array
         Prescribed unknowns.
     tied : MultiPoint, optional
         Unknowns that are equal to others; the base pattern has room for their stiffness.
@@ -31,20 +31,20 @@ class Layout:
         What the last change took, as `renew` wants it; None before the first one.
     """
 
-    def __init__(self, base: Pattern, held: NDArray[np.bool_], tied: MultiPoint = UNTIED) -> None:
+    def __init__(self, base: Pattern, prescribed: NDArray[np.bool_], tied: MultiPoint = UNTIED) -> None:
         self.base = self.pattern = base
-        self._held, self._tied = held, tied
+        self._prescribed, self._tied = prescribed, tied
         self._known = np.zeros(0, dtype=np.int64)
         self.ties: tuple[Ints, list[Ints]] | None = None
         self._place: NDArray[np.int32] | None = None
         self._base_followers = tied.places(base) if len(tied.followers) else None
-        self._find_held()
+        self._find_prescribed()
 
-    def _find_held(self) -> None:
+    def _find_prescribed(self) -> None:
         pattern = self.pattern
         column_of = np.repeat(np.arange(pattern.size, dtype=np.int32), np.diff(pattern.indptr))
-        self.dropped = np.flatnonzero(self._held[pattern.indices] | self._held[column_of])
-        self.held_diagonal = pattern.diagonal[self._held]
+        self.dropped = np.flatnonzero(self._prescribed[pattern.indices] | self._prescribed[column_of])
+        self.prescribed_diagonal = pattern.diagonal[self._prescribed]
         self._followers = self._base_followers
         if self._followers is not None and pattern is not self.base:
             self._followers = self._tied.places(pattern)
@@ -70,7 +70,7 @@ class Layout:
         self.pattern = Pattern(size, both.indptr.astype(np.int64), both.indices.astype(np.int32))
         columns = np.repeat(np.arange(size), np.diff(self.base.indptr))
         self._place = locate(self.pattern.indptr, self.pattern.indices, self.base.indices.astype(np.int64), columns)
-        self._find_held()
+        self._find_prescribed()
 
     def spread(self, data: Array) -> Array:
         """Values of the base pattern in the present one."""
@@ -91,9 +91,9 @@ class Layout:
             self._base_followers.add(data)
 
     def apply_supports(self, data: Array) -> None:
-        """Replace the equations of held unknowns by identities, in place."""
+        """Replace the equations of prescribed unknowns by identities, in place."""
         data[self.dropped] = 0.0
-        data[self.held_diagonal] = 1.0
+        data[self.prescribed_diagonal] = 1.0
 
 
 def _graph(unknowns: Ints, size: int) -> sp.csc_matrix:

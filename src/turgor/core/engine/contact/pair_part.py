@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.contact import pairs
 from turgor.core.engine.contact.friction import FrictionHistory
-from turgor.core.engine.contact.part import Found, Look, Ties, dofs, groups, nodal
+from turgor.core.engine.contact.part import Found, SearchMode, Ties, dofs, groups, nodal
 from turgor.core.engine.contact.points_part import PointsPart
 from turgor.core.engine.contact.search import Grid, centers_of, find_partners, follow_partners, points_of
 from turgor.core.engine.contact.surface import Surface
@@ -117,18 +117,20 @@ class PairPart(PointsPart):
     def _all(self, position: Array, place: Array) -> Array:
         return position if self.rigid is None else np.vstack([position, self.rigid.points + place])
 
-    def look(self, position: Array, place: Array, known: Found | None = None, how: Look = Look.FOLLOW) -> Found:
+    def look(
+        self, position: Array, place: Array, known: Found | None = None, how: SearchMode = SearchMode.FOLLOW
+    ) -> Found:
         """Find the partner of every point, by a global search where none is known."""
         s, p = self.surface, self.partners
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)
         every = self._all(position, place)
         if known is None:
             return Found(x, normal, growth, *self._search(x, normal, position, every), place)
-        walk = 0 if how is Look.KEEP else WALK
+        walk = 0 if how is SearchMode.KEEP else WALK
         partner, at, gap = follow_partners(
             (x, normal), every, p.sides, known.partner, known.at, p.around, p.overhang, walk
         )
-        if how is Look.ANEW:
+        if how is SearchMode.GLOBAL:
             others, places, gaps = self._search(x, normal, position, every)
             nearer = np.abs(gaps) < np.abs(gap) - NEARER * s.height[:, None]
             change = ~np.isfinite(gap) | ~np.isfinite(gaps) | nearer

@@ -16,12 +16,12 @@ Ints = NDArray[np.int64]
 ROUND_OFF = 1e-12
 
 
-class Look(Enum):
+class SearchMode(Enum):
     """How partners of contact are found: kept, followed from side to side, or searched for globally."""
 
     KEEP = "keep"
     FOLLOW = "follow"
-    ANEW = "anew"
+    GLOBAL = "global"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -91,8 +91,8 @@ class Ties:
 def groups(keys: Ints) -> tuple[Ints, Ints, Ints]:
     """Order that brings equal keys together, where each group starts (and ends), and the keys of the groups."""
     order = np.argsort(keys, kind="stable")
-    found, start = np.unique(keys[order], return_index=True)
-    return order, np.append(start, len(keys)).astype(np.int64), found
+    unique, start = np.unique(keys[order], return_index=True)
+    return order, np.append(start, len(keys)).astype(np.int64), unique
 
 
 def nodal(nodes: Ints, local: Array, count: int) -> Array:

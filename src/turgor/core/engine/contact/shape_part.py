@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.contact.friction import FrictionHistory
-from turgor.core.engine.contact.part import Found, Look, Ties, dofs, nodal
+from turgor.core.engine.contact.part import Found, SearchMode, Ties, dofs, nodal
 from turgor.core.engine.contact.points_part import PointsPart
 from turgor.core.engine.contact.search import points_of
 from turgor.core.engine.contact.shapes import Formula, signed_distance
@@ -39,7 +39,9 @@ class ShapePart(PointsPart):
         """Ties that are possible."""
         return len(self.surface.sides)
 
-    def look(self, position: Array, place: Array, known: Found | None = None, how: Look = Look.FOLLOW) -> Found:
+    def look(
+        self, position: Array, place: Array, known: Found | None = None, how: SearchMode = SearchMode.FOLLOW
+    ) -> Found:
         """Measure the gap of every point."""
         s = self.surface
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)

@@ -148,7 +148,7 @@ def _box(shape: Box, points: Array) -> Distances:
     distance, gradient, hessian = beyond.max(axis=1), outward * face, np.zeros((len(points), 3, 3))
     outside = np.flatnonzero(distance > NO_DIRECTION * min(shape.size))
     over = np.maximum(beyond[outside], 0.0)
-    free = (over > 0)[:, :, None] * np.eye(3)  # one direction beside a face, two beside an edge, three at a corner
+    free = (over > 0)[:, :, None] * np.eye(3)  # one direction next to a face, two next to an edge, three at a corner
     length = np.linalg.norm(over, axis=1)
     distance[outside] = length
     gradient[outside] = outward[outside] * over / length[:, None]

@@ -10,7 +10,7 @@ from turgor.core.engine.contact.build import Bodies, build_parts
 from turgor.core.engine.contact.couplings import Layout
 from turgor.core.engine.contact.friction import Friction
 from turgor.core.engine.contact.pair_part import PairPart
-from turgor.core.engine.contact.part import Found, Look
+from turgor.core.engine.contact.part import Found, SearchMode
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.model import Model
@@ -135,7 +135,12 @@ class ContactTerms:
             layout.renew(*memory.ties)
 
     def look(
-        self, position: Array, springs: Array, factor: float, known: Contacts | None = None, how: Look = Look.FOLLOW
+        self,
+        position: Array,
+        springs: Array,
+        factor: float,
+        known: Contacts | None = None,
+        how: SearchMode = SearchMode.FOLLOW,
     ) -> Contacts:
         """Find the contacts at a position and load factor; ``springs`` are the unknowns of sprung bodies, in rows.
 
@@ -148,7 +153,7 @@ class ContactTerms:
             place = self._place(part, springs, factor)
             found.append(part.look(position, place, None if known is None else known.found[k], how))
         out = Contacts(position, tuple(found))
-        if known is None or how is Look.ANEW:
+        if known is None or how is SearchMode.GLOBAL:
             self._known = out
         return out
 

@@ -60,7 +60,7 @@ class MembraneTerm(Term):
         return 0.5 * float(np.einsum("fq,fqi,ij,fqj->", self.areas, strain, self.moduli, strain))
 
     def stresses(self, position: Array, update: Array) -> Array:
-        """Stress times thickness (f, q, 3); where the layer wrinkles, the linearized strain beside it (f, q, 6)."""
+        """Stress times thickness (f, q, 3); where the layer wrinkles, followed by the linearized strain (f, q, 6)."""
         if self.field is None:
             return self._linear(position, update, self.moduli)
         strain = self._linear(position, update, np.eye(3))

@@ -35,11 +35,11 @@ PLATE_QUADRATURE_DEGREE = {3: 2, 4: 5}
 #: Where on an edge its angle counts, and for which share of its length, by corners of the sides. See `HingeTerm`.
 EDGE_POINTS = {3: ((0.5, 1.0),), 4: ((0.5 - 0.75**0.5 / 3, 0.5), (0.5 + 0.75**0.5 / 3, 0.5))}
 
-#: A side of the body that is held keeps the slope of a sheet that ends at it, if it goes on across the sheet: the
+#: A side of the body that is fixed keeps the slope of a sheet that ends at it, if it goes on across the sheet: the
 #: smallest sine of the angle between both.
 ACROSS = 0.5
 
-#: Share of a normal that may be free where a side is held along it.
+#: Share of a normal that may be free where a side is fixed along it.
 ROUND_OFF = 1e-6
 
 
@@ -119,7 +119,7 @@ def edges_of(sides: Ints) -> Edges:
 
 
 def _hinges(setting: Setting, triangles: Ints, sheet: Shell, names: Sequence[str]) -> list[HingeTerm]:
-    """Edges between two sides, and rim edges that are held."""
+    """Edges between two sides, and rim edges that are fixed."""
     edges = edges_of(triangles)
     order = np.argsort(edges.keys, kind="stable")
     _, first, count = np.unique(edges.keys[order], return_index=True, return_counts=True)
@@ -132,21 +132,21 @@ def _hinges(setting: Setting, triangles: Ints, sheet: Shell, names: Sequence[str
             "not branch or lie on itself. Leave a face out, or make one a membrane."
         )
     inner, rim = first[count == 2], first[count == 1]
-    free, sides = _held_sides(setting, triangles, edges[order[rim]])
+    free, sides = _fixed_sides(setting, triangles, edges[order[rim]])
     pairs = [(edges[order[inner]], edges[order[inner + 1]]), (free, sides)]
     return [_hinge(setting, pair, k == 0, sheet) for k, pair in enumerate(pairs) if len(pair[0].nodes)]
 
 
-def _held_sides(setting: Setting, triangles: Ints, rim: Edges) -> tuple[Edges, Edges]:
+def _fixed_sides(setting: Setting, triangles: Ints, rim: Edges) -> tuple[Edges, Edges]:
     """Rim edges at sides that supports hold along their normal, and these sides."""
     mesh, points = setting.model.mesh, setting.points
     outer = outer_triangles(mesh)
     outer = outer[~np.isin(corner_keys(outer, len(mesh.points)), corner_keys(triangles, len(mesh.points)))]
-    held = setting.held.copy()
+    prescribed = setting.prescribed.copy()
     for point in setting.model.points.values():
         if point.coupling == RIGID:
-            held[mesh.face_nodes(point.face)] = True
-    freedom = np.abs(_normals(points, outer))[:, None] * ~held[outer]
+            prescribed[mesh.face_nodes(point.face)] = True
+    freedom = np.abs(_normals(points, outer))[:, None] * ~prescribed[outer]
     sides = edges_of(outer[(freedom < ROUND_OFF).all(axis=(1, 2))])
     sides = sides[np.isin(sides.keys, rim.keys)]
     sorter = np.argsort(rim.keys)
@@ -165,7 +165,7 @@ def _normals(points: Array, triangles: Ints) -> Array:
 
 
 def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Shell) -> HingeTerm:
-    """Hinges between two sides of a sheet (``whole``), or one and a side of the body that is held."""
+    """Hinges between two sides of a sheet (``whole``), or one and a side of the body that is fixed."""
     law = sheet.material.law
     assert isinstance(law, Hooke)
     D = plane_stress_moduli(law)[0, 0] * _stiffness(setting, sheet)

@@ -54,7 +54,7 @@ class PressureTerm(Term):
     def acting(self, at: Configuration) -> float:
         """Scaled pressure that acts."""
         if self.load is None:
-            return 0.0 if at.sought is None else float(at.sought[self.place])
+            return 0.0 if at.unknown_pressures is None else float(at.unknown_pressures[self.place])
         return self.load.share(at.load_factor) * (self.load.pressure / self.stress)
 
     def add_forces(self, out: Array, at: Configuration) -> None:
@@ -100,7 +100,7 @@ def pressure_terms(setting: Setting) -> list[PressureTerm]:
     leaders = mesh.leaders  # where the cut faces of a wedge are joined, a surface goes on
     for place, name in enumerate(setting.controlled):
         sides = np.ascontiguousarray(mesh.face(name))
-        potential = surfaces.has_potential(setting.points, leaders[sides], setting.held)
+        potential = surfaces.has_potential(setting.points, leaders[sides], setting.prescribed)
         terms.append(PressureTerm(sides, None, place, setting.stress, potential))
     alike: dict[tuple[float, History], list[Pressure]] = {}
     for load in model.pressures:
@@ -108,6 +108,6 @@ def pressure_terms(setting: Setting) -> list[PressureTerm]:
             alike.setdefault((load.pressure, load.history), []).append(load)
     for loads in alike.values():
         sides = np.ascontiguousarray(np.concatenate([mesh.face(load.face) for load in loads]))
-        potential = surfaces.has_potential(setting.points, leaders[sides], setting.held)
+        potential = surfaces.has_potential(setting.points, leaders[sides], setting.prescribed)
         terms.append(PressureTerm(sides, loads[0], -1, setting.stress, potential))
     return terms

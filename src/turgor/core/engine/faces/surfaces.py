@@ -136,22 +136,22 @@ def open_rim(mesh: Mesh | None, triangles: Triangles) -> NDArray[np.int64]:
     return np.asarray(edges[count[place.ravel()] == 1])
 
 
-def has_potential(points: Array, triangles: Triangles, held: NDArray[np.bool_]) -> bool:
+def has_potential(points: Array, triangles: Triangles, prescribed: NDArray[np.bool_]) -> bool:
     """Whether a uniform follower pressure on the surface derives from a potential, so that its tangent is symmetric.
 
-    It does where the surface is closed, or where every edge of its rim slides in a coordinate plane or is held:
+    It does where the surface is closed, or where every edge of its rim slides in a coordinate plane or is fixed:
     the asymmetry is the rim integral p ∮ (δu × Δu)·dl.
 
     Parameters
     ----------
     points : (n, 3) array
     triangles : (f, 6), (f, 8) or (f, 9) int array
-    held : (n, 3) bool array
+    prescribed : (n, 3) bool array
         Displacement components that a support prescribes.
     """
     tolerance = 1e-9 * float(np.ptp(points, axis=0).max())
     for edge in rim_edges(triangles):
         planar = np.ptp(points[edge], axis=0) <= tolerance
-        if not (planar & held[edge].all(axis=0)).any() and held[edge].all(axis=0).sum() < 2:
+        if not (planar & prescribed[edge].all(axis=0)).any() and prescribed[edge].all(axis=0).sum() < 2:
             return False
     return True

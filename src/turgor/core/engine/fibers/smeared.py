@@ -173,7 +173,7 @@ def smeared_pieces(mesh: Mesh, fibers: Fibers) -> Pieces:
     points = frames.areas.shape[1]
     count = len(along)
     N = reference_cell(sides.shape[1], MEMBRANE_QUADRATURE_DEGREE[side_type(sides.shape[1]).corners]).N
-    kept = np.flatnonzero(np.tile(_held(mesh, fibers, sides).ravel(), count))
+    kept = np.flatnonzero(np.tile(_within_box(mesh, fibers, sides).ravel(), count))
     if not len(kept):
         raise TurgorError(f"fibers on '{fibers.name}': nothing of this face lies within the given box.")
     return Pieces(
@@ -187,7 +187,7 @@ def smeared_pieces(mesh: Mesh, fibers: Fibers) -> Pieces:
     )
 
 
-def _held(mesh: Mesh, fibers: Fibers, sides: NDArray[np.int64]) -> NDArray[np.bool_]:
+def _within_box(mesh: Mesh, fibers: Fibers, sides: NDArray[np.int64]) -> NDArray[np.bool_]:
     """Whether the integration points of each side lie within the box of the fibers, (f, q)."""
     nodes = sides.shape[1]
     N = reference_cell(nodes, MEMBRANE_QUADRATURE_DEGREE[side_type(nodes).corners]).N

@@ -38,7 +38,7 @@ def hold_points(model: Model, carriers: Sequence[Carrier], mask: NDArray[np.bool
     """Mark the prescribed components of the points' nodes in ``mask``, in place; return the arrows that are turned.
 
     The displacements of the points are marked already. Mirror planes and wedges hold what would differ in an image. A
-    multiplier is held where all components that it constrains are prescribed.
+    multiplier is prescribed where all components that it constrains are prescribed.
     """
     rotations = {each.point: each for each in model.supports if isinstance(each, Rotation)}
     hinges = {each.point: each for each in model.supports if isinstance(each, Hinge)}
@@ -68,7 +68,7 @@ def hold_points(model: Model, carriers: Sequence[Carrier], mask: NDArray[np.bool
 
 
 def _settled(arrows: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Which products of arrows (6,) have their value already, because of held components (3, 3)."""
+    """Which products of arrows (6,) have their value already, because of prescribed components (3, 3)."""
     zero = arrows & ~np.eye(3, dtype=bool)
     if arrows.all():
         return np.ones(6, dtype=bool)
@@ -124,7 +124,7 @@ def rigid_ties(carriers: Sequence[Carrier]) -> tuple[Ints, Ints, Array]:
 
 
 def check_rigid(carriers: Sequence[Carrier], mask: NDArray[np.bool_], taken: Ints) -> None:
-    """Refuse a rigid face of which nodes are held by other supports, other than mirror planes, or tied twice.
+    """Refuse a rigid face of which nodes are fixed by other supports, other than mirror planes, or tied twice.
 
     Parameters
     ----------
@@ -138,11 +138,11 @@ def check_rigid(carriers: Sequence[Carrier], mask: NDArray[np.bool_], taken: Int
     for each in carriers:
         if not each.rigid:
             continue
-        held = int((mask[each.nodes].any(axis=1) | np.isin(each.nodes, taken)).sum())
-        if held:
+        count = int((mask[each.nodes].any(axis=1) | np.isin(each.nodes, taken)).sum())
+        if count:
             raise TurgorError(
-                f"reference point '{each.point.name}': {held} of the {len(each.nodes)} nodes of its rigid face "
-                f"'{each.point.face}' are held by another support; remove one of both."
+                f"reference point '{each.point.name}': {count} of the {len(each.nodes)} nodes of its rigid face "
+                f"'{each.point.face}' are fixed by another support; remove one of both."
             )
         for node in each.nodes.tolist():
             if node in seen:

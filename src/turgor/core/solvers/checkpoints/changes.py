@@ -44,17 +44,17 @@ def changes(parts: Sequence[Any], before: Baseline) -> tuple[dict[str, Any], ...
     -------
     tuple of dict
     """
-    found = []
+    differences = []
     for part, old in zip(parts, before, strict=True):
         now = {name: getattr(part, name) for name in old}
-        found.append(
+        differences.append(
             {
                 name: _bare(list(value) if isinstance(value, list) else value)
                 for name, value in now.items()
                 if isinstance(value, list) or value is not old[name]
             }
         )
-    return tuple(found)
+    return tuple(differences)
 
 
 def restore(parts: Sequence[Any], values: Sequence[Mapping[str, Any]], system: System) -> None:

@@ -56,13 +56,13 @@ class RunRecord:
     store : Store
     stages : list of list of (str, str)
         Of each stage the archives of each of its loops: the path, and the loop.
-    told : callable or None
-        ``told()``, called after each checkpoint.
+    on_checkpoint : callable or None
+        ``on_checkpoint()``, called after each checkpoint.
     """
 
     store: Store
     stages: list[list[list[str]]] = field(default_factory=list)
-    told: Callable[[], None] | None = None
+    on_checkpoint: Callable[[], None] | None = None
     _paths: list[PathSoFar] = field(default_factory=list)
     _question: Question | None = None
     _written: int = 0
@@ -112,7 +112,7 @@ class RunRecord:
 
     @property
     def question(self) -> Question:
-        """What the run was asked."""
+        """What the run solves."""
         if self._question is None:
             self._question = self.store.read(QUESTION)
         return self._question
@@ -211,8 +211,8 @@ class StageRecord:
         loops.append(names)
         self.run._point()
         self.run._paths = [*before, path]
-        if self.run.told is not None:
-            self.run.told()
+        if self.run.on_checkpoint is not None:
+            self.run.on_checkpoint()
 
     def _name(self, kind: str) -> str:
         self.run._written += 1

@@ -55,9 +55,9 @@ def turned_law(state: State) -> Why | None:
     gradients, weight = deformation_gradients(model, state.displacement)
     for name, material in model.region_materials.items():
         cells = model.mesh.regions[name]
-        found = _turn(material, _principal_stretches(gradients[cells]), weight[cells].ravel())
-        if found is not None:
-            mode, limit, share = found
+        turn = _turn(material, _principal_stretches(gradients[cells]), weight[cells].ravel())
+        if turn is not None:
+            mode, limit, share = turn
             return Why(
                 f" The law of '{material.name}' turns over at stretch {limit:.3g} in {mode} tension, and "
                 f"{100 * share:.2g} % of '{name}' is stretched as far: beyond it the stress falls while the rubber "
@@ -71,11 +71,11 @@ def turned_law(state: State) -> Why | None:
 def wrinkled_film(state: State) -> Why | None:
     """Say which membrane is compressed so much that it must wrinkle on its rubber."""
     for name in bears_compression(state.model):
-        found = Compression.of(state, name)
-        if found.wrinkled > CAUSES.wrinkled_area:
+        compression = Compression.of(state, name)
+        if compression.wrinkled > CAUSES.wrinkled_area:
             return Why(
-                f" The film on '{name}' is compressed in {100 * found.wrinkled:.0f} % of its area, by up to "
-                f"{found.largest:.3g} N/m; it has no bending stiffness and wrinkles there.",
+                f" The film on '{name}' is compressed in {100 * compression.wrinkled:.0f} % of its area, by up to "
+                f"{compression.largest:.3g} N/m; it has no bending stiffness and wrinkles there.",
                 f"Let '{name}' bend as a sheet does: make it a shell. A film that wrinkles bears hardly any "
                 "compression: let it bear none (compression = 0).",
             )
@@ -139,15 +139,15 @@ def _turn(material: Material, stretches: Array, weight: Array) -> tuple[str, flo
         return None
     logs = np.log(isochoric)
     second = np.where(far, logs[:, 1], -1.0) / np.where(far, logs[:, 0], 1.0)  # −½ uniaxial, 0 planar, 1 equibiaxial
-    found = []
+    turning = []
     for mode, low, high in TESTS:
         like = far & (second >= low) & (second < high)
         upper = CAUSES.turns_ahead * float(isochoric[like, 0].max(initial=1.0))
         limit = first_instability(material.law, mode, upper=upper, lower=1.0)
         if limit is not None:
             turned = like & (CAUSES.turns_ahead * isochoric[:, 0] >= limit)
-            found.append((mode, limit, float(weight[turned].sum() / weight.sum())))
-    worst = max(found, key=lambda each: each[2], default=None)
+            turning.append((mode, limit, float(weight[turned].sum() / weight.sum())))
+    worst = max(turning, key=lambda each: each[2], default=None)
     return worst if worst is not None and worst[2] > CAUSES.turned_volume else None
 
 

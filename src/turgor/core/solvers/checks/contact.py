@@ -62,11 +62,11 @@ def deep_penetrations(states: Sequence[State]) -> tuple[Finding, ...]:
     tuple of Finding
         One for each such contact.
     """
-    found = []
+    findings = []
     for name, touch in states[-1].touches.items() if states else ():
         if touch.share > 1 + CONTACT_CHECKS.penetration_round_off:
             who = "Walls of the actuator penetrate each other" if name == SELF else f"The actuator penetrates '{name}'"
-            found.append(
+            findings.append(
                 Finding(
                     code="B06",
                     severity=Severity.WARNING,
@@ -76,7 +76,7 @@ def deep_penetrations(states: Sequence[State]) -> tuple[Finding, ...]:
                     f"{'self_contact' if name == SELF else 'the obstacle'}; forces are still in balance.",
                 )
             )
-    return tuple(found)
+    return tuple(findings)
 
 
 def elastic_slips(system: System, states: Sequence[State]) -> tuple[Finding, ...]:
@@ -96,12 +96,12 @@ def elastic_slips(system: System, states: Sequence[State]) -> tuple[Finding, ...
     """
     if not states or states[-1].memory is None:
         return ()
-    found, moved = [], float(np.linalg.norm(states[-1].displacement, axis=1).max())
+    findings, moved = [], float(np.linalg.norm(states[-1].displacement, axis=1).max())
     for part, history in zip(system.contact.parts, states[-1].memory.friction, strict=False):
         slip = 0.0 if history is None else mean_elastic_slip(history) * system.length
         if slip > CONTACT_CHECKS.elastic_share * moved:
             who = "The actuator slips on itself" if part.name == SELF else f"The actuator slips on '{part.name}'"
-            found.append(
+            findings.append(
                 Finding(
                     code="B26",
                     severity=Severity.WARNING,
@@ -111,7 +111,7 @@ def elastic_slips(system: System, states: Sequence[State]) -> tuple[Finding, ...
                     f"{'self-contact' if part.name == SELF else 'the obstacle'}, such as a tenth of what is found.",
                 )
             )
-    return tuple(found)
+    return tuple(findings)
 
 
 def meeting_walls(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
@@ -130,7 +130,7 @@ def meeting_walls(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
     -------
     tuple of Finding
     """
-    found = []
+    findings = []
     for cavity in _unguarded(model):
         facing, mirrors = find_facing_walls(model.mesh, cavity=cavity), find_mirror_walls(model.mesh, cavity)
         points = model.mesh.points
@@ -143,8 +143,8 @@ def meeting_walls(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
         first = {whom: factor for whom, factor in met.items() if factor is not None}
         if first:
             whom = min(first, key=lambda each: first[each])
-            found.append(_met(model, cavity, whom, first[whom]))
-    return (*found, *_met_next_sector(model, states))
+            findings.append(_met(model, cavity, whom, first[whom]))
+    return (*findings, *_met_next_sector(model, states))
 
 
 def _met_next_sector(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:

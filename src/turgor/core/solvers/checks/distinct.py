@@ -22,12 +22,12 @@ def distinct(materials: Iterable[Material]) -> tuple[Material, ...]:
     >>> [each.name for each in distinct([body, base, body])]
     ['body and base']
     """
-    found: list[tuple[Material, list[str]]] = []
+    groups: list[tuple[Material, list[str]]] = []
     for each in materials:
         nameless = replace(each, name="")
-        names = next((names for other, names in found if other == nameless), None)
+        names = next((names for other, names in groups if other == nameless), None)
         if names is None:
-            found.append((nameless, [each.name]))
+            groups.append((nameless, [each.name]))
         elif each.name not in names:
             names.append(each.name)
-    return tuple(replace(material, name=" and ".join(names)) for material, names in found)
+    return tuple(replace(material, name=" and ".join(names)) for material, names in groups)

@@ -10,9 +10,9 @@ from turgor.core.solvers.checks.plausibility.question import Question
 from turgor.core.solvers.checks.supports import (
     added_pressures,
     check_supports,
-    everything_held,
-    held_cavities,
-    tip_held,
+    everything_fixed,
+    fixed_cavities,
+    fixed_tip,
     unloaded_cavities,
 )
 from turgor.core.solvers.methods import may_be_free, method_of
@@ -69,14 +69,14 @@ def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
     TurgorError
         If a winding cannot lie on its face, or a stage changes what the model does not have.
     """
-    asked = _questions(model, procedure)
+    questions = _questions(model, procedure)
     return by_weight(
         (
             *constants_in_doubt(model),
-            *(found for question in asked for found in implausible(question)),
-            *everything_held(model),
-            *held_cavities(model),
-            *tip_held(model),
+            *(finding for question in questions for finding in implausible(question)),
+            *everything_fixed(model),
+            *fixed_cavities(model),
+            *fixed_tip(model),
             *added_pressures(model),
             *(() if isinstance(procedure, Stages) else unloaded_cavities(model)),
             *check_fibers(model),

@@ -41,5 +41,5 @@ def _cause(solution: Solution) -> Finding | None:
     if solution.status not in FAILURES:
         return None
     codes = (*CAUSES, *CAUSES_AT_REST) if len(solution.states) < 2 else CAUSES
-    found = [each for each in solution.findings if each.code in codes and each.severity is not Severity.NOTE]
-    return min(found, key=lambda each: codes.index(each.code), default=None)
+    findings = [each for each in solution.findings if each.code in codes and each.severity is not Severity.NOTE]
+    return min(findings, key=lambda each: codes.index(each.code), default=None)

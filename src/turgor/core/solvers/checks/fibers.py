@@ -24,18 +24,18 @@ def check_fibers(model: Model) -> tuple[Finding, ...]:
     TurgorError
         If a winding cannot lie on its face.
     """
-    found = []
+    findings = []
     for fibers in model.reinforcements:
         course = course_of(model.mesh, fibers)
         lay(model.mesh, fibers)  # an error for threads that lie nowhere on their face
-        found += [
+        findings += [
             *_resisting(fibers),
             *_far_apart(model, fibers, course),
             *_other_spacing(fibers, course),
             *_both_hands(fibers, course),
             *_too_stiff(model, fibers, course),
         ]
-    return tuple(found)
+    return tuple(findings)
 
 
 def _resisting(fibers: Fibers) -> list[Finding]:
@@ -80,7 +80,7 @@ def _far_apart(model: Model, fibers: Fibers, course: Course) -> list[Finding]:
 
 
 def _other_spacing(fibers: Fibers, course: Course) -> list[Finding]:
-    """Discrete threads that are not as far apart as was asked, because their number is whole (B21)."""
+    """Discrete threads that are not as far apart as requested, because their number is whole (B21)."""
     if fibers.form != DISCRETE or fibers.winding.spacing is None:
         return []
     laid = laid_spacing(course)
@@ -99,14 +99,14 @@ def _other_spacing(fibers: Fibers, course: Course) -> list[Finding]:
 
 
 def _exact(course: Course, laid: float) -> str:
-    """Advice that keeps the spacing which was asked for."""
+    """Advice that keeps the requested spacing."""
     if not 1e-9 < course.angle < pi / 2 - 1e-9:
         whole = "length of the face" if course.angle > 1 else "perimeter"
         return f"Nothing needs to be done, or choose a spacing that divides the {whole}."
     share = round(course.perimeter * np.cos(course.angle) / laid) * course.spacing / course.perimeter
     if share >= 1:
         return "Nothing needs to be done, or choose a spacing that divides the perimeter times the cosine of the angle."
-    return f"With angle_from_axis = {acos(share) / deg:.4g} deg they are as far apart as asked."
+    return f"With angle_from_axis = {acos(share) / deg:.4g} deg they are as far apart as requested."
 
 
 def _both_hands(fibers: Fibers, course: Course) -> list[Finding]:

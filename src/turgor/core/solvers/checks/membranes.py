@@ -30,13 +30,13 @@ class Compression:
     force : (n,) array [N/m]
         Negative in compression.
     area : (n,) array [m²]
-    held : float [N/m]
+    wrinkling_force : float [N/m]
         Compression from which it wrinkles on this mesh.
     """
 
     force: Array
     area: Array
-    held: float
+    wrinkling_force: float
 
     @classmethod
     def of(cls, state: State, name: str) -> "Compression":
@@ -47,7 +47,7 @@ class Compression:
         """
         force, area = least_tension(state.model, name, state.displacement)
         edge = float(np.sqrt(area.sum() / len(area)))
-        return cls(force=force.ravel(), area=area.ravel(), held=2 * softest(state.model) * edge / np.pi)
+        return cls(force=force.ravel(), area=area.ravel(), wrinkling_force=2 * softest(state.model) * edge / np.pi)
 
     def share(self, beyond: float) -> float:
         """Share of the area that is compressed by more than a force per width."""
@@ -56,7 +56,7 @@ class Compression:
     @property
     def wrinkled(self) -> float:
         """Share of the area that wrinkles on this mesh."""
-        return self.share(self.held)
+        return self.share(self.wrinkling_force)
 
     @property
     def largest(self) -> float:
@@ -82,7 +82,7 @@ def compressed_membranes(model: Model, states: Sequence[State]) -> tuple[Finding
     model : Model
     states : sequence of State
     """
-    found = []
+    findings = []
     for name in bears_compression(model):
         path = [Compression.of(state, name) for state in states]
         little = CAUSES.little_compression * max((float(np.abs(each.force).max()) for each in path), default=0.0)
@@ -92,22 +92,22 @@ def compressed_membranes(model: Model, states: Sequence[State]) -> tuple[Finding
             first = next(i for i, share in enumerate(shares) if share > CAUSES.wrinkled_area)
             since = f" (from {_load(model, states[first])} on)" if first != worst else ""
             where = f"in {100 * shares[worst]:.0f} % of its area at {_load(model, states[worst])}{since}"
-            found.append(_compressed(model, name, where, path[worst], states[worst]))
-    return tuple(found)
+            findings.append(_compressed(model, name, where, path[worst], states[worst]))
+    return tuple(findings)
 
 
 def _load(model: Model, state: State) -> str:
     return drive_text(model, state.load_factor, 3) or f"load factor {state.load_factor:.3g}"
 
 
-def _compressed(model: Model, name: str, where: str, found: Compression, state: State) -> Finding:
-    wrinkles, bent = found.wrinkled > CAUSES.wrinkled_area, _bending_share(model, name, state)
+def _compressed(model: Model, name: str, where: str, pushed: Compression, state: State) -> Finding:
+    wrinkles, bent = pushed.wrinkled > CAUSES.wrinkled_area, _bending_share(model, name, state)
     what = "so that it wrinkles" if wrinkles else "and wrinkles on finer meshes"
     counts = bent is not None and bent > CAUSES.bending_counts
     return Finding(
         code="N05",
         severity=Severity.WARNING if wrinkles or counts else Severity.NOTE,
-        message=f"The membrane on '{name}' is compressed {where}, by up to {found.largest:.3g} N/m, {what}: in waves "
+        message=f"The membrane on '{name}' is compressed {where}, by up to {pushed.largest:.3g} N/m, {what}: in waves "
         f"as short as the cells, differently on each mesh. {_as_shell(model, name, bent)}",
         advice='Let it bend: form = "shell" gives one answer on all meshes. A sheet whose own waves are shorter than '
         "the cells bears tension only: compression = 0.",

@@ -29,7 +29,7 @@ def overlapping_obstacles(model: Model) -> tuple[Finding, ...]:
     tuple of Finding
         One for each such obstacle.
     """
-    return tuple(found for each in model.contact.obstacles if (found := _overlap(model.mesh, each)) is not None)
+    return tuple(finding for each in model.contact.obstacles if (finding := _overlap(model.mesh, each)) is not None)
 
 
 def enclosed_obstacles(model: Model) -> tuple[Finding, ...]:
@@ -44,7 +44,7 @@ def enclosed_obstacles(model: Model) -> tuple[Finding, ...]:
     tuple of Finding
         One for each such obstacle.
     """
-    found = ((each, _cavity_around(model.mesh, each)) for each in model.contact.obstacles)
+    around = ((each, _cavity_around(model.mesh, each)) for each in model.contact.obstacles)
     return tuple(
         Finding(
             code="B29",
@@ -52,7 +52,7 @@ def enclosed_obstacles(model: Model) -> tuple[Finding, ...]:
             message=f"The obstacle '{each.name}' lies in '{cavity}', and {_allowed(each)} may touch it: it never acts.",
             advice=f"Name the face that it touches: face = {cavity}.",
         )
-        for each, cavity in found
+        for each, cavity in around
         if cavity is not None
     )
 

@@ -56,10 +56,10 @@ def plate_findings(model: Model, states: Sequence[State]) -> tuple[Finding, ...]
         None where no plate stops a tip.
     """
     plates = [each for each in model.contact.obstacles if isinstance(each, Plate) and isinstance(each.shape, Plane)]
-    found = (
+    findings = (
         _never_touched(model, each, states) or _other_than_tip(model, each, states[-1]) for each in plates if states
     )
-    return tuple(each for each in found if each is not None)
+    return tuple(each for each in findings if each is not None)
 
 
 def _never_touched(model: Model, plate: Plate, states: Sequence[State]) -> Finding | None:

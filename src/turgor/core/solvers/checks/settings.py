@@ -114,7 +114,7 @@ class FibersSettings:
         Distance between smeared threads, in cells and as a share of the perimeter, from which smearing them is
         doubtful.
     other_spacing, wrong_spacing : float
-        Difference between the distance of discrete threads and the one that was asked for, from which it is said, and
+        Difference between the distance of discrete threads and the requested one, from which it is reported, and
         from which it is a warning.
     nearly_hoops : float [rad]
         Angle from the axis [rad], 80°, from which threads of both hands are nearly hoops, and count twice.
@@ -164,14 +164,14 @@ class TimeStepsSettings:
     long_relaxation_step, fast_relaxation : float
         Steps longer than the first of these shares of a relaxation time are inaccurate. Terms much faster than the
         steps, beyond the second, are always nearly relaxed and do no harm.
-    held_share : float
+    hold_share : float
         A step in which no node moves by more than this share of the largest displacement counts as a hold, which is
         exact.
     """
 
     long_relaxation_step: float = 0.6
     fast_relaxation: float = 20.0
-    held_share: float = 0.02
+    hold_share: float = 0.02
 
 
 TIME_STEPS = TimeStepsSettings()

@@ -1,11 +1,11 @@
-"""Checks before a solve: rigid motions left free, everything held, cavities without a pressure."""
+"""Checks before a solve: rigid motions left free, everything fixed, cavities without a pressure."""
 
 from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.algebra.boundary import Held, held_components
+from turgor.core.engine.algebra.boundary import PrescribedComponents, prescribed_components
 from turgor.core.engine.points.bearing_term import stopped
 from turgor.core.engine.points.point_unknowns import with_carried
 from turgor.core.meshing.bodies.bodies import Body, find_bodies
@@ -26,11 +26,11 @@ def check_supports(model: Model, inertia: bool = False) -> None:
 
     With ``inertia`` rigid motions may be free: a body that flies has an acceleration, if no equilibrium.
     """
-    supports = held_components(model)
+    supports = prescribed_components(model)
     surface = np.unique(outer_triangles(model.mesh))
     bodies = find_bodies(model.mesh)
     for body in bodies:
-        free = 0 if inertia else 6 - _held_motions(model, supports, body)
+        free = 0 if inertia else 6 - _fixed_motions(model, supports, body)
         if free and len(bodies) == 1:
             raise CheckError(
                 f"the supports leave {free} of 6 rigid motions free (B01); fix a face, {_faces_to_hold(body)}."
@@ -61,11 +61,11 @@ def free_motions(model: Model) -> int:
     -------
     int
     """
-    supports = held_components(model)
-    return sum(6 - _held_motions(model, supports, body) for body in find_bodies(model.mesh))
+    supports = prescribed_components(model)
+    return sum(6 - _fixed_motions(model, supports, body) for body in find_bodies(model.mesh))
 
 
-def _held_motions(model: Model, supports: Held, body: Body) -> int:
+def _fixed_motions(model: Model, supports: PrescribedComponents, body: Body) -> int:
     """How many of the six rigid motions of a body its supports hold."""
     tied, still = supports.ties, supports.mask.ravel().copy()
     still[tied.followers] = False
@@ -92,7 +92,7 @@ def _held_motions(model: Model, supports: Held, body: Body) -> int:
     return int(np.linalg.matrix_rank(np.array(motions), tol=1e-6 * max(1.0, np.sqrt(count))))
 
 
-def _arms(model: Model, supports: Held, body: Body) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _arms(model: Model, supports: PrescribedComponents, body: Body) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Arms (n + e, 3) of all nodes in a rotation about the center of a body, over its size, and in a translation."""
     points = with_carried(model.mesh.points, supports.carriers) - model.mesh.points[body.nodes].mean(axis=0)
     size = float(np.abs(points[body.nodes]).max())
@@ -107,7 +107,7 @@ def _named(body: Body) -> str:
 
 
 def _faces_to_hold(body: Body) -> str:
-    """Faces that a body can be held at, one that is meant for it first."""
+    """Faces that a body can be fixed at, one that is meant for it first."""
     faces = [name for name in body.faces if not name.startswith(("cavity", "symmetry_", "cyclic_"))]
     if not faces:
         return "which has no name yet"
@@ -128,8 +128,8 @@ def _contact_does_not_hold(model: Model, bodies: int) -> str:
     )
 
 
-def everything_held(model: Model) -> tuple[Finding, ...]:
-    """Say where the whole surface outside the cavities is held, so that nothing can move (B09)."""
+def everything_fixed(model: Model) -> tuple[Finding, ...]:
+    """Say where the whole surface outside the cavities is fixed, so that nothing can move (B09)."""
     mesh = model.mesh
     fixed = {name for name in mesh.faces for each in model.supports if each == Fixed(name, "xyz")}
     inner = (*mesh.cavities, *mesh.cut_faces)
@@ -147,9 +147,9 @@ def everything_held(model: Model) -> tuple[Finding, ...]:
     )
 
 
-def held_cavities(model: Model) -> tuple[Finding, ...]:
-    """Say which cavities are held all over, so that the pressure in them moves nothing (B27)."""
-    mask = held_components(model).mask
+def fixed_cavities(model: Model) -> tuple[Finding, ...]:
+    """Say which cavities are fixed all over, so that the pressure in them moves nothing (B27)."""
+    mask = prescribed_components(model).mask
     return tuple(
         Finding(
             code="B27",
@@ -162,10 +162,10 @@ def held_cavities(model: Model) -> tuple[Finding, ...]:
     )
 
 
-def tip_held(model: Model) -> tuple[Finding, ...]:
+def fixed_tip(model: Model) -> tuple[Finding, ...]:
     """Say that the tip is what holds the actuator, so that its own measures are zero throughout (B28)."""
-    held = {getattr(each, "face", "") for each in model.supports} - {*model.mesh.cut_faces}
-    if held != {TIP} or Fixed(TIP, "xyz") not in model.supports:
+    faces = {getattr(each, "face", "") for each in model.supports} - {*model.mesh.cut_faces}
+    if faces != {TIP} or Fixed(TIP, "xyz") not in model.supports:
         return ()
     others = [name for name in model.mesh.faces if name not in (TIP, *model.mesh.cavities, *model.mesh.cut_faces)]
     base = "fixed" if "fixed" in others else "the other end"
@@ -173,7 +173,7 @@ def tip_held(model: Model) -> tuple[Finding, ...]:
         Finding(
             code="B28",
             severity=Severity.WARNING,
-            message="Only 'tip' is held, the face at which motion is measured: its displacement is 0 throughout.",
+            message="Only 'tip' is fixed, the face at which motion is measured: its displacement is 0 throughout.",
             advice=f"Clamp {base} instead; or read the measures of a face that moves.",
         ),
     )

@@ -23,7 +23,7 @@ def too_long_steps(model: Model, procedure: Procedure, states: Sequence[State]) 
     moving = [
         (after.load_factor - before.load_factor) * duration
         for before, after in pairwise(states)
-        if float(np.abs(after.displacement - before.displacement).max()) > TIME_STEPS.held_share * largest
+        if float(np.abs(after.displacement - before.displacement).max()) > TIME_STEPS.hold_share * largest
     ]
     for tau in times:
         missed = [

@@ -1,4 +1,4 @@
-"""Constraints: scalar unknowns beside the displacements, and as many conditions that determine them.
+"""Constraints: scalar unknowns besides the displacements, and as many conditions that determine them.
 
 The scalars are the pressures of cavities or the load factor, the conditions are volumes, amounts of gas or an arc
 length. Both may depend on a parameter that orders the states of the path. Load control has neither.
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.additions import Addition
 from turgor.core.engine.cells.internal_variables import History, Memory
 from turgor.core.engine.contact.friction import Friction
-from turgor.core.engine.contact.part import Look
+from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.clock import Clock
@@ -25,8 +25,8 @@ Array = NDArray[np.float64]
 NUDGE = 1e-6
 
 
-class Sought(Protocol):
-    """Scalar unknowns beside the displacements and mean stresses."""
+class ScalarUnknowns(Protocol):
+    """Scalar unknowns besides the displacements and mean stresses."""
 
     @property
     def system(self) -> System:
@@ -85,7 +85,7 @@ class Constraint:
 
     Parameters
     ----------
-    sought : Sought
+    scalar_unknowns : ScalarUnknowns
     target : Target
     clock : Clock
     memory : Memory or None
@@ -96,7 +96,7 @@ class Constraint:
         Forces besides those of the model, such as inertia.
     """
 
-    sought: Sought
+    scalar_unknowns: ScalarUnknowns
     target: Target
     clock: Clock = field(default_factory=Clock)
     memory: Memory | None = None
@@ -105,7 +105,7 @@ class Constraint:
 
     @staticmethod
     def of(
-        sought: Sought,
+        scalar_unknowns: ScalarUnknowns,
         target: Target,
         clock: Clock | None = None,
         history: History | None = None,
@@ -113,11 +113,11 @@ class Constraint:
     ) -> "Constraint":
         """A constraint whose first step has a history."""
         memory = None if history is None else history.memory
-        return Constraint(sought, target, clock or Clock(), memory, history, addition)
+        return Constraint(scalar_unknowns, target, clock or Clock(), memory, history, addition)
 
     def begun(self, parameter: float) -> "Constraint":
         """The constraint in a step to a parameter, in which the rubber relaxes."""
-        history = self.sought.system.history(self.memory, self.clock.step_to(parameter))
+        history = self.scalar_unknowns.system.history(self.memory, self.clock.step_to(parameter))
         return replace(self, history=history)
 
     @property
@@ -127,7 +127,7 @@ class Constraint:
 
     def with_friction(self, friction: Friction) -> "Constraint":
         """The constraint in the same step with another friction history, such as one with other limits."""
-        history = self.history or self.sought.system.history()
+        history = self.history or self.scalar_unknowns.system.history()
         return replace(self, history=replace(history, friction=friction))
 
     def evaluate(
@@ -136,12 +136,12 @@ class Constraint:
         parameter: float,
         scalars: Array,
         known: Contacts | None = None,
-        how: Look = Look.FOLLOW,
+        how: SearchMode = SearchMode.FOLLOW,
     ) -> Evaluation | None:
         """The equations of equilibrium; None where a cell is turned inside out."""
-        sought, factor = self.sought, self.sought.load_factor(parameter, scalars)
-        return sought.system.evaluate(
-            unknowns, factor, sought.pressures(scalars), known, how, self.history, self.addition
+        scalar_unknowns, factor = self.scalar_unknowns, self.scalar_unknowns.load_factor(parameter, scalars)
+        return scalar_unknowns.system.evaluate(
+            unknowns, factor, scalar_unknowns.pressures(scalars), known, how, self.history, self.addition
         )
 
     def onward(self, last: Place, now: Place) -> "Constraint":

@@ -31,7 +31,7 @@ class LoadFactor:
         return float(scalars[0])
 
     def pressures(self, scalars: Array) -> Array | None:
-        """None is sought."""
+        """None is unknown."""
         return None
 
     def columns(self, at: Evaluation) -> Array:
@@ -40,7 +40,7 @@ class LoadFactor:
         return (none - full)[None, :]
 
     def unstable(self, modes: int | None, stiffness: Array) -> int | None:
-        """Those at given loads, because loads are what was asked for."""
+        """Those at given loads, because loads are what was requested."""
         return modes
 
 

@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GivenLoads:
-    """No scalar is sought: the parameter is the load factor.
+    """No scalar is unknown: the parameter is the load factor.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class GivenLoads:
         return parameter
 
     def pressures(self, scalars: Array) -> Array | None:
-        """None is sought."""
+        """None is unknown."""
         return None
 
     def columns(self, at: Evaluation) -> Array:
@@ -45,7 +45,7 @@ class GivenLoads:
 
 @dataclass(frozen=True, slots=True)
 class NoConditions:
-    """No condition beside equilibrium."""
+    """No condition besides equilibrium."""
 
     def conditions(self, unknowns: Array, parameter: float, scalars: Array) -> Conditions:
         """Arrays without rows."""

@@ -39,10 +39,10 @@ def judged(run: Run, last: Point, now: Point) -> Verdict:
         return Verdict(Reason(Cause.SHARP_TURN))
     passed: list[Bifurcation] = []
     while _differ(last, now):
-        found = _bifurcation(run, last, now)
-        if found is None:
+        bifurcation = _bifurcation(run, last, now)
+        if bifurcation is None:
             return Verdict(Reason(Cause.OTHER_BRANCH))
-        before, beyond = found
+        before, beyond = bifurcation
         if before is beyond:  # two limit points after all
             break
         passed.append(_passed(before, beyond))

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 ALIKE = 0.2
 
 #: Attempts that fail from where the guide leads, after which a run goes on without it.
-ASTRAY = 3
+MOST_FAILED = 3
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -20,13 +20,13 @@ def insert_limit_points(run: Run, last: Point, now: Point) -> tuple[Point, Endin
     """
     if not run.task.limit_points:
         return last, None
-    found = []
+    turns = []
     for index in range(len(now.scalars)):
         for before, after in _brackets(run, last, now, index):
             turn = _turning_point(run, before, after, index)
             if turn is not None and before.slope is not None:
-                found.append((turn, "maximum" if before.slope[index] > 0 else "minimum", index))
-    for turn, kind, index in sorted(found, key=lambda each: each[0].parameter):
+                turns.append((turn, "maximum" if before.slope[index] > 0 else "minimum", index))
+    for turn, kind, index in sorted(turns, key=lambda each: each[0].parameter):
         ending = run.task.finished(last, turn, run)
         if ending is not None:
             return turn, ending
@@ -54,22 +54,22 @@ def _brackets(run: Run, last: Point, now: Point, index: int) -> list[tuple[Point
 def _turning_point(run: Run, before: Point, after: Point, index: int) -> Point | None:
     """Close in on the point where a scalar turns."""
     width = after.parameter - before.parameter
-    found = None
+    nearest = None
     for _ in range(LIMIT_POINTS.solves):
         turns = turning_points(_ends(before, index), _ends(after, index))
         middle = 0.5 * (before.parameter + after.parameter)
         nearer = _solved(run, before, after, turns[0] if turns else middle)
         if nearer is None or nearer.slope is None:
-            return found
-        found = nearer
+            return nearest
+        nearest = nearer
         assert before.slope is not None
         if abs(nearer.slope[index]) * width <= EXTREMA.flat_slope * max(abs(nearer.scalars[index]), 1e-12):
-            return found
+            return nearest
         if nearer.slope[index] * before.slope[index] > 0:
             before = nearer
         else:
             after = nearer
-    return found
+    return nearest
 
 
 def _solved(run: Run, before: Point, after: Point, parameter: float) -> Point | None:

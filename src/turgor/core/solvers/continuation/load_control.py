@@ -12,7 +12,7 @@ from turgor.core.engine.system import Evaluation
 from turgor.core.model.drive import kinks
 from turgor.core.solvers.checks.distortion import distortion_text
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.guide import ASTRAY, Guide
+from turgor.core.solvers.continuation.guide import MOST_FAILED, Guide
 from turgor.core.solvers.continuation.path_follower import follow, noted
 from turgor.core.solvers.continuation.path_points import nothing, plain_point, settings_of
 from turgor.core.solvers.continuation.path_run import Ending, Judgment, Point, Rescue, Run, StepMemory, Task, Turn
@@ -53,7 +53,7 @@ def load_run(
     patient : bool
         Whether pseudo-transient continuation may help where Newton's method finds nothing.
     stop : callable, optional
-        Asked instead of the listener of the problem.
+        Called instead of the listener of the problem.
     history : list of Point, optional
         Filled with the last points.
     """
@@ -65,7 +65,7 @@ def load_run(
         problem=problem,
         procedure=procedure,
         strategy=LoadStrategy(patient, guide),
-        settings=replace(settings_of(procedure), count_anew=True),
+        settings=replace(settings_of(procedure), recount=True),
         driven=nothing,
         finished=_full_load,
         kinks=turns,
@@ -101,7 +101,7 @@ def _reached(run: Run) -> Outcome:
     if run.memory.guided_until is None:
         return outcome
     until = run.memory.guided_until
-    without = f" From load factor {until:.3g} on the guide led astray; steps went on without it."
+    without = f" From load factor {until:.3g} on the guide predicted wrongly; steps went on without it."
     return replace(outcome, message=outcome.message + without)
 
 
@@ -131,7 +131,7 @@ class LoadStrategy:
         load = run.stepping.next_load(now)
         while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
             load = now + 0.5 * (load - now)
-        if run.task.tangent.plain or self._leads(run, load):
+        if run.task.tangent.plain or self._guides(run, load):
             return load
         gently = now + gentle_share(run.task.system, run.history, load) * (load - now)
         return min(load, max(gently, now + run.stepping.min_step))
@@ -141,33 +141,33 @@ class LoadStrategy:
         last = run.history[-1]
         if run.task.tangent.plain:
             return Start(last.unknowns, last.stresses)
-        led = self._led(run, parameter) if self._leads(run, parameter) else None
-        if led is not None:
-            return Start(led.unknowns, run.task.system.stresses(led), evaluation=led)
+        guided = self._guided(run, parameter) if self._guides(run, parameter) else None
+        if guided is not None:
+            return Start(guided.unknowns, run.task.system.stresses(guided), evaluation=guided)
         start = predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
         at_rest = len(run.states) == 1 and run.task.tangent.has_factors_of(last.unknowns)
         return replace(start, fresh=not at_rest)
 
-    def _leads(self, run: Run, load: float) -> bool:
+    def _guides(self, run: Run, load: float) -> bool:
         """Whether the guide reaches a load."""
         return self.guide is not None and run.memory.guided_until is None and self.guide.leads_to(load)
 
-    def _led(self, run: Run, parameter: float) -> Evaluation | None:
+    def _guided(self, run: Run, parameter: float) -> Evaluation | None:
         """The last state moved on as the guide moves; None where that turns a cell inside out."""
         assert self.guide is not None
-        last, held = run.history[-1], run.task.system.held
+        last, prescribed = run.history[-1], run.task.system.prescribed
         unknowns = last.unknowns + self.guide.at(parameter) - self.guide.at(last.parameter)
-        unknowns[held] = last.unknowns[held]
+        unknowns[prescribed] = last.unknowns[prescribed]
         return evaluate(run.constraint, run.task.tangent, (unknowns, last.scalars), parameter)
 
     def _rejected(self, run: Run, result: NewtonResult) -> StepMemory:
-        """What the next attempt knows of one that found no state; no guide after it has led astray too often."""
+        """What the next attempt knows of one that found no state; no guide after it has failed too often."""
         memory = replace(run.memory, lost_stability=run.memory.lost_stability or bool(result.unstable_modes))
         if self.guide is None or memory.guided_until is not None:
             return memory
         failed = memory.failed_guides + 1
         return replace(
-            memory, failed_guides=failed, guided_until=run.history[-1].parameter if failed >= ASTRAY else None
+            memory, failed_guides=failed, guided_until=run.history[-1].parameter if failed >= MOST_FAILED else None
         )
 
     def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:
@@ -193,9 +193,9 @@ class LoadStrategy:
             return Rescue(None, ending, memory)
         memory = replace(memory, relaxations=memory.relaxations + 1)
         for share in (1.0, LOAD_CONTROL.shorter_reach):
-            found = _pseudo_transient(run, _reach(run, share))
-            if found is not None:
-                return Rescue(found, None, replace(memory, rate=inf))
+            point = _pseudo_transient(run, _reach(run, share))
+            if point is not None:
+                return Rescue(point, None, replace(memory, rate=inf))
         if in_vain(run.steps):
             ending = stuck(model, run.states, run.steps, memory.lost_stability)
         return Rescue(None, ending, memory)
@@ -231,11 +231,11 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
     result = pseudo_transient(run.constraint, task.tangent, last.unknowns, load, task.settings, report)
     why = why_rejected(system, run.states, run.history, result) if result.converged else None
     folds = why is not None and system.model.sheets_wrinkle and _folds(run, result, why)
-    found = result.converged and (why is None or folds)
+    accepted = result.converged and (why is None or folds)
     snapped = folds and len(run.states) > 1
-    how = Reason(Cause.FOLD_SNAPPED if snapped else Cause.PSEUDO_TRANSIENT) if found else result.reason or why
-    noted(run, result, (load, perf_counter() - began), Judgment(last if found else None, how))
-    if not found or result.evaluation is None:
+    how = Reason(Cause.FOLD_SNAPPED if snapped else Cause.PSEUDO_TRANSIENT) if accepted else result.reason or why
+    noted(run, result, (load, perf_counter() - began), Judgment(last if accepted else None, how))
+    if not accepted or result.evaluation is None:
         return None
     return plain_point(run, result.evaluation, (load, result.scalars), result.unstable_modes), result
 

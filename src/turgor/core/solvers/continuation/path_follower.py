@@ -21,13 +21,13 @@ from turgor.core.solvers.outcomes import Outcome, interrupted, stopped_by, too_m
 from turgor.core.solvers.solution import Step
 
 
-def follow(run: Run, beside: Any = None) -> Outcome:
+def follow(run: Run, other: Any = None) -> Outcome:
     """Step along the path from the last point of the history until it is finished.
 
     Parameters
     ----------
     run : Run
-    beside : dataclass, optional
+    other : dataclass, optional
         What else the steps change.
 
     Returns
@@ -35,7 +35,7 @@ def follow(run: Run, beside: Any = None) -> Outcome:
     Outcome
     """
     return step_loop(
-        Loop(run.task.problem, [run, beside]),
+        Loop(run.task.problem, [run, other]),
         lambda: _advance(run),
         lambda: len(run.steps) >= run.task.procedure.max_steps,
         lambda: too_many_steps(run.task.system.model, run.states[-1], run.task.procedure),
@@ -76,7 +76,7 @@ def _advance(run: Run) -> Outcome | None:
     shorter = run.stepping.failed(parameter - last.parameter)
     run.constraint = run.constraint.begun(parameter)
     start = task.strategy.predict(run, parameter)
-    load = run.constraint.sought.load_factor(parameter, start.scalars)
+    load = run.constraint.scalar_unknowns.load_factor(parameter, start.scalars)
     result = solve_at(run, parameter, start, task.problem.listeners.reporter(len(run.steps) + 1, load))
     judgment = task.strategy.judge(run, result, parameter)
     noted(run, result, (parameter, perf_counter() - began), judgment)
@@ -102,7 +102,7 @@ def noted(run: Run, result: NewtonResult, when: tuple[float, float], judgment: J
     parameter, seconds = when
     run.steps.append(
         Step(
-            load_factor=run.constraint.sought.load_factor(parameter, result.scalars),
+            load_factor=run.constraint.scalar_unknowns.load_factor(parameter, result.scalars),
             increment=parameter - run.history[-1].parameter,
             iterations=result.iterations,
             residual=result.residual,

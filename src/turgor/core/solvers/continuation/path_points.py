@@ -66,9 +66,9 @@ def begin(run: Run, parameter: float, unknowns: Array, scalars: Array) -> None:
 
 def point_at(run: Run, at: Evaluation, parameter: float, scalars: Array, ahead: bool = False) -> Point:
     """Make a point of the path of an equilibrium: its rates, those ahead of it where it is a kink, and its state."""
-    found = rates(run.constraint, run.task.tangent, at, parameter, scalars, ahead)
-    bare = plain_point(run, at, (parameter, scalars), None if found is None else found.modes)
-    return bare if found is None else replace(bare, change=found.unknowns, slope=found.scalars)
+    change_rates = rates(run.constraint, run.task.tangent, at, parameter, scalars, ahead)
+    bare = plain_point(run, at, (parameter, scalars), None if change_rates is None else change_rates.modes)
+    return bare if change_rates is None else replace(bare, change=change_rates.unknowns, slope=change_rates.scalars)
 
 
 def plain_point(run: Run, at: Evaluation, place: tuple[float, Array], modes: int | None) -> Point:

@@ -35,7 +35,7 @@ Array = NDArray[np.float64]
 
 def unbalanced_force(system: System, at: Evaluation) -> float:
     """Size of the residual on all that is free."""
-    return float(np.linalg.norm(at.residual[~system.held]))
+    return float(np.linalg.norm(at.residual[~system.prescribed]))
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +64,7 @@ class Extrapolation:
 #: Under load control the residual relative to the load says how good a prediction is.
 BY_LOAD = Extrapolation(relative_residual, PREDICTOR.good_prediction, True, True)
 
-#: Where scalars are sought, the load itself is predicted: only the unbalanced force compares predictions.
+#: Where scalars are unknown, the load itself is predicted: only the unbalanced force compares predictions.
 BY_PATH = Extrapolation(unbalanced_force, 0.0, False, False)
 
 
@@ -86,7 +86,7 @@ def predicted(
     -------
     Start
     """
-    system, last = constraint.sought.system, history[-1]
+    system, last = constraint.scalar_unknowns.system, history[-1]
     along = _along_tangent(constraint, tangent, history, parameter) if how.shorten else None
     if along is not None:
         return along
@@ -171,7 +171,7 @@ def _along_tangent(
     constraint: Constraint, tangent: Tangent, history: Sequence[Point], parameter: float
 ) -> Start | None:
     """Move on along the tangent where walls touch; None elsewhere, or where that turns a cell inside out."""
-    system, last = constraint.sought.system, history[-1]
+    system, last = constraint.scalar_unknowns.system, history[-1]
     if not _knows_touch(system, history):
         return None
     here = evaluate(constraint, tangent, (last.unknowns, last.scalars), parameter)
@@ -191,7 +191,7 @@ def _along_tangent(
 
 def _touching(contacts: Contacts) -> int:
     """How many points touch."""
-    return sum(int(found.inside.sum()) for found in contacts.found)
+    return sum(int(each.inside.sum()) for each in contacts.found)
 
 
 def _bent(history: Sequence[Point], parameter: float) -> Array | None:
@@ -220,15 +220,15 @@ def _not_deeper(
     constraint: Constraint, tangent: Tangent, last: Point, at: Evaluation
 ) -> tuple[Array, Evaluation | None]:
     """Shorten an extrapolation of load control until it presses no wall much deeper into another."""
-    contact, parameter, here_ = constraint.sought.system.contact, at.load_factor, last.unknowns
+    contact, parameter, here_ = constraint.scalar_unknowns.system.contact, at.load_factor, last.unknowns
     here = evaluate(constraint, tangent, (here_, last.scalars), parameter)
-    found: Evaluation | None = at
+    trial: Evaluation | None = at
     for _ in range(PREDICTOR.shortenings):
-        if found is None or here is None:
+        if trial is None or here is None:
             break
-        share = contact.shortening(here.contacts, found.contacts)
+        share = contact.shortening(here.contacts, trial.contacts)
         if share == 1:
-            return found.unknowns, found
-        place = here_ + share * (found.unknowns - here_)
-        found = evaluate(constraint, tangent, (place, last.scalars), parameter)
-    return (here_, here) if found is None else (found.unknowns, found)
+            return trial.unknowns, trial
+        place = here_ + share * (trial.unknowns - here_)
+        trial = evaluate(constraint, tangent, (place, last.scalars), parameter)
+    return (here_, here) if trial is None else (trial.unknowns, trial)

@@ -202,10 +202,10 @@ class StepControlSettings:
     comfortable_iterations : int
         Iterations of a step that is neither too easy nor too hard.
     wrinkling_iterations : int
-        The same where sheets wrinkle: each step finds anew which points are slack, in 6 to 9 iterations whatever its
+        The same where sheets wrinkle: each step finds again which points are slack, in 6 to 9 iterations whatever its
         length.
     touching_iterations, touching_growth : int, float
-        The same where walls touch: each step finds anew which points do; with 9, blocked fingers took up to a third
+        The same where walls touch: each step finds again which points do; with 9, blocked fingers took up to a third
         more. A step grows by the second factor at most there: 1.5, 2 and 3 took 1109, 1037 and 1041 iterations in
         sixteen cases with contact, and 303, 282 and 258 in the four of them that are fingers with paper.
     touching_share : float
@@ -220,7 +220,7 @@ class StepControlSettings:
     stretch : float
         The last stretch to a target is taken whole if it is no longer than this many steps.
     round_off : float
-        A load factor that was asked for this near a kink is the kink.
+        A requested load factor this near a kink is the kink.
     smallest_tolerance : float
         In steps shorter than the first one the tolerance shrinks with them, to no less than this. Of twelve columns
         bowed by 5e-6 to 5e-5 of their length, eleven pass their buckling load so, and seven or eight with the same

@@ -23,7 +23,7 @@ def turns_aside(system: System, before: float, after: float) -> bool:
 
     A face that turns by 300° ends at the same place as one that turns back by 60°; one step would take the shorter way.
     """
-    start, middle, end = (system.prescribed(factor) for factor in (before, 0.5 * (before + after), after))
+    start, middle, end = (system.prescribed_values(factor) for factor in (before, 0.5 * (before + after), after))
     aside = np.linalg.norm(middle - 0.5 * (start + end))
     return bool(aside > STEP_ACCEPTANCE.support_aside * np.linalg.norm(end - start))
 

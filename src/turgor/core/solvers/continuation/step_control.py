@@ -44,10 +44,10 @@ class StepControl:
         >>> [StepControl.of(Static(), wrinkling=one).accepted(0.05, 9).length for one in (True, False)]
         [0.05, 0.03333333333333333]
         """
-        asked = {
+        requested = {
             factor for factor in procedure.at if all(abs(factor - kink) > STEP_CONTROL.round_off for kink in kinks)
         }
-        targets = tuple(sorted({*asked, *kinks, 1.0}))
+        targets = tuple(sorted({*requested, *kinks, 1.0}))
         return StepControl(
             length=procedure.first_step,
             max_step=procedure.max_step,

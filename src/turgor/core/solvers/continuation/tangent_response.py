@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 def load_response(system: System, tangent: Tangent, unknowns: Array, before: float = 0.0, after: float = 1.0) -> Array:
     """Change (size,) of the unknowns with the load factor, for loads from one to another, by the last factors."""
     force = (system.external(unknowns, after) - system.external(unknowns, before)) / (after - before)
-    return tangent.solve(np.where(system.held, 0.0, force), ROUGH)
+    return tangent.solve(np.where(system.prescribed, 0.0, force), ROUGH)
 
 
 def rate_at(system: System, tangent: Tangent, at: Evaluation) -> tuple[float, int | None]:
@@ -46,19 +46,19 @@ def response_in_step(constraint: Constraint, tangent: Tangent, at: Evaluation, b
     point that an obstacle has not reached does not resist it yet. None where the rubber remembers, so that more than
     these moves the body.
     """
-    system = constraint.sought.system
+    system = constraint.scalar_unknowns.system
     if system.materials.remembers:
         return None
     if not others_move(system, before, at.load_factor):
         return load_response(system, tangent, at.unknowns, before, at.load_factor)
     moved, force = push(constraint, at, at.load_factor, np.empty(0), NUDGE)
-    return None if force is None else tangent.solve(np.where(system.held, moved, force), ROUGH)
+    return None if force is None else tangent.solve(np.where(system.prescribed, moved, force), ROUGH)
 
 
 def others_move(system: System, before: float, after: float) -> bool:
     """Whether supports or obstacles move between two load factors."""
     obstacles = system.model.contact.obstacles
-    return bool((system.prescribed(before) != system.prescribed(after)).any()) or any(
+    return bool((system.prescribed_values(before) != system.prescribed_values(after)).any()) or any(
         bool((each.displacement(before) != each.displacement(after)).any()) for each in obstacles
     )
 

@@ -47,7 +47,7 @@ def pushing(system: System, at: Evaluation) -> Pushing:
 def work_of_contacts(system: System, before: Pushing, now: Pushing) -> float:
     """Work that moving obstacles and raised contact stiffness do between two states, by the trapezoidal rule [J].
 
-    An obstacle held by a spring is in equilibrium, so the force that moves the spring equals that of the obstacle.
+    An obstacle on a spring is in equilibrium, so the force that moves the spring equals that of the obstacle.
     """
     work = 0.5 * float(((before.force + now.force) * (now.place - before.place)).sum())
     for part, boost, old, new in zip(system.contact.parts, before.boosts, before.found, now.found, strict=True):

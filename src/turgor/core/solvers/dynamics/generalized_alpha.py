@@ -34,7 +34,7 @@ class Weights:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Motion:
-    """Unknowns (size,) with their scaled velocity, acceleration and algorithmic acceleration (``carried``).
+    """Unknowns (size,) with their scaled velocity, acceleration and algorithmic acceleration (``algorithmic``).
 
     The algorithmic acceleration belongs to a time ``α_m − α_f`` steps later (``lead`` [s]) than the other.
     """
@@ -42,7 +42,7 @@ class Motion:
     unknowns: Array
     velocity: Array
     acceleration: Array
-    carried: Array
+    algorithmic: Array
     lead: float = 0.0
 
 
@@ -66,12 +66,12 @@ class TimeStep:
     moving: Array
 
     @property
-    def carried_before(self) -> Array:
+    def algorithmic_before(self) -> Array:
         """The algorithmic acceleration at the start, moved to the time at which a step of this length needs it."""
         wanted = (self.weights.alpha_m - self.weights.alpha_f) * self.length
         if not self.before.lead:
-            return self.before.carried
-        change = self.before.carried - self.before.acceleration
+            return self.before.algorithmic
+        change = self.before.algorithmic - self.before.acceleration
         return self.before.acceleration + wanted / self.before.lead * change
 
     @property
@@ -85,34 +85,34 @@ class TimeStep:
         w = self.weights
         return (1 - w.alpha_m) / ((1 - w.alpha_f) * w.beta * self.length**2)
 
-    def carried(self, unknowns: Array) -> Array:
+    def algorithmic(self, unknowns: Array) -> Array:
         """The algorithmic acceleration at the end."""
         w, b, h = self.weights, self.before, self.length
-        known = h * b.velocity + h**2 * (0.5 - w.beta) * self.carried_before
+        known = h * b.velocity + h**2 * (0.5 - w.beta) * self.algorithmic_before
         return self.moving * (unknowns - b.unknowns - known) / (w.beta * h**2)
 
     def velocity(self, unknowns: Array) -> Array:
         """The velocity at the end."""
         w = self.weights
-        mean = (1 - w.gamma) * self.carried_before + w.gamma * self.carried(unknowns)
+        mean = (1 - w.gamma) * self.algorithmic_before + w.gamma * self.algorithmic(unknowns)
         return np.asarray(self.before.velocity + self.length * mean)
 
     def acceleration(self, unknowns: Array) -> Array:
         """The acceleration at the end."""
         w = self.weights
-        total = (1 - w.alpha_m) * self.carried(unknowns) + w.alpha_m * self.carried_before
+        total = (1 - w.alpha_m) * self.algorithmic(unknowns) + w.alpha_m * self.algorithmic_before
         return np.asarray((total - w.alpha_f * self.before.acceleration) / (1 - w.alpha_f))
 
     def motion(self, unknowns: Array) -> Motion:
         """The motion at the end."""
         lead = (self.weights.alpha_m - self.weights.alpha_f) * self.length
-        return Motion(unknowns, self.velocity(unknowns), self.acceleration(unknowns), self.carried(unknowns), lead)
+        return Motion(unknowns, self.velocity(unknowns), self.acceleration(unknowns), self.algorithmic(unknowns), lead)
 
     def without_acceleration(self) -> Array:
         """Unknowns at the end if the acceleration there is zero."""
         w, b, h = self.weights, self.before, self.length
-        carried = (w.alpha_f * b.acceleration - w.alpha_m * self.carried_before) / (1 - w.alpha_m)
-        mean = (0.5 - w.beta) * self.carried_before + w.beta * carried
+        algorithmic = (w.alpha_f * b.acceleration - w.alpha_m * self.algorithmic_before) / (1 - w.alpha_m)
+        mean = (0.5 - w.beta) * self.algorithmic_before + w.beta * algorithmic
         return np.asarray(b.unknowns + h * (b.velocity + h * mean))
 
     def prediction(self) -> Array:
@@ -125,5 +125,5 @@ class TimeStep:
 
         The difference to the third-order Taylor polynomial (Zienkiewicz and Xie 1991, doi 10.1002/eqe.4290200907).
         """
-        change = (self.carried(unknowns) - self.carried_before)[self.moving > 0].reshape(-1, 3)
+        change = (self.algorithmic(unknowns) - self.algorithmic_before)[self.moving > 0].reshape(-1, 3)
         return abs(self.weights.beta - 1 / 6) * self.length**2 * float(np.linalg.norm(change, axis=1).max())

@@ -48,13 +48,13 @@ class Accelerations:
 
     def velocity(self, wanted: Array) -> Array:
         """The velocity (size,) nearest to a wanted one that holds the supports and the volume."""
-        wanted = np.where(self._system.held, 0.0, wanted)
+        wanted = np.where(self._system.prescribed, 0.0, wanted)
         wanted[~self._system.moving] = 0.0
         if not self._coupled:
             return wanted
         right = np.zeros(self._system.size)
         right[self._fixed] = -self._pattern.product(self._volumes, wanted)[self._fixed]
-        right[self._system.held] = 0.0
+        right[self._system.prescribed] = 0.0
         change = self._solver.solve(right)
         change[~self._system.moving] = 0.0
         return np.asarray(wanted + change)
@@ -65,11 +65,11 @@ class Accelerations:
         right[~self._system.moving] = 0.0
         if self._coupled and velocity.any():
             right[self._fixed] = -self._turning(velocity) / self._scale
-        right[self._system.held] = 0.0
+        right[self._system.prescribed] = 0.0
         if not np.abs(right).any():
             return np.zeros_like(right), np.zeros_like(right)
-        found = self._solver.solve(right)
-        acceleration, stress = found * self._scale, found.copy()
+        solved = self._solver.solve(right)
+        acceleration, stress = solved * self._scale, solved.copy()
         acceleration[~self._system.moving] = 0.0
         stress[~self._fixed] = 0.0
         return acceleration, stress

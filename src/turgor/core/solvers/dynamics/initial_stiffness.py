@@ -20,13 +20,13 @@ def initial_stiffness(system: System, tangent: Tangent, at: Evaluation, mass: Ar
     if free:
         return INITIAL_STIFFNESS.free_stiffness / float(np.ptp(system.points, axis=0).max()) ** 2
     factor = max(extremes(system.model), key=lambda each: float(np.linalg.norm(system.external(at.unknowns, each))))
-    jump = system.prescribed(factor) - at.unknowns[system.held]
+    jump = system.prescribed_values(factor) - at.unknowns[system.prescribed]
     try:
         coupling = tangent.factor(at, None, jump)
     except SingularTangentError:
         return float(np.abs(system.tangent_data(at)).max()) / float(np.abs(mass).max())
     right = system.external(at.unknowns, factor) - coupling
-    right[system.held] = jump
+    right[system.prescribed] = jump
     answer = tangent.solve(right)
     answer[~system.moving] = 0.0
     data = system.tangent_data(at)  # first: contact may change the pattern

@@ -109,8 +109,8 @@ def natural_frequencies(
     options = options or EngineOptions()
     with use_threads(options.threads):
         compile_kernels(options.notify, Needs.of(model))
-        found = {} if state is None else _found_pressures(model, state)
-        system = System(model, tuple(found))
+        by_cavity = {} if state is None else _found_pressures(model, state)
+        system = System(model, tuple(by_cavity))
         _check(system, count)
         unknowns = np.zeros(system.size)
         memory = None if state is None or state.memory is None else state.memory.of_rubber  # friction yields
@@ -118,7 +118,7 @@ def natural_frequencies(
         if state is not None:
             unknowns = unknowns_of(system, state)
         load_factor = 0.0 if state is None else state.load_factor
-        pressures = np.array(list(found.values())) / system.stress_scale if found else None
+        pressures = np.array(list(by_cavity.values())) / system.stress_scale if by_cavity else None
         at = system.evaluate(unknowns, load_factor, pressures, history=history)
         if at is None:
             raise TurgorError("the state turns a cell inside out; it is no equilibrium of this model.")
@@ -146,7 +146,7 @@ def _check(system: System, count: int) -> None:
             "a pressure acts on an open surface and has no potential there, so that its modes are not those of an "
             "elastic body; close the cavity, or leave the pressure out."
         )
-    largest = max(1, int((system.moving & ~system.held).sum()) // 10)
+    largest = max(1, int((system.moving & ~system.prescribed).sum()) // 10)
     if not 1 <= count <= largest:
         raise TurgorError(f"count is {count}; allowed is 1 to {largest}, a tenth of the free displacements.")
 
@@ -156,7 +156,7 @@ def _solve(system: System, stiffness: Array, mass: Array, count: int, options: E
     system.apply_supports(stiffness)
     mass = system.layout.spread(mass.copy())
     system.apply_supports(mass)
-    mass[system.pattern.diagonal[system.held]] = 0.0
+    mass[system.pattern.diagonal[system.prescribed]] = 0.0
     solver = linear_solver(options.linear_solver, system.pattern, options.threads)
     shift = _first_shift(system)
     for _ in range(MODES.shift_lowerings):
@@ -168,13 +168,13 @@ def _solve(system: System, stiffness: Array, mass: Array, count: int, options: E
     inverse = LinearOperator((system.size, system.size), matvec=exactly, dtype=np.float64)
     begin = exactly(full @ np.random.default_rng(1).normal(size=system.size))
     try:
-        found, vectors = eigsh(
+        values, vectors = eigsh(
             inverse, k=count, M=full, sigma=-shift, OPinv=inverse, v0=begin, which="LM", ncv=max(2 * count + 2, 20)
         )
     except ArpackNoConvergence as error:
         raise TurgorError(f"only {len(error.eigenvalues)} of {count} modes converged; ask for fewer.") from error
-    order = np.argsort(found)
-    return found[order], vectors[:, order]
+    order = np.argsort(values)
+    return values[order], vectors[:, order]
 
 
 def _refined(solver: LinearSolver, pattern: Pattern, data: Array, right: Array) -> Array:
@@ -212,7 +212,7 @@ def _modes(system: System, at: tuple[float, Array], eigenvalues: Array, vectors:
     load_factor, unknowns = at
     shapes, masses = [], []
     for vector in vectors.T:
-        motion = np.where(system.held, 0.0, vector)
+        motion = np.where(system.prescribed, 0.0, vector)
         motion[~system.moving] = 0.0
         shape = system.displacement(motion)
         size = np.linalg.norm(shape, axis=1)

@@ -66,7 +66,7 @@ def restless(last: State) -> Outcome:
     """The viscous forces do not fade under the full load."""
     return Outcome(
         Status.STEP_TOO_SMALL,
-        f"At {_load(last)} the actuator did not come to rest: it keeps moving under the load that is held.",
+        f"At {_load(last)} the actuator did not come to rest: it keeps moving under the constant load.",
         "There may be no equilibrium at this load; ask for less, or drive by volume instead of pressure.",
     )
 

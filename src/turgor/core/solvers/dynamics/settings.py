@@ -81,7 +81,7 @@ class StabilizationSettings:
     raise_factor, raises : float, int
         Where steps fall below the smallest, the viscosity is raised by this factor, so many times.
     hold_growth, holds : float, int
-        While the load is held, each step is this many times as long as the last, up to so many.
+        While the load is constant, each step is this many times as long as the last, up to so many.
     """
 
     energy_error: float = 1e-2

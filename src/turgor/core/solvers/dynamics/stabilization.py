@@ -57,7 +57,7 @@ class _Run:
     free: bool = False
     softened: float = 0.0
     raised: int = 0
-    held: int = 0
+    rest_steps: int = 0
     hold: float = 0.0
 
     @property
@@ -200,12 +200,12 @@ def _accept(run: _Run, result: NewtonResult, length: float) -> Outcome | None:
     run.energies = _energies(run, at, viscous)
     run.softened = softening_loss(system, at)
     run.rate = (at.unknowns - run.at.unknowns) / length
-    held = at.load_factor == run.at.load_factor
+    same_load = at.load_factor == run.at.load_factor
     run.at, run.pushed, run.viscous = at, pushing(system, at), viscous
     state = _state(run, at, None)
     run.history = system.history(state.memory, inf)
-    if held:
-        run.states.pop()  # while the load is held, only the last state counts
+    if same_load:
+        run.states.pop()  # while the load is constant, only the last state counts
     run.states.append(state)
     reason = run.problem.listeners.accepted(len(run.steps), state, result)
     return None if reason is None else stopped_by(system.model, state, reason)
@@ -216,11 +216,11 @@ def _come_to_rest(run: _Run) -> Outcome | None:
     length = run.hold or run.procedure.first_step
     at = run.system.evaluate(run.at.unknowns, 1.0, history=run.history)
     assert at is not None
-    if run.held == STABILIZATION.holds:
+    if run.rest_steps == STABILIZATION.holds:
         return restless(run.states[-1])
     if relative_residual(run.system, at) <= run.procedure.tolerance:
         return _at_rest(run, at)
-    run.held += 1
+    run.rest_steps += 1
     result = _attempt(run, 1.0, length)
     if not result.converged or _too_far(run, result):
         run.problem.listeners.rejected(len(run.steps), run.steps[-1])
@@ -254,7 +254,7 @@ def _energies(run: _Run, at: Evaluation, viscous: Array) -> Energies:
     moved = at.unknowns - run.at.unknowns
     moved[~system.moving] = 0.0
     pushed = work_of_contacts(system, run.pushed, pushing(system, at))
-    support = np.where(system.held, 0.5 * (run.at.residual + at.residual), 0.0)
+    support = np.where(system.prescribed, 0.5 * (run.at.residual + at.residual), 0.0)
     lasting = taken_by_friction(system, at) + softening_loss(system, at) - run.softened
     return Energies(
         kinetic=0.0,

@@ -217,7 +217,7 @@ def _prediction(run: _Run, constraint: Constraint, rule: TimeStep, load_factor: 
     """Extrapolate the motion, or start from the last state, which may be nearer where rubber begins to unload."""
     system, here = run.system, run.motion.unknowns
     predicted = rule.prediction()
-    predicted[system.held] = here[system.held]  # Newton moves the supports
+    predicted[system.prescribed] = here[system.prescribed]  # Newton moves the supports
     ahead = constraint.evaluate(predicted, load_factor, np.empty(0))
     if ahead is None:
         return here
@@ -248,8 +248,9 @@ def _accept(
     run.accepted += 1
     state, procedure, states = _state(run), run.procedure, run.problem.states
     run.memory = state.memory
-    asked = any(abs(time - factor * procedure.duration) < 1e-12 * procedure.duration for factor in (*procedure.at, 1.0))
-    if run.accepted % procedure.keep == 0 or asked:
+    end = procedure.duration
+    requested = any(abs(time - factor * end) < 1e-12 * end for factor in (*procedure.at, 1.0))
+    if run.accepted % procedure.keep == 0 or requested:
         states.append(state)
     reason = run.problem.listeners.accepted(len(run.problem.steps), state, result)
     if reason is not None:
@@ -262,7 +263,7 @@ def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[
     system, before, (motion, at, pushed) = run.system, run.energies, end
     damping, internal = forces
     moved = run.moving * (at.unknowns - run.at.unknowns)
-    support = np.where(system.held, 0.5 * (run.at.residual + at.residual), 0.0)
+    support = np.where(system.prescribed, 0.5 * (run.at.residual + at.residual), 0.0)
     work = float((0.5 * (run.at.external + at.external) + support) @ moved)
     unit, strain = _unit(system), stored_energy(system, at.unknowns, at.history) + contact_energy(system, at)
     by_contacts = work_of_contacts(system, run.pushed, pushed)

@@ -51,24 +51,24 @@ class Border:
         try:
             coupling = self.tangent.factor(at, geometric, jump)
         except SingularTangentError:
-            if geometric is None or not len(self.constraint.sought.columns(at)):
+            if geometric is None or not len(self.constraint.scalar_unknowns.columns(at)):
                 raise
             coupling = self.tangent.factor(at, None, jump)
         self._respond(at)
         return coupling
 
     def renew(self, at: Evaluation) -> None:
-        """Form the tangent anew and keep its factors, as `Tangent.renew` does."""
+        """Form the tangent again and keep its factors, as `Tangent.renew` does."""
         self.tangent.renew(at)
         self._respond(at)
 
     def _respond(self, at: Evaluation) -> None:
         """Solve for what the scalars cause."""
-        sought = self.constraint.sought
-        columns = sought.columns(at)
+        scalar_unknowns = self.constraint.scalar_unknowns
+        columns = scalar_unknowns.columns(at)
         self.responses = np.empty_like(columns)
         for number, column in enumerate(columns):
-            self.responses[number] = self.tangent.solve(np.where(sought.system.held, 0.0, -column))
+            self.responses[number] = self.tangent.solve(np.where(scalar_unknowns.system.prescribed, 0.0, -column))
 
     def stiffness(self, conditions: Conditions) -> Array:
         """Schur complement (k, k) of the tangent in the bordered matrix: D + C B."""
@@ -93,7 +93,7 @@ class Border:
         -------
         ((size,) array, (k,) array)
         """
-        (geometric, jump, fresh), prescribed = linearized, self.constraint.sought.system.held
+        (geometric, jump, fresh), prescribed = linearized, self.constraint.scalar_unknowns.system.prescribed
         right = -at.residual
         if fresh:
             right = right - self.factor(at, geometric, jump)
@@ -115,38 +115,38 @@ def rates(
     constraint: Constraint, tangent: Tangent, at: Evaluation, parameter: float, scalars: Array, ahead: bool = False
 ) -> Rates | None:
     """How unknowns and scalars change with the parameter up to a state, or ahead; None at a singular tangent."""
-    sought, border = constraint.sought, Border(constraint, tangent)
+    scalar_unknowns, border = constraint.scalar_unknowns, Border(constraint, tangent)
     nudge = -NUDGE if ahead else NUDGE
     moved, force = push(constraint, at, parameter, scalars, nudge)
     if force is None:
         return None
     try:
-        border.factor(at, None, np.zeros(int(sought.system.held.sum())))
-        right = np.where(sought.system.held, moved, force)
+        border.factor(at, None, np.zeros(int(scalar_unknowns.system.prescribed.sum())))
+        right = np.where(scalar_unknowns.system.prescribed, moved, force)
         conditions = constraint.target.conditions(at.unknowns, parameter, scalars)
         shifted = constraint.target.conditions(at.unknowns, parameter - nudge, scalars)
         unknowns, change = border.update(right, conditions, (conditions.errors - shifted.errors) / nudge)
     except (SingularTangentError, np.linalg.LinAlgError):
         return None
-    return Rates(unknowns, change, sought.unstable(tangent.unstable_modes(), border.stiffness(conditions)))
+    return Rates(unknowns, change, scalar_unknowns.unstable(tangent.unstable_modes(), border.stiffness(conditions)))
 
 
 def push(
     constraint: Constraint, at: Evaluation, parameter: float, scalars: Array, nudge: float
 ) -> tuple[Array, Array | None]:
-    """Rates (size,) of the held unknowns with the parameter, and of the force that drives the others; None at a fold.
+    """Rates (size,) of prescribed unknowns with the parameter, and of the force that drives the others; None at a fold.
 
     All that a parameter drives takes part: loads, supports, obstacles, what rubber and friction remember. The
     difference of two residuals is taken, a ``nudge`` before the state with the supports moved back, not the tangent,
     which leaves out what the pressure on a rim does when supports move it.
     """
-    system, before = constraint.sought.system, parameter - nudge
-    factor, factor_before = (constraint.sought.load_factor(p, scalars) for p in (parameter, before))
+    system, before = constraint.scalar_unknowns.system, parameter - nudge
+    factor, factor_before = (constraint.scalar_unknowns.load_factor(p, scalars) for p in (parameter, before))
     moved = np.zeros(system.size)
-    moved[system.held] = (system.prescribed(factor) - system.prescribed(factor_before)) / nudge
+    moved[system.prescribed] = (system.prescribed_values(factor) - system.prescribed_values(factor_before)) / nudge
     history = at.history
     if constraint.clock.duration is not None:  # rubber that relaxes does so on the way, too
         history = system.history(constraint.memory, constraint.clock.step_to(before))
     there = at.unknowns - nudge * moved
-    earlier = system.evaluate(there, factor_before, at.sought, history=history, addition=at.addition)
+    earlier = system.evaluate(there, factor_before, at.unknown_pressures, history=history, addition=at.addition)
     return moved, None if earlier is None else (earlier.residual - at.residual) / nudge

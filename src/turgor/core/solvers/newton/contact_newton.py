@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from turgor.core.engine.algebra.tangent import Tangent
-from turgor.core.engine.contact.part import Look
+from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.system import Evaluation
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.newton.convergence import relative_residual
@@ -27,27 +27,27 @@ def newton_with_contact(
         result = newton(constraint, tangent, start, parameter, settings, report)
         if result.converged or tangent.plain or len(start.scalars):  # with a border there is no potential to lower
             return result
-        found = inertia_corrected(constraint, tangent, start.unknowns, parameter, settings, report)
-        iterations = result.iterations + found.iterations
-        return replace(found if found.converged else result, iterations=iterations)
+        corrected = inertia_corrected(constraint, tangent, start.unknowns, parameter, settings, report)
+        iterations = result.iterations + corrected.iterations
+        return replace(corrected if corrected.converged else result, iterations=iterations)
 
-    contact, result = constraint.sought.system.contact, find(constraint, start)
+    contact, result = constraint.scalar_unknowns.system.contact, find(constraint, start)
     if not contact.parts:
         return result
     iterations, hardest = result.iterations, result.iterations
     for number in range(CONTACT_NEWTON.passes):
-        at = _searched_anew(constraint, result, parameter)
+        at = _searched_again(constraint, result, parameter)
         if at is None:
             break
         (friction, renewed), stiffened = contact.settled(at.contacts), contact.stiffen(at.contacts)
         constraint = constraint.with_friction(friction)
-        residual = relative_residual(constraint.sought.system, at)
+        residual = relative_residual(constraint.scalar_unknowns.system, at)
         if not stiffened and residual <= CONTACT_NEWTON.after_search * settings.tolerance:
             return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
         if not (stiffened or renewed) and number >= CONTACT_NEWTON.patience and residual <= CONTACT_NEWTON.wedged:
             return replace(result, iterations=iterations, hardest=hardest)
-        found = find(constraint, Start(at.unknowns, constraint.sought.system.stresses(at), result.scalars))
-        result = replace(found, reason=result.reason) if found.converged and found.reason is None else found
+        again = find(constraint, Start(at.unknowns, constraint.scalar_unknowns.system.stresses(at), result.scalars))
+        result = replace(again, reason=result.reason) if again.converged and again.reason is None else again
         iterations += result.iterations
         hardest = max(hardest, result.iterations)
     if result.converged:
@@ -57,9 +57,9 @@ def newton_with_contact(
     return replace(result, iterations=iterations)
 
 
-def _searched_anew(constraint: Constraint, result: NewtonResult, parameter: float) -> Evaluation | None:
+def _searched_again(constraint: Constraint, result: NewtonResult, parameter: float) -> Evaluation | None:
     """Evaluate a converged state with a new global search for contact; None where Newton's method failed."""
     last = result.evaluation
     if not result.converged or last is None:
         return None
-    return constraint.evaluate(last.unknowns, parameter, result.scalars, last.contacts, Look.ANEW)
+    return constraint.evaluate(last.unknowns, parameter, result.scalars, last.contacts, SearchMode.GLOBAL)

@@ -16,13 +16,13 @@ def relative_residual(system: System, at: Evaluation) -> float:
     """
     displacement = 3 * system.node_count
     moving = system.moving[:displacement]
-    held = system.held[:displacement][moving]
+    prescribed = system.prescribed[:displacement][moving]
     force = at.residual[:displacement][moving]
     scale = _force_scale(system, at)
     bodies = slice(displacement + system.element.mean_count, None)
-    loose = at.residual[bodies][~system.held[bodies]]
-    unbalanced = float(np.hypot(np.linalg.norm(force[~held]), np.linalg.norm(loose))) / scale
-    tied = system.multipliers[~system.held[system.multipliers]]
+    loose = at.residual[bodies][~system.prescribed[bodies]]
+    unbalanced = float(np.hypot(np.linalg.norm(force[~prescribed]), np.linalg.norm(loose))) / scale
+    tied = system.multipliers[~system.prescribed[system.multipliers]]
     unbalanced = max(unbalanced, float(np.abs(at.residual[tied]).max(initial=0.0)))
     if not system.element.mean_count:
         return unbalanced
@@ -49,10 +49,10 @@ def _force_scale(system: System, at: Evaluation) -> float:
     """Size of the forces that act, with which unbalanced ones are compared."""
     displacement = 3 * system.node_count
     moving = system.moving[:displacement]
-    held = system.held[:displacement][moving]
+    prescribed = system.prescribed[:displacement][moving]
     return max(
-        float(np.linalg.norm(at.external[:displacement][moving][~held])),
-        float(np.linalg.norm(at.residual[:displacement][moving][held])),
+        float(np.linalg.norm(at.external[:displacement][moving][~prescribed])),
+        float(np.linalg.norm(at.residual[:displacement][moving][prescribed])),
         at.contact_force,
         CONVERGENCE.small_force * system.full_force,
         CONVERGENCE.unloaded * np.sqrt(system.node_count),  # an unloaded body: nothing to compare with but round-off

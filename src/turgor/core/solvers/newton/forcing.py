@@ -8,8 +8,8 @@ from turgor.core.engine.algebra.linear import REFINED, ROUGH
 #: of which no solution leaves more than the last.
 LARGEST, LAST_SHARE, LARGEST_OF_ALL = 1e-2, 0.3, 0.1
 
-#: None is asked for more digits: the next tangent is cheap. With 1e-5, the sixth of a million unknowns took more than
-#: 160 iterations, and was factored.
+#: No more digits are required: the next tangent is cheap. With 1e-5, the sixth of a million unknowns took more than 160
+#: iterations, and was factored.
 SMALLEST = 1e-3
 
 

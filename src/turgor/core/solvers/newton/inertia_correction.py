@@ -44,14 +44,14 @@ def inertia_corrected(
     The limits of friction are constant meanwhile; the caller checks whether the result holds when they follow the
     pressure. The method fails for forces without a potential, such as pressure on open surfaces.
     """
-    system = constraint.sought.system
+    system = constraint.scalar_unknowns.system
     if not system.terms.symmetric:
         return _failed(None, 0, np.inf)
     start = unknowns.copy()
-    start[system.held] = system.prescribed(load_factor)
+    start[system.prescribed] = system.prescribed_values(load_factor)
     constant = constraint.with_friction(with_limits_kept(constraint.friction))
     at = evaluate(constant, tangent, (start, NO_SCALARS), load_factor)
-    if at is None or not any(found.inside.any() for found in at.contacts.found):
+    if at is None or not any(each.inside.any() for each in at.contacts.found):
         return _failed(at, 0, np.inf)
     result = _descend(constant, tangent, at, settings, report)
     at = result.evaluation
@@ -63,14 +63,14 @@ def inertia_corrected(
 def _descend(
     constraint: Constraint, tangent: Tangent, at: Evaluation, settings: NewtonSettings, report: Report
 ) -> NewtonResult:
-    system = constraint.sought.system
+    system = constraint.scalar_unknowns.system
     shift, residual, start, free = 0.0, relative_residual(system, at), at.unknowns, system.moving
     for iteration in range(1, INERTIA_CORRECTION.updates + 1):
         steepened = _factored(tangent, at, shift)
         if steepened is None:
             return _failed(at, iteration, residual)
         shift = steepened
-        update = tangent.solve(np.where(system.held, 0.0, -at.residual))
+        update = tangent.solve(np.where(system.prescribed, 0.0, -at.residual))
         kept = None if iteration <= INERTIA_CORRECTION.keep_partners_after else at.contacts
         new, length = _shortened(constraint, tangent, at, update, kept)
         if new is None or float(np.abs(new.unknowns - start)[free].max()) > INERTIA_CORRECTION.reach:
@@ -119,8 +119,8 @@ def _shortened(
     constraint: Constraint, tangent: Tangent, at: Evaluation, update: Array, kept: Contacts | None
 ) -> tuple[Evaluation | None, float]:
     """Shorten an update until no penetration is too deep and the potential still falls at its end."""
-    system = constraint.sought.system
-    free = system.moving & ~system.held
+    system = constraint.scalar_unknowns.system
+    free = system.moving & ~system.prescribed
     along = update[free]
     before = float(at.residual[free] @ along)
 

@@ -136,13 +136,13 @@ def shortened(
     >>> shortened(lambda length: (length, 1.0) if length < 0.3 else (None, 0.5), shortest=0.1)
     (0.25, 0.25)
     """
-    found: tuple[X | None, float] = None, 0.0
+    best: tuple[X | None, float] = None, 0.0
     length = 1.0
     while length >= shortest:
         end, share = trial(length)
         if share == 1:
             return end, length
         if end is not None:
-            found, shortest = (end, length), max(shortest, shortest_found)
+            best, shortest = (end, length), max(shortest, shortest_found)
         length *= share
-    return found
+    return best

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.tangent import Tangent
-from turgor.core.engine.contact.part import Look
+from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import Constraint
@@ -29,7 +29,7 @@ def evaluate(
 ) -> Evaluation | None:
     """Evaluate the residual at unknowns and scalars on the clock; ``kept`` are partners of contact that stay."""
     start = perf_counter()
-    how = Look.FOLLOW if kept is None else Look.KEEP
+    how = SearchMode.FOLLOW if kept is None else SearchMode.KEEP
     out = constraint.evaluate(place[0], parameter, place[1], kept, how)
     tangent.clock.residual += perf_counter() - start
     return out
@@ -65,7 +65,7 @@ def line_search(
     def trial(length: float) -> tuple[Evaluation | None, float]:
         place = at.unknowns + length * update, scalars + length * change
         new = evaluate(constraint, tangent, place, parameter, kept)
-        return new, 0.5 if new is None else length_allowed(constraint.sought.system, at, new, update)
+        return new, 0.5 if new is None else length_allowed(constraint.scalar_unknowns.system, at, new, update)
 
     return shortened(trial, LINE_SEARCH.shortest, LINE_SEARCH.shortest_touching)
 
@@ -75,7 +75,7 @@ def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Arra
     share, rubs = system.contact.shortening(at.contacts, new.contacts), new.contacts.rubs
     if share < 1 or not (rubs or not new.contacts.touch_as(at.contacts)):
         return share
-    free = system.moving & ~system.held
+    free = system.moving & ~system.prescribed
     along = update[free]
     before, after = float(at.residual[free] @ along), float(new.residual[free] @ along)
     most = LINE_SEARCH.overshot if rubs else LINE_SEARCH.overshot_touching

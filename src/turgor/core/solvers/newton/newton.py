@@ -97,10 +97,10 @@ class _Newton:
         fresh, geometric = _factors(self, now)
         left = forcing(fresh, self.border.tangent.iterative, now.residuals, self.settings.tolerance)
         try:
-            found = self.border.newton_update(now.at, (geometric, now.jump, fresh), now.conditions, left)
+            updates = self.border.newton_update(now.at, (geometric, now.jump, fresh), now.conditions, left)
         except (SingularTangentError, np.linalg.LinAlgError) as error:
             raise Stopped(Reason(Cause.SINGULAR_TANGENT, detail=str(error))) from None
-        return _Update(*found, geometric, fresh)
+        return _Update(*updates, geometric, fresh)
 
     def advanced(self, now: _Iterate, update: _Update) -> _Iterate:
         """Go along an update as far as the line search allows."""
@@ -113,7 +113,7 @@ class _Newton:
             raise Stopped(Reason(Cause.INVERTED_CELL))
         scalars = now.scalars + length * update.scalars
         conditions = constraint.target.conditions(new.unknowns, self.parameter, scalars)
-        residual = whole_residual(constraint.sought.system, new, conditions)
+        residual = whole_residual(constraint.scalar_unknowns.system, new, conditions)
         correction = length * float(np.abs(update.unknowns).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
         self.report(iteration, residual, correction, length)
         return _Iterate(
@@ -132,7 +132,7 @@ class _Newton:
 
     def ended(self, now: _Iterate, iteration: int) -> object | None:
         """Converged, or in vain: walls too deep in each other, no progress, or round-off."""
-        system, settings = self.constraint.sought.system, self.settings
+        system, settings = self.constraint.scalar_unknowns.system, self.settings
         if now.residuals[-1] <= settings.tolerance and not now.jump.any():
             return CONVERGED
         if system.contact.parts and max(now.lengths[-FACTORS.cut_short :]) <= LINE_SEARCH.shortest_touching:
@@ -154,7 +154,7 @@ def newton(
     Parameters
     ----------
     constraint : Constraint
-        What is sought beside the unknowns; `load_control` seeks nothing, and the parameter is the load factor then.
+        The scalar unknowns and their conditions; `load_control` has none, and the parameter is the load factor then.
     tangent : Tangent
     start : Start
     parameter : float
@@ -187,9 +187,10 @@ def _begin(run: _Newton, start: Start) -> _Iterate | None:
     at = start.evaluation or evaluate(constraint, run.border.tangent, place, parameter)
     if at is None:
         return None
-    system = constraint.sought.system
+    system = constraint.scalar_unknowns.system
     conditions = constraint.target.conditions(at.unknowns, parameter, start.scalars)
-    jump = system.prescribed(constraint.sought.load_factor(parameter, start.scalars)) - start.unknowns[system.held]
+    factor = constraint.scalar_unknowns.load_factor(parameter, start.scalars)
+    jump = system.prescribed_values(factor) - start.unknowns[system.prescribed]
     return _Iterate(
         at=at,
         scalars=start.scalars,
@@ -214,7 +215,7 @@ def _factors(run: _Newton, now: _Iterate) -> tuple[bool, Stresses | None]:
     """
     if now.last is None:
         return now.fresh, now.geometric
-    system, tangent, (last, update) = run.constraint.sought.system, run.border.tangent, now.last
+    system, tangent, (last, update) = run.constraint.scalar_unknowns.system, run.border.tangent, now.last
     previous, residual, length = now.residuals[-2], now.residuals[-1], now.lengths[-1]
     wrinkles = system.model.sheets_wrinkle  # every update changes which points are slack
     contracting = not wrinkles and residual < FACTORS.contraction * previous and residual < FACTORS.below
@@ -237,7 +238,7 @@ def _success(run: _Newton, now: _Iterate, iterations: int) -> NewtonResult:
     tangent, modes = run.border.tangent, None
     if not len(now.scalars):
         modes = tangent.unstable_modes()
-        if modes or (run.settings.count_anew and now.moved > FACTORS.stale_factors):
+        if modes or (run.settings.recount and now.moved > FACTORS.stale_factors):
             try:
                 tangent.factor(now.at)
                 modes = tangent.unstable_modes()

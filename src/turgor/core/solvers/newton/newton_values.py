@@ -24,7 +24,7 @@ class NewtonSettings:
         Updates before it gives up.
     mixed_points : bool
         Whether stresses may be linearized where the tangent is set to that.
-    count_anew : bool
+    recount : bool
         Whether unstable modes are counted by new factors where the last ones are stale.
     enough : float [-]
         Relative residual that is accepted where round-off keeps it above the tolerance.
@@ -33,7 +33,7 @@ class NewtonSettings:
     tolerance: float = 1e-6
     max_iterations: int = 15
     mixed_points: bool = True
-    count_anew: bool = False
+    recount: bool = False
     enough: float = 0.0
 
 

@@ -57,7 +57,7 @@ def pseudo_transient(
     report : callable
         Called after every iteration.
     """
-    system = constraint.sought.system
+    system = constraint.scalar_unknowns.system
     at = constraint.evaluate(unknowns, load_factor, np.empty(0))
     if at is None:
         return _restless(0)
@@ -90,7 +90,7 @@ def _without(
     constraint: Constraint, tangent: Tangent, motion: _Motion, settings: NewtonSettings, report: Report
 ) -> NewtonResult:
     """Try to find the equilibrium itself."""
-    start = Start(motion.at.unknowns, constraint.sought.system.stresses(motion.at))
+    start = Start(motion.at.unknowns, constraint.scalar_unknowns.system.stresses(motion.at))
     result = newton_with_contact(constraint, tangent, start, motion.at.load_factor, settings, report)
     motion.iterations += result.iterations
     return result
@@ -108,7 +108,7 @@ def _first_viscosity(system: System, tangent: Tangent, at: Evaluation, resistanc
     )
     drag = Linear(system.layout.base, largest * resistance, np.zeros(system.size))
     tangent.factor(replace(at, addition=drag))
-    moved = tangent.solve(np.where(system.held, 0.0, -at.residual))[: 3 * system.node_count]
+    moved = tangent.solve(np.where(system.prescribed, 0.0, -at.residual))[: 3 * system.node_count]
     return largest * float(np.abs(moved[system.moving[: len(moved)]]).max()) / PSEUDO_TRANSIENT.first_move
 
 

@@ -49,7 +49,7 @@ class Dynamic:
     at : tuple of float [-]
         Load factors, time over duration, that must be hit exactly besides 1, each in (0, 1].
     keep : int
-        Every which state is kept, besides the last one and those that were asked for.
+        Every which state is kept, besides the last one and the requested ones.
     tolerance : float [-]
         Largest residual force relative to the applied and reaction forces.
     max_iterations : int

@@ -16,8 +16,8 @@ class GasMass(StepOptions):
     """Pump a known amount of gas into closed cavities, or seal them and change the pressure around.
 
     Absolute pressure times volume to the power n follows the amount of gas: p Vⁿ = p₀ (m/m₀ V₀)ⁿ, with the ambient
-    pressure p₀ and the volume V₀ at rest. The load factor leads from a mass ratio m/m₀ of 1 to the one that is asked
-    for, and from the ambient pressure to that outside; other loads grow with it.
+    pressure p₀ and the volume V₀ at rest. The load factor leads from a mass ratio m/m₀ of 1 to the requested one,
+    and from the ambient pressure to that outside; other loads grow with it.
 
     Parameters
     ----------
@@ -70,13 +70,13 @@ class GasMass(StepOptions):
         check_steps(self)
 
     @property
-    def asked(self) -> float | Mapping[str, float]:
-        """What is asked of the cavities."""
+    def requested(self) -> float | Mapping[str, float]:
+        """The mass ratio requested, of all cavities or by name."""
         return self.mass_ratio
 
     @property
-    def asked_by(self) -> str:
-        """The field that asks it."""
+    def requested_field(self) -> str:
+        """The field that states it."""
         return "mass_ratio"
 
     @property

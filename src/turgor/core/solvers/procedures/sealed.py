@@ -35,6 +35,6 @@ class Sealed(VolumeControl):
         check_steps(self)
 
     @property
-    def asked_by(self) -> str:
+    def requested_field(self) -> str:
         """The field that names the cavities."""
         return "cavities"

@@ -11,8 +11,8 @@ class Stabilized(StepOptions):
     """Load control in which a viscous medium resists motion, so that snapping and local buckling do not end the run.
 
     The force is c M* Δu/Δs with the mass matrix M* of unit density and the change of the displacement with the load
-    factor. It grows as steps are cut, and fades where the actuator moves evenly. At the end the load is held until the
-    forces have faded, so the last state is an equilibrium; those on the way are so up to the viscous forces.
+    factor. It grows as steps are cut, and fades where the actuator moves evenly. At the end the load is constant until
+    the forces have faded, so the last state is an equilibrium; those on the way are so up to the viscous forces.
     Supports may leave rigid motions free where there is an obstacle or another body at which it can come to rest.
 
     Parameters

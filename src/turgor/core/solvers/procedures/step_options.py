@@ -119,10 +119,10 @@ def fields_in_order(kind: type) -> tuple[Field[Any], ...]:
     direct = next((each for each in kind.__mro__ if StepOptions in each.__bases__), None)
     if direct is None:
         return fields(kind)
-    asked = {each.name for each in fields(direct)} - steps - {"duration"}
+    own = {each.name for each in fields(direct)} - steps - {"duration"}
 
     def place(each: Field[Any]) -> int:
-        if each.name in asked:
+        if each.name in own:
             return 0
         return 1 if each.name in steps else 2 if each.name == "duration" else 3
 

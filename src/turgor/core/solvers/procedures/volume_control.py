@@ -51,13 +51,13 @@ class VolumeControl(StepOptions):
         check_steps(self)
 
     @property
-    def asked(self) -> float | Mapping[str, float]:
-        """What is asked of the cavities."""
+    def requested(self) -> float | Mapping[str, float]:
+        """The volume requested, of all cavities or by name."""
         return self.volume
 
     @property
-    def asked_by(self) -> str:
-        """The field that asks it."""
+    def requested_field(self) -> str:
+        """The field that states it."""
         return "volume"
 
 

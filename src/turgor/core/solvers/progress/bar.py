@@ -11,8 +11,8 @@ from rich.text import Text
 from turgor.core.solvers.progress.progress import Course, clock, fitting, of_stage
 from turgor.core.solvers.solution import Iteration, State
 
-#: Characters of a line beside the texts that change: spinner, the shortest bar, times, and gaps between them.
-BESIDE = 2 + 10 + 7 + 5
+#: Characters of a line besides the texts that change: spinner, the shortest bar, times, and gaps between them.
+OTHERS = 2 + 10 + 7 + 5
 
 #: A solve that ends within this time [s] shows no bar.
 AT_ONCE = 0.5
@@ -66,14 +66,14 @@ class Bar:
     def notify(self, text: str) -> None:
         """Show what is being done."""
         self._appear(now=True)  # what is worth a notice takes long
-        self._bar.update(self._task, description=fitting([text], self._console.width - BESIDE), state="", left="")
+        self._bar.update(self._task, description=fitting([text], self._console.width - OTHERS), state="", left="")
 
     def progress(self, iteration: Iteration, state: State | None) -> None:
         """Move the bar."""
         self._appear()
         self._course.follow(state)
         factor, left = f"{self._course.load_factor:.3f}", f"{clock(self._course.seconds_left)} left"
-        free = self._console.width - BESIDE - len(left)
+        free = self._console.width - OTHERS - len(left)
         description = fitting([f"{of_stage(self._course.stage)}load factor {factor}", factor], free, alternatives=True)
         work = (
             f"step {iteration.step}",

@@ -27,7 +27,7 @@ class Watcher:
 
 @contextmanager
 def watched(progress: Progress) -> Iterator[Watcher]:
-    """Show the progress of a solve as it was asked for.
+    """Show the progress of a solve as requested.
 
     Parameters
     ----------

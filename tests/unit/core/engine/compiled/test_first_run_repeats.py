@@ -14,7 +14,7 @@ from turgor.core.engine.system import System
 
 system = System(model(body()))
 unknowns = 1e-3 * np.random.default_rng(5).standard_normal(system.size)
-unknowns[system.held] = 0
+unknowns[system.prescribed] = 0
 at = system.evaluate(unknowns, 0.5)
 arrays = at.residual, system.stresses(at).cells, system.tangent_data(at)
 print(*(hashlib.md5(np.ascontiguousarray(array).tobytes()).hexdigest() for array in arrays))

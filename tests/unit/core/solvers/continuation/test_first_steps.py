@@ -32,7 +32,7 @@ def test_an_extrapolation_is_better_than_to_stay_if_stresses_are_linearized(iter
     rest = system.stresses(system.evaluate(np.zeros(system.size), 0.0))
     points = []
     for number in range(2):
-        unknowns = np.where(system.held, 0.0, 1e-6 * number)
+        unknowns = np.where(system.prescribed, 0.0, 1e-6 * number)
         points.append(Point(float(number), unknowns, np.empty(0), rest, None, None, None, None))
     # a residual that grows with the displacement, as that of a stiff wall that is stretched
     measure = Extrapolation(lambda _, at: float(np.abs(at.unknowns).max()), 0.0, True, False)

@@ -22,7 +22,7 @@ def test_a_failure_counts_all_iterations_of_its_row(monkeypatch):
     monkeypatch.setattr(contact_newton, "newton", lambda *_: FAILED)
     monkeypatch.setattr(contact_newton, "inertia_corrected", lambda *_: more)
     system = SimpleNamespace(contact=SimpleNamespace(parts=[1]))
-    constraint = SimpleNamespace(sought=SimpleNamespace(system=system))
+    constraint = SimpleNamespace(scalar_unknowns=SimpleNamespace(system=system))
     result = newton_with_contact(
         constraint, SimpleNamespace(plain=False), Start(None, None), 1.0, NewtonSettings(), None
     )

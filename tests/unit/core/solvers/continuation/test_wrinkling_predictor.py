@@ -27,7 +27,7 @@ def start(compression: float, unknowns_power: int):
     points = []
     for number in range(5):
         terms = [np.full_like(each, float(number**unknowns_power)) for each in rest.terms]
-        unknowns = np.where(system.held, 0.0, 1e-6 * number**unknowns_power)
+        unknowns = np.where(system.prescribed, 0.0, 1e-6 * number**unknowns_power)
         points.append(Point(float(number), unknowns, np.empty(0), replace(rest, terms=terms), None, None, None, None))
     orders = Extrapolation(lambda _, at: -float(np.abs(at.unknowns).max()), -np.inf, False, False)
     tangent = Tangent(system, "rslab", 1)

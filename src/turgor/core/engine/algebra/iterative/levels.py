@@ -22,7 +22,7 @@ class Levels:
     parents : (n, 2) int array
         Coarse nodes that a node lies between: the ends of its edge, or twice the vertex that it is.
     free : (n, 3) bool array
-        Components of displacement that are not held.
+        Components of displacement that are not prescribed.
     vertices : (v,) int array
         Node of each coarse node.
     mass : (m, m) sparse matrix
@@ -60,7 +60,7 @@ def levels_of(system: System) -> Levels | None:
     parents[cells[:, TETRAHEDRON.corners :]] = number[cells[:, ends]]
     if (parents < 0).any():
         return None  # nodes without cells
-    free = ~system.held[: 3 * system.node_count].reshape(-1, 3)
+    free = ~system.prescribed[: 3 * system.node_count].reshape(-1, 3)
     return Levels(parents, free, vertices, _mass(system))
 
 

@@ -140,7 +140,7 @@ class IterativeSolver:
 
 
 class _Blocks:
-    """Where the blocks beside the displacements stand in the lower triangle."""
+    """Where the blocks besides that of the displacements stand in the lower triangle."""
 
     def __init__(self, pattern: Pattern, split: int) -> None:
         columns = np.repeat(np.arange(pattern.size), np.diff(pattern.indptr))

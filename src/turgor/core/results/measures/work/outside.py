@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.algebra.boundary import held_components
+from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.faces.dead_loads import dead_terms
@@ -83,7 +83,7 @@ def _dead(path: Sequence[StateFields], loads: list[Load]) -> tuple[Array, Array]
 
 def _setting(model: Model) -> tuple[Setting, tuple]:
     """What loads need of a model, in SI units, and its reference points."""
-    supports, table = held_components(model), element_of(model).tables
+    supports, table = prescribed_components(model), element_of(model).tables
     points, shape = model.mesh.points, (0,) * model.mesh.cells.shape[1]
     _, volume = kernels_geometry.reference_geometry(shape, points, model.mesh.cells, table.dN, table.weights)
     rest = with_carried(points, supports.carriers)

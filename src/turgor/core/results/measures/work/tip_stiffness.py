@@ -72,10 +72,10 @@ def _compliance(at: StateFields) -> Array:
         force = np.zeros((system.node_count, 3))
         force[: len(share), axis] = share / at.mesh.symmetry_factor
         right = system.joined(force)
-        right[system.held] = 0.0
+        right[system.prescribed] = 0.0
         moved = tangent.solve(right)
         for _ in range(REFINEMENTS):
-            left = np.where(system.held, 0.0, right - matrix @ moved)
+            left = np.where(system.prescribed, 0.0, right - matrix @ moved)
             moved = moved + tangent.solve(left)
         out[whole, axis] = (share @ system.displacement(moved))[whole] / scale
     return out

@@ -55,8 +55,8 @@ def injected_share(question: Question) -> Iterator[Magnitude]:
     procedure, mesh = question.procedure, question.model.mesh
     if not isinstance(procedure, VolumeControl):
         return
-    asked = procedure.volume if isinstance(procedure.volume, Mapping) else {"cavity": procedure.volume}
-    for face, volume in asked.items():
+    volumes = procedure.volume if isinstance(procedure.volume, Mapping) else {"cavity": procedure.volume}
+    for face, volume in volumes.items():
         rest = abs(cavity_volume(mesh, face)) if face in mesh.cavities else 0.0
         if rest > 0 and volume:  # a cavity that is sealed keeps its volume
             yield Magnitude(f"Volume of {volume / mL:.4g} mL for '{face}'", volume / rest)

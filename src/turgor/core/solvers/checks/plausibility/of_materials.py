@@ -77,13 +77,13 @@ def materials_of(question: Question) -> tuple[Material, ...]:
 
 def _solids(question: Question) -> list[tuple[Material, bool]]:
     """Materials of the regions, and whether each is a stiff part rather than a rubber."""
-    found = distinct(question.model.region_materials.values())
-    softest = min(each.law.shear_modulus for each in found)
-    return [(each, _is_stiff(each, softest)) for each in found]
+    materials = distinct(question.model.region_materials.values())
+    softest = min(each.law.shear_modulus for each in materials)
+    return [(each, _is_stiff(each, softest)) for each in materials]
 
 
 def _is_stiff(material: Material, softest: float) -> bool:
-    """Whether a solid is stiffer than any rubber, and either compressible or far stiffer than the rubber beside it."""
+    """Whether a solid is stiffer than any rubber, and either compressible or far stiffer than the rubber next to it."""
     shear = material.law.shear_modulus
     return shear > STIFFEST_RUBBER and (material.bulk_modulus < NO_RUBBER * shear or shear > RIGID * softest)
 

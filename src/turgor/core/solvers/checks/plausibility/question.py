@@ -1,4 +1,4 @@
-"""Question: what is asked of a solve, and the magnitudes that are read from it."""
+"""Question: what is to be solved, and the magnitudes that are read from it."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

@@ -52,8 +52,8 @@ def check_proportional(model: Model, what: str) -> None:
 
 
 def check_still(system: System, what: str) -> None:
-    """Refuse supports that move with a load factor that is sought."""
-    if (system.prescribed(1.0) != system.prescribed(0.0)).any():
+    """Refuse supports that move with a load factor that is unknown."""
+    if (system.prescribed_values(1.0) != system.prescribed_values(0.0)).any():
         raise TurgorError(f"{what} needs supports that stay in place; a Displacement moves with the load factor.")
 
 
@@ -83,7 +83,7 @@ def follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
 
 
 def from_rest(problem: Problem, procedure: StepOptions, lengths: tuple[float, float], ends: Finished) -> Outcome:
-    """Take a first step by the load, at most as long as asked, and go on by arcs up to a longest one."""
+    """Take a first step by the load, at most as long as requested, and go on by arcs up to a longest one."""
     system, tangent, settings, (load, longest) = problem.system, problem.tangent, settings_of(procedure), lengths
     problem = slowly(problem, problem.memory)
     rest = start_of(problem)
@@ -198,7 +198,7 @@ def bounds(limit: Bounds, enough: Callable[[Point, Run], bool] | None = None) ->
         if reverses(run, now):
             return Ending(now.state, turned_back)
         grown = enough is not None and enough(now, run)
-        why = "the cavities have grown as far as asked" if grown else _bound(now, limit)
+        why = "the cavities have grown as far as requested" if grown else _bound(now, limit)
         return None if why is None else Ending(now.state, lambda run: followed(run, why))
 
     return finished
@@ -220,7 +220,7 @@ def _bound(now: Point, limit: Bounds) -> str | None:
 
 
 def _insert_requested(run: Run, before: Point, now: Point, requested: Sequence[float]) -> None:
-    """Make states at the load factors that were asked for, in the order in which the path crosses them."""
+    """Make states at the requested load factors, in the order in which the path crosses them."""
     low, high = float(before.scalars[0]), float(now.scalars[0])
     between = [factor for factor in requested if min(low, high) < factor < max(low, high)]
     for factor in sorted(between, reverse=high < low):

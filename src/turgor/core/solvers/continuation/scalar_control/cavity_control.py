@@ -39,7 +39,7 @@ def controlled_faces(model: Model, procedure: VolumeControl | GasMass) -> tuple[
     TurgorError
         If a cavity is unknown, encloses no volume, or has a pressure of its own already.
     """
-    field, names = procedure.asked_by, asked_cavities(model, procedure)
+    field, names = procedure.requested_field, filled_cavities(model, procedure)
     for name in names:
         if any(load.face == name for load in model.pressures):
             raise TurgorError(
@@ -51,7 +51,7 @@ def controlled_faces(model: Model, procedure: VolumeControl | GasMass) -> tuple[
     return names
 
 
-def asked_cavities(model: Model, procedure: VolumeControl | GasMass) -> tuple[str, ...]:
+def filled_cavities(model: Model, procedure: VolumeControl | GasMass) -> tuple[str, ...]:
     """Name the cavities that a procedure fills.
 
     Raises
@@ -59,21 +59,21 @@ def asked_cavities(model: Model, procedure: VolumeControl | GasMass) -> tuple[st
     TurgorError
         If a cavity does not exist, or none is named where there are several.
     """
-    asked, field, known = procedure.asked, procedure.asked_by, model.mesh.cavities
-    if not isinstance(asked, Mapping):
+    requested, field, known = procedure.requested, procedure.requested_field, model.mesh.cavities
+    if not isinstance(requested, Mapping):
         if len(known) != 1:
             if not known:
                 raise TurgorError(
                     f"procedure.{field} fills a cavity, and the model has no cavity: no face encloses one."
                 )
             names = ", ".join(known)
-            told = "is one number" if field != "cavities" else "names none"
-            raise TurgorError(f"procedure.{field} {told}, and the cavities are {names}; give one for each by name.")
+            given = "is one number" if field != "cavities" else "names none"
+            raise TurgorError(f"procedure.{field} {given}, and the cavities are {names}; give one for each by name.")
         return tuple(known)
-    for name in asked:
+    for name in requested:
         if name not in known:
             raise unknown(f"cavity in procedure.{field}", name, known)
-    return tuple(asked)
+    return tuple(requested)
 
 
 def follow_volume(problem: Problem, procedure: VolumeControl) -> Outcome:
@@ -125,9 +125,9 @@ def _check_room(system: System, volumes: Array) -> None:
             raise TurgorError(f"{name} encloses no volume at rest, so it holds no gas; use VolumeControl.")
 
 
-def of_each(asked: float | Mapping[str, float], names: Sequence[str]) -> Array:
-    """Return what is asked of each cavity (k,)."""
-    return np.array([asked[name] for name in names] if isinstance(asked, Mapping) else [asked], dtype=np.float64)
+def of_each(values: float | Mapping[str, float], names: Sequence[str]) -> Array:
+    """Return the requested value of each cavity (k,)."""
+    return np.array([values[name] for name in names] if isinstance(values, Mapping) else [values], dtype=np.float64)
 
 
 def gas_target(chambers: Chambers, procedure: GasMass, ratios: Array, now: tuple[Array, Array]) -> GasTarget:
