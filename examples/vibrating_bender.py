@@ -1,12 +1,11 @@
 """A bender is filled within 20 ms and swings about where it would rest: overshoot and frequency of the swing."""
 
 import numpy as np
-from turgor.actuators import RectangularBender
 
 import turgor as tg
 from turgor.units import deg, kPa, mm
 
-bender = RectangularBender(length=60 * mm)
+bender = tg.actuators.RectangularBender(length=60 * mm)
 mesh = tg.mesh(bender.build(), size=6 * mm)
 rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
