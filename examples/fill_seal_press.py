@@ -20,10 +20,10 @@ model = tg.Model(
 )
 
 procedure = tg.Stages(
-    [
+    (
         tg.Stage("fill", tg.VolumeControl(volume=1 * mL)),
         tg.Stage("squeeze", tg.Sealed(), moves={"jaw": (0, 0, -4 * mm)}),
-    ]
+    )
 )
 solution = tg.solve(model, procedure)
 filled, squeezed = (next(s for s in reversed(solution.states) if s.stage == name) for name in ("fill", "squeeze"))

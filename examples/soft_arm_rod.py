@@ -9,10 +9,10 @@ rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 
 # A round arm with two chambers, which fibers keep from bulging, in front of the axis and behind it.
 solid = tg.rods.RodSection.from_geometry(tg.rods.Round(radius=10 * mm), rubber)
-chambers = [
+chambers = (
     tg.rods.RodChamber(name="front", area=50 * mm**2, offset=(0, 6 * mm)),
     tg.rods.RodChamber(name="back", area=50 * mm**2, offset=(0, -6 * mm)),
-]
+)
 section = tg.rods.RodSection(stiffness=solid.stiffness, mass_per_length=solid.mass_per_length, chambers=chambers)
 arm = tg.rods.RodModel(
     rods=[
@@ -24,9 +24,9 @@ arm = tg.rods.RodModel(
         tg.rods.Plate(name="tip", mass=20 * g),
     ],
     loads=[
-        tg.Gravity((0, 0, -1), history=[(0, 0), (0.2, 1), (1, 1)]),
-        tg.rods.ChamberPressure(chamber="front", rod="upper", pressure=150 * kPa, history=[(0, 0), (0.2, 0), (1, 1)]),
-        tg.rods.ChamberPressure(chamber="back", rod="lower", pressure=150 * kPa, history=[(0, 0), (0.2, 0), (1, 1)]),
+        tg.Gravity((0, 0, -1), history=((0, 0), (0.2, 1), (1, 1))),
+        tg.rods.ChamberPressure(chamber="front", rod="upper", pressure=150 * kPa, history=((0, 0), (0.2, 0), (1, 1))),
+        tg.rods.ChamberPressure(chamber="back", rod="lower", pressure=150 * kPa, history=((0, 0), (0.2, 0), (1, 1))),
     ],
 )
 solution = tg.rods.static(arm, at=5)
@@ -34,6 +34,7 @@ solution = tg.rods.static(arm, at=5)
 response = solution.response()
 aside = response["tip_displacement_x"][-1]
 joint = np.arccos(-solution.plate_axes("joint")[-1, 2, 0])
+assert section.mass_per_length is not None, "the rubber has a density"
 weight = 9.80665 * (2 * 100 * mm * section.mass_per_length + 20 * g)
 print(f"{solution.message} The joint turns by {joint / deg:.0f} deg, the tip moves aside by {aside / mm:.0f} mm.")
 assert np.isclose(solution.reaction("base")[2], weight), "the clamp carries the weight"

@@ -9,7 +9,7 @@ bender = tg.actuators.RectangularBender(length=60 * mm)
 mesh = tg.mesh(bender.build(), size=6 * mm)
 rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
-materials = {"body": rubber, "base": rubber, "strain_limiting_layer": paper}
+materials: dict[str, tg.Material | tg.Shell] = {"body": rubber, "base": rubber, "strain_limiting_layer": paper}
 duration, filled = 0.2, 0.02
 history = tg.over_time([(0, 0), (filled, 1), (duration, 1)], duration)
 model = tg.Model(mesh, materials, [tg.Fixed("fixed")], [tg.Pressure("cavity", 50 * kPa, history=history)])
