@@ -144,7 +144,7 @@ def draw(name: str, family: Any) -> None:
 
 
 def main() -> None:
-    """Write the pages, and the pictures where they are asked for."""
+    """Write the pages, and the pictures where they are requested."""
     parser = argparse.ArgumentParser(description="Write docs/actuators.")
     parser.add_argument("--pictures", nargs="*", metavar="FAMILY", help="draw these families, all if none is named")
     chosen = parser.parse_args().pictures

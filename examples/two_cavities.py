@@ -12,7 +12,7 @@ model = tg.Model(
     materials={"body": rubber, "strain_limiting_layer": paper},
     supports=[tg.Fixed("fixed")],
     loads=[
-        tg.Pressure("cavity_1", 50 * kPa, history=((0, 0), (0.5, 1), (1, 1))),  # up, and held
+        tg.Pressure("cavity_1", 50 * kPa, history=((0, 0), (0.5, 1), (1, 1))),  # up, then constant
         tg.Pressure("cavity_2", 50 * kPa, history=((0, 0), (0.5, 0), (1, 1))),  # then up, too
     ],
 )
