@@ -11,9 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from turgor.jobs import ACTUATORS, example_job, family_table
-
-from turgor import Geometry, TurgorError
+import turgor as tg
 from turgor_guidelines.catalog import chosen
 
 DOCS = Path(__file__).parent
@@ -30,7 +28,7 @@ def heading(name: str) -> str:
 def page(name: str, family: Any) -> str:
     """Write the page on a family."""
     built = family().build()
-    keys = family_table(name).keys
+    keys = tg.jobs.family_table(name).keys
     return "\n".join(
         [
             f"# {heading(name)}",
@@ -57,7 +55,7 @@ def page(name: str, family: Any) -> str:
             "",
             "## Example job",
             "",
-            f"```{{literalinclude}} ../../{example_job(name).relative_to(DOCS.parent)}",
+            f"```{{literalinclude}} ../../{tg.jobs.example_job(name).relative_to(DOCS.parent)}",
             ":language: toml",
             "```",
             "",
@@ -87,10 +85,10 @@ def overview() -> str:
         "| | family | what it is |",
         "|---|---|---|",
     ]
-    for name, family in ACTUATORS.items():
+    for name, family in tg.jobs.ACTUATORS.items():
         picture = f"![](../images/actuators/{name}-cut.png)"
         lines.append(f"| {picture} | [{heading(name)}]({name}.md) | {_summary(family)} |")
-    names = "\n".join(ACTUATORS)
+    names = "\n".join(tg.jobs.ACTUATORS)
     return "\n".join([*lines, "", "```{toctree}", ":hidden:", "", names, "```", ""])
 
 
@@ -108,7 +106,7 @@ def _summary(family: Any) -> str:
     return _markdown(inspect.getdoc(family) or "").split("\n\n", 1)[0].replace("\n", " ")
 
 
-def _built(built: Geometry) -> list[str]:
+def _built(built: tg.Geometry) -> list[str]:
     cavities = ", ".join(f"`{name}` {volume * 1e6:.4g} mL" for name, volume in built.cavity_volumes.items())
     return [
         f"With these the modeled part has {cavities} of cavity and {built.solid_volume * 1e6:.4g} mL of solid; regions "
@@ -124,40 +122,36 @@ def _cut(family: Any) -> Any:
     """The half of an actuator where it has one, so that its inside is seen."""
     try:
         return family(symmetric=True)
-    except (TypeError, TurgorError):  # a family without mirror plane
+    except (TypeError, tg.TurgorError):  # a family without mirror plane
         return family()
 
 
 def draw(name: str, family: Any) -> None:
     """Draw a family: cut open where it has a mirror plane, and at the end of its example job."""
     from PIL import Image
-    from turgor.jobs import prepare, read_job
-    from turgor.pictures import shared_view, write_mesh_picture, write_picture
 
-    from turgor import mesh, solve
-
-    made = mesh(_cut(family).build())
+    made = tg.mesh(_cut(family).build())
     faces = {side.replace("symmetry_", "cut_"): triangles for side, triangles in made.faces.items()}
-    write_mesh_picture(PICTURES / f"{name}-cut.png", replace(made, faces=faces), heading(name), WIDTH)
-    job = read_job(example_job(name))
-    model, _ = prepare(job)
-    states = solve(model, job.procedure).states
-    view = shared_view([states[0], states[-1]], WIDTH)
-    write_picture(PICTURES / f"{name}.png", states[-1], view, title=heading(name), ghost=states[0])
+    tg.pictures.write_mesh_picture(PICTURES / f"{name}-cut.png", replace(made, faces=faces), heading(name), WIDTH)
+    job = tg.jobs.read_job(tg.jobs.example_job(name))
+    model, _ = tg.jobs.prepare(job)
+    states = tg.solve(model, job.procedure).states
+    view = tg.pictures.shared_view([states[0], states[-1]], WIDTH)
+    tg.pictures.write_picture(PICTURES / f"{name}.png", states[-1], view, title=heading(name), ghost=states[0])
     for picture in PICTURES.glob(f"{name}*.png"):  # fewer colors: a quarter of the size, and no difference to see
         image = Image.open(picture).convert("RGB").quantize(COLORS, dither=Image.Dither.NONE)
         image.save(picture, optimize=True)
 
 
 def main() -> None:
-    """Write the pages, and the pictures where they are asked for."""
+    """Write the pages, and the pictures where they are requested."""
     parser = argparse.ArgumentParser(description="Write docs/actuators.")
     parser.add_argument("--pictures", nargs="*", metavar="FAMILY", help="draw these families, all if none is named")
     chosen = parser.parse_args().pictures
     (DOCS / "actuators").mkdir(exist_ok=True)
     PICTURES.mkdir(exist_ok=True)
     (DOCS / "actuators" / "index.md").write_text(overview(), encoding="utf-8")
-    for name, family in ACTUATORS.items():
+    for name, family in tg.jobs.ACTUATORS.items():
         (DOCS / "actuators" / f"{name}.md").write_text(page(name, family), encoding="utf-8")
         if chosen is not None and (not chosen or name in chosen):
             draw(name, family)

@@ -1,6 +1,6 @@
 """Draw docs/images/rooms.svg and docs/images/step.svg, the two pictures of docs/architecture.md.
 
-Run it after a room or a part of a step has changed: ``python docs/architecture_pictures.py``, some seconds. `ROOMS` and
+Run it after a wing or a part of a step has changed: ``python docs/architecture_pictures.py``, some seconds. `ROOMS` and
 `PARTS` name what the pictures show, and a test looks that all of it exists.
 """
 
@@ -16,7 +16,7 @@ from matplotlib.path import Path as MarkerPath
 
 IMAGES = Path(__file__).parent / "images"
 
-#: The rooms in the first picture, each a folder of the package.
+#: The folders of all wings in the order of imports, as the page has it.
 ROOMS = (
     "core.materials", "core.geometry", "core.meshing", "core.model", "core.engine", "core.solvers", "core.setups",
     "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views", "accuracy.gradients",
@@ -24,8 +24,18 @@ ROOMS = (
     "studies.sensitivity", "studies.surrogates", "studies.optimization", "studies.study_file", "cli",
 )  # fmt: skip
 
-#: The files on which all rooms stand.
-FOUNDATION = ("units", "errors", "source", "finding", "response", "registry")
+#: The wings above the core in the first picture: two rows, from below.
+WINGS = {
+    "fast_models": "formulas, rods, sections",
+    "views": "pictures, plots, report",
+    "accuracy": "mesh error, gradients",
+    "job": "one run as a TOML file",
+    "studies": "many runs, and their use",
+    "cli": "one command, one file",
+}
+
+#: What every wing stands on.
+FOUNDATION = ("errors", "source", "finding", "response", "registry", "store", "startup")
 
 #: What does the work in each box of the second picture.
 PARTS = (
@@ -106,7 +116,7 @@ def arrow(axes: Axes, start: tuple[float, float], end: tuple[float, float], **st
 
 
 def label(axes: Axes, x: float, y: float, text: str, **style: object) -> None:
-    """Write small text beside an arrow or a box."""
+    """Write small text next to an arrow or a box."""
     axes.text(
         x, y, text, ha=style.get("ha", "center"), va=style.get("va", "center"), fontsize=style.get("size", 9),
         color=style.get("color", QUIET), style=style.get("style", "normal"), linespacing=1.25, zorder=3,
@@ -132,70 +142,65 @@ def blank(width: float, height: float) -> tuple[Figure, Axes]:
     return figure, axes
 
 
+def panel(axes: Axes, corner: tuple[float, float], width: float, height: float, color: str = "white") -> None:
+    """Draw a large box behind others."""
+    axes.add_patch(
+        FancyBboxPatch(corner, width, height, boxstyle="round,pad=0,rounding_size=1.1", facecolor=color,
+                       edgecolor=EDGE[AMBER if color != "white" else color], linewidth=1.2, zorder=0.5)
+    )  # fmt: skip
+
+
+def wings(axes: Axes) -> None:
+    """Draw the wings on the core, and the foundation below it."""
+    for place, (wing, lines) in enumerate(WINGS.items()):
+        row, column = divmod(place, 3)
+        Box(x=18 + 32 * column, y=50 + 8 * row, width=30, height=6.4, lines=lines, room=wing,
+            color=ROSE if row else AMBER).draw(axes)  # fmt: skip
+    Box(x=50, y=2.6, width=94, height=4, lines="foundation:   " + ",  ".join(FOUNDATION), color=GRAY).draw(axes)
+    label(
+        axes,
+        50,
+        63.7,
+        "A wing imports from those below it, and from those to its left in the same row.",
+        style="italic",
+    )
+
+
 def rooms() -> Figure:
-    """Draw the rooms, the values that they make, and the files that these are read from and written to."""
-    figure, axes = blank(10, 6.1)
-    high, low, middle = 48.5, 30.5, 39.5
-    test = Box(x=9, y=high, width=16, height=9, heading="MaterialTest", room="materials", color=GREEN)
-    material = Box(x=31, y=high, width=14, height=9, heading="Material", room="materials", color=GREEN)
-    geometry = Box(x=9, y=low, width=16, height=9, heading="Geometry", room="geometry", color=GREEN)
-    mesh = Box(x=31, y=low, width=14, height=9, heading="Mesh", room="meshing", color=GREEN)
-    model = Box(x=50, y=middle, width=14, height=9, heading="Model", room="model")
-    solution = Box(x=69.5, y=middle, width=14, height=9, heading="Solution", room="solvers")
-    response = Box(x=91, y=middle, width=14, height=9, heading="Response", room="results")
-    study = Box(x=90.5, y=54.6, width=17, height=6, lines="runs of designs", room="study", color=AMBER)
-    measured = Box(x=70.5, y=54.6, width=18, height=6, lines="measured curves", room="laboratory", color=AMBER)
-    quick = Box(x=12, y=16.2, width=21, height=6.4, lines="quick models", room="formulas, rod, section", color=AMBER)
-    engine = Box(x=69.5, y=26, width=27, height=7.4, lines="residual, tangent, factorization", room="engine",
-                 color=AMBER)  # fmt: skip
-    refine = Box(x=52, y=16.2, width=56, height=6.4, lines="mesh error of each measure; refinement where it comes from",
-                 room="adaptivity", color=AMBER)  # fmt: skip
-    job = Box(x=32, y=8, width=62, height=6.4, lines="a TOML file that asks for the whole row", room="job", color=ROSE)
-    command = Box(x=82, y=8, width=32, height=6.4, lines="one command for each function", room="cli", color=ROSE)
-    base = Box(x=49.5, y=2, width=97, height=3.4, lines="foundation:   " + ",  ".join(FOUNDATION),
-               color=GRAY)  # fmt: skip
-    for box in (
-        test,
-        material,
-        geometry,
-        mesh,
-        model,
-        solution,
-        response,
-        study,
-        measured,
-        quick,
-        engine,
-        refine,
-        job,
-        command,
-        base,
-    ):
+    """Draw the wings; in the core the values, what makes them, and the files that they are read from and written to."""
+    figure, axes = blank(10, 6.6)
+    wings(axes)
+    panel(axes, (3, 6.6), 94, 38.6)
+    label(axes, 92, 42.2, "core/", family="monospace", size=10.5, color=INK)
+    high, low, middle = 36, 18.4, 27.2
+    test = Box(x=13, y=high, width=16, height=8, heading="MaterialTest", room="materials", color=GREEN)
+    material = Box(x=34, y=high, width=14, height=8, heading="Material", room="materials", color=GREEN)
+    geometry = Box(x=13, y=low, width=16, height=8, heading="Geometry", room="geometry", color=GREEN)
+    mesh = Box(x=34, y=low, width=14, height=8, heading="Mesh", room="meshing", color=GREEN)
+    model = Box(x=50.5, y=middle, width=12.4, height=8, heading="Model", room="model")
+    solution = Box(x=69, y=middle, width=13, height=8, heading="Solution", room="solvers")
+    response = Box(x=88.5, y=middle, width=13, height=8, heading="Response", room="results")
+    setups = Box(x=53, y=40, width=19, height=6, lines="blocked force, grasp", room="setups", color=AMBER)
+    engine = Box(x=69, y=13, width=27, height=7, lines="residual, tangent, factors", room="engine", color=AMBER)
+    for box in (test, material, geometry, mesh, model, solution, response, setups, engine):
         box.draw(axes)
     arrow(axes, test.at("right"), material.at("left"))
     arrow(axes, geometry.at("right"), mesh.at("left"))
-    arrow(axes, material.at("right"), model.at("left", 2), bend="arc3,rad=-0.22")
-    arrow(axes, mesh.at("right"), model.at("left", -2), bend="arc3,rad=0.22")
+    arrow(axes, material.at("bottom", 3), model.at("left", 2), bend="arc3,rad=0.22")
+    arrow(axes, mesh.at("top", 3), model.at("left", -2), bend="arc3,rad=-0.22")
     arrow(axes, model.at("right"), solution.at("left"))
     arrow(axes, solution.at("right"), response.at("left"))
-    arrow(axes, response.at("top"), study.at("bottom", 0.5))
-    arrow(axes, measured.at("bottom", 4), response.at("top", -4))
     arrow(axes, engine.at("top"), solution.at("bottom"), both=True)
-    arrow(axes, response.at("bottom"), refine.at("right"), bend="angle,angleA=-90,angleB=0,rad=9")
-    arrow(axes, refine.at("left", 0), mesh.at("bottom", -5), bend="angle,angleA=180,angleB=-90,rad=9")
-    for x, y, text in ((20.5, high, "fit"), (20.5, low, "mesh"), (59.7, middle, "solve"), (80.2, middle, "measure")):
+    arrow(axes, setups.at("bottom", -2.5), model.at("top"))
+    for x, y, text in ((24, high, "fit"), (24, low, "mesh"), (59.6, middle, "solve"), (78.8, middle, "measure")):
         label(axes, x, y + 1.6, text, family="monospace", size=9, color=INK)
-    label(axes, test.x, high + 6.2, "from CSV")
-    label(axes, material.x, high + 6.2, "from TOML, to TOML")
-    label(axes, geometry.x, low - 6.9, "from STEP, BREP, STL\nto STEP, STL")
-    label(axes, mesh.x + 0.6, low + 7, "from gmsh, Abaqus, VTK\nto VTU, STL")
-    label(axes, model.x, middle - 6.2, "to Abaqus, CalculiX")
-    if "core.setups" in ROOMS:
-        setups = Box(x=50, y=54.6, width=19, height=6, lines="blocked force, grasp", room="setups", color=AMBER)
-        setups.draw(axes)
-        arrow(axes, setups.at("bottom"), model.at("top"))
-    label(axes, solution.x, middle + 6.2, "to VTU")
-    label(axes, response.x - 1.2, middle - 6.9, "to CSV\nand a report", ha="right")
+    label(axes, test.x, high + 5.6, "from CSV")
+    label(axes, material.x, high + 5.6, "from TOML, to TOML")
+    label(axes, geometry.x, low - 6.4, "from STEP, BREP, STL\nto STEP, STL")
+    label(axes, mesh.x, low - 6.4, "from gmsh, Abaqus, VTK\nto VTU, STL")
+    label(axes, model.x + 1, middle - 6.5, "to Abaqus,\nCalculiX")
+    label(axes, solution.x, middle + 5.6, "to VTU")
+    label(axes, response.x, middle - 5.6, "to CSV")
     return figure
 
 
@@ -213,10 +218,7 @@ def step() -> Figure:
     rescue = Box(
         x=8, y=below, width=13.6, height=10, heading="Rescue", lines="pseudo-transient\ncontinuation", color=ROSE
     )
-    axes.add_patch(
-        FancyBboxPatch((56.2, 10), 23.2, 39, boxstyle="round,pad=0,rounding_size=1.1", facecolor="#fdf7e8",
-                       edgecolor=EDGE[AMBER], linewidth=1.2, zorder=0.5)
-    )  # fmt: skip
+    panel(axes, (56.2, 10), 23.2, 39, "#fdf7e8")
     label(axes, 67.8, 46.6, "Newton's method", size=11, color=INK, weight="bold")
     inner = [
         Box(x=66.6, y=41.2, width=17.6, height=5.2, lines="residual", color=AMBER),

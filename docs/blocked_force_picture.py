@@ -7,7 +7,6 @@ from pathlib import Path
 
 import matplotlib
 from matplotlib.figure import Figure
-from turgor.pictures import COLORS, plot_response
 
 import turgor as tg
 from turgor.units import kPa, mm
@@ -34,11 +33,11 @@ def main():
     model = question()
     figure = Figure(figsize=(6.4, 3.8), layout="constrained", facecolor="white")
     axes = figure.add_subplot()
-    for distance, color in zip(DISTANCES, COLORS, strict=False):
+    for distance, color in zip(DISTANCES, tg.pictures.COLORS, strict=False):
         solution = tg.solve(tg.setups.blocked_force(model, distance=distance, direction="-z"))
         response = tg.measure(solution, tg.measures.blocked_force)
         label = f"plate {distance / mm:g} mm below the tip"
-        plot_response(axes, response, "pressure", "blocked_force", color=color, label=label)
+        tg.pictures.plot_response(axes, response, "pressure", "blocked_force", color=color, label=label)
         print(label, response.find("blocked_force").in_unit[-1])
     axes.legend(frameon=False)
     with matplotlib.rc_context({"svg.hashsalt": "turgor"}):

@@ -16,4 +16,6 @@ myst_heading_anchors = 3
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"  # the docstrings state types with shapes and units
 napoleon_google_docstring = False
+napoleon_custom_sections = [("Keys", "params_style")]  # of the tables of job files and study files
+napoleon_use_rtype = False  # a type such as `range` in front of its text, not as a link to any attribute of that name
 default_role = "code"

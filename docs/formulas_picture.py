@@ -8,7 +8,6 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
-from turgor.pictures import COLORS
 
 import turgor as tg
 from turgor.units import deg, kPa, mm
@@ -49,8 +48,13 @@ def main():
         figure.subplots(1, 2), (("bare tube", tube), ("braided muscle", muscle)), strict=True
     ):
         (pressure, moved), formula = case(rubber)
-        axes.plot(formula["pressure_kPa"], formula["tip_displacement_x_mm"], color=COLORS[0], label="formula, no ends")
-        axes.plot(pressure, moved, "o", color=COLORS[1], label="finite elements")
+        axes.plot(
+            formula["pressure_kPa"],
+            formula["tip_displacement_x_mm"],
+            color=tg.pictures.COLORS[0],
+            label="formula, no ends",
+        )
+        axes.plot(pressure, moved, "o", color=tg.pictures.COLORS[1], label="finite elements")
         axes.set(title=title, xlabel="pressure [kPa]", ylabel="extension [mm]")
         axes.legend(frameon=False)
         there = np.interp(pressure[-1], formula["pressure_kPa"], formula["tip_displacement_x_mm"])

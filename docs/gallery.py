@@ -36,7 +36,7 @@ def solved(name: str) -> tg.Solution:
 
 
 def main() -> None:
-    """Write the pictures that are asked for."""
+    """Write the pictures that are requested."""
     parser = argparse.ArgumentParser(description="Write docs/images/gallery.")
     parser.add_argument("names", nargs="*", default=list(MOVING), help="families, by default all of the gallery")
     PICTURES.mkdir(exist_ok=True)

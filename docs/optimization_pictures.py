@@ -21,8 +21,8 @@ FOLDER = ROOT / "docs" / "images" / "optimization"
 
 def bellows() -> None:
     """Draw the front, and the start and the bellows between the ends under 1 kPa."""
-    held = runpy.run_path(str(ROOT / "examples" / "optimized_bellows.py"))
-    found = held["found"]
+    names = runpy.run_path(str(ROOT / "examples" / "optimized_bellows.py"))
+    found = names["found"]
     tg.studies.optimization_figure(found).savefig(FOLDER / "bellows.png", dpi=110)
     ends = {"before": found.start, "after": found.best}
     shown = {}
@@ -32,7 +32,7 @@ def bellows() -> None:
         mesh = tg.mesh(shape.build(), size=1 * mm, cells="axisymmetric")
         model = tg.Model(
             mesh,
-            materials={"body": held["RUBBER"]},
+            materials={"body": names["RUBBER"]},
             supports=[tg.Fixed("fixed")],
             loads=[tg.Pressure("cavity", 1 * kPa)],
         )
@@ -42,8 +42,8 @@ def bellows() -> None:
 
 def path() -> None:
     """Draw the center line of the bender at each pressure, before and after."""
-    held = runpy.run_path(str(ROOT / "examples" / "tip_path.py"))
-    found = held["found"]
+    names = runpy.run_path(str(ROOT / "examples" / "tip_path.py"))
+    found = names["found"]
     figure = Figure(figsize=(9, 2.2), layout="constrained")
     rows = {"before": found.start, "after": found.best}
     for axes, (name, number) in zip(figure.subplots(1, 2, sharey=True), rows.items(), strict=True):
@@ -56,7 +56,7 @@ def path() -> None:
             axes.plot(line[0] / mm, line[1] / mm, color="#1f5fa8", lw=1.5)
             axes.plot((length + x) / mm, z / mm, "o", color="#1f5fa8", ms=4)
         # places are displacements from the tip at rest, so that they move with the length
-        places = np.array(held["PLACES"]) / mm
+        places = np.array(names["PLACES"]) / mm
         axes.plot(places[:, 0] + length / mm, places[:, 1], "x", color="#d55e00", ms=9, mew=2, label="wanted")
         axes.set_title(
             f"{name}: {found.study.values_text(row.values)}; {found.reads(number)[0].short} from the path", fontsize=9

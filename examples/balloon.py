@@ -3,18 +3,15 @@
 A neo-Hookean rubber balloons; one that stiffens at large stretches, as most silicones do, may not.
 """
 
-from turgor.actuators import ExtendingCylinder
-
 import turgor as tg
-from turgor import VolumeControl
 from turgor.units import kPa, mL, mm
 
-tube = ExtendingCylinder(length=60 * mm)
+tube = tg.actuators.ExtendingCylinder(length=60 * mm)
 mesh = tg.mesh(tube.build(), size=6 * mm)
 rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 model = tg.Model(mesh, materials={"body": rubber}, supports=[tg.Fixed("fixed")], loads=[])
 
-solution = tg.solve(model, VolumeControl(volume=32 * mL))
+solution = tg.solve(model, tg.VolumeControl(volume=32 * mL))
 response = tg.measure(solution, tg.cavity_volume, tg.tip_displacement, tg.measures.maximum_principal_stretch)
 
 (limit,) = solution.limit_points

@@ -4,12 +4,10 @@ Two stages: the second begins where the first one ended. A quarter is modeled; t
 one.
 """
 
-from turgor.actuators import ExtendingCylinder
-
 import turgor as tg
 from turgor.units import N, kPa, mL, mm
 
-tube = ExtendingCylinder(length=40 * mm)
+tube = tg.actuators.ExtendingCylinder(length=40 * mm)
 mesh = tg.mesh(tube.build(), size=6 * mm)
 rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 bar = tg.obstacles.Box(center=(20 * mm, 0, 18 * mm), size=(12 * mm, 40 * mm, 16 * mm), rounding=2 * mm)
@@ -22,10 +20,10 @@ model = tg.Model(
 )
 
 procedure = tg.Stages(
-    [
+    (
         tg.Stage("fill", tg.VolumeControl(volume=1 * mL)),
         tg.Stage("squeeze", tg.Sealed(), moves={"jaw": (0, 0, -4 * mm)}),
-    ]
+    )
 )
 solution = tg.solve(model, procedure)
 filled, squeezed = (next(s for s in reversed(solution.states) if s.stage == name) for name in ("fill", "squeeze"))

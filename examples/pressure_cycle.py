@@ -7,22 +7,19 @@ The constants in time are stated to show what they do; those of a silicone come 
 from dataclasses import replace
 
 import numpy as np
-from turgor.actuators import RectangularBender
-from turgor.laws import Mullins, Prony
 
 import turgor as tg
-from turgor import over_time
 from turgor.units import deg, kPa, mm
 
-bender = RectangularBender(length=60 * mm)
+bender = tg.actuators.RectangularBender(length=60 * mm)
 mesh = tg.mesh(bender.build(), size=6 * mm)
 law = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
-series = Prony(g=(0.08, 0.05), tau=(2.0, 40.0), moduli="long_term")
-rubber = replace(law, viscoelasticity=series, stress_softening=Mullins(r=4.0, m=5 * kPa))
+series = tg.laws.Prony(g=(0.08, 0.05), tau=(2.0, 40.0), moduli="long_term")
+rubber = replace(law, viscoelasticity=series, stress_softening=tg.laws.Mullins(r=4.0, m=5 * kPa))
 paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
-materials = {"body": rubber, "base": rubber, "strain_limiting_layer": paper}
+materials: dict[str, tg.Material | tg.Shell] = {"body": rubber, "base": rubber, "strain_limiting_layer": paper}
 duration = 20.0
-history = over_time([(0, 0), (5, 1), (10, 0), (15, 1), (20, 0)], duration)
+history = tg.over_time([(0, 0), (5, 1), (10, 0), (15, 1), (20, 0)], duration)
 model = tg.Model(mesh, materials, [tg.Fixed("fixed")], [tg.Pressure("cavity", 50 * kPa, history=history)])
 
 solution = tg.solve(model, tg.Static(duration=duration, first_step=0.02, max_step=0.02))

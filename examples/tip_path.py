@@ -8,7 +8,7 @@ import numpy as np
 import turgor as tg
 from turgor.units import deg, kPa, mm
 
-PRESSURES = np.array([20, 30, 40]) * kPa
+PRESSURES = [20 * kPa, 30 * kPa, 40 * kPa]
 PLACES = [(-1.5 * mm, 18 * mm), (-2.9 * mm, 25 * mm), (-4.8 * mm, 32 * mm)]  # along x and to the side, from rest
 SILICONE = tg.Material(name="silicone", law=tg.laws.NeoHooke(C10=0.0425e6))
 THREAD = tg.Material(name="thread", law=tg.laws.Hooke(E=31067e6, nu=0.36))

@@ -1,11 +1,9 @@
 """Two cavities, one after the other: the upper one bends the actuator down, the lower one straightens it again."""
 
-from turgor.actuators import BidirectionalBender
-
 import turgor as tg
 from turgor.units import deg, kPa, mm
 
-bender = BidirectionalBender()
+bender = tg.actuators.BidirectionalBender()
 mesh = tg.mesh(bender.build(), size=6 * mm)
 rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
@@ -14,7 +12,7 @@ model = tg.Model(
     materials={"body": rubber, "strain_limiting_layer": paper},
     supports=[tg.Fixed("fixed")],
     loads=[
-        tg.Pressure("cavity_1", 50 * kPa, history=((0, 0), (0.5, 1), (1, 1))),  # up, and held
+        tg.Pressure("cavity_1", 50 * kPa, history=((0, 0), (0.5, 1), (1, 1))),  # up, then constant
         tg.Pressure("cavity_2", 50 * kPa, history=((0, 0), (0.5, 0), (1, 1))),  # then up, too
     ],
 )

@@ -2,18 +2,16 @@
 
 # %% The finger lies above the mirror plane z = 0, its image below; the bar across them is cut there and at y = 0.
 import numpy as np
-from turgor.bodies import RoundBar, placed, together
-from turgor.measures import Measure
 
 import turgor as tg
 from turgor.units import N, deg, kPa, mm
 
 finger = tg.mesh(tg.FastPneuNet(chambers=2, length=25 * mm).build(), size=4 * mm, cells="hexahedra")
-bar = tg.mesh(RoundBar(radius=5 * mm, length=16 * mm, mirrors="xz").build(), size=4 * mm, cells="hexahedra")
-mesh = together(
+bar = tg.mesh(tg.bodies.RoundBar(radius=5 * mm, length=16 * mm, mirrors="xz").build(), size=4 * mm, cells="hexahedra")
+mesh = tg.bodies.together(
     {
-        "finger": placed(finger, shift=(0, 0, 6 * mm)),
-        "bar": placed(bar, axis=(0, 0, 1), angle=90 * deg, shift=(20 * mm, 0, 0)),
+        "finger": tg.bodies.placed(finger, shift=(0, 0, 6 * mm)),
+        "bar": tg.bodies.placed(bar, axis=(0, 0, 1), angle=90 * deg, shift=(20 * mm, 0, 0)),
     }
 )
 
@@ -34,7 +32,9 @@ def squeeze_of(at):
     return 0.0 if touch is None else -2 * touch.force[nodes, 2].sum()
 
 
-squeeze = Measure(name="squeeze", unit="N", function=squeeze_of, definition="force of one finger on the bar")
+squeeze = tg.measures.Measure(
+    name="squeeze", unit="N", function=squeeze_of, definition="force of one finger on the bar"
+)
 
 # %% They meet at about half of the pressure.
 solution = tg.solve(model)

@@ -1,16 +1,15 @@
 """A bender is filled within 20 ms and swings about where it would rest: overshoot and frequency of the swing."""
 
 import numpy as np
-from turgor.actuators import RectangularBender
 
 import turgor as tg
 from turgor.units import deg, kPa, mm
 
-bender = RectangularBender(length=60 * mm)
+bender = tg.actuators.RectangularBender(length=60 * mm)
 mesh = tg.mesh(bender.build(), size=6 * mm)
 rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
-materials = {"body": rubber, "base": rubber, "strain_limiting_layer": paper}
+materials: dict[str, tg.Material | tg.Shell] = {"body": rubber, "base": rubber, "strain_limiting_layer": paper}
 duration, filled = 0.2, 0.02
 history = tg.over_time([(0, 0), (filled, 1), (duration, 1)], duration)
 model = tg.Model(mesh, materials, [tg.Fixed("fixed")], [tg.Pressure("cavity", 50 * kPa, history=history)])
@@ -23,8 +22,8 @@ response = tg.measure(solution, tg.bending_angle)
 angle, time = response.column("bending_angle"), response.column("time")
 rest = tg.measure(still, tg.bending_angle).column("bending_angle")[-1]
 overshoot = angle.max() / rest - 1
-held = time > filled
-after, off = time[held], angle[held] - rest
+full = time > filled
+after, off = time[full], angle[full] - rest
 before = np.flatnonzero(np.diff(np.sign(off)))  # crossings lie between two steps, on a straight line
 crossings = after[before] - off[before] * np.diff(after)[before] / np.diff(off)[before]
 swing = 0.5 * (len(crossings) - 1) / (crossings[-1] - crossings[0])

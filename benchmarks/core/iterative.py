@@ -98,7 +98,7 @@ def section(size: float = 1.15e-3, bender: str = "M") -> str:
     text = (
         "The same equations solved by factors (rslab; single precision where that will do, one factorization and the "
         "solution) and by GMRES with two levels; those of the first and of the last iteration of a first step. One "
-        "thread, CPU seconds; the analysis of the pattern is left out of both. Whole steps: `docs/architecture.md`."
+        "thread, CPU seconds; the analysis of the pattern is left out of both. Whole steps: `benchmarks/choices.md`."
     )
     return f"## Iterative solver\n\n{text}\n\n{table((*head, 'GMRES to 1e-3: iterations, s', 'to 1e-6'), rows)}\n"
 

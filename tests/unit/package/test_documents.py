@@ -133,3 +133,19 @@ def test_pictures_of_the_architecture_show_what_exists(monkeypatch):
     for name in pictures.PARTS:
         module, attribute = name.rsplit(".", 1)
         assert hasattr(import_module(module), attribute), name
+
+
+def test_paths_named_on_the_page_on_the_architecture_exist():
+    source = ROOT / "src" / "turgor"
+    wings = "|".join(path.name for path in source.iterdir() if (path / "__init__.py").exists())
+    named = set(re.findall(rf"`((?:{wings})/[\w/]+)(?:\.py|\.\w+)?`", read("docs/architecture.md")))
+    assert len(named) > 15
+    assert [name for name in named if not (source / name).is_dir() and not (source / f"{name}.py").exists()] == []
+
+
+def test_each_wing_is_in_the_table_of_the_architecture_and_says_what_it_is():
+    wings = {path.parent.name: path for path in (ROOT / "src" / "turgor").glob("*/__init__.py")}
+    table = read("docs/architecture.md").partition("| wing |")[2].partition("\n\n")[0]
+    assert set(re.findall(r"(?m)^\| `(\w+)` \|", table)) == set(wings)
+    for name, path in wings.items():
+        assert re.match(rf'"""{name.replace("_", " ")}|"""command line', path.read_text("utf-8"), re.IGNORECASE), name

@@ -14,10 +14,11 @@ SPARE = 2
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Surfaces:
-    """Cubic radial basis functions with a polynomial part, one surface for each reading: s(u) = Σ wᵢ |u − uᵢ|³ + p(u).
+    """Cubic radial basis functions with a polynomial part, one surface for each reading.
 
-    They go through all points. Through n + 1 points in n dimensions they are linear. With more points the polynomial
-    has squares as well, and with more yet products, so that they are exact for a quadratic function.
+    They are ``s(u) = Σ wᵢ |u − uᵢ|³ + p(u)`` and go through all points. Through n + 1 points in n
+    dimensions they are linear. With more points the polynomial has squares as well, and with more yet products, so that
+    they are exact for a quadratic function.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ class PlaneCut:
         Where along x.
     fill : tuple of (region or None, Outline) [m]
         What lies within each loop of edges, as (y, z); later ones cover earlier ones.
-    edges : tuple of (name, (s, 2) array [m])
+    edges : tuple of (str, (s, 2) array [m])
         Name of the face that each edge bounds, and points on the edge.
     """
 
