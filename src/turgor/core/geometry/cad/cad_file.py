@@ -85,7 +85,7 @@ class CadFile:
 
     @property
     def wanted_symmetry(self) -> WantedSymmetry:
-        """What is asked for, with what forbids it."""
+        """What is requested, with what forbids it."""
         return self.symmetry if isinstance(self.symmetry, WantedSymmetry) else WantedSymmetry(self.symmetry)
 
 

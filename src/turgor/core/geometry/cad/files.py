@@ -185,9 +185,9 @@ def _assembly_names(geometry: Any, bodies: list[Any]) -> list[str]:
 
     def walk(node: Any) -> None:
         shape = node.shape
-        held = list(shape.solids) if shape is not None and not node.is_assembly else []
-        if len(held) == 1:
-            products[held[0]] = node.name or ""
+        solids = list(shape.solids) if shape is not None and not node.is_assembly else []
+        if len(solids) == 1:
+            products[solids[0]] = node.name or ""
         for child in node.children:
             walk(child)
 

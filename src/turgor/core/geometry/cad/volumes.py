@@ -117,7 +117,7 @@ def _samples(edge: Any) -> Array:
 
 def _mean_vertex(chosen: Sequence[Any]) -> Array:
     """Mean of the ends of all edges of all faces, the reference point of the kernel for an open shell."""
-    # the edge at the pole of a sphere has no length and no curve, and the kernel dies when it is asked for its ends
+    # the edge at the pole of a sphere has no length and no curve, and the kernel dies when its ends are requested
     edges = [edge for face in chosen for edge in face.edges]
     ends = [p for edge in edges if edge.mass > POLE for p in (edge.start, edge.end)]
     ends += [vertex.p for edge in edges if not edge.mass > POLE for vertex in edge.vertices]

@@ -14,8 +14,8 @@ _STATED = re.compile(
     r"(\d{1,9}(?:[.,]\d{1,12})?(?:[eE][+-]?\d{1,2})?)\"?\s?([A-Za-zµ]{1,4}[²2^]{0,2})?(?=[\s,;\".)\]]|$)"
 )
 
-#: Words beside the name of a dimension that do not change its meaning.
-_BESIDE = re.compile(r"\b(specimen|sample|strip|initial|original|gauge|gage|free|of|the|l0|w0|t0|a0)\b")
+#: Words next to the name of a dimension that do not change its meaning.
+_QUALIFIERS = re.compile(r"\b(specimen|sample|strip|initial|original|gauge|gage|free|of|the|l0|w0|t0|a0)\b")
 
 #: Dimension by its name, and by its symbol.
 _NAMES = {
@@ -114,7 +114,7 @@ def _statements(file: str, note: str, *, needed: bool) -> list[tuple[str, float,
 def _dimension(words: str) -> str | None:
     """Dimension that some words name; None for other words, such as the length of a stroke."""
     plain = re.sub(r"[_\-]+", " ", words.lower()).strip()
-    return _SYMBOLS.get(plain) or _NAMES.get(" ".join(_BESIDE.sub(" ", plain).split()))
+    return _SYMBOLS.get(plain) or _NAMES.get(" ".join(_QUALIFIERS.sub(" ", plain).split()))
 
 
 def _check(file: str, found: Mapping[str, tuple[float, str]], specimen: Specimen | None, sizes: Sizes) -> None:

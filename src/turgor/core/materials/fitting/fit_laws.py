@@ -118,14 +118,14 @@ def _solved(search: "_Search", starts: int, seed: int) -> tuple[Any, dict[str, A
     """Find the law, and what a `Fit` states about its parameters."""
     spec = search.spec
     shapes, agreed = search.run(starts, seed) if spec.shapes else ((), 1)
-    coefficients, held = search.coefficients(shapes)
+    coefficients, active = search.coefficients(shapes)
     try:
         made = spec.make(coefficients.tolist(), shapes)
     except TurgorError as error:
         raise TurgorError(f"{spec.name} cannot be fitted to these tests: {error}") from error
     residual = search.residual(coefficients, shapes)
     search.check_linear(made, residual)
-    known = search.uncertainty(coefficients, shapes, held)
+    known = search.uncertainty(coefficients, shapes, active)
     values = (*map(float, coefficients), *map(float, shapes))
     return made, {
         "spec": spec,
@@ -134,7 +134,7 @@ def _solved(search: "_Search", starts: int, seed: int) -> tuple[Any, dict[str, A
         "errors": dict(zip(spec.names, map(float, known.errors), strict=True)),
         "correlation": known.correlation,
         "combination": known.combination(spec.names, values, len(spec.coefficients)),
-        "bounds_hit": search.bounds_hit(coefficients, shapes, held),
+        "bounds_hit": search.bounds_hit(coefficients, shapes, active),
         "aic": _aic(residual, len(spec.names)),
         "starts": (agreed, starts if spec.shapes else 1),
     }
@@ -238,7 +238,7 @@ class _Search:
         signs = np.where(random.random(len(low)) < 0.35, -1.0, 1.0)
         return np.asarray(np.clip(sizes * signs, low + 1e-6, high - 1e-6))
 
-    def uncertainty(self, coefficients: Array, shapes: Sequence[float], held: Array) -> Uncertainty:
+    def uncertainty(self, coefficients: Array, shapes: Sequence[float], active: Array) -> Uncertainty:
         """Return the uncertainty from the Jacobian, in the directions without an active constraint."""
         J = [self._columns(shapes) * self._signs(shapes)]
         for k, value in enumerate(shapes):
@@ -247,7 +247,7 @@ class _Search:
             ahead[k], behind[k] = value + step, value - step
             J.append((self.residual(coefficients, ahead) - self.residual(coefficients, behind))[:, None] / (2 * step))
         jacobian = np.hstack(J)
-        limits = [np.hstack([row, np.zeros(len(shapes))]) for row in held]
+        limits = [np.hstack([row, np.zeros(len(shapes))]) for row in active]
         for k in range(len(shapes)):
             at_bound = np.isclose(shapes[k], self.bounds[k], rtol=1e-4).any()
             idle = self.spec.sign != "slope" and coefficients[k] == 0
@@ -257,7 +257,7 @@ class _Search:
             jacobian, self.residual(coefficients, shapes), np.array(limits).reshape(len(limits), jacobian.shape[1])
         )
 
-    def bounds_hit(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[str, ...]:
+    def bounds_hit(self, coefficients: Array, shapes: Sequence[float], active: Array) -> tuple[str, ...]:
         """Return a sentence for each active bound or constraint."""
         hit = []
         for name, value, (low, high) in zip(self.spec.shapes, shapes, self.bounds, strict=True):
@@ -267,7 +267,7 @@ class _Search:
         if self.spec.sign == "shape" and self.stable:
             names = zip(self.spec.coefficients, coefficients, strict=True)
             hit += [f"{name} is 0: this term is not needed" for name, value in names if value == 0]
-        elif len(held):
+        elif len(active):
             hit.append("stability over the range limits the coefficients")
         return tuple(hit)
 

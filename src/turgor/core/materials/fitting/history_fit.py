@@ -63,8 +63,8 @@ class HistoryFit:
     def describe(self) -> str:
         """Write the parameters with their standard errors, and name those that the tests do not determine."""
         lines = [f"{name} = {value:.4g} ± {self.errors[name]:.2g}" for name, value in self.values.items()]
-        held = (*self.bounds_hit, *(f"{name} is not determined" for name in self.undetermined))
-        return "\n".join((*lines, *held))
+        limits = (*self.bounds_hit, *(f"{name} is not determined" for name in self.undetermined))
+        return "\n".join((*lines, *limits))
 
 
 def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[FitResidual, ...]:

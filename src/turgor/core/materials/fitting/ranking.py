@@ -129,7 +129,7 @@ def _on_range(fits: Sequence[Fit]) -> list[str]:
     beyond = [found for found in fits[0].findings if found.code == "M01"]
     if beyond:
         least, most = fits[0].stretch
-        said.append(f"You asked for {least:.3g} to {most:.3g}, more than the tests cover.")
+        said.append(f"You requested {least:.3g} to {most:.3g}, more than the tests cover.")
     return said
 
 

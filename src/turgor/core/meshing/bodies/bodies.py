@@ -42,7 +42,7 @@ class Body:
     faces: tuple[str, ...]
 
 
-@lru_cache(maxsize=4)  # asked by several checks
+@lru_cache(maxsize=4)  # several checks need it
 def find_bodies(mesh: Mesh) -> tuple[Body, ...]:
     """Find the parts of a mesh that share no vertex: one for an actuator, several where `together` joined meshes.
 

@@ -161,7 +161,7 @@ def _filled(file: Path, shells: Sequence[Triangles], frame: Frame) -> RawMesh:
         try:
             made.GenerateVolumeMesh()
         except netgen.NgException:
-            pass  # no cells were made, which is told below with the places
+            pass  # no cells were made, which is reported below with the places
         finally:
             netgen.SetMessageImportance(before)
         said = text()

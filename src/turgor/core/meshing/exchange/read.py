@@ -94,7 +94,7 @@ def read_mesh(
     """
     file = Path(path)
     if unit is not None:
-        Frame(unit=unit, axes=axes)  # what is wrong with these is told before the file is read
+        Frame(unit=unit, axes=axes)  # what is wrong with these is reported before the file is read
     raw = _read(file)
     frame = Frame(unit=unit or raw.unit or DEFAULT_UNIT, axes=axes)
     mesh = named_mesh(raw, Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame))
@@ -114,7 +114,7 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
     ----------
     raw : RawMesh
     wishes : Wishes
-        Unit, axes and names that were asked for.
+        Unit, axes and names that were requested.
 
     Returns
     -------

@@ -14,7 +14,7 @@ from turgor.foundation.errors import TurgorError
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: A sample of a closed curve by which its direction is told.
+#: A sample of a closed curve by which its direction is determined.
 QUARTER = SAMPLES // 4
 
 

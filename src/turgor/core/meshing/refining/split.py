@@ -212,7 +212,7 @@ def _middle(x: Array, triangles: Ints) -> Array:
 
 
 def _cut_triangles(triangles: Ints, ranks: tuple[Ints, Ints], nodes: _Nodes) -> Ints:
-    """Cut the triangles of a face as the cells beside them were cut."""
+    """Cut the triangles of a face as the cells next to them were cut."""
     turns = np.array([[0, 1, 2, 3, 4, 5], [1, 2, 0, 4, 5, 3], [2, 0, 1, 5, 3, 4]])
     while True:
         cut = _first_marked(triangles, TRIANGLE_EDGES, ranks)

@@ -142,7 +142,7 @@ def _positions(x: Array, at: Array) -> Array:
 
 
 def _cut_sides(mesh: Mesh, sides: Ints, chosen: Ints, of_cell: Ints, known: dict[int, int]) -> Ints:
-    """Cut the sides of a face as the cells beside them were cut."""
+    """Cut the sides of a face as the cells next to them were cut."""
     if not len(sides):
         return sides
     cut = _cut_edges(mesh, chosen, of_cell)

@@ -125,7 +125,7 @@ def _loops(
     """Loops of the section with what is in them, and its edges by the faces that meet there."""
     plane, radial = letters[0], "xyz".index(letters[1])
     scale = geometry.length_scale
-    beside = [(face, set(face.edges)) for face in geometry._cad.faces]
+    borders = [(face, set(face.edges)) for face in geometry._cad.faces]
     loops: list[Fill] = []
     edges: list[tuple[str, Array]] = []
     for solid in geometry._cad.solids:
@@ -136,7 +136,9 @@ def _loops(
                 lines = [_points(edge, axis, radial, center / scale) * scale for edge in wire]
                 loops.append((str(solid.name) if number == 0 else None, outline_of(lines)))
                 for edge, line in zip(wire, lines, strict=True):
-                    names = [str(f.name) for f, owned in beside if edge in owned and not f.name.startswith("symmetry_")]
+                    names = [
+                        str(f.name) for f, owned in borders if edge in owned and not f.name.startswith("symmetry_")
+                    ]
                     if names:
                         edges.append((names[0], line))
     return loops, edges

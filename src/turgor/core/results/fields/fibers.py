@@ -126,8 +126,8 @@ def smooth_tension(pieces: Pieces, tension: Array) -> Array:
     places = nodes + (nodes.max() + 1) * pieces.hand[:, None]
     weights = np.repeat(pieces.weights, corners)
     total = np.bincount(places.ravel(), weights)
-    held = np.bincount(places.ravel(), weights * np.repeat(tension, corners))
-    return np.asarray((held / np.where(total > 0, total, 1.0))[places].mean(axis=1))
+    weighted = np.bincount(places.ravel(), weights * np.repeat(tension, corners))
+    return np.asarray((weighted / np.where(total > 0, total, 1.0))[places].mean(axis=1))
 
 
 def threads_with_tension(at: StateFields) -> list[tuple[Array, Array]]:

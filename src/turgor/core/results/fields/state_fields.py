@@ -60,7 +60,7 @@ class MeshFacts:
         self._made: dict[Hashable, Any] = {}
 
     def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
-        """Return what was made under a key, which is made when it is first asked for."""
+        """Return what was made under a key, which is made when it is first requested."""
         if key not in self._made:
             self._made[key] = make()
         found: Made = self._made[key]
@@ -138,7 +138,7 @@ class StateFields:
         self._made: dict[Hashable, Any] = {}
 
     def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
-        """Return what was made of this state under a key, which is made when it is first asked for."""
+        """Return what was made of this state under a key, which is made when it is first requested."""
         if key not in self._made:
             self._made[key] = make()
         found: Made = self._made[key]

@@ -1,4 +1,4 @@
-"""Files for ParaView of discrete threads and obstacles, beside that of the body."""
+"""Files for ParaView of discrete threads and obstacles, besides that of the body."""
 
 from collections.abc import Mapping
 

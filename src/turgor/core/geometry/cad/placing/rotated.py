@@ -27,7 +27,7 @@ def turned_part(part: Part, rotation: Array) -> Part:
 
 
 def turned_naming(part: Part, naming: Naming, given: Collection[str]) -> Naming:
-    """Return the names of the faces of a part after it was turned: cavities that were found are numbered along x anew.
+    """Return the names of the faces of a part after it was turned: cavities that were found are numbered along x again.
 
     Parameters
     ----------

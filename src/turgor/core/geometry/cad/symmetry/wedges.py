@@ -16,8 +16,8 @@ from turgor.units import mm
 OF_REVOLUTION = 6
 
 
-def asked_wedge(part: Part, names: Sequence[str], found: PartSymmetry, fold: int | None) -> Wedge:
-    """The wedge that is asked for by name, with the largest number of sectors where none is given.
+def requested_wedge(part: Part, names: Sequence[str], found: PartSymmetry, fold: int | None) -> Wedge:
+    """The wedge that is requested by name, with the largest number of sectors where none is given.
 
     Raises
     ------
@@ -64,7 +64,7 @@ def cut_to_wedge(part: Part, names: Sequence[str], wedge: Wedge) -> Modeled:
     """Cut a sector out of a part; cavities that a turn joins get one name."""
     renamed = _together(part, names, wedge)
     own, cut = sector(part, [renamed.get(name, name) for name in names], wedge)
-    return Modeled(part=own, names=cut, findings=(_told(wedge, renamed),), wedge=wedge, renamed=renamed)
+    return Modeled(part=own, names=cut, findings=(_finding(wedge, renamed),), wedge=wedge, renamed=renamed)
 
 
 def _wedge(found: PartSymmetry, fold: int) -> Wedge:
@@ -86,7 +86,7 @@ def _together(part: Part, names: Sequence[str], wedge: Wedge) -> dict[str, str]:
     return {name: leader for name, leader in first.items() if leader != name}
 
 
-def _told(wedge: Wedge, renamed: dict[str, str]) -> Finding:
+def _finding(wedge: Wedge, renamed: dict[str, str]) -> Finding:
     """Say what is modeled."""
     names = {name: sorted(each for each, to in renamed.items() if to == name) for name in renamed.values()}
     together = "".join(f" '{name}' stands for {', '.join(each)}, under one pressure." for name, each in names.items())

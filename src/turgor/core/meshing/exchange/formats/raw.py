@@ -97,7 +97,7 @@ class RawMesh:
     sections : tuple of str
         Groups that the file gives a material, which together hold every cell once.
     named : bool
-        Whether the groups were named by a person: they then become regions and faces without being asked for.
+        Whether the groups were named by a person: they then become regions and faces without a request.
     unit : str
         Unit of length that the file states; empty where it states none.
     left_out : tuple of str
