@@ -128,9 +128,7 @@ def _path(of: Solution) -> str:
     if not of.states:
         return ""
     known = {"tip", "fixed"} <= of.model.mesh.faces.keys()
-    measures = (
-        (tip_displacement, bending_angle) if known else (tip_displacement,) if "tip" in of.model.mesh.faces else ()
-    )
+    shown = (tip_displacement, bending_angle) if known else (tip_displacement,) if "tip" in of.model.mesh.faces else ()
     return _table(measure(of, *shown)) if shown else ""
 
 
