@@ -129,9 +129,9 @@ class Material(Shown):
 def _range(given: object, what: str) -> tuple[float, float]:
     """Return two stretches that were given, the smaller one first."""
     needed = f"{what} is {shown(given)}; two stretches above 0 are needed, the smaller one first"
-    if isinstance(given, str) or not isinstance(given, Iterable) or len(found := list(given)) != 2:
+    if isinstance(given, str) or not isinstance(given, Iterable) or len(bounds := list(given)) != 2:
         raise TurgorError(f"{needed}.")
-    low, high = (number(each, what) for each in found)
+    low, high = (number(each, what) for each in bounds)
     if not 0 < low <= high:
         raise TurgorError(f"{needed}.")
     return low, high

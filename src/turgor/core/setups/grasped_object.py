@@ -128,16 +128,16 @@ def _object_of(model: Model, setup: Grasp) -> Obstacle:
         if not obstacles:
             raise TurgorError(f"a grasp needs an obstacle '{setup.object}' to grasp; the model has no obstacles.")
         raise unknown("obstacle", setup.object, obstacles)
-    found = obstacles[setup.object]
+    target = obstacles[setup.object]
     said = f"a grasp of the obstacle '{setup.object}'"
     for key in ("path", "spring"):
-        if getattr(found, key):
+        if getattr(target, key):
             raise TurgorError(f"{said}: it is rigid and pulled by the grasp; leave its {key} out.")
-    if isinstance(found.shape, Plane):
+    if isinstance(target.shape, Plane):
         raise TurgorError(f"{said}: it is a plane, which has no far side; take a cylinder, sphere, box or STL file.")
-    if isinstance(found.shape, Cylinder):
-        _check_axis(said, found.shape, setup.fingers)
-    return found
+    if isinstance(target.shape, Cylinder):
+        _check_axis(said, target.shape, setup.fingers)
+    return target
 
 
 def _loads(model: Model, setup: Grasp) -> tuple[Pressure, ...]:

@@ -257,8 +257,8 @@ class _Layers:
             draw_lines(image, (outline, inner), GHOST, 0.0)  # one pixel wide already
         draw_lines(image, lines, INK, 0.9 * SAMPLES)
         tense = self._view.color_by == FIBER_TENSION
-        found = visible_threads(front, hits, band, self._overlays.threads)
-        draw_threads(image, found, (2.4 if tense else 1.6) * SAMPLES, self._of_tension if tense else None)
+        threads = visible_threads(front, hits, band, self._overlays.threads)
+        draw_threads(image, threads, (2.4 if tense else 1.6) * SAMPLES, self._of_tension if tense else None)
         distance = np.where(free, np.inf, front.distance(hits))
         if self._obstacles is not None:
             scene, seen = self._obstacles.scene, self._obstacles.hits(band, rows)

@@ -146,11 +146,11 @@ def _along_x(part: Part, naming: Naming, faces: Mapping[str, Selector]) -> tuple
     """A part that lies along x, with its names; what was done is a finding."""
     rotation, clear = found_rotation(part, naming.names)
     if rotation is not None:
-        found = placing_finding(part, rotation)
+        finding = placing_finding(part, rotation)
         given = {*faces, *(item.name for item in part.items)}
         part = turned_part(part, rotation)
         naming = turned_naming(part, naming, given)
-        return part, replace(naming, findings=(*naming.findings, found))
+        return part, replace(naming, findings=(*naming.findings, finding))
     return part, naming if clear else replace(naming, findings=(*naming.findings, placing_finding(part, None)))
 
 

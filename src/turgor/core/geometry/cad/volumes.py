@@ -164,10 +164,10 @@ def _straight(start: Array, end: Array) -> Array:
 
 def _chain_at(facets: Facets, edges: NDArray[np.int64], loop: Array) -> NDArray[np.int64]:
     """Boundary edges of the facets whose corners lie on a loop."""
-    best, found = np.inf, np.zeros(0, dtype=np.int64)
+    best, best_chain = np.inf, np.zeros(0, dtype=np.int64)
     for chain in chains(edges, closed=False):
         points = facets.points[np.unique(edges[chain])]
         off = np.linalg.norm(points[:, None] - loop[None, :, 0], axis=2).min(axis=1).max()
         if off < best:
-            best, found = off, chain
-    return found
+            best, best_chain = off, chain
+    return best_chain

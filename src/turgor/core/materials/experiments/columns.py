@@ -113,17 +113,19 @@ def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> t
         if name not in names:
             raise TurgorError(f"'{file}': {unknown('column', name, [each for each in names if each])}")
         stated[names.index(name)] = role
-    found = []
+    columns = []
     for index, name in enumerate(names):
         text, unit = split_unit(name)
         role = stated.get(index, role_of(text))
         if role in WORDS:
-            found.append(Column(index=index, name=name, role=role, factor=1.0))
+            columns.append(Column(index=index, name=name, role=role, factor=1.0))
         elif role == "time" and unit not in FACTORS["time"] and index not in stated:
             continue  # a clock or a counter; what needs a time raises its own error
         elif role:
-            found.append(Column(index=index, name=name, role=role, factor=_factor(name, unit, DIMENSIONS[role], file)))
-    return tuple(found)
+            columns.append(
+                Column(index=index, name=name, role=role, factor=_factor(name, unit, DIMENSIONS[role], file))
+            )
+    return tuple(columns)
 
 
 def split_unit(name: str) -> tuple[str, str | None]:

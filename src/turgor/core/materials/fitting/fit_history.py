@@ -144,8 +144,8 @@ def _best(search: _Search) -> Array:
     low, high = search.bounds
     random = np.random.default_rng(0)
     starts = [low + (high - low) * random.uniform(0.1, 0.9, len(low)) for _ in range(STARTS)]
-    found = [least_squares(search.residual, start, bounds=(low, high)) for start in starts]
-    return np.asarray(min(found, key=lambda each: each.cost).x)
+    fits = [least_squares(search.residual, start, bounds=(low, high)) for start in starts]
+    return np.asarray(min(fits, key=lambda each: each.cost).x)
 
 
 def _values(search: _Search, x: Array) -> dict[str, float]:

@@ -88,9 +88,9 @@ def fit(
     used = _used(given, stretch, spec)
     wanted = _range(used, stretch)
     search = _Search(spec, FitPoints(used, weights), _mode_ranges(wanted, strict=stretch is not None), stable)
-    made, found = _solved(search, starts, seed)
+    made, facts = _solved(search, starts, seed)
     fitted = Fit(
-        **found,
+        **facts,
         quality=tuple(FitResidual.of(test, test.predicted(made)) for test in used),
         stretch=wanted,
         stretch_range=covered_range(given, wanted),
@@ -186,10 +186,10 @@ class _Search:
 
     def coefficients(self, shapes: Shapes) -> tuple[Array, Array]:
         """Return the best coefficients for given shapes, and the active constraints as rows."""
-        found, active = solve_constrained(self._columns(shapes), self.points.target, self.G, self.h)
+        best, active = solve_constrained(self._columns(shapes), self.points.target, self.G, self.h)
         if self.spec.sign != "slope" and len(self.G):
-            found = np.where(active, 0.0, np.maximum(found, 0.0))
-        return found * self._signs(shapes) + 0.0, self.G[active]
+            best = np.where(active, 0.0, np.maximum(best, 0.0))
+        return best * self._signs(shapes) + 0.0, self.G[active]
 
     def residual(self, coefficients: Array, shapes: Shapes) -> Array:
         """Return the weighted residual at every point."""
@@ -291,8 +291,8 @@ def _instability(law: Law, stretch: tuple[float, float]) -> dict[str, float]:
     """Stretch at which stability is first lost in a range, by the strictest criterion; stable modes are left out."""
     low, high = min(stretch[0], 1.0), max(stretch[1], 1.0)
     modes: tuple[Mode, ...] = ("uniaxial", "equibiaxial", "planar")
-    found = {mode: instabilities(law, mode, high, low) for mode in modes}
-    return {mode: float(next(iter(lost.values()))) for mode, lost in found.items() if lost}
+    unstable = {mode: instabilities(law, mode, high, low) for mode in modes}
+    return {mode: float(next(iter(lost.values()))) for mode, lost in unstable.items() if lost}
 
 
 def _range(tests: Sequence[MaterialTest], stretch: tuple[float, float] | None) -> tuple[float, float]:

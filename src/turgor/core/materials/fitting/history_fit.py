@@ -81,9 +81,9 @@ def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[FitRe
     assert isinstance(law, Law)
     g, tau = (series.g, series.tau) if series is not None else ((), ())
     factor = 1.0 if series is None else series.instantaneous
-    found = []
+    residuals = []
     for test in tests:
         part = HistoryPart(law, test, POINTS)
         predicted = factor * (part.columns(material.stress_softening, tau) @ np.array([1 - sum(g), *g]))
-        found.append(FitResidual.of(part.loaded_test, predicted * part.scale))
-    return tuple(found)
+        residuals.append(FitResidual.of(part.loaded_test, predicted * part.scale))
+    return tuple(residuals)

@@ -185,7 +185,9 @@ class Fit(Shown):
                 detail=detail,
                 # M01 and M03 concern a use, and M06 is checked again for every law; M02 concerns the tests
                 doubts=tuple(
-                    f"{found.code} {found.severity}: {found.message}" for found in self.findings if found.code == "M02"
+                    f"{finding.code} {finding.severity}: {finding.message}"
+                    for finding in self.findings
+                    if finding.code == "M02"
                 ),
             ),
         )

@@ -159,20 +159,20 @@ def _faces(mesh: Mesh, sides: Sides, parts: Parts, chains: list[Ints]) -> tuple[
             if edge >= 0:
                 rims[number].add(edge)
     rim_nodes = np.unique(sides.edges[on >= 0])
-    found: dict[int, OnFace] = {}
+    placed_faces: dict[int, OnFace] = {}
     for number, rim in rims.items():
         triangles = sides.triangles[owner == number]
         nodes = np.setdiff1d(triangles, rim_nodes)
-        for face in (i for i, known in enumerate(parts.rims) if known == rim and rim and i not in found):
+        for face in (i for i, known in enumerate(parts.rims) if known == rim and rim and i not in placed_faces):
             on_surface = located(parts.surfaces[face], mesh.points, triangles, nodes)
             if on_surface is not None and _close(mesh, sides, nodes, on_surface[1]):
-                found[face] = OnFace(triangles, nodes, *on_surface)
+                placed_faces[face] = OnFace(triangles, nodes, *on_surface)
                 break
         else:
             raise _off_shape(mesh, "faces")
-    if len(found) < len(parts.surfaces):
+    if len(placed_faces) < len(parts.surfaces):
         raise _off_shape(mesh, "faces")
-    return tuple(found[face] for face in range(len(found)))
+    return tuple(placed_faces[face] for face in range(len(placed_faces)))
 
 
 def _enclosed(sides: Sides, crossed: NDArray[np.bool_]) -> Ints:

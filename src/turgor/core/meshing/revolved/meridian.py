@@ -70,10 +70,10 @@ def meridian_of(geometry: Geometry) -> Meridian:
     # of a part with three mirror planes each axis may be the one
     possible = [axis for axis in range(3) if set("xyz") - {"xyz"[axis]} <= set(letters)]
     for axis in possible:
-        found = _about(geometry, axis)
-        volume = _turned_volume(found)
+        meridian = _about(geometry, axis)
+        volume = _turned_volume(meridian)
         if abs(volume - geometry.solid_volume) <= SAME_VOLUME * geometry.solid_volume:
-            return found
+            return meridian
     raise TurgorError(
         f"'{geometry.name}' is no body of revolution: its section, turned by a quarter, has {volume * 1e9:.6g} mm³, "
         f"the part has {geometry.solid_volume * 1e9:.6g} mm³. Use another kind of cells."

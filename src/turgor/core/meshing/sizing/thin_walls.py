@@ -99,10 +99,10 @@ def find_thin_walls(mesh: Mesh, size: float, stated: Collection[str] = ()) -> Th
 
 def _on_faces(mesh: Mesh, surface: NDArray[np.int64], names: Collection[str]) -> NDArray[np.bool_]:
     """Whether each triangle lies on one of some faces."""
-    found = np.zeros(len(surface), dtype=bool)
+    on_faces = np.zeros(len(surface), dtype=bool)
     for name in names:
-        found |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
-    return found
+        on_faces |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
+    return on_faces
 
 
 def refuse_thin_walls(walls: ThinWalls, name: str) -> None:

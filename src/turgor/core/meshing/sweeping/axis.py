@@ -80,7 +80,7 @@ def _edges_at(section: SectionMesh, radius: float) -> tuple[Ints, Ints]:
         there = np.flatnonzero((np.abs(section.points[edge, 1] - radius) <= tolerance).all(axis=1))
         edges.append(edge[there])
         owner.append(there)
-    found = np.concatenate(edges)
-    backwards = section.points[found[:, 0], 0] > section.points[found[:, 2], 0]
-    found[backwards] = found[backwards][:, ::-1]
-    return found, np.concatenate(owner)
+    on_axis = np.concatenate(edges)
+    backwards = section.points[on_axis[:, 0], 0] > section.points[on_axis[:, 2], 0]
+    on_axis[backwards] = on_axis[backwards][:, ::-1]
+    return on_axis, np.concatenate(owner)

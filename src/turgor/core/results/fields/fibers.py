@@ -137,9 +137,9 @@ def threads_with_tension(at: StateFields) -> list[tuple[Array, Array]]:
         return []
     from scipy.spatial import cKDTree  # slow to load, and few models have threads
 
-    found = fiber_results(at)
-    places = np.concatenate([image.of(each.positions) for image in at.facts.images for each in found])
-    tension = np.tile(np.concatenate([each.tension for each in found]), len(at.facts.images))
+    fibers = fiber_results(at)
+    places = np.concatenate([image.of(each.positions) for image in at.facts.images for each in fibers])
+    tension = np.tile(np.concatenate([each.tension for each in fibers]), len(at.facts.images))
     nearest = cKDTree(places)
     return [(line, tension[nearest.query(line)[1]]) for line in lines]
 

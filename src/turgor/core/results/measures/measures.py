@@ -251,10 +251,10 @@ def _drive(solution: Solution) -> tuple[Column, ...]:
     columns = [Column("load_factor", "", factors), *stage_column(solution), *time_column(solution)]
     common = common_pressure(solution.model.loads)
     if not all(state.model is solution.model and stated_by_loads(state) for state in solution.states):
-        found = [pressures_of(state) for state in solution.states]
-        for face in found[0]:
-            name = "pressure" if len(found[0]) == 1 else f"{as_column(face)}_pressure"
-            columns.append(Column(name, "kPa", np.array([at[face] for at in found])))
+        pressures = [pressures_of(state) for state in solution.states]
+        for face in pressures[0]:
+            name = "pressure" if len(pressures[0]) == 1 else f"{as_column(face)}_pressure"
+            columns.append(Column(name, "kPa", np.array([at[face] for at in pressures])))
     elif common is not None:
         columns.append(Column("pressure", "kPa", np.array([common.at(factor) for factor in factors])))
     elif solution.model.pressures:

@@ -53,11 +53,11 @@ def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Mo
             f"symmetry: '{part.path}' is given by facets, and is cut at mirror planes only, not to a wedge: "
             'use "automatic" or "y", or export STEP.'
         )
-    found = facet_symmetry(part, names) if facets else find_symmetry(part, names)
+    symmetry = facet_symmetry(part, names) if facets else find_symmetry(part, names)
     if wanted.wedge:
-        return cut_to_wedge(part, names, requested_wedge(part, names, found, wanted.fold))
-    used, left = _chosen(part, found, wanted)
-    smaller = smaller_wedge(part, names, found, wanted, 2 ** len(used)) if wanted.automatic else None
+        return cut_to_wedge(part, names, requested_wedge(part, names, symmetry, wanted.fold))
+    used, left = _chosen(part, symmetry, wanted)
+    smaller = smaller_wedge(part, names, symmetry, wanted, 2 ** len(used)) if wanted.automatic else None
     if smaller is not None:
         return cut_to_wedge(part, names, smaller)
     for plane in used:
@@ -65,9 +65,9 @@ def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Mo
     return Modeled(part=part, names=tuple(names), findings=(_finding(used, left),))
 
 
-def _chosen(part: Part, found: PartSymmetry, wanted: WantedSymmetry) -> tuple[list[MirrorPlane], dict[str, str]]:
+def _chosen(part: Part, symmetry: PartSymmetry, wanted: WantedSymmetry) -> tuple[list[MirrorPlane], dict[str, str]]:
     """The planes to cut at, and why the others are left."""
-    mirrors = {plane.normal: plane for plane in found.mirrors}
+    mirrors = {plane.normal: plane for plane in symmetry.mirrors}
     if not wanted.automatic:
         for letter in wanted.normals:
             _check_has(part, letter, mirrors)

@@ -152,11 +152,11 @@ def rows_of(ids: Ints, known: Ints, path: Path, what: str) -> Ints:
         raise TurgorError(f"'{path}': the file defines no {what}s.")
     order = np.argsort(known, kind="stable")
     place = np.minimum(np.searchsorted(known[order], ids), len(known) - 1)
-    found = np.asarray(order[place])
-    wrong = known[found] != ids
+    rows = np.asarray(order[place])
+    wrong = known[rows] != ids
     if wrong.any():
         raise TurgorError(f"'{path}': {what} {int(ids[wrong].flat[0])} is used, but the file does not define it.")
-    return found
+    return rows
 
 
 def numbers(text: str, path: Path, what: str) -> list[float]:
