@@ -9,7 +9,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from turgor.core.geometry import occ
-from turgor.core.geometry.cad.declared import check_complete
+from turgor.core.geometry.cad.step_declarations import check_complete
 from turgor.core.geometry.cad.stl import stl_bodies
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.cad_unit import unit_in_doubt

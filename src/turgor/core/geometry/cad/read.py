@@ -9,7 +9,7 @@ from turgor.core.geometry.cad.files import check_file, reading
 from turgor.core.geometry.cad.naming import STANDARD, Naming, name_faces
 from turgor.core.geometry.cad.part import Part, load_part
 from turgor.core.geometry.cad.placing.orientation import found_rotation, placing_finding
-from turgor.core.geometry.cad.placing.rotated import turned_naming, turned_part
+from turgor.core.geometry.cad.placing.rotate_part import turned_naming, turned_part
 from turgor.core.geometry.cad.selectors import ByName, Selector
 from turgor.core.geometry.cad.split import SplitPlane
 from turgor.core.geometry.cad.surface.shape import SurfaceShape

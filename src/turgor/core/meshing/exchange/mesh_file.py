@@ -93,10 +93,10 @@ class MeshFile:
 
     def read(self) -> Mesh:
         """Read the mesh."""
-        from turgor.core.meshing.exchange.fill import (
+        from turgor.core.meshing.exchange.read import read_mesh
+        from turgor.core.meshing.exchange.surface_filling import (
             mesh_surfaces,  # here: readers load much, and every job loads this file
         )
-        from turgor.core.meshing.exchange.read import read_mesh
 
         surface = Path(self.file).suffix.lower() == ".stl"
         reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh

@@ -10,7 +10,7 @@ from turgor.core.meshing.exchange.boundary import Sides, components, enclosed_vo
 from turgor.core.meshing.exchange.cavities import sides_on_stl
 from turgor.core.meshing.exchange.formats.raw import Ints, RawMesh
 from turgor.core.meshing.exchange.frame import Frame
-from turgor.core.meshing.exchange.numbered import ByNodes, BySides, numbered_sides
+from turgor.core.meshing.exchange.node_selectors import ByNodes, BySides, numbered_sides
 from turgor.core.meshing.exchange.selectors import Choice, parts_of, picked_cells, picked_sides
 from turgor.core.meshing.exchange.solids import Solids
 from turgor.foundation.errors import TurgorError, unknown

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from turgor.core.geometry.cad.walls import thinnest_wall
 from turgor.core.meshing.cells import TETRAHEDRON, six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.core.meshing.quality.facing import OPPOSED, edge_keys, unit_normals
+from turgor.core.meshing.quality.facing_walls import OPPOSED, edge_keys, unit_normals
 from turgor.core.meshing.quality.quality_cache import once_per_mesh
 from turgor.core.meshing.surface import among, check_surface, outer_triangles
 from turgor.foundation.finding import Finding, Severity

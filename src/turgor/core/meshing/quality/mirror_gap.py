@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.quality.facing import OPPOSED, first_hits, unit_normals
+from turgor.core.meshing.quality.facing_walls import OPPOSED, first_hits, unit_normals
 from turgor.core.meshing.quality.proximity import REACH
 from turgor.core.meshing.surface import outer_triangles
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.core.meshing.quality.facing import OPPOSED, first_hits, unit_normals
+from turgor.core.meshing.quality.facing_walls import OPPOSED, first_hits, unit_normals
 from turgor.core.meshing.sizing.sizes import LARGEST_SIZE_PER_WALL, MOST_UNKNOWNS, UNKNOWNS_PER_SIZE_SQUARED
 from turgor.core.meshing.surface import outer_triangles
 from turgor.foundation.errors import TurgorError

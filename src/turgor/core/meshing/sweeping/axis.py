@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.extrusion import Sweep, Turned
 from turgor.core.geometry.shapes.sections import Outline, rectangle
-from turgor.core.meshing.places import same_places
+from turgor.core.meshing.coinciding_points import same_places
 from turgor.core.meshing.sweeping.hexahedra import PLACES, Filling
 from turgor.core.meshing.sweeping.polar import core_section
 from turgor.core.meshing.sweeping.section import SAME_LINE, Fineness, SectionMesh, is_solid, names_at
