@@ -9,8 +9,8 @@ if TYPE_CHECKING:
     from turgor.core.meshing.exchange import mesh_surfaces as mesh_surfaces
     from turgor.core.meshing.exchange import read_mesh as read_mesh
     from turgor.core.meshing.exchange.formats.write_stl import write_stl as write_stl
-    from turgor.core.meshing.exchange.numbered import ByNodes as ByNodes
-    from turgor.core.meshing.exchange.numbered import BySides as BySides
+    from turgor.core.meshing.exchange.node_selectors import ByNodes as ByNodes
+    from turgor.core.meshing.exchange.node_selectors import BySides as BySides
     from turgor.core.model.write_inp import compressible as compressible
     from turgor.core.model.write_inp import write_inp as write_inp
     from turgor.core.results.files.modes_vtu import write_modes as write_modes

@@ -309,7 +309,7 @@ def test_contact_reaches_the_model_and_the_report(tmp_path):
         "ball: sphere of radius 7.3 mm around (0, 0, -9) mm; with friction 0.5; moved by (0, 0, 3.3) mm at load factor "
         "0.4, (0, 0, 0) mm at load factor 1.",
         "bar: cylinder 30 mm long of radius 7 mm around (0, 0, -9) mm along (0, 1, 0); without friction; touches tip "
-        "only; held by a spring of 50 N/m.",
+        "only; supported by a spring of 50 N/m.",
         "rail: endless cylinder of radius 7 mm around (0, 0, 0) mm along (0.3293, -0.5488, 0.7683); without friction.",
         "block: box of 10 × 20 × 6 mm around (0, 0, -9) mm, its edges rounded by 1 mm; without friction.",
     ]

@@ -336,7 +336,7 @@ def test_what_inp_files_cannot_say_is_refused(tmp_path):
         write_inp(model, tmp_path / "a.inp", program="abaqus")
     held = [Fixed("fixed"), Radial("outside")]
     plain = Model(model.mesh, model.materials, held, model.loads)
-    with pytest.raises(TurgorError, match="'outside' is held radially"):
+    with pytest.raises(TurgorError, match="'outside' is fixed radially"):
         write_inp(plain, tmp_path / "a.inp", program="abaqus")
     sheet = Shell(from_library("kevlar-fiber"), 0.1 * mm)
     bent = Model(model.mesh, {**model.materials, "outside": sheet}, [Fixed("fixed")], model.loads)

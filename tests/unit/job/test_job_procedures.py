@@ -122,7 +122,7 @@ def test_the_lock_file_repeats_them(tmp_path: Path, text: str) -> None:
             BLOCKED,
             "friction = 0.2",
             'rotational_spring = "1 N m/rad"',
-            "rotational_spring belongs to a tip that is held",
+            "rotational_spring belongs to a tip that is fixed",
         ),
         (BLOCKED, "distance", "distanc", "unknown key 'distanc'; did you mean 'distance'?"),
         (BLOCKED, '"-z"', '"down"', "unknown direction 'down'"),

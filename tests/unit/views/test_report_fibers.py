@@ -46,4 +46,4 @@ def test_fibers_sheets_and_radial_supports_in_words():
         ("in compression", "50 % of the stiffness"),
     ]
     assert "Connolly" in first.source
-    assert describe.supports(model)[0] == f"{face} held radially, around the axis (1.0, 0.0, 0.0)."
+    assert describe.supports(model)[0] == f"{face} does not move radially, around the axis (1.0, 0.0, 0.0)."

@@ -92,7 +92,7 @@ def test_page_holds_every_fact_and_no_request(tmp_path, solution, png):
     for fact in (
         "Finger", "limit point", "Reached 50 kPa.", "B02 error", "Walls met at 7 kPa. Stay below.", "M04 warning",
         "50 kPa pressure", "85.94° bending angle", "wall 1 mm", "Undeformed.", "Gauge pressure 50 kPa on cavity",
-        "fixed held in x, y, z.", "symmetry_y is a mirror plane.", "ten-node tetrahedra (half, mirrored)",
+        "fixed does not move in x, y, z.", "symmetry_y is a mirror plane.", "ten-node tetrahedra (half, mirrored)",
         "coefficients C10 = 0.12 MPa", "Neo-Hookean law W = C10", "infinite: fully incompressible",
         "source stated in the script", "2 attempted steps", "2 steps accepted, 0 cut back, 8 iterations",
         "numpy 2.0", "threads 2", "turgor run job.lock.toml", "response.csv all states", "on 2026-11-21",
@@ -192,7 +192,11 @@ def test_loads_and_supports_in_words():
         "Gauge pressure 5 kPa on cavity, following the surface.", "Traction (1, 0, -2) kPa on tip, fixed in direction.",
         "Gravity 9.80665 m/s² along (0, 0, -1).", "Force per volume, given as a function of position.",
     ]  # fmt: skip
-    assert describe.supports(model) == ["fixed held in x, z.", "tip moved in y.", "The whole surface moved in x, y, z."]
+    assert describe.supports(model) == [
+        "fixed does not move in x, z.",
+        "tip moved in y.",
+        "The whole surface moved in x, y, z.",
+    ]
     assert describe.loads(Model(mesh, {"body": rubber, "base": rubber}, [], [])) == ["None."]
 
 

@@ -22,8 +22,8 @@ def unit_in_doubt(file: str, longest: float) -> tuple[Finding, ...]:
 
     Examples
     --------
-    >>> (found,) = unit_in_doubt("finger.vtk", 3e-3)
-    >>> found.message
+    >>> (finding,) = unit_in_doubt("finger.vtk", 3e-3)
+    >>> finding.message
     "'finger.vtk' states no unit; read in mm, the part is only 3 mm long."
     >>> unit_in_doubt("finger.vtk", 30e-3)
     ()

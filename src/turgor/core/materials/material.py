@@ -109,16 +109,16 @@ class Material(Shown):
             raise TurgorError(f"material '{self.name}': bending_stiffness is {value:g} N m; it must be positive.")
 
     def __repr__(self) -> str:
-        told = [f"'{self.name}'", f"{self.law!r} [SI]"]
+        parts = [f"'{self.name}'", f"{self.law!r} [SI]"]
         if not isinstance(self.law, Hooke):
-            told.append("incompressible" if self.incompressible else f"bulk modulus {self.bulk_modulus:.4g} Pa")
-        told += [f"bending stiffness {self.bending_stiffness:.4g} N m"] if self.bending_stiffness is not None else []
-        told += [f"{self.density:g} kg/m³"] if self.density is not None else []
+            parts.append("incompressible" if self.incompressible else f"bulk modulus {self.bulk_modulus:.4g} Pa")
+        parts += [f"bending stiffness {self.bending_stiffness:.4g} N m"] if self.bending_stiffness is not None else []
+        parts += [f"{self.density:g} kg/m³"] if self.density is not None else []
         if self.stretch_range is not None:
-            told.append(f"fitted to stretches {self.stretch_range[0]:.4g} to {self.stretch_range[1]:.4g}")
-        told += ["relaxes"] if self.viscoelasticity else []
-        told += ["softens"] if self.stress_softening else []
-        return f"Material({', '.join(told)})"
+            parts.append(f"fitted to stretches {self.stretch_range[0]:.4g} to {self.stretch_range[1]:.4g}")
+        parts += ["relaxes"] if self.viscoelasticity else []
+        parts += ["softens"] if self.stress_softening else []
+        return f"Material({', '.join(parts)})"
 
     @property
     def incompressible(self) -> bool:
@@ -129,9 +129,9 @@ class Material(Shown):
 def _range(given: object, what: str) -> tuple[float, float]:
     """Return two stretches that were given, the smaller one first."""
     needed = f"{what} is {shown(given)}; two stretches above 0 are needed, the smaller one first"
-    if isinstance(given, str) or not isinstance(given, Iterable) or len(found := list(given)) != 2:
+    if isinstance(given, str) or not isinstance(given, Iterable) or len(bounds := list(given)) != 2:
         raise TurgorError(f"{needed}.")
-    low, high = (number(each, what) for each in found)
+    low, high = (number(each, what) for each in bounds)
     if not 0 < low <= high:
         raise TurgorError(f"{needed}.")
     return low, high

@@ -26,8 +26,8 @@ from turgor.core.meshing.sizing.local_sizes import local_sizes
 from turgor.core.meshing.sizing.sizes import CELLS_PER_RADIUS, is_tube, size_range, wall_size
 from turgor.core.meshing.sizing.small_features import edges_left, features_left, has_tiny_edges, small_features
 from turgor.core.meshing.sizing.thin_walls import find_thin_walls, section_finer, thin_walls_left
+from turgor.core.meshing.sizing.wall_refinement import refine_walls
 from turgor.core.meshing.sizing.wall_sizes import fitted_to_walls
-from turgor.core.meshing.sizing.walls import refine_walls
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
 from turgor.core.meshing.tetwild.faceted import faceted, meshed_by_facets

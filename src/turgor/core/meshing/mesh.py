@@ -159,12 +159,12 @@ class Mesh(Shown):
     @property
     def mirror_planes(self) -> tuple[tuple[int, float], ...]:
         """Axis along the normal and position [m] of the mirror plane of each of `symmetry_faces`."""
-        found = []
+        planes = []
         for name in self.symmetry_faces:
             on = self.points[self.face_nodes(name)]
             axis = int(np.ptp(on, axis=0).argmin())
-            found.append((axis, float(on[:, axis].mean())))
-        return tuple(found)
+            planes.append((axis, float(on[:, axis].mean())))
+        return tuple(planes)
 
     @property
     def radii(self) -> NDArray[np.float64]:

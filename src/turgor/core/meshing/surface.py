@@ -44,7 +44,7 @@ def cell_sides(cells: NDArray[np.int64]) -> Triangles:
     return np.asarray(cells[:, np.array(kind.sides)].reshape(-1, kind.side.nodes))
 
 
-@lru_cache(maxsize=4)  # asked by every check, by measures and by contact
+@lru_cache(maxsize=4)  # every check, measures and contact need it
 def outer_triangles(mesh: Mesh) -> Triangles:
     """Find the whole surface of the mesh: the cell sides that no other cell shares.
 

@@ -123,7 +123,7 @@ class ReferencePoint(Support):
         if self.mass:
             said.append(f"of mass {self.mass:g} kg")
         if any(self.stiffness):
-            said.append(f"held by springs of ({_listed(self.stiffness)}) N/m")
+            said.append(f"supported by springs of ({_listed(self.stiffness)}) N/m")
         if self.rotational_spring:
             said.append(f"turned back by a spring of {self.rotational_spring:g} N m/rad")
         return f"{', '.join(said)}."

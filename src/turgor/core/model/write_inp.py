@@ -14,7 +14,7 @@ from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, points_of
 from turgor.core.model.inp.materials import material_lines
-from turgor.core.model.inp.reference_points import InpDeck, InpPoint, held_lines, inp_points, moves, point_lines
+from turgor.core.model.inp.reference_points import InpDeck, InpPoint, fixed_lines, inp_points, moves, point_lines
 from turgor.core.model.loads.load import DeckRows
 from turgor.core.model.model import Model
 from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
@@ -244,7 +244,7 @@ def _material_lines(model: Model, program: str) -> list[str]:
 
 
 def _support_lines(model: Model, points: Mapping[str, InpPoint]) -> list[str]:
-    lines = ["*BOUNDARY", *held_lines(model, points)]
+    lines = ["*BOUNDARY", *fixed_lines(model, points)]
     for support in model.supports:
         if isinstance(support, ReferencePoint | Rotation | Hinge) or support.place in points:
             continue  # they are among those of the points
@@ -253,7 +253,7 @@ def _support_lines(model: Model, points: Mapping[str, InpPoint]) -> list[str]:
         elif isinstance(support, Symmetry):
             lines += _mirror_lines(model, support.face, points)
         elif isinstance(support, Radial):
-            raise TurgorError(f"'{support.face}' is held radially, which .inp files cannot say; hold other directions.")
+            raise TurgorError(f"'{support.face}' is fixed radially, which .inp files cannot say; fix other directions.")
         elif isinstance(support, PlaneSection):
             raise TurgorError(
                 f"'{support.face}' is a plane section, whose thrust .inp files cannot say; hold it or leave it free."
@@ -264,7 +264,7 @@ def _support_lines(model: Model, points: Mapping[str, InpPoint]) -> list[str]:
 
 
 def _mirror_lines(model: Model, face: str, points: Mapping[str, InpPoint]) -> list[str]:
-    """A mirror plane, without the nodes of rigid faces, which follow their points and may not be held too."""
+    """A mirror plane, without the nodes of rigid faces, which follow their points and may not be fixed too."""
     direction = _normal_axis(model.mesh, face) + 1
     rigid = [model.mesh.face_nodes(each.point.face) for each in points.values() if each.point.coupling == RIGID]
     sides = model.mesh.face(face)

@@ -32,8 +32,8 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class HeldTip(Fixed):
-    """The tip, or the tab that is glued to it, held by a gauge that measures its force.
+class FixedTip(Fixed):
+    """The tip, or the tab that is glued to it, fixed to a gauge that measures its force.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ class HeldTip(Fixed):
 
     def text(self) -> str:
         """Return the sentence of a report."""
-        return f"{self.face} held in {', '.join(self.directions)}; {push_text(self.push)}."
+        return f"{self.face} does not move in {', '.join(self.directions)}; {push_text(self.push)}."
 
 
 def push_text(direction: Vector) -> str:
@@ -74,12 +74,12 @@ def blocked_force(
     friction: float = 0.0,
     rotational_spring: float | None = None,
 ) -> Model:
-    """Return a model whose tip is stopped: by a rigid plate, as on a load cell, or held by a gauge.
+    """Return a model whose tip is stopped: by a rigid plate, as on a load cell, or fixed to a gauge.
 
     The plate is plane and rigid, and square to the direction. It is endless, but only the quarter of the actuator
     nearest the tip can touch it, as where a load cell stands under the tip: an actuator that lies flat on a table
     would push on it all along. Its force is the measure ``blocked_force``, of the whole actuator where a half is
-    modeled. A tip that is held pushes and pulls; the force is that of the held face, sideways forces included in
+    modeled. A tip that is fixed pushes and pulls; the force is that of the fixed face, sideways forces included in
     ``blocked_force_x``, ``_y`` and ``_z``.
 
     Parameters
@@ -87,7 +87,7 @@ def blocked_force(
     model : Model
         The actuator, free at its tip.
     hold : str
-        What stops the tip: ``"plate"``, or the directions in which its face is held, ``"x"``, ``"z"``, ``"xz"`` …
+        What stops the tip: ``"plate"``, or the directions in which its face is fixed, ``"x"``, ``"z"``, ``"xz"`` …
         ``"xyz"``. A tip that is free along x is as good as a root on a slider with rollers.
     distance : float [m], optional
         How far the tip can move before it meets the plate, 0 or more; 0 where no position is given either.
@@ -103,13 +103,13 @@ def blocked_force(
     friction : float [-]
         Coulomb's coefficient on the plate, 0 to 2.
     rotational_spring : float [N m/rad], optional
-        A held tip is glued to a stiff tab that may turn about the middle of the face against a spring: its moment per
-        angle, 0 for a hinge. Left out, every point of the face is held.
+        A fixed tip is glued to a stiff tab that may turn about the middle of the face against a spring: its moment per
+        angle, 0 for a hinge. Left out, every point of the face is fixed.
 
     Returns
     -------
     Model
-        With an obstacle ``plate`` and a face ``near_tip`` that may touch it, or with a `HeldTip` among its supports.
+        With an obstacle ``plate`` and a face ``near_tip`` that may touch it, or with a `FixedTip` among its supports.
         Any procedure solves it, `Static` as a rule.
 
     Raises
@@ -147,7 +147,7 @@ def blocked(model: Model, setup: BlockedForce, notify: Callable[[str], None] | N
         direction = first_direction(model, setup.face, "xyz" if setup.hold == PLATE else setup.hold, notify)
     check_unmirrored(mesh, "blocked_force: direction", direction)
     if setup.hold != PLATE:
-        return replace(model, supports=(*model.supports, *_held(setup, direction)))
+        return replace(model, supports=(*model.supports, *_supports(setup, direction)))
     push = np.array(DIRECTIONS[direction])
     if normal @ push < -0.5:
         raise TurgorError(
@@ -221,18 +221,18 @@ def plate_position(mesh: Mesh, setup: BlockedForce, direction: str) -> float:
     return reached * float(push.sum()) + 0.0
 
 
-def _held(setup: BlockedForce, direction: str) -> tuple[Support, ...]:
-    """What holds a tip: its face, or the point of a stiff tab that is glued to it."""
+def _supports(setup: BlockedForce, direction: str) -> tuple[Support, ...]:
+    """What fixes a tip: its face, or the point of a stiff tab that is glued to it."""
     push = DIRECTIONS[direction]
     if setup.rotational_spring is None:
-        return (HeldTip(setup.face, setup.hold, push),)
+        return (FixedTip(setup.face, setup.hold, push),)
     tab = ReferencePoint(TAB, setup.face, rotational_spring=setup.rotational_spring)
-    return tab, HeldTip(TAB, setup.hold, push)
+    return tab, FixedTip(TAB, setup.hold, push)
 
 
 def _chosen(model: Model) -> str:
     """The direction in which the tip of a model is blocked; free where nothing blocks it."""
-    pushes = [each.push for each in model.supports if isinstance(each, HeldTip)]
+    pushes = [each.push for each in model.supports if isinstance(each, FixedTip)]
     for plate in model.contact.obstacles:
         if isinstance(plate, Plate) and isinstance(plate.shape, Plane):
             pushes.append(_vector(-np.array(plate.shape.normal)))

@@ -48,7 +48,7 @@ def grasp(
     fingers: int = 2,
     closing: float = 0.5,
 ) -> Model:
-    """Return a model of fingers that close around a rigid object, which is pulled out while the pressure is held.
+    """Return a model of fingers that close around a rigid object, which is pulled out under constant pressure.
 
     One finger is modeled, as it is: along x from the palm to the tip, its base below. The object is an obstacle of
     the model and lies below the finger. The other fingers are images of the first one, turned about the line along x
@@ -128,23 +128,23 @@ def _object_of(model: Model, setup: Grasp) -> Obstacle:
         if not obstacles:
             raise TurgorError(f"a grasp needs an obstacle '{setup.object}' to grasp; the model has no obstacles.")
         raise unknown("obstacle", setup.object, obstacles)
-    found = obstacles[setup.object]
+    target = obstacles[setup.object]
     said = f"a grasp of the obstacle '{setup.object}'"
     for key in ("path", "spring"):
-        if getattr(found, key):
-            raise TurgorError(f"{said}: it is held rigidly and pulled by the grasp; leave its {key} out.")
-    if isinstance(found.shape, Plane):
+        if getattr(target, key):
+            raise TurgorError(f"{said}: it is rigid and pulled by the grasp; leave its {key} out.")
+    if isinstance(target.shape, Plane):
         raise TurgorError(f"{said}: it is a plane, which has no far side; take a cylinder, sphere, box or STL file.")
-    if isinstance(found.shape, Cylinder):
-        _check_axis(said, found.shape, setup.fingers)
-    return found
+    if isinstance(target.shape, Cylinder):
+        _check_axis(said, target.shape, setup.fingers)
+    return target
 
 
 def _loads(model: Model, setup: Grasp) -> tuple[Pressure, ...]:
     """The pressures, full from closing on."""
     if not model.pressures:
         raise TurgorError("a grasp needs a pressure that closes the finger; the model has none.")
-    held = []
+    loads = []
     for load in model.loads:
         if load not in model.pressures:
             raise TurgorError(
@@ -154,10 +154,10 @@ def _loads(model: Model, setup: Grasp) -> tuple[Pressure, ...]:
         if load.history != RAMP:
             raise TurgorError(
                 f"pressure on '{load.face}' has a history of its own, but a grasp says when it acts: it is full at "
-                f"the load factor {setup.closing:g} and held; leave the history out."
+                f"the load factor {setup.closing:g} and constant after it; leave the history out."
             )
-        held.append(replace(load, history=((0.0, 0.0), (setup.closing, 1.0), (1.0, 1.0))))
-    return tuple(held)
+        loads.append(replace(load, history=((0.0, 0.0), (setup.closing, 1.0), (1.0, 1.0))))
+    return tuple(loads)
 
 
 def _planes(model: Model, setup: Grasp, middle: Vector) -> tuple[Obstacle, ...]:

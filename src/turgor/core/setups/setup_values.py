@@ -10,7 +10,7 @@ from turgor.core.model.obstacles import check_friction
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.units import mm
 
-#: The tip is stopped by a plate, not held.
+#: The tip is stopped by a plate, not fixed.
 PLATE = "plate"
 
 #: The direction is the one in which the free tip would set out.
@@ -67,12 +67,12 @@ class BlockedForce:
                 object.__setattr__(self, "distance", 0.0)
             self._check_plate()
         else:
-            self._check_held()
+            self._check_fixed()
 
     def _check_plate(self) -> None:
         if self.rotational_spring is not None:
             raise TurgorError(
-                "blocked_force: rotational_spring belongs to a tip that is held, such as hold = 'yz'; hold is 'plate'."
+                "blocked_force: rotational_spring belongs to a tip that is fixed, such as hold = 'yz'; hold is 'plate'."
             )
         if self.position is None:
             return
@@ -84,7 +84,7 @@ class BlockedForce:
         if self.direction == FREE:
             raise TurgorError(f"{said}, but direction is 'free'; a position needs a stated one, such as '-z'.")
 
-    def _check_held(self) -> None:
+    def _check_fixed(self) -> None:
         if self.rotational_spring is not None and not 0 <= self.rotational_spring < inf:
             raise TurgorError(
                 f"blocked_force: rotational_spring is {self.rotational_spring:g} N m/rad; allowed is 0 or more."
@@ -96,7 +96,7 @@ class BlockedForce:
                 )
         if self.direction != FREE and self.direction[1] not in self.hold:
             raise TurgorError(
-                f"blocked_force: direction is '{self.direction}', but the tip is held along "
+                f"blocked_force: direction is '{self.direction}', but the tip is fixed along "
                 f"{', '.join(self.hold)} only; "
                 "it does not push in a direction in which it is free."
             )
@@ -152,5 +152,5 @@ Setup = BlockedForce | Grasp
 
 
 def _in_order(hold: str) -> str:
-    """The directions in which a tip is held in the order of the axes."""
+    """The directions in which a tip is fixed in the order of the axes."""
     return "".join(sorted(hold)) if set(hold) <= set("xyz") else hold

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from turgor.core.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.core.meshing.exchange.mesh_file import MeshFile
-from turgor.core.meshing.exchange.numbered import ByNodes, BySides
+from turgor.core.meshing.exchange.node_selectors import ByNodes, BySides
 from turgor.core.meshing.exchange.selectors import Choice
 from turgor.foundation.errors import TurgorError, near_file
 from turgor.job.tables.cad import SelectorTable, axes_table, file_axes, selector_table

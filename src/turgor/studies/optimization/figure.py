@@ -16,7 +16,7 @@ from turgor.studies.optimization.row_values import Read
 from turgor.views.pictures.state_picture import shared_view, state_figure
 from turgor.views.plots.figures import PlotFigure, png_of
 from turgor.views.plots.response_plots import BLUE, COLORS
-from turgor.views.plots.study_figure import pictures_beside
+from turgor.views.plots.study_figure import pictures_in_row
 from turgor.views.plots.styling import INK, style_axes
 
 #: Gray of candidates that are not the best, and of those that miss a target or pass a limit.
@@ -93,7 +93,7 @@ def before_and_after(found: Optimization, states: Sequence[State] = ()) -> PlotF
         reached = "; ".join(f"{each.name} {each.short}" for each in found.reads(number))
         text = f"{name}: {found.study.values_text(row.values)}\n{reached}"
         titles.append("\n".join(fill(line, TITLE_LETTERS) for line in text.splitlines()))
-    return pictures_beside(list(zip(titles, pictures, strict=True)), (11.0, 4.4))
+    return pictures_in_row(list(zip(titles, pictures, strict=True)), (11.0, 4.4))
 
 
 def _history(axes: Any, found: Optimization, goal: Goal) -> None:

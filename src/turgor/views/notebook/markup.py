@@ -43,12 +43,12 @@ def card(title: str, *parts: str, line: str = "") -> str:
 
 def facts(rows: Rows) -> str:
     """Return a table of names and values, without rows whose value is empty."""
-    told = [
+    cells = [
         f'<th style="{_CELL};{_NAME}">{escape(name)}</th><td style="{_CELL}">{_lines(value)}</td>'
         for name, value in rows
         if value
     ]
-    body = "".join(f"<tr>{row}</tr>" for row in told)
+    body = "".join(f"<tr>{row}</tr>" for row in cells)
     return f'<table style="{_TABLE}"><tbody>{body}</tbody></table>'
 
 

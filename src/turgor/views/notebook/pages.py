@@ -1,4 +1,4 @@
-"""Pages: what a notebook shows of each kind of value, short tables beside a picture."""
+"""Pages: what a notebook shows of each kind of value, short tables next to a picture."""
 
 from itertools import groupby
 
@@ -89,7 +89,7 @@ def state(of: State) -> str:
 
 
 def state_rows(of: State) -> Rows:
-    """List what a page says of a state beside its picture: load factor, stability and contact areas."""
+    """List what a page says of a state next to its picture: load factor, stability and contact areas."""
     rows: Rows = [("load factor", f"{of.load_factor:.4g}")]
     if of.unstable_modes is not None:
         unstable = f"unstable, {counted(of.unstable_modes, 'mode')}"
@@ -128,8 +128,8 @@ def _path(of: Solution) -> str:
     if not of.states:
         return ""
     known = {"tip", "fixed"} <= of.model.mesh.faces.keys()
-    asked = (tip_displacement, bending_angle) if known else (tip_displacement,) if "tip" in of.model.mesh.faces else ()
-    return _table(measure(of, *asked)) if asked else ""
+    shown = (tip_displacement, bending_angle) if known else (tip_displacement,) if "tip" in of.model.mesh.faces else ()
+    return _table(measure(of, *shown)) if shown else ""
 
 
 def response(of: Response) -> str:

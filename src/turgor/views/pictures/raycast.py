@@ -125,13 +125,13 @@ class Scene:
         for i in range(3):
             origins[:, i] = across * self.eye.right[i] + upward * self.eye.up[i] - 2 * self.eye.forward[i]
         directions = np.tile(self.eye.forward.astype(np.float32), (len(origins), 1))
-        found = self._scene.run(origins, directions, query="INTERSECT", output=True)
+        intersections = self._scene.run(origins, directions, query="INTERSECT", output=True)
         triangle = np.full((raster.rows, raster.columns), -1, dtype=np.int32)
         depth = np.zeros(triangle.shape, dtype=np.float32)
-        seen = found["primID"] >= 0
-        triangle[near] = found["primID"]
-        depth[near] = np.where(seen, found["tfar"], 0) * np.float32(self._size)
-        return Hits(triangle=triangle, depth=depth, u=found["u"][seen], v=found["v"][seen])
+        seen = intersections["primID"] >= 0
+        triangle[near] = intersections["primID"]
+        depth[near] = np.where(seen, intersections["tfar"], 0) * np.float32(self._size)
+        return Hits(triangle=triangle, depth=depth, u=intersections["u"][seen], v=intersections["v"][seen])
 
     def depth(self, points: Array) -> Array:
         """Return the distance of points along the view, (p,) [m], to compare with ``depth`` of `Hits`."""

@@ -146,14 +146,14 @@ def frame(skins: Sequence[Skin], obstacles: Skin | None, eye: Camera) -> tuple[A
     low, high = flat.min(axis=0), flat.max(axis=0)
     if obstacles is not None:
         around = AROUND * float((high - low).max())
-        beside = eye.project(obstacles.points)[:, :2]
-        low = np.minimum(low, np.maximum(beside.min(axis=0), low - around))
-        high = np.maximum(high, np.minimum(beside.max(axis=0), high + around))
+        projected = eye.project(obstacles.points)[:, :2]
+        low = np.minimum(low, np.maximum(projected.min(axis=0), low - around))
+        high = np.maximum(high, np.minimum(projected.max(axis=0), high + around))
     return low, high
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Beside:
+class Overlays:
     """Threads, obstacles and contact patches that a picture shows besides the actuator, and what is seen through it.
 
     Parameters
@@ -179,7 +179,7 @@ class Beside:
 
 
 def render(
-    skins: list[Skin], view: View, colors: Colormap | None = None, beside: Beside | None = None
+    skins: list[Skin], view: View, colors: Colormap | None = None, overlays: Overlays | None = None
 ) -> NDArray[np.uint8]:
     """Render a view as an image, (h, w, 3): the first skin, outlines of the others behind it, threads and obstacles.
 
@@ -191,17 +191,17 @@ def render(
         Direction, scale and colors.
     colors : Colormap, optional
         Colors of the first skin, which then mean no value; by default those of the field of the view.
-    beside : Beside, optional
+    overlays : Overlays, optional
         Threads, obstacles and contact patches.
     """
-    beside = beside or Beside()
-    low, high = frame(skins, beside.obstacles, view.eye)
+    overlays = overlays or Overlays()
+    low, high = frame(skins, overlays.obstacles, view.eye)
     rows = int(np.ceil((high[1] - low[1]) / view.pixel)) + MARGIN
     raster = Raster(
         left=view.edge, top=float(high[1] + low[1] + rows * view.pixel) / 2,
         step=view.pixel / SAMPLES, rows=rows * SAMPLES, columns=view.columns * SAMPLES,
     )  # fmt: skip
-    layers = _Layers(skins, view, colors, beside, raster)
+    layers = _Layers(skins, view, colors, overlays, raster)
     image = np.empty((rows, view.columns, 3), dtype=np.uint8)
     for start in range(0, rows, BAND):  # rendered in bands to save memory; lines need the rows next to a band
         first, last = max(start - 2, 0), min(start + BAND + 2, rows)
@@ -225,7 +225,9 @@ class _Layer(NamedTuple):
 class _Layers:
     """All that a picture shows, in front of the camera of a view."""
 
-    def __init__(self, skins: list[Skin], view: View, colors: Colormap | None, beside: Beside, raster: Raster) -> None:
+    def __init__(
+        self, skins: list[Skin], view: View, colors: Colormap | None, overlays: Overlays, raster: Raster
+    ) -> None:
         reach = SKY_REACH * float(np.ptp(skins[0].points, axis=0).max())
 
         def layer(skin: Skin, lit: Colormap | None = None, shadow: float = SHADOW) -> _Layer:
@@ -234,15 +236,15 @@ class _Layers:
             look = None if lit is None or sky is None else Look(lit, view.limit, sky, view.floor, shadow)
             return _Layer(scene, scene.near(raster), look)
 
-        self._view, self._beside = view, beside
-        plain = colors or (plain_rubber() if beside.inside is not None else None)
+        self._view, self._overlays = view, overlays
+        plain = colors or (plain_rubber() if overlays.inside is not None else None)
         self._front = layer(skins[0], plain or view.field.color_map(), SHADOW if plain is None else DEEP_SHADOW)
         self._ghosts = [layer(skin) for skin in skins[1:]]
-        self._inside = None if beside.inside is None else layer(beside.inside, view.field.color_map())
-        self._obstacles = None if beside.obstacles is None else layer(beside.obstacles)
-        self._patches = [layer(skin) for skin in beside.patches]
+        self._inside = None if overlays.inside is None else layer(overlays.inside, view.field.color_map())
+        self._obstacles = None if overlays.obstacles is None else layer(overlays.obstacles)
+        self._patches = [layer(skin) for skin in overlays.patches]
         side = skins[0].side
-        self._cells = replace(skins[0], patch=side) if beside.edges and side is not None else None
+        self._cells = replace(skins[0], patch=side) if overlays.edges and side is not None else None
 
     def draw(self, band: Raster, rows: slice) -> Bytes:
         """Draw a band of the picture, (h, w, 3)."""
@@ -255,8 +257,8 @@ class _Layers:
             draw_lines(image, (outline, inner), GHOST, 0.0)  # one pixel wide already
         draw_lines(image, lines, INK, 0.9 * SAMPLES)
         tense = self._view.color_by == FIBER_TENSION
-        found = visible_threads(front, hits, band, self._beside.threads)
-        draw_threads(image, found, (2.4 if tense else 1.6) * SAMPLES, self._of_tension if tense else None)
+        threads = visible_threads(front, hits, band, self._overlays.threads)
+        draw_threads(image, threads, (2.4 if tense else 1.6) * SAMPLES, self._of_tension if tense else None)
         distance = np.where(free, np.inf, front.distance(hits))
         if self._obstacles is not None:
             scene, seen = self._obstacles.scene, self._obstacles.hits(band, rows)

@@ -59,7 +59,7 @@ class Look:
 
 
 def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
-    """Return the color of every sample, (h, w, 3): that of the field, darker in shadow; white beside the skin.
+    """Return the color of every sample, (h, w, 3): that of the field, darker in shadow; white outside the skin.
 
     Light multiplies red, green and blue alike (in linear light) by a factor from 1 − ``shadow`` to 1. So their ratios
     are those of the color bar everywhere, and a value can be read off the color of a pixel.

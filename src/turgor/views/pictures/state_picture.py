@@ -32,7 +32,7 @@ from turgor.views.pictures.cuts import Cut, cut_away
 from turgor.views.pictures.framing import bar_of, framed
 from turgor.views.pictures.overlays.contact_patches import contact_skin, pressed
 from turgor.views.pictures.overlays.obstacle_skin import obstacle_skin
-from turgor.views.pictures.rendering import ASIDE, FRONT, Beside, View, frame, render
+from turgor.views.pictures.rendering import ASIDE, FRONT, Overlays, View, frame, render
 from turgor.views.pictures.skin import Skin, cavity_parts, visible_skin
 from turgor.views.plots.figures import check_ending, write_figure
 
@@ -251,14 +251,14 @@ def _rendered(shown: Sequence[StateFields], view: View, style: Style) -> NDArray
         values = np.zeros(len(at.points)) if hollow else shown_field.read(at)
         rest = visible_skin(_at_rest(at), np.zeros(len(at.points))).points
         skins[0] = cut_away(at, skins[0], rest, style.plane, values)
-    beside = Beside(
+    overlays = Overlays(
         threads=threads_with_tension(at),
         obstacles=obstacle_skin(at, extents),
         patches=pressed(contact_skin(at), view.limit, view.eye) if touching else (),
         inside=inside,
         edges=style.edges,
     )
-    return render(skins, view, plain_rubber() if hollow else None, beside)
+    return render(skins, view, plain_rubber() if hollow else None, overlays)
 
 
 def _at_rest(at: StateFields) -> StateFields:

@@ -40,15 +40,15 @@ def plot_convergence(axes: Axes, study: Convergence) -> Axes:
     'effective size [mm]'
     """
     plot_response(axes, study.response, "effective_size", study.measure.name)
-    found, unit = study.extrapolation, COLUMN_UNITS[study.measure.unit]
+    limit, unit = study.extrapolation, COLUMN_UNITS[study.measure.unit]
     finest, size = study.values[-1] / unit, study.effective_sizes[-1] / mm
-    axes.errorbar([size], [finest], yerr=[found.error / unit], color=BLUE, capsize=4, lw=1.2, label="estimated error")
-    if found.reliable:
-        label = f"extrapolated: {study.measure.text(found.value)}"
+    axes.errorbar([size], [finest], yerr=[limit.error / unit], color=BLUE, capsize=4, lw=1.2, label="estimated error")
+    if limit.reliable:
+        label = f"extrapolated: {study.measure.text(limit.value)}"
         places = np.linspace(0, size, 50)
-        fitted = found.value + (study.values[-1] - found.value) * (places / size) ** min(found.order or 1.0, MOST_ORDER)
+        fitted = limit.value + (study.values[-1] - limit.value) * (places / size) ** min(limit.order or 1.0, MOST_ORDER)
         axes.plot(places, fitted / unit, ":", color=QUIET, lw=1.2)
-        axes.plot([0], [found.value / unit], "D", color=INK, ms=5, clip_on=False, label=label)
+        axes.plot([0], [limit.value / unit], "D", color=INK, ms=5, clip_on=False, label=label)
     for x, y, count in zip(study.effective_sizes / mm, study.values / unit, study.unknowns, strict=True):
         shift = (5, 7) if count in study.unknowns[::2] else (5, -13)  # labels of neighbors may overlap
         axes.annotate(f"{count:,} unknowns", (x, y), shift, textcoords="offset points", fontsize=8, color=INK)

@@ -51,13 +51,13 @@ def _row(row: Sequence, material: Material, test: MaterialTest) -> None:
     assert isinstance(law, Law)
     part = HistoryPart(law, test, _POINTS)  # refuses tests without time
     stretch = part.F[:, 0, 0]
-    found = stress_history(material, test.mode, part.time, stretch)  # type: ignore[arg-type]
+    computed = stress_history(material, test.mode, part.time, stretch)  # type: ignore[arg-type]
     alone = stress_history(Material(name="law", law=law), test.mode, part.time, stretch)  # type: ignore[arg-type]
     shown = part.loaded
     measured, time = part.loaded_test.nominal_stress, part.time[shown]
-    model, bare = found.nominal_stress[shown], alone.nominal_stress[shown]
+    model, bare = computed.nominal_stress[shown], alone.nominal_stress[shown]
     along = np.where(shown, stretch, np.nan)  # lines break where the specimen rests
-    line = np.where(shown, found.nominal_stress, np.nan)
+    line = np.where(shown, computed.nominal_stress, np.nan)
     for axes, x, x_all in ((row[0], stretch[shown], along), (row[1], time, part.time)):
         axes.plot(x, measured / KPA, ".", color=QUIET, ms=3, mew=0, label="measured")
         axes.plot(x_all, line / KPA, "-", color=COLORS[0], lw=0.9, label="fitted rubber")

@@ -1,4 +1,4 @@
-"""Figure of a study: panels of curves beside each other, and small pictures of the actuators below."""
+"""Figure of a study: panels of curves next to each other, and small pictures of the actuators below."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -66,7 +66,7 @@ class Panel:
 
 
 def study_figure(panels: Sequence[Panel], pictures: Sequence[tuple[str, bytes]] = ()) -> PlotFigure:
-    """Draw panels beside each other, and pictures below.
+    """Draw panels next to each other, and pictures below.
 
     Parameters
     ----------
@@ -102,8 +102,8 @@ def study_figure(panels: Sequence[Panel], pictures: Sequence[tuple[str, bytes]] 
     return figure
 
 
-def pictures_beside(pictures: Sequence[tuple[str, bytes]], size: tuple[float, float]) -> PlotFigure:
-    """Draw pictures beside each other, with a title each.
+def pictures_in_row(pictures: Sequence[tuple[str, bytes]], size: tuple[float, float]) -> PlotFigure:
+    """Draw pictures next to each other, with a title each.
 
     Parameters
     ----------
@@ -149,7 +149,7 @@ def _panel(axes: Any, panel: Panel) -> None:
 
 
 def _bars(axes: Any, panel: Panel, lines: Sequence[Line]) -> None:
-    """Draw values with names as horizontal bars, those of one name beside each other."""
+    """Draw values with names as horizontal bars, those of one name next to each other."""
     names = list(dict.fromkeys(name for line in lines for name in np.asarray(line.x).tolist()))
     height = 0.8 / len(lines)
     for k, line in enumerate(lines):

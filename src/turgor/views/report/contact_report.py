@@ -31,12 +31,12 @@ def contact_section(solution: Solution) -> dict[str, object]:
     dict
         Empty rows where there is no contact.
     """
-    found = contact_results(solution.states[-1]) if solution.states else ()
+    contacts = contact_results(solution.states[-1]) if solution.states else ()
     plot = contact_plot(solution)
-    apart = [_name(result) for result in found if result.area == 0]
+    apart = [_name(result) for result in contacts if result.area == 0]
     return {
         "contact_heads": CONTACT_HEADS,
-        "contact_rows": [_row(result) for result in found if result.area > 0],
+        "contact_rows": [_row(result) for result in contacts if result.area > 0],
         "contact_apart": apart,
         "contact_plot": plot,
         "contact_panels": plot.count('id="axes_'),

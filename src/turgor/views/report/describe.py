@@ -68,7 +68,7 @@ def _obstacle(obstacle: Obstacle) -> str:
         way = obstacle.path if any(obstacle.path[0][1]) else obstacle.path[1:]
         said.append("moved by " + ", ".join(f"{in_mm(to)} at load factor {factor:g}" for factor, to in way))
     if obstacle.spring is not None:
-        said.append(f"held by a spring of {obstacle.spring:g} N/m")
+        said.append(f"supported by a spring of {obstacle.spring:g} N/m")
     if isinstance(obstacle, Plate) and isinstance(obstacle.shape, Plane):
         x, y, z = obstacle.shape.normal
         said.append(push_text((-x, -y, -z)))
@@ -152,9 +152,9 @@ def material(names: list[str], used: Material | Sheet) -> MaterialText:
     -------
     MaterialText
     """
-    held = used.material if isinstance(used, Sheet) else used
+    made_of = used.material if isinstance(used, Sheet) else used
     where = ", ".join(name.replace("_", " ") for name in names)
-    values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(held.law)))]
+    values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(made_of.law)))]
     if isinstance(used, Sheet):
         where += f" ({type(used).__name__.lower()})"
         values.append(("thickness", f"{used.thickness / mm:g} mm"))
@@ -163,17 +163,17 @@ def material(names: list[str], used: Material | Sheet) -> MaterialText:
         if used.wrinkles:
             values.append(("in compression", f"{100 * used.compression:g} % of the stiffness: it wrinkles"))
     else:
-        kappa = "infinite: fully incompressible" if isinf(held.bulk_modulus) else _modulus(held.bulk_modulus)
-        stiff = isinstance(held.law, Hooke)
-        values += [] if stiff else [("shear modulus", _modulus(held.law.shear_modulus)), ("bulk modulus", kappa)]
-    if held.density is not None:
-        values.append(("density", f"{held.density:g} kg/m³"))
-    if held.stretch_range is not None:
-        values.append(("fitted to stretches", f"{held.stretch_range[0]:g} to {held.stretch_range[1]:g}"))
-    values += describe_history(held.viscoelasticity, held.stress_softening)
-    formula = (inspect.getdoc(type(held.law)) or type(held.law).__name__).splitlines()[0]
-    values += [("law published in", law_source(held.law))] if law_source(held.law) else []
-    return MaterialText(where, held.name, formula, values, str(held.source), held.source.doubts, held)
+        kappa = "infinite: fully incompressible" if isinf(made_of.bulk_modulus) else _modulus(made_of.bulk_modulus)
+        stiff = isinstance(made_of.law, Hooke)
+        values += [] if stiff else [("shear modulus", _modulus(made_of.law.shear_modulus)), ("bulk modulus", kappa)]
+    if made_of.density is not None:
+        values.append(("density", f"{made_of.density:g} kg/m³"))
+    if made_of.stretch_range is not None:
+        values.append(("fitted to stretches", f"{made_of.stretch_range[0]:g} to {made_of.stretch_range[1]:g}"))
+    values += describe_history(made_of.viscoelasticity, made_of.stress_softening)
+    formula = (inspect.getdoc(type(made_of.law)) or type(made_of.law).__name__).splitlines()[0]
+    values += [("law published in", law_source(made_of.law))] if law_source(made_of.law) else []
+    return MaterialText(where, made_of.name, formula, values, str(made_of.source), made_of.source.doubts, made_of)
 
 
 def coefficients(law: Any) -> Rows:

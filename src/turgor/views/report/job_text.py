@@ -17,4 +17,4 @@ def tidy(text: str) -> str:
     >>> tidy("0.30000000000000004 mm"), tidy("True"), tidy("1.25 mm")
     ('0.3 mm', 'yes', '1.25 mm')
     """
-    return {"True": "yes", "False": "no"}.get(text) or _LONG.sub(lambda found: f"{float(found[0]):.6g}", text)
+    return {"True": "yes", "False": "no"}.get(text) or _LONG.sub(lambda match: f"{float(match[0]):.6g}", text)

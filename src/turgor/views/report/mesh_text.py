@@ -30,21 +30,21 @@ def describe_mesh(mesh: Mesh) -> str:
     >>> print(describe_mesh(mesh(FastPneuNet(chambers=2, length=20e-3).build(), size=3e-3)).splitlines()[0])
     fast PneuNet, 2 chambers, half
     """
-    found = quality(mesh)
+    stats = quality(mesh)
     regions = ", ".join(f"{name} {len(cells):,} cells" for name, cells in mesh.regions.items())
     faces = ", ".join(f"{name} {len(sides):,}" for name, sides in mesh.faces.items())
-    lengths = ", ".join(f"{length / mm:.3g}" for length in (found.min_edge, found.mean_edge, found.max_edge))
+    lengths = ", ".join(f"{length / mm:.3g}" for length in (stats.min_edge, stats.mean_edge, stats.max_edge))
     return "\n".join(
         [
             mesh.name,
-            f"  {found.cells:,} cells ({mesh.cell_type.name}), {found.points:,} nodes, {found.unknowns:,} unknowns",
+            f"  {stats.cells:,} cells ({mesh.cell_type.name}), {stats.points:,} nodes, {stats.unknowns:,} unknowns",
             f"  regions: {regions}",
             f"  faces, sides of cells ({mesh.cell_type.side.name}): {faces}",
             f"  shortest, mean and longest edge: {lengths} mm",
-            f"  shape of the cells (1 is regular, 0 is flat): worst {found.min_shape:.2g}, mean {found.mean_shape:.2g}",
+            f"  shape of the cells (1 is regular, 0 is flat): worst {stats.min_shape:.2g}, mean {stats.mean_shape:.2g}",
             *_histogram(cell_shapes(mesh)),
-            f"  Jacobian ratio of the curved cells (1 is straight): worst {found.min_jacobian_ratio:.2g}",
-            *(_histogram(jacobian_ratios(mesh)) if found.min_jacobian_ratio < 1 - 1 / BINS else ()),
+            f"  Jacobian ratio of the curved cells (1 is straight): worst {stats.min_jacobian_ratio:.2g}",
+            *(_histogram(jacobian_ratios(mesh)) if stats.min_jacobian_ratio < 1 - 1 / BINS else ()),
         ]
     )
 

@@ -71,7 +71,7 @@ class Report:
     repeat : str
         Commands that repeat the run.
     files : mapping of str to str
-        Files beside the report and what each holds.
+        Files next to the report and what each holds.
     created : str
         When it was made; nothing is said if it is empty.
     comparisons : tuple of (str, str, str)
@@ -79,7 +79,7 @@ class Report:
     job : str
         Text of the job file that repeats the run.
     measured : tuple of Measured
-        Points of experiments, drawn with the curve beside the viewer.
+        Points of experiments, drawn with the curve next to the viewer.
     fields : PathFields or None
         Fields of the solution that others read, too.
     """

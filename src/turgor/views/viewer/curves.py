@@ -1,4 +1,4 @@
-"""Curves beside the viewer: the measured columns against the drive."""
+"""Curves next to the viewer: the measured columns against the drive."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from turgor.foundation.response import COLUMN_UNITS, Column, Response
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Measured:
-    """Points of an experiment that are drawn beside a computed curve.
+    """Points of an experiment that are drawn next to a computed curve.
 
     Parameters
     ----------

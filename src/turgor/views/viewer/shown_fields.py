@@ -103,13 +103,13 @@ def shown_fields(states: Sequence[StateFields], surface: Surface, inside: Inside
     for at in states:
         at.settle()
         for field, of in known:
-            for place, found in zip(on, values[field.key], strict=True):
-                found.append(of(at, place) / field.scale)
+            for place, series in zip(on, values[field.key], strict=True):
+                series.append(of(at, place) / field.scale)
         most[VON_MISES] = max(most[VON_MISES], at.von_mises_p99 / kPa)
         most["stretch"] = max(most["stretch"], at.stretch_p99)
     out = []
     for field, _ in known:
-        every = [np.stack(found) for found in values[field.key]]
+        every = [np.stack(series) for series in values[field.key]]
         if field.key == CONTACT_PRESSURE and not every[0].any():
             continue
         out.append(_entry(field, _ends(field, every[0], most), every))

@@ -91,7 +91,7 @@ def viewer(of: Solution, *, response: Response | None = None) -> Viewer:
     of : Solution
         The path, complete or not.
     response : Response, optional
-        What was measured at every state; gives the curves beside the picture.
+        What was measured at every state; gives the curves next to the picture.
 
     Returns
     -------

@@ -7,9 +7,9 @@ from scipy.spatial import cKDTree
 
 import turgor as tg
 from turgor.core.geometry.write_step import write_step
-from turgor.core.meshing.exchange.fill import mesh_surfaces
 from turgor.core.meshing.exchange.formats.stl import read_stl, stl_bytes
 from turgor.core.meshing.exchange.formats.write_stl import write_stl
+from turgor.core.meshing.exchange.surface_filling import mesh_surfaces
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 

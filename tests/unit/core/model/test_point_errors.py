@@ -136,7 +136,7 @@ def test_it_is_described_and_measured():
 @pytest.mark.parametrize(
     ("point", "supports", "loads", "said"),
     [
-        (ReferencePoint("plate", "x1", coupling="averaging"), (), (), "cannot be held or moved"),
+        (ReferencePoint("plate", "x1", coupling="averaging"), (), (), "cannot be fixed or moved"),
         (ReferencePoint("plate", "x1", rotational_spring=1.0), (), (), "its rotational spring has no form"),
         (ReferencePoint("plate", "x1", mass=1.0, center=(0, 0, 0)), (), (), "a center of mass away from the point"),
         (PLATE, (Hinge("plate", (1, 1, 0)),), (), "its axis is (1.0, 1.0, 0.0); .inp files have hinges about"),

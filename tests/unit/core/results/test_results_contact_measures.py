@@ -14,7 +14,7 @@ from turgor.core.model.supports import Fixed
 from turgor.core.results.files.response_csv import read_response
 from turgor.core.results.measures import contact_measures as of
 from turgor.core.results.measures.measures import STANDARD_MEASURES, check_measures, find_measure, measure
-from turgor.core.setups.blocked_tip import HeldTip, blocked_force
+from turgor.core.setups.blocked_tip import FixedTip, blocked_force
 from turgor.core.setups.setup_values import BlockedForce, Grasp, Setup
 from turgor.core.setups.with_setup import with_setup
 from turgor.core.solvers.solution import Solution, State, Touch
@@ -123,7 +123,7 @@ def test_a_held_tip_takes_the_whole_of_a_load_on_it(half):
     assert response.column("blocked_force")[-1] == pytest.approx(force)
     assert response.column("blocked_force_x") == pytest.approx(force * response.column("load_factor"))
     assert response.column("blocked_force_z")[-1] == pytest.approx(0, abs=1e-9 * force)
-    assert path.model.supports[-1] == HeldTip("tip", "xyz", (1.0, 0.0, 0.0))
+    assert path.model.supports[-1] == FixedTip("tip", "xyz", (1.0, 0.0, 0.0))
     against = measure(solve(blocked_force(model, hold="zyx", direction="-x")))
     assert against.column("blocked_force")[-1] == pytest.approx(-force)  # it pulls away from where it is blocked
     assert against.column("blocked_force_x")[-1] == pytest.approx(force)

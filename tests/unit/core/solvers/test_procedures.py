@@ -11,7 +11,7 @@ from turgor.core.model.loads import Gravity, Pressure, Traction
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, Sphere
 from turgor.core.model.supports import Fixed
-from turgor.core.setups.blocked_tip import NEAR_TIP, HeldTip, Plate, blocked_force, first_direction
+from turgor.core.setups.blocked_tip import NEAR_TIP, FixedTip, Plate, blocked_force, first_direction
 from turgor.core.setups.grasped_object import Grasped, grasp
 from turgor.core.setups.setup_values import HOLDS, BlockedForce, Grasp
 from turgor.core.setups.with_setup import with_setup
@@ -86,7 +86,7 @@ def test_a_held_tip_needs_no_contact():
     amended = blocked_force(question, hold="xz", direction="-z")
     assert amended.contact.obstacles == ()
     assert amended.mesh is question.mesh
-    assert amended.supports[-1] == HeldTip("tip", "xz", (0.0, 0.0, -1.0))
+    assert amended.supports[-1] == FixedTip("tip", "xz", (0.0, 0.0, -1.0))
 
 
 @pytest.mark.parametrize(
@@ -116,7 +116,7 @@ def test_the_free_direction_needs_a_load():
         ({"distance": -1 * mm}, "blocked_force: distance is -1 mm; the plate stands 0 mm or more before the tip"),
         ({"hold": "z", "distance": 1 * mm}, "blocked_force: distance belongs to the plate; hold is 'z'"),
         ({"hold": "z", "friction": 0.1}, "blocked_force: friction belongs to the plate; hold is 'z'"),
-        ({"hold": "z", "direction": "+x"}, "blocked_force: direction is '\\+x', but the tip is held along z only"),
+        ({"hold": "z", "direction": "+x"}, "blocked_force: direction is '\\+x', but the tip is fixed along z only"),
         ({"friction": 3.0}, "blocked_force: friction is 3"),
     ],
 )

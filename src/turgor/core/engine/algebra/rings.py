@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.multipoint import MultiPoint
 from turgor.core.engine.algebra.node_frames import NodeFrames
+from turgor.core.meshing.coinciding_points import same_places
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.places import same_places
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]

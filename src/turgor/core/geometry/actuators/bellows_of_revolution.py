@@ -40,7 +40,7 @@ class BellowsOfRevolution:
     inlet_diameter : float [m]
         Diameter of the air inlet along the axis through the fixed cap; 0 leaves it out and closes the cavity.
     clamp_length : float [m]
-        Length of a solid block before the first cap, held on all its sides; 0 leaves it out.
+        Length of a solid block before the first cap, fixed on all its sides; 0 leaves it out.
     symmetric : bool
         Whether to model only a part, cut at mirror planes.
     quarter : bool

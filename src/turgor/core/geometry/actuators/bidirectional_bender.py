@@ -25,7 +25,7 @@ class BidirectionalBender:
     width, height : float [m]
         Outer section, both chambers included.
     side_wall : float [m]
-        Thickness of the walls beside the chambers.
+        Thickness of the walls next to the chambers.
     outer_wall : float [m]
         Thickness of the walls above the upper and below the lower chamber.
     middle_wall : float [m]
@@ -35,7 +35,7 @@ class BidirectionalBender:
     end_wall : float [m]
         Thickness of the walls that close the chambers at both ends.
     clamp_length : float [m]
-        Length of a solid block before the fixed end whose whole outside is held, as in a clamp; 0 for none. It comes
+        Length of a solid block before the fixed end whose whole outside is fixed, as in a clamp; 0 for none. It comes
         on top of the length: the fixed end stays at x = 0.
     inlet_diameter : float [m]
         Diameter of an air inlet along x through the fixed end for each chamber, 0 for none. Its wall belongs to the

@@ -32,7 +32,7 @@ class ContractingTube:
     cap : float [m]
         Length of the end pieces, which are the region ``cap``.
     clamp_length : float [m]
-        Length of a solid block before the fixed end whose whole outside is held, as in a clamp; 0 for none. It comes
+        Length of a solid block before the fixed end whose whole outside is fixed, as in a clamp; 0 for none. It comes
         on top of the length: the fixed end stays at x = 0.
     inlet_diameter : float [m]
         Diameter of an air inlet, 0 for none. Its wall belongs to the face ``cavity``, and the cavity's volume counts up

@@ -48,7 +48,7 @@ class FastPneuNet:
     channel_wall : float [m]
         Thickness of the bridge around the channel in each gap, at its sides and above it.
     clamp_length : float [m]
-        Length of a solid block before the first chamber, held at its end and all around (``fixed``); 0 for none.
+        Length of a solid block before the first chamber, fixed at its end and all around (``fixed``); 0 for none.
     inlet_diameter : float [m]
         Diameter of an air inlet along x through the middle of the first end wall; 0 for none. Its wall belongs to the
         face ``cavity``, which is then open in the plane x = 0; the cavity's volume counts up to there.

@@ -54,7 +54,7 @@ class FreeBottomPneuNet:
     bonded_side : float [m]
         Width of the strip of floor that joins the chambers along each side; 0 for none.
     clamp_length : float [m]
-        Length of a solid block before the first chamber, held at its end and all around (``fixed``); 0 for none.
+        Length of a solid block before the first chamber, fixed at its end and all around (``fixed``); 0 for none.
     inlet_diameter : float [m]
         Diameter of an air inlet along x through the middle of the first end wall; 0 for none. Its wall belongs to the
         face ``cavity``, which is then open in the plane x = 0; the cavity's volume counts up to there.
@@ -118,7 +118,7 @@ ends between floor and top of the chambers.
         )  # fmt: skip
         free = (self.width - self.channel_width) / 2 - self.channel_wall
         check_length(
-            "bonded_side", self.bonded_side, low=0.0, high=free - least, why="beside the channel with its walls"
+            "bonded_side", self.bonded_side, low=0.0, high=free - least, why="next to the channel with its walls"
         )
 
     @property
@@ -177,7 +177,7 @@ ends between floor and top of the chambers.
         return row_of(self, channel_rise=self.free_height + self.channel_wall - self.floor)
 
     def _air(self) -> list[Any]:
-        """The air between the chambers, around the tubes and beside the bonded strips."""
+        """The air between the chambers, around the tubes and next to the bonded strips."""
         row, whole = self._row, across(self, self.width)
         up = (self.base + self.free_height, row.channel_top + self.channel_wall)
         air = []

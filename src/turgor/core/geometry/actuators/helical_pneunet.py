@@ -57,7 +57,7 @@ class HelicalPneuNet:
         Length by which the first and the last chamber are longer than the others, along the middle. At the
         default length 11 chambers take 45 degrees with 4 mm and 60 degrees with 12 mm.
     clamp_length : float [m]
-        Length of a solid block before the first chamber, held at its end and all around (``fixed``); 0 for none.
+        Length of a solid block before the first chamber, fixed at its end and all around (``fixed``); 0 for none.
     inlet_diameter : float [m]
         Diameter of an air inlet along x through the middle of the first end wall; 0 for none. Its wall belongs to the
         face ``cavity``, which is then open in the plane x = 0; the cavity's volume counts up to there.

@@ -48,7 +48,7 @@ class MantaFin:
     channel_width, channel_height : float [m]
         Air channel through the walls between the chambers, on the floor in the middle.
     clamp_length : float [m]
-        Length of a solid block as wide as the root before the first chamber, held at its end and all around: the
+        Length of a solid block as wide as the root before the first chamber, fixed at its end and all around: the
         face ``fixed``; 0 for none.
     inlet_diameter : float [m]
         Diameter of an air inlet along x through the middle of the root's end wall; 0 for none. Its wall belongs to the

@@ -51,7 +51,7 @@ class OmnidirectionalActuator:
         Diameter of the air inlet of each chamber through the fixed end, at the middle of the chamber; 0 leaves the
         inlets out and closes the cavities.
     clamp_length : float [m]
-        Length of a solid block before the first cap, held on all its sides; 0 leaves it out.
+        Length of a solid block before the first cap, fixed on all its sides; 0 leaves it out.
     symmetric : bool
         Whether to model only the half with y >= 0, cut at the face ``symmetry_y``. It holds where chambers that
         mirror each other share one pressure: they share a name, that of the first of them.
@@ -105,9 +105,9 @@ of 0.01 mm between them.
         check_length("wall", self.wall, low=least, high=high, why="so that chambers fit inside it")
         if self.chamber_shape == "ring_sector":
             # the thinnest ring that is accepted is between two sectors' sides and within the wall
-            beside = (self.outer_radius - self.wall - least) * sin(pi / self.chambers)
+            half_chord = (self.outer_radius - self.wall - least) * sin(pi / self.chambers)
             why = f"so that {self.chambers} ring sectors keep an inside"
-            check_length("web", self.web, low=least, high=2 * sqrt(max(beside**2 - (least / 2) ** 2, 0.0)), why=why)
+            check_length("web", self.web, low=least, high=2 * sqrt(max(half_chord**2 - (least / 2) ** 2, 0.0)), why=why)
         self._check_size()
 
     def _check_size(self) -> None:

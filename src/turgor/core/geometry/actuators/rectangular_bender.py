@@ -25,7 +25,7 @@ class RectangularBender:
     width, height : float [m]
         Outer section, floor and base included.
     side_wall, top_wall : float [m]
-        Thickness of the walls beside and above the chamber.
+        Thickness of the walls next to and above the chamber.
     floor : float [m]
         Thickness of the silicone between the chamber and the strain-limiting layer.
     base : float [m]
@@ -35,7 +35,7 @@ class RectangularBender:
     end_wall : float [m]
         Thickness of the walls that close the chamber at both ends.
     clamp_length : float [m]
-        Length of a solid block before the fixed end whose whole outside is held, as in a clamp; 0 for none. It comes
+        Length of a solid block before the fixed end whose whole outside is fixed, as in a clamp; 0 for none. It comes
         on top of the length: the fixed end stays at x = 0.
     inlet_diameter : float [m]
         Diameter of an air inlet, 0 for none. Its wall belongs to the face ``cavity``, and the cavity's volume counts up

@@ -1,4 +1,4 @@
-"""Revolute joint: two stiff links, a hinge between them, and extending cylinders beside it that turn it."""
+"""Revolute joint: two stiff links, a hinge between them, and extending cylinders next to it that turn it."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ class RevoluteJoint:
     """Revolute joint with one degree of freedom (Xavier et al. 2021, fig. 1f, after Skorina et al. 2015 and 2018).
 
     Each link is an end plate with an arm towards the middle, where a thin hinge joins the two arms. Cylinders run from
-    plate to plate beside the arms. The one under pressure gets longer and turns the upper link away from it, about the
+    plate to plate next to the arms. The one under pressure gets longer and turns the upper link away from it, about the
     y axis through the hinge. Two cylinders turn it both ways. This is a simple model of the published joint; all
     dimensions were chosen here.
 

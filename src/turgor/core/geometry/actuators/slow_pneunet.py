@@ -39,7 +39,7 @@ class SlowPneuNet:
     channel_width, channel_height : float [m]
         Air channel through the walls between the chambers, on the floor in the middle.
     clamp_length : float [m]
-        Length of a solid block before the first chamber, held at its end and all around (``fixed``); 0 for none.
+        Length of a solid block before the first chamber, fixed at its end and all around (``fixed``); 0 for none.
     inlet_diameter : float [m]
         Diameter of an air inlet along x through the middle of the first end wall; 0 for none. Its wall belongs to the
         face ``cavity``, which is then open in the plane x = 0; the cavity's volume counts up to there.

@@ -46,7 +46,7 @@ class TrapezoidalPneuNet:
     channel_height : float [m]
         Height of the air space below the gaps.
     clamp_length : float [m]
-        Length of a solid block before the first end wall, held at its end and all around: the face ``fixed``; 0 for
+        Length of a solid block before the first end wall, fixed at its end and all around: the face ``fixed``; 0 for
         none.
     inlet_diameter : float [m]
         Diameter of an air inlet along x through the first end wall, in the middle of the air space below the gaps; 0

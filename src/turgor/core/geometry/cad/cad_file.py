@@ -64,13 +64,13 @@ class CadFile:
     def __post_init__(self) -> None:
         if not Path(self.file).is_file():
             raise TurgorError(f"file is {self.file}, and there is no such file.")
-        found = sha256(Path(self.file).read_bytes()).hexdigest()
-        if self.sha256 and self.sha256 != found:
+        checksum = sha256(Path(self.file).read_bytes()).hexdigest()
+        if self.sha256 and self.sha256 != checksum:
             raise TurgorError(
-                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {found[:12]}…: the file has "
+                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {checksum[:12]}…: the file has "
                 "changed since; take the old one, or remove the key to go on with the new one."
             )
-        object.__setattr__(self, "sha256", found)
+        object.__setattr__(self, "sha256", checksum)
         object.__setattr__(self, "symmetry", self.wanted_symmetry)
         if self.axes is not None:
             rotation_to(self.axes)  # refuses what are none
@@ -85,7 +85,7 @@ class CadFile:
 
     @property
     def wanted_symmetry(self) -> WantedSymmetry:
-        """What is asked for, with what forbids it."""
+        """What is requested, with what forbids it."""
         return self.symmetry if isinstance(self.symmetry, WantedSymmetry) else WantedSymmetry(self.symmetry)
 
 

@@ -9,7 +9,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from turgor.core.geometry import occ
-from turgor.core.geometry.cad.declared import check_complete
+from turgor.core.geometry.cad.step_declarations import check_complete
 from turgor.core.geometry.cad.stl import stl_bodies
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.cad_unit import unit_in_doubt
@@ -185,9 +185,9 @@ def _assembly_names(geometry: Any, bodies: list[Any]) -> list[str]:
 
     def walk(node: Any) -> None:
         shape = node.shape
-        held = list(shape.solids) if shape is not None and not node.is_assembly else []
-        if len(held) == 1:
-            products[held[0]] = node.name or ""
+        solids = list(shape.solids) if shape is not None and not node.is_assembly else []
+        if len(solids) == 1:
+            products[solids[0]] = node.name or ""
         for child in node.children:
             walk(child)
 

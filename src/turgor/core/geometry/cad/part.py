@@ -228,11 +228,11 @@ def with_shape(part: Part, shape: Any, faces: list[Any], facets: Facets) -> Part
 
 def owners(solids: list[Any], faces: list[Any]) -> tuple[tuple[str, ...], ...]:
     """Return the regions of the bodies of each face, as their names: two where it lies between them."""
-    found: dict[Any, tuple[str, ...]] = dict.fromkeys(faces, ())
+    solids_of: dict[Any, tuple[str, ...]] = dict.fromkeys(faces, ())
     for solid in solids:
         for face in dict.fromkeys(solid.faces):
-            found[face] += (str(solid.name),)
-    return tuple(found[face] for face in faces)
+            solids_of[face] += (str(solid.name),)
+    return tuple(solids_of[face] for face in faces)
 
 
 def _check_touching(path: str | Path, solids: list[Any]) -> None:

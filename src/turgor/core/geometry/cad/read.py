@@ -9,7 +9,7 @@ from turgor.core.geometry.cad.files import check_file, reading
 from turgor.core.geometry.cad.naming import STANDARD, Naming, name_faces
 from turgor.core.geometry.cad.part import Part, load_part
 from turgor.core.geometry.cad.placing.orientation import found_rotation, placing_finding
-from turgor.core.geometry.cad.placing.rotated import turned_naming, turned_part
+from turgor.core.geometry.cad.placing.rotate_part import turned_naming, turned_part
 from turgor.core.geometry.cad.selectors import ByName, Selector
 from turgor.core.geometry.cad.split import SplitPlane
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
@@ -146,11 +146,11 @@ def _along_x(part: Part, naming: Naming, faces: Mapping[str, Selector]) -> tuple
     """A part that lies along x, with its names; what was done is a finding."""
     rotation, clear = found_rotation(part, naming.names)
     if rotation is not None:
-        found = placing_finding(part, rotation)
+        finding = placing_finding(part, rotation)
         given = {*faces, *(item.name for item in part.items)}
         part = turned_part(part, rotation)
         naming = turned_naming(part, naming, given)
-        return part, replace(naming, findings=(*naming.findings, found))
+        return part, replace(naming, findings=(*naming.findings, finding))
     return part, naming if clear else replace(naming, findings=(*naming.findings, placing_finding(part, None)))
 
 

@@ -110,15 +110,15 @@ def read_stl(path: Path) -> Array:
             corners = np.frombuffer(content, dtype=kind, offset=84)["corners"].astype(np.float64)
     else:
         number = rb"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
-        found = re.findall(rb"vertex\s+(%b)\s+(%b)\s+(%b)" % (number, number, number), content)
-        if not content.lstrip().startswith(b"solid") or not found or len(found) % 3:
+        vertices = re.findall(rb"vertex\s+(%b)\s+(%b)\s+(%b)" % (number, number, number), content)
+        if not content.lstrip().startswith(b"solid") or not vertices or len(vertices) % 3:
             raise TurgorError(
                 f"'{path}' is no whole STL file: neither text that begins with 'solid' and has three vertices a "
                 "triangle nor binary of the length that it states; export it again."
             )
-        if len(found) < len(re.findall(rb"^\s*vertex\b", content, re.MULTILINE)):
+        if len(vertices) < len(re.findall(rb"^\s*vertex\b", content, re.MULTILINE)):
             raise TurgorError(f"'{path}' has corners that are not finite numbers; export it again.")
-        corners = np.array(found, dtype=np.float64).reshape(-1, 3, 3)
+        corners = np.array(vertices, dtype=np.float64).reshape(-1, 3, 3)
     if not np.isfinite(corners).all():
         raise TurgorError(f"'{path}' has corners that are not finite numbers; export it again.")
     return corners

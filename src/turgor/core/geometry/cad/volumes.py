@@ -117,7 +117,7 @@ def _samples(edge: Any) -> Array:
 
 def _mean_vertex(chosen: Sequence[Any]) -> Array:
     """Mean of the ends of all edges of all faces, the reference point of the kernel for an open shell."""
-    # the edge at the pole of a sphere has no length and no curve, and the kernel dies when it is asked for its ends
+    # the edge at the pole of a sphere has no length and no curve, and the kernel dies when its ends are requested
     edges = [edge for face in chosen for edge in face.edges]
     ends = [p for edge in edges if edge.mass > POLE for p in (edge.start, edge.end)]
     ends += [vertex.p for edge in edges if not edge.mass > POLE for vertex in edge.vertices]
@@ -164,10 +164,10 @@ def _straight(start: Array, end: Array) -> Array:
 
 def _chain_at(facets: Facets, edges: NDArray[np.int64], loop: Array) -> NDArray[np.int64]:
     """Boundary edges of the facets whose corners lie on a loop."""
-    best, found = np.inf, np.zeros(0, dtype=np.int64)
+    best, best_chain = np.inf, np.zeros(0, dtype=np.int64)
     for chain in chains(edges, closed=False):
         points = facets.points[np.unique(edges[chain])]
         off = np.linalg.norm(points[:, None] - loop[None, :, 0], axis=2).min(axis=1).max()
         if off < best:
-            best, found = off, chain
-    return found
+            best, best_chain = off, chain
+    return best_chain

@@ -146,11 +146,11 @@ def largest_size(section: ChamberSection, bore_radius: float, wall: float) -> fl
 
 
 def _fits(section: ChamberSection, bore_radius: float, wall: float) -> bool:
-    beside = section.between >= wall and section.nearest >= bore_radius + (wall if bore_radius else 0.0)
+    clear = section.between >= wall and section.nearest >= bore_radius + (wall if bore_radius else 0.0)
     if section.shape != "ring_sector":
-        return beside
+        return clear
     narrow = hypot(section.web / 2, wall / 2)  # the sides of the sector stay apart at its inner radius
-    return beside and section.nearest * sin(pi / section.count) >= narrow
+    return clear and section.nearest * sin(pi / section.count) >= narrow
 
 
 def arrangement(count: int, half: bool) -> list[tuple[str, int, bool]]:

@@ -152,7 +152,7 @@ class Layout:
     def _face_names(self) -> tuple[FaceName, ...]:
         """Rules for the names of faces of the sweep; the last rule that fits counts."""
         names: list[FaceName] = []
-        if self.layer is not None:  # a layer that is the bottom ends at the block, which is held all around
+        if self.layer is not None:  # a layer that is the bottom ends at the block, which is fixed all around
             names.append(PlaneName(name="strain_limiting_layer", axis=2, position=self.layer, within=True))
         names.append(RangeName(name="fixed", axis=0, low=-self.clamp_length, high=0.0))
         names.append(PlaneName(name="tip", axis=0, position=self.length))

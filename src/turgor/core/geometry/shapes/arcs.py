@@ -65,10 +65,10 @@ def _crossings(first: float, arc: float, axis: int, height: float) -> list[float
     if abs(height) >= 1:
         return []
     base = atan2((1 - height**2) ** 0.5, height)
-    found = []
+    shares = []
     for angle in (base, -base) if axis == 0 else (pi / 2 - base, pi / 2 + base):
         for turn in (-2, -1, 0, 1, 2):
             share = (angle + 2 * pi * turn - first) / arc
             if SAME_POINT < share < 1 - SAME_POINT:
-                found.append(share)
-    return sorted(found)
+                shares.append(share)
+    return sorted(shares)

@@ -1,4 +1,4 @@
-"""Revolved solids: an outline in the half plane beside an axis along x, turned about that axis."""
+"""Revolved solids: an outline in the half plane next to an axis along x, turned about that axis."""
 
 from math import degrees, pi
 from typing import Any

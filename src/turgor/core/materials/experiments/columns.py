@@ -58,8 +58,8 @@ _PATTERNS: tuple[tuple[str, str], ...] = (
     (r"(true|log\w*|hencky).*strain", "true_strain"),
     (r"shear.*(strain|amount)|amount.*shear|gamma|γ", "shear"),
     (r"strain|dehnung|elongation at", "nominal_strain"),
-    (r"(stretch|lambda|λ).*(?<!\d)2( \(?(fixed|held|constant)\)?)?$", "stretch_2"),
-    (r"^(fixed|held|constant|transverse|lateral) (stretch|lambda|λ)$", "stretch_2"),
+    (r"(stretch|lambda|λ).*(?<!\d)2( \(?(fixed|held|constant)\)?)?$", "stretch_2"),  # the user's word
+    (r"^(fixed|held|constant|transverse|lateral) (stretch|lambda|λ)$", "stretch_2"),  # the user's word
     (r"stretch|lambda|λ", "stretch"),
     (r"extension|displacement|elongation|crosshead|travel|weg", "extension"),
     (r"length|grip|distance", "length"),
@@ -113,17 +113,19 @@ def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> t
         if name not in names:
             raise TurgorError(f"'{file}': {unknown('column', name, [each for each in names if each])}")
         stated[names.index(name)] = role
-    found = []
+    columns = []
     for index, name in enumerate(names):
         text, unit = split_unit(name)
         role = stated.get(index, role_of(text))
         if role in WORDS:
-            found.append(Column(index=index, name=name, role=role, factor=1.0))
+            columns.append(Column(index=index, name=name, role=role, factor=1.0))
         elif role == "time" and unit not in FACTORS["time"] and index not in stated:
             continue  # a clock or a counter; what needs a time raises its own error
         elif role:
-            found.append(Column(index=index, name=name, role=role, factor=_factor(name, unit, DIMENSIONS[role], file)))
-    return tuple(found)
+            columns.append(
+                Column(index=index, name=name, role=role, factor=_factor(name, unit, DIMENSIONS[role], file))
+            )
+    return tuple(columns)
 
 
 def split_unit(name: str) -> tuple[str, str | None]:
@@ -135,7 +137,7 @@ def split_unit(name: str) -> tuple[str, str | None]:
     (('Engineering Stress', 'MPa'), ('force', 'N'), ('stretch', '-'), ('Strain', None))
     """
     bracket = re.fullmatch(r"(.*?)\s*[(\[]([^)\]]*)[)\]]\s*", name)
-    if bracket and bracket[2].strip().lower() in ("fixed", "held", "constant"):
+    if bracket and bracket[2].strip().lower() in ("fixed", "held", "constant"):  # the user's word
         return name, None
     if bracket:
         return bracket[1], bracket[2].strip()

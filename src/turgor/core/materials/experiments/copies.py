@@ -54,9 +54,9 @@ def _series(test: MaterialTest) -> Iterator[tuple[str, Array]]:
         if len(test.stretch) >= SHORTEST:
             yield test.name, np.array([test.stretch, *stress])
         return
-    for axis, held, free in ((2, test.stretch_2, test.stretch), (1, test.stretch, test.stretch_2)):
-        for value in np.unique(held):
-            at = held == value
+    for axis, constant, free in ((2, test.stretch_2, test.stretch), (1, test.stretch, test.stretch_2)):
+        for value in np.unique(constant):
+            at = constant == value
             if at.sum() >= SHORTEST:
                 yield (
                     f"{test.name} at stretch {axis} = {value:.4g}",

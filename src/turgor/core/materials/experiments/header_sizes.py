@@ -14,8 +14,8 @@ _STATED = re.compile(
     r"(\d{1,9}(?:[.,]\d{1,12})?(?:[eE][+-]?\d{1,2})?)\"?\s?([A-Za-zµ]{1,4}[²2^]{0,2})?(?=[\s,;\".)\]]|$)"
 )
 
-#: Words beside the name of a dimension that do not change its meaning.
-_BESIDE = re.compile(r"\b(specimen|sample|strip|initial|original|gauge|gage|free|of|the|l0|w0|t0|a0)\b")
+#: Words next to the name of a dimension that do not change its meaning.
+_QUALIFIERS = re.compile(r"\b(specimen|sample|strip|initial|original|gauge|gage|free|of|the|l0|w0|t0|a0)\b")
 
 #: Dimension by its name, and by its symbol.
 _NAMES = {
@@ -73,26 +73,26 @@ def sizes_of(file: str, notes: Sequence[str], specimen: Specimen | None) -> Size
     >>> sizes_of("a.csv", ["Strip 7", "Length = 50mm", "Cross-section (cm^2);0.18"], None)
     Sizes(length=0.05, section=1.8e-05, header={'length': 'Length = 50mm', 'area': 'Cross-section (cm^2);0.18'})
     """
-    found: dict[str, tuple[float, str]] = {}
+    dimensions: dict[str, tuple[float, str]] = {}
     for note in notes:
         for name, value, text in _statements(file, note, needed=specimen is None):
-            known = found.setdefault(name, (value, text))
+            known = dimensions.setdefault(name, (value, text))
             if not _same(known[0], value):
                 raise TurgorError(f"'{file}': its header states both '{known[1]}' and '{text}'; correct one of them.")
     if specimen is None:
-        values = {name: value for name, (value, _) in found.items()}
+        values = {name: value for name, (value, _) in dimensions.items()}
         section = values.get("area", values["width"] * values["thickness"] if _has_both(values) else None)
     else:
         values, section = {"length": specimen.length}, specimen.section
-    header = {name: text for name, (_, text) in found.items()}
+    header = {name: text for name, (_, text) in dimensions.items()}
     sizes = Sizes(length=values.get("length"), section=section, header=header)
-    _check(file, found, specimen, sizes)
+    _check(file, dimensions, specimen, sizes)
     return sizes
 
 
 def _statements(file: str, note: str, *, needed: bool) -> list[tuple[str, float, str]]:
     """Dimensions in one line of a header: name, value in SI, and its words."""
-    found = []
+    dimensions = []
     for match in _STATED.finditer(note):
         name = _dimension(match[1])
         if name is None:
@@ -107,19 +107,19 @@ def _statements(file: str, note: str, *, needed: bool) -> list[tuple[str, float,
             raise TurgorError(
                 f"'{file}': '{text}' in its header states no unit that is known; write it as '{match[3]} {example}'."
             )
-        found.append((name, float(match[3].replace(",", ".")) * factors[unit.strip()], text))
-    return found
+        dimensions.append((name, float(match[3].replace(",", ".")) * factors[unit.strip()], text))
+    return dimensions
 
 
 def _dimension(words: str) -> str | None:
     """Dimension that some words name; None for other words, such as the length of a stroke."""
     plain = re.sub(r"[_\-]+", " ", words.lower()).strip()
-    return _SYMBOLS.get(plain) or _NAMES.get(" ".join(_BESIDE.sub(" ", plain).split()))
+    return _SYMBOLS.get(plain) or _NAMES.get(" ".join(_QUALIFIERS.sub(" ", plain).split()))
 
 
-def _check(file: str, found: Mapping[str, tuple[float, str]], specimen: Specimen | None, sizes: Sizes) -> None:
+def _check(file: str, dimensions: Mapping[str, tuple[float, str]], specimen: Specimen | None, sizes: Sizes) -> None:
     """Compare what the header states with the specimen, and with itself."""
-    for name, (value, text) in found.items():
+    for name, (value, text) in dimensions.items():
         if not value > 0:
             raise TurgorError(f"'{file}': '{text}' in its header is no dimension; it must be more than 0.")
         given = None if specimen is None else specimen.section if name == "area" else getattr(specimen, name)
@@ -129,8 +129,8 @@ def _check(file: str, found: Mapping[str, tuple[float, str]], specimen: Specimen
                 f"'{file}': its header states '{text}', but the specimen has {given * factor:g} {unit}; "
                 "correct one of them."
             )
-    if _has_both(found) and sizes.section is not None:
-        area = found["width"][0] * found["thickness"][0]
+    if _has_both(dimensions) and sizes.section is not None:
+        area = dimensions["width"][0] * dimensions["thickness"][0]
         if not _same(area, sizes.section):
             raise TurgorError(
                 f"'{file}': width times thickness of its header is {area * 1e6:g} mm², but the cross-section is "

@@ -88,8 +88,8 @@ def stress_quantity(
     if "force" in columns and "stress" not in columns:
         return _from_force(file, columns, sizes)
     if "stress" not in columns:
-        found = ", ".join(f"'{column.name}'" for column in columns.values())
-        raise TurgorError(f"'{file}' has no such column of stress or force (found: {found}); name it in the header.")
+        names = ", ".join(f"'{column.name}'" for column in columns.values())
+        raise TurgorError(f"'{file}' has no such column of stress or force (found: {names}); name it in the header.")
     if measure is None:
         raise TurgorError(
             f"'{file}': is '{columns['stress'].name}' force per initial area or force per current area?",
@@ -126,9 +126,9 @@ def second_stress(file: str, columns: Columns, measure: str | None, first: Quant
 def _from_length(file: str, columns: Columns, sizes: Callable[[], Sizes]) -> Quantity:
     role = "length" if "length" in columns else "extension"
     if role not in columns:
-        found = ", ".join(f"'{column.name}'" for column in columns.values()) or "none that is known"
+        names = ", ".join(f"'{column.name}'" for column in columns.values()) or "none that is known"
         raise TurgorError(
-            f"'{file}' has no column of stretch, strain, length or extension (found: {found}).",
+            f"'{file}' has no column of stretch, strain, length or extension (found: {names}).",
             python="Name it with columns={'stretch': ...}.",
             command="Name it so in the header, such as 'stretch'.",
         )

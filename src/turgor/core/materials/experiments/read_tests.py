@@ -71,17 +71,17 @@ def read_test(
     ...     read_test(file)
     MaterialTest('strip_uniaxial', uniaxial, 3 points, stretch 1 to 2, nominal stress 0 to 0.14 MPa)
     """
-    found = read_tests(
+    tests = read_tests(
         path, mode=mode, stress_measure=stress_measure, specimen=specimen, columns=columns, cyclic=cyclic
     )
-    if len(found) > 1:
-        names = ", ".join(test.name for test in found)
+    if len(tests) > 1:
+        names = ", ".join(test.name for test in tests)
         raise TurgorError(
-            f"'{Path(path).name}' holds {len(found)} specimens ({names}).",
+            f"'{Path(path).name}' holds {len(tests)} specimens ({names}).",
             python="Read them with read_tests, and average them if they are replicates.",
             command="If they are replicates, average them with --average.",
         )
-    return found[0]
+    return tests[0]
 
 
 def read_tests(

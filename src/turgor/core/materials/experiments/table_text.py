@@ -230,8 +230,8 @@ def _names(line: str, separator: str | None, width: int) -> tuple[str, ...]:
     names = _split(line.lstrip("# "), separator)
     if (len([name for name in names if name]) < min(width, 2) or separator is None) and len(line) < LONGEST_HEADER:
         # the numbers are split by tabs and their names by blanks: a name ends with its unit in brackets
-        found = re.findall(r"[^()\[\]]+[(\[][^)\]]*[)\]]", line.lstrip("# "))
-        names = [name.strip(" \t,;") for name in found] or names
+        with_units = re.findall(r"[^()\[\]]+[(\[][^)\]]*[)\]]", line.lstrip("# "))
+        names = [name.strip(" \t,;") for name in with_units] or names
     return tuple(names)
 
 

@@ -100,18 +100,18 @@ def _left_open(message: str) -> Finding:
     return Finding(code="M02", severity=Severity.WARNING, message=message, advice=_MORE_MODES)
 
 
-def _check_determined(found: "Fit") -> tuple[Finding, ...]:
+def _check_determined(fit: "Fit") -> tuple[Finding, ...]:
     """Check whether the tests determine the law and each of its constants (M02)."""
-    message = _one_mode(found.law, [test.mode for test in found.tests])
-    if found.left_open:
-        names = " and ".join(filter(None, (", ".join(found.left_open[:-1]), found.left_open[-1])))
-        only = f"they determine only {found.combination}" if found.combination else "they determine only a combination"
+    message = _one_mode(fit.law, [test.mode for test in fit.tests])
+    if fit.left_open:
+        names = " and ".join(filter(None, (", ".join(fit.left_open[:-1]), fit.left_open[-1])))
+        only = f"they determine only {fit.combination}" if fit.combination else "they determine only a combination"
         constants = f"The tests do not determine {names} separately; {only}."
         message = f"{message} {constants}".strip()
     return (_left_open(message),) if message else ()
 
 
-def _check_stability(found: "Fit") -> tuple[Finding, ...]:
+def _check_stability(fit: "Fit") -> tuple[Finding, ...]:
     """Check whether the nominal stress rises in the usual range of soft actuators, as for records (M06)."""
     return tuple(
         Finding(
@@ -121,7 +121,7 @@ def _check_stability(found: "Fit") -> tuple[Finding, ...]:
             advice="Stay below the stated stretch, or fit with a wider range of stretches, within which a law is "
             "kept stable.",
         )
-        for doubt in unstable_law(found.law)
+        for doubt in unstable_law(fit.law)
     )
 
 
@@ -175,20 +175,20 @@ def covered_range(tests: "Sequence[MaterialTest]", stretch: tuple[float, float])
     return min(max(low, stretch[0]), 1.0), max(min(high, stretch[1]), 1.0)
 
 
-def fit_findings(found: "Fit", tests: "Sequence[MaterialTest]") -> tuple[Finding, ...]:
+def fit_findings(fit: "Fit", tests: "Sequence[MaterialTest]") -> tuple[Finding, ...]:
     """Return the findings of all checks about a fit.
 
     Parameters
     ----------
-    found : Fit
+    fit : Fit
         The fit, with the range of stretch that is wanted.
     tests : sequence of MaterialTest
         Whole tests, before points outside the range were left out.
     """
-    material = Material(name=found.spec.name, law=found.law, stretch_range=covered_range(tests, found.stretch))
+    material = Material(name=fit.spec.name, law=fit.law, stretch_range=covered_range(tests, fit.stretch))
     return (
-        *check_stretch_range(material, found.stretch),
-        *_check_determined(found),
-        *check_order(found.law, found.stretch[1]),
-        *_check_stability(found),
+        *check_stretch_range(material, fit.stretch),
+        *_check_determined(fit),
+        *check_order(fit.law, fit.stretch[1]),
+        *_check_stability(fit),
     )

@@ -107,8 +107,8 @@ def fit_history(
     >>> from turgor.core.materials.laws.laws import NeoHooke
     >>> t = np.linspace(0.0, 40.0, 81)
     >>> stress = 2.5e5 * (0.7 + 0.3 * np.exp(-t / 4.0))
-    >>> held = MaterialTest(mode="uniaxial", stretch=0 * t + 1.5, nominal_stress=stress, time=t, name="held")
-    >>> fitted = fit_history(NeoHooke(C10=0.12e6), held, terms=1)
+    >>> relaxing = MaterialTest(mode="uniaxial", stretch=0 * t + 1.5, nominal_stress=stress, time=t, name="relaxing")
+    >>> fitted = fit_history(NeoHooke(C10=0.12e6), relaxing, terms=1)
     >>> round(fitted.values["tau1"], 4)
     4.0
     """
@@ -144,8 +144,8 @@ def _best(search: _Search) -> Array:
     low, high = search.bounds
     random = np.random.default_rng(0)
     starts = [low + (high - low) * random.uniform(0.1, 0.9, len(low)) for _ in range(STARTS)]
-    found = [least_squares(search.residual, start, bounds=(low, high)) for start in starts]
-    return np.asarray(min(found, key=lambda each: each.cost).x)
+    fits = [least_squares(search.residual, start, bounds=(low, high)) for start in starts]
+    return np.asarray(min(fits, key=lambda each: each.cost).x)
 
 
 def _values(search: _Search, x: Array) -> dict[str, float]:
@@ -196,8 +196,8 @@ def _material(law: Law, values: Mapping[str, float], search: _Search, tests: Seq
 
 def _uncertainty(search: _Search, values: Mapping[str, float]) -> dict[str, Any]:
     """Standard errors, active bounds, and parameters that the tests do not determine."""
-    held = _active_bounds(search, values)
-    free = [name for name in values if name not in held and (search.rescale or name != "scale")]
+    at_bound = _active_bounds(search, values)
+    free = [name for name in values if name not in at_bound and (search.rescale or name != "scale")]
     best = np.array([values[name] for name in free])
     predicted = partial(_predicted, search, dict(values), free)
     steps = 1e-4 * np.abs(best)
@@ -210,7 +210,7 @@ def _uncertainty(search: _Search, values: Mapping[str, float]) -> dict[str, Any]
     if "m" in errors:
         errors["m"] *= values["scale"]
     loose = [name for name, value in _of_scaled_law(values).items() if errors[name] > LOOSE_SHARE * abs(value)]
-    return {"errors": errors, "bounds_hit": tuple(held.values()), "undetermined": tuple(loose)}
+    return {"errors": errors, "bounds_hit": tuple(at_bound.values()), "undetermined": tuple(loose)}
 
 
 def _active_bounds(search: _Search, values: Mapping[str, float]) -> dict[str, str]:
@@ -220,12 +220,12 @@ def _active_bounds(search: _Search, values: Mapping[str, float]) -> dict[str, st
     inverse, m, beta = SOFTENING_BOUNDS
     edges |= {"r": (1 / inverse[1], 1 / inverse[0], ""), "beta": (*beta, "")}
     edges |= {"m": (m[0] * search.points.top, m[1] * search.points.top, "Pa of the law as given")}
-    held = {}
+    at_bound = {}
     for name, (least, most, unit) in edges.items():
         for edge, word in ((least, "smallest"), (most, "largest")):
             if name in values and abs(values[name] - edge) <= 1e-3 * (most if name == "beta" else edge):
-                held[name] = f"{name} is held by the {word} value of the search, {edge:.4g} {unit}".rstrip()
-    return held
+                at_bound[name] = f"{name} is limited by the {word} value of the search, {edge:.4g} {unit}".rstrip()
+    return at_bound
 
 
 def _predicted(search: _Search, values: dict[str, float], free: Sequence[str], x: Array) -> Array:

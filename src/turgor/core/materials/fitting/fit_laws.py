@@ -88,9 +88,9 @@ def fit(
     used = _used(given, stretch, spec)
     wanted = _range(used, stretch)
     search = _Search(spec, FitPoints(used, weights), _mode_ranges(wanted, strict=stretch is not None), stable)
-    made, found = _solved(search, starts, seed)
+    made, facts = _solved(search, starts, seed)
     fitted = Fit(
-        **found,
+        **facts,
         quality=tuple(FitResidual.of(test, test.predicted(made)) for test in used),
         stretch=wanted,
         stretch_range=covered_range(given, wanted),
@@ -118,14 +118,14 @@ def _solved(search: "_Search", starts: int, seed: int) -> tuple[Any, dict[str, A
     """Find the law, and what a `Fit` states about its parameters."""
     spec = search.spec
     shapes, agreed = search.run(starts, seed) if spec.shapes else ((), 1)
-    coefficients, held = search.coefficients(shapes)
+    coefficients, active = search.coefficients(shapes)
     try:
         made = spec.make(coefficients.tolist(), shapes)
     except TurgorError as error:
         raise TurgorError(f"{spec.name} cannot be fitted to these tests: {error}") from error
     residual = search.residual(coefficients, shapes)
     search.check_linear(made, residual)
-    known = search.uncertainty(coefficients, shapes, held)
+    known = search.uncertainty(coefficients, shapes, active)
     values = (*map(float, coefficients), *map(float, shapes))
     return made, {
         "spec": spec,
@@ -134,7 +134,7 @@ def _solved(search: "_Search", starts: int, seed: int) -> tuple[Any, dict[str, A
         "errors": dict(zip(spec.names, map(float, known.errors), strict=True)),
         "correlation": known.correlation,
         "combination": known.combination(spec.names, values, len(spec.coefficients)),
-        "bounds_hit": search.bounds_hit(coefficients, shapes, held),
+        "bounds_hit": search.bounds_hit(coefficients, shapes, active),
         "aic": _aic(residual, len(spec.names)),
         "starts": (agreed, starts if spec.shapes else 1),
     }
@@ -186,10 +186,10 @@ class _Search:
 
     def coefficients(self, shapes: Shapes) -> tuple[Array, Array]:
         """Return the best coefficients for given shapes, and the active constraints as rows."""
-        found, active = solve_constrained(self._columns(shapes), self.points.target, self.G, self.h)
+        best, active = solve_constrained(self._columns(shapes), self.points.target, self.G, self.h)
         if self.spec.sign != "slope" and len(self.G):
-            found = np.where(active, 0.0, np.maximum(found, 0.0))
-        return found * self._signs(shapes) + 0.0, self.G[active]
+            best = np.where(active, 0.0, np.maximum(best, 0.0))
+        return best * self._signs(shapes) + 0.0, self.G[active]
 
     def residual(self, coefficients: Array, shapes: Shapes) -> Array:
         """Return the weighted residual at every point."""
@@ -238,7 +238,7 @@ class _Search:
         signs = np.where(random.random(len(low)) < 0.35, -1.0, 1.0)
         return np.asarray(np.clip(sizes * signs, low + 1e-6, high - 1e-6))
 
-    def uncertainty(self, coefficients: Array, shapes: Sequence[float], held: Array) -> Uncertainty:
+    def uncertainty(self, coefficients: Array, shapes: Sequence[float], active: Array) -> Uncertainty:
         """Return the uncertainty from the Jacobian, in the directions without an active constraint."""
         J = [self._columns(shapes) * self._signs(shapes)]
         for k, value in enumerate(shapes):
@@ -247,7 +247,7 @@ class _Search:
             ahead[k], behind[k] = value + step, value - step
             J.append((self.residual(coefficients, ahead) - self.residual(coefficients, behind))[:, None] / (2 * step))
         jacobian = np.hstack(J)
-        limits = [np.hstack([row, np.zeros(len(shapes))]) for row in held]
+        limits = [np.hstack([row, np.zeros(len(shapes))]) for row in active]
         for k in range(len(shapes)):
             at_bound = np.isclose(shapes[k], self.bounds[k], rtol=1e-4).any()
             idle = self.spec.sign != "slope" and coefficients[k] == 0
@@ -257,7 +257,7 @@ class _Search:
             jacobian, self.residual(coefficients, shapes), np.array(limits).reshape(len(limits), jacobian.shape[1])
         )
 
-    def bounds_hit(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[str, ...]:
+    def bounds_hit(self, coefficients: Array, shapes: Sequence[float], active: Array) -> tuple[str, ...]:
         """Return a sentence for each active bound or constraint."""
         hit = []
         for name, value, (low, high) in zip(self.spec.shapes, shapes, self.bounds, strict=True):
@@ -267,7 +267,7 @@ class _Search:
         if self.spec.sign == "shape" and self.stable:
             names = zip(self.spec.coefficients, coefficients, strict=True)
             hit += [f"{name} is 0: this term is not needed" for name, value in names if value == 0]
-        elif len(held):
+        elif len(active):
             hit.append("stability over the range limits the coefficients")
         return tuple(hit)
 
@@ -291,8 +291,8 @@ def _instability(law: Law, stretch: tuple[float, float]) -> dict[str, float]:
     """Stretch at which stability is first lost in a range, by the strictest criterion; stable modes are left out."""
     low, high = min(stretch[0], 1.0), max(stretch[1], 1.0)
     modes: tuple[Mode, ...] = ("uniaxial", "equibiaxial", "planar")
-    found = {mode: instabilities(law, mode, high, low) for mode in modes}
-    return {mode: float(next(iter(lost.values()))) for mode, lost in found.items() if lost}
+    unstable = {mode: instabilities(law, mode, high, low) for mode in modes}
+    return {mode: float(next(iter(lost.values()))) for mode, lost in unstable.items() if lost}
 
 
 def _range(tests: Sequence[MaterialTest], stretch: tuple[float, float] | None) -> tuple[float, float]:

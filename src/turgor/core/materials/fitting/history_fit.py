@@ -63,8 +63,8 @@ class HistoryFit:
     def describe(self) -> str:
         """Write the parameters with their standard errors, and name those that the tests do not determine."""
         lines = [f"{name} = {value:.4g} ± {self.errors[name]:.2g}" for name, value in self.values.items()]
-        held = (*self.bounds_hit, *(f"{name} is not determined" for name in self.undetermined))
-        return "\n".join((*lines, *held))
+        limits = (*self.bounds_hit, *(f"{name} is not determined" for name in self.undetermined))
+        return "\n".join((*lines, *limits))
 
 
 def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[FitResidual, ...]:
@@ -81,9 +81,9 @@ def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[FitRe
     assert isinstance(law, Law)
     g, tau = (series.g, series.tau) if series is not None else ((), ())
     factor = 1.0 if series is None else series.instantaneous
-    found = []
+    residuals = []
     for test in tests:
         part = HistoryPart(law, test, POINTS)
         predicted = factor * (part.columns(material.stress_softening, tau) @ np.array([1 - sum(g), *g]))
-        found.append(FitResidual.of(part.loaded_test, predicted * part.scale))
-    return tuple(found)
+        residuals.append(FitResidual.of(part.loaded_test, predicted * part.scale))
+    return tuple(residuals)

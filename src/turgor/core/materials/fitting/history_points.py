@@ -126,8 +126,8 @@ class HistoryPart:
         S = self.S
         if mullins is not None:
             S = softening(mullins, self.energy, np.maximum.accumulate(self.energy))[0][:, None] * S
-        found = [S, *(hereditary(self.time, S, each) for each in tau)]
-        pulls = [pull_of(each[:, [0, 0, 1, 1, 1, 1]], self.F)[self.loaded] for each in found]
+        stresses = [S, *(hereditary(self.time, S, each) for each in tau)]
+        pulls = [pull_of(each[:, [0, 0, 1, 1, 1, 1]], self.F)[self.loaded] for each in stresses]
         return np.stack(pulls, axis=1) / self.scale
 
 

@@ -91,13 +91,13 @@ def columns_of(
         first = stress(spec.make(unit[0], ()))
         # a law must have a positive shear modulus, so the other terms are evaluated on top of the first
         return np.stack([first, *(stress(spec.make(unit[0] + unit[k], ())) - first for k in range(1, count))], axis=1)
-    found = []
+    columns = []
     for shape in shapes:
         value = off_zero(shape) if spec.sign == "shape" else float(shape)
         if value not in known:
             known[value] = stress(_single(spec, value))
-        found.append(known[value])
-    return np.stack(found, axis=1)
+        columns.append(known[value])
+    return np.stack(columns, axis=1)
 
 
 def off_zero(exponent: float) -> float:

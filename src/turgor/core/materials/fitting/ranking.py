@@ -111,25 +111,25 @@ def _on_modes(fits: Sequence[Fit]) -> list[str]:
     said: dict[str, list[str]] = {}
     advice = ""
     for each in fits:
-        for found in each.findings:
-            if found.code == "M02":
-                said.setdefault(found.message, []).append(each.spec.name)
-                advice = found.advice
+        for finding in each.findings:
+            if finding.code == "M02":
+                said.setdefault(finding.message, []).append(each.spec.name)
+                advice = finding.advice
     return [f"{', '.join(names)}: {message} (M02)" for message, names in said.items()] + ([advice] if advice else [])
 
 
 def _on_tests(fits: Sequence[Fit]) -> list[str]:
     """Sentences on series that are copies of each other (P08)."""
-    return [f"{found.message} {found.advice} (P08)" for found in fits[0].findings if found.code == "P08"]
+    return [f"{finding.message} {finding.advice} (P08)" for finding in fits[0].findings if finding.code == "P08"]
 
 
 def _on_range(fits: Sequence[Fit]) -> list[str]:
     low, high = fits[0].stretch_range
     said = [f"Use these constants only from stretch {low:.3g} to {high:.3g}, the range of the tests (M01)."]
-    beyond = [found for found in fits[0].findings if found.code == "M01"]
+    beyond = [finding for finding in fits[0].findings if finding.code == "M01"]
     if beyond:
         least, most = fits[0].stretch
-        said.append(f"You asked for {least:.3g} to {most:.3g}, more than the tests cover.")
+        said.append(f"You requested {least:.3g} to {most:.3g}, more than the tests cover.")
     return said
 
 
@@ -144,15 +144,15 @@ def _on_search(fits: Sequence[Fit]) -> list[str]:
             said.append(f"{each.spec.name}: the tests determine only a combination of {loose[0]} and {loose[1]}.")
         said += [f"{each.spec.name} {_lost(each, mode)}" for mode in each.instability]
         if not each.instability:  # M06 then concerns stretches beyond the range
-            said += [f"{each.spec.name}: {found.message} (M06)" for found in each.findings if found.code == "M06"]
+            said += [f"{each.spec.name}: {finding.message} (M06)" for finding in each.findings if finding.code == "M06"]
         if each.bounds_hit:
             said.append(f"{each.spec.name}: {'; '.join(each.bounds_hit)}.")
     return said
 
 
-def _lost(found: Fit, mode: str) -> str:
+def _lost(fitted: Fit, mode: str) -> str:
     """Sentence about where stability is lost in a mode, by the strictest criterion and by the others."""
-    low, high = min(found.stretch[0], 1.0), max(found.stretch[1], 1.0)
-    first, *others = instabilities(found.law, mode, high, low).items()  # type: ignore[arg-type]
+    low, high = min(fitted.stretch[0], 1.0), max(fitted.stretch[1], 1.0)
+    first, *others = instabilities(fitted.law, mode, high, low).items()  # type: ignore[arg-type]
     rest = "".join(f"; {_FAILS[name]} at {at:.4g}" for name, at in others)
     return f"loses its stability in {mode} tests at stretch {first[1]:.4g}, where {_FAILS[first[0]]}{rest}."

@@ -183,9 +183,11 @@ class Fit(Shown):
             source=Source(
                 text=f"fitted to {names}",
                 detail=detail,
-                # M01 and M03 concern a use, and M06 is found anew for every law; M02 concerns the tests
+                # M01 and M03 concern a use, and M06 is checked again for every law; M02 concerns the tests
                 doubts=tuple(
-                    f"{found.code} {found.severity}: {found.message}" for found in self.findings if found.code == "M02"
+                    f"{finding.code} {finding.severity}: {finding.message}"
+                    for finding in self.findings
+                    if finding.code == "M02"
                 ),
             ),
         )

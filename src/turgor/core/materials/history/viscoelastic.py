@@ -215,10 +215,10 @@ def hereditary(time: Array, stress: Array, tau: float) -> Array:
     decay, gain = np.exp(-x).tolist(), rise[:, None] * np.diff(stress, axis=0, prepend=0.0)
     out = np.empty_like(gain)
     for k, gains in enumerate(gain.T.tolist()):  # plain floats: a loop over so little is slow in arrays
-        held = 0.0
+        stored = 0.0
         for n, (left, more) in enumerate(zip(decay, gains, strict=True)):
-            held = left * held + more
-            out[n, k] = held
+            stored = left * stored + more
+            out[n, k] = stored
     return out
 
 

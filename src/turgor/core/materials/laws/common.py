@@ -74,7 +74,7 @@ def numbers(law: object, name: str, values: Any, dimension: str = "") -> tuple[f
     said = f"{type(law).__name__}: {name}"
     if isinstance(values, str) or not isinstance(values, Iterable):
         raise TurgorError(f"{said} is {shown(values)}; give a sequence with one number for each term.")
-    found = tuple(number(each, f"{said} {k}", dimension, finite=False) for k, each in enumerate(values, 1))
-    if not found:
+    checked = tuple(number(each, f"{said} {k}", dimension, finite=False) for k, each in enumerate(values, 1))
+    if not checked:
         raise TurgorError(f"{type(law).__name__}: {name} is empty; give at least one number.")
-    return found
+    return checked

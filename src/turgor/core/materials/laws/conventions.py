@@ -191,18 +191,18 @@ def scaled_law(law: Law, factor: float) -> Law:
 
 def _coefficients(law: Any) -> dict[str, float]:
     """Every coefficient of a law by its name."""
-    found: dict[str, float] = {}
+    constants: dict[str, float] = {}
     for field in fields(law):
         value = getattr(law, field.name)
         if isinstance(value, int | float):
-            found[field.name] = float(value)
+            constants[field.name] = float(value)
         elif isinstance(value, Mapping):
-            found |= {str(name): float(number) for name, number in value.items()}
+            constants |= {str(name): float(number) for name, number in value.items()}
         elif value and isinstance(value[0], tuple):
-            found |= {f"C{i}{j}": float(number) for i, j, number in value}
+            constants |= {f"C{i}{j}": float(number) for i, j, number in value}
         else:
-            found |= {f"{field.name}_{i}": float(number) for i, number in enumerate(value, 1)}
-    return found
+            constants |= {f"{field.name}_{i}": float(number) for i, number in enumerate(value, 1)}
+    return constants
 
 
 def _rounded(value: float, unit: str) -> str:

@@ -78,9 +78,9 @@ def stretch_derivatives(law: Law, l1: Array, l2: Array, l3: Array) -> tuple[Arra
 
 
 def _evaluate(compiled: Callable[..., Any], law: Law, at: tuple[Array, ...]) -> tuple[Array, ...]:
-    held = [getattr(law, field.name) for field in fields(law)]  # type: ignore[arg-type]
-    function = compiled(type(law), tuple(_pattern(value) for value in held))
-    parameters = [number for value in held for number in _numbers(value)]
+    stored = [getattr(law, field.name) for field in fields(law)]  # type: ignore[arg-type]
+    function = compiled(type(law), tuple(_pattern(value) for value in stored))
+    parameters = [number for value in stored for number in _numbers(value)]
     shape = np.shape(at[0])
     if not _takes_log(type(law)):
         return tuple(_shaped(w, shape) for w in function(*at, *parameters))

@@ -141,9 +141,9 @@ def cached_formulas(law_type: type, requested: object, derive: Callable[[], Call
     if isinstance(text, str):
         with suppress(ValueError):  # an entry that others have changed
             return Formulas.read(text)
-    found = formulas_of(derive())
-    FORMULAS.put(found.text, *key)
-    return found
+    formulas = formulas_of(derive())
+    FORMULAS.put(formulas.text, *key)
+    return formulas
 
 
 def formulas_of(function: Callable[..., Any]) -> Formulas:

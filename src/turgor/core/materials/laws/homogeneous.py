@@ -63,7 +63,7 @@ def equibiaxial(stretch: ArrayLike) -> Array:
 
 
 def planar(stretch: ArrayLike) -> Array:
-    """Deformation gradient of planar tension (pure shear) along the first axis, the width along the second held.
+    """Deformation gradient of planar tension (pure shear) along the first axis, at constant width along the second.
 
     Parameters
     ----------

@@ -56,9 +56,9 @@ def _energy(law: Law, mode: str, a: Array) -> Array:
 def _of_arrays(energy: Callable[..., Any], *at: Array) -> Array:
     """Evaluate an energy for arrays, point by point where it takes only numbers, as functions of SymPy do."""
     try:
-        found = np.asarray(energy(*at))
+        values = np.asarray(energy(*at))
     except (TypeError, AttributeError, ValueError):
-        found = np.empty(0, dtype=object)
-    if found.dtype == object:
+        values = np.empty(0, dtype=object)
+    if values.dtype == object:
         return np.array([float(energy(*point)) for point in zip(*at, strict=True)])
-    return np.asarray(found + np.zeros_like(at[0]))
+    return np.asarray(values + np.zeros_like(at[0]))

@@ -156,7 +156,7 @@ def _far_from_supplier(case: Case) -> Iterator[Doubt]:
 def _convention(case: Case) -> Iterator[Doubt]:
     """Compare both conventions of Ogden's law.
 
-    Xavier, Fleming and Yong 2021 print Σ μ/α (…) beside constants for Abaqus's Σ 2 μ/α² (…).
+    Xavier, Fleming and Yong 2021 print Σ μ/α (…) with constants for Abaqus's Σ 2 μ/α² (…).
     """
     record = case.record
     if record.law != "ogden" or not record.quoted_in:

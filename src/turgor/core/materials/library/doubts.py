@@ -50,12 +50,12 @@ def find_doubts(record: Record, others: Sequence[Record] | None = None) -> tuple
     [('M04', 'borrowed'), ('M04', 'far from the supplier')]
     """
     case = Case(record, others)
-    found = [doubt for look in LOOKS for doubt in look(case)]
+    doubts = [doubt for look in LOOKS for doubt in look(case)]
     stated = [_stated(text) for text in record.stated_doubts]
     density = [
         Doubt(code="M04", kind="density", message=text, severity=Severity.NOTE) for text in record.density_doubts
     ]
-    return (*found, *stated, *density)
+    return (*doubts, *stated, *density)
 
 
 def doubts_of(material: Material) -> tuple[Finding, ...]:

@@ -73,14 +73,14 @@ def history_tables(series: Prony | None, mullins: Mullins | None) -> dict[str, d
     >>> history_tables(None, Mullins(r=1.5, m=2e4))
     {'stress_softening': {'r': 1.5, 'm': '20 kPa', 'beta': 0.0}}
     """
-    found: dict[str, dict[str, Any]] = {}
+    tables: dict[str, dict[str, Any]] = {}
     if series is not None:
         tau = [format_quantity(value, "s") for value in series.tau]
-        found["viscoelasticity"] = {"g": list(series.g), "tau": tau, "moduli": series.moduli}
+        tables["viscoelasticity"] = {"g": list(series.g), "tau": tau, "moduli": series.moduli}
     if mullins is not None:
         m = format_quantity(mullins.m, "kPa")
-        found["stress_softening"] = {"r": mullins.r, "m": m, "beta": mullins.beta}
-    return found
+        tables["stress_softening"] = {"r": mullins.r, "m": m, "beta": mullins.beta}
+    return tables
 
 
 def describe_history(series: Prony | None, mullins: Mullins | None) -> Iterator[tuple[str, str]]:

@@ -42,7 +42,7 @@ class Body:
     faces: tuple[str, ...]
 
 
-@lru_cache(maxsize=4)  # asked by several checks
+@lru_cache(maxsize=4)  # several checks need it
 def find_bodies(mesh: Mesh) -> tuple[Body, ...]:
     """Find the parts of a mesh that share no vertex: one for an actuator, several where `together` joined meshes.
 
@@ -123,10 +123,10 @@ def _is_inside(mesh: Mesh, points: Array) -> NDArray[np.bool_]:
     corners = mesh.points[mesh.cells[:, : kind.corners]]
     near = cKDTree(corners.mean(axis=1)).query(points[rows], k=min(NEAREST, len(corners)))[1].reshape(len(rows), -1)
     fans = np.array([[side[0], side[i], side[i + 1]] for side in kind.sides for i in range(1, kind.side.corners - 1)])
-    found = np.zeros(len(rows), dtype=bool)
+    within = np.zeros(len(rows), dtype=bool)
     for cells in near.T:
         a, b, c = (corners[cells[:, None], fans[:, i]] for i in range(3))
         beyond = np.einsum("pti,pti->pt", np.cross(b - a, c - a), points[rows, None] - a)
-        found |= (beyond < 0).all(axis=1)
-    inside[rows] = found
+        within |= (beyond < 0).all(axis=1)
+    inside[rows] = within
     return inside

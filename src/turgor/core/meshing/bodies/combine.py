@@ -76,7 +76,7 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
         faces=faces,
         name="; ".join(f"{body}: {mesh.name}" for body, mesh in bodies.items()),
         findings=tuple(
-            said_before(f"Body '{body}'", found) for body, mesh in bodies.items() for found in mesh.findings
+            said_before(f"Body '{body}'", finding) for body, mesh in bodies.items() for finding in mesh.findings
         ),
     )
 

@@ -146,7 +146,7 @@ def _moved(mesh: Mesh, matrix: Array, shift: Array) -> Mesh:
         mesh,
         points=points,
         faces=dict(zip(renamed, faces.values(), strict=True)),
-        findings=tuple(said_before("Before it was moved", found) for found in mesh.findings),
+        findings=tuple(said_before("Before it was moved", finding) for finding in mesh.findings),
     )
 
 

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
-    from turgor.core.meshing.exchange.fill import mesh_surfaces as mesh_surfaces
     from turgor.core.meshing.exchange.formats.stl import Triangles as Triangles
     from turgor.core.meshing.exchange.formats.stl import read_stl as read_stl
     from turgor.core.meshing.exchange.formats.write_stl import write_stl as write_stl
     from turgor.core.meshing.exchange.mesh_file import MeshFile as MeshFile
     from turgor.core.meshing.exchange.read import read_mesh as read_mesh
+    from turgor.core.meshing.exchange.surface_filling import mesh_surfaces as mesh_surfaces
 
 if not TYPE_CHECKING:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -156,11 +156,11 @@ def side_distances(sides: Sides, rows: Ints, surface: Triangles) -> Array:
 def distances(points: Array, surface: Triangles) -> Array:
     """Distance of points (n, 3) to the nearest place on a surface, (n,)."""
     corners = surface.points[surface.triangles]
-    found = np.empty(len(points))
+    nearest = np.empty(len(points))
     step = max(1, CHUNK // max(1, len(corners)))
     for start in range(0, len(points), step):
-        found[start : start + step] = _to_triangles(points[start : start + step, None], corners[None]).min(axis=1)
-    return found
+        nearest[start : start + step] = _to_triangles(points[start : start + step, None], corners[None]).min(axis=1)
+    return nearest
 
 
 def _to_triangles(points: Array, corners: Array) -> Array:

@@ -83,20 +83,20 @@ class MeshFile:
     def __post_init__(self) -> None:
         if not Path(self.file).is_file():
             raise TurgorError(f"file is {self.file}, and there is no such file.")
-        found = sha256(Path(self.file).read_bytes()).hexdigest()
-        if self.sha256 and self.sha256 != found:
+        checksum = sha256(Path(self.file).read_bytes()).hexdigest()
+        if self.sha256 and self.sha256 != checksum:
             raise TurgorError(
-                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {found[:12]}…: the file has "
+                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {checksum[:12]}…: the file has "
                 "changed since; take the old one, or remove the key to go on with the new one."
             )
-        object.__setattr__(self, "sha256", found)
+        object.__setattr__(self, "sha256", checksum)
 
     def read(self) -> Mesh:
         """Read the mesh."""
-        from turgor.core.meshing.exchange.fill import (
+        from turgor.core.meshing.exchange.read import read_mesh
+        from turgor.core.meshing.exchange.surface_filling import (
             mesh_surfaces,  # here: readers load much, and every job loads this file
         )
-        from turgor.core.meshing.exchange.read import read_mesh
 
         surface = Path(self.file).suffix.lower() == ".stl"
         reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh

@@ -10,7 +10,7 @@ from turgor.core.meshing.exchange.boundary import Sides, components, enclosed_vo
 from turgor.core.meshing.exchange.cavities import sides_on_stl
 from turgor.core.meshing.exchange.formats.raw import Ints, RawMesh
 from turgor.core.meshing.exchange.frame import Frame
-from turgor.core.meshing.exchange.numbered import ByNodes, BySides, numbered_sides
+from turgor.core.meshing.exchange.node_selectors import ByNodes, BySides, numbered_sides
 from turgor.core.meshing.exchange.selectors import Choice, parts_of, picked_cells, picked_sides
 from turgor.core.meshing.exchange.solids import Solids
 from turgor.foundation.errors import TurgorError, unknown
@@ -20,7 +20,7 @@ from turgor.units import mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wishes:
-    """What the user asked for.
+    """What the user requests.
 
     Parameters
     ----------
@@ -192,14 +192,14 @@ def _without_sides(raw: RawMesh, given: Mapping[str, Ints]) -> list[Finding]:
     some = {name for name, nodes in raw.node_sets.items() if len(nodes) < len(raw.points)}
     lost = sorted((flat | some | set(raw.surfaces)) - solid - set(given)) if raw.named else []
     what = [f"{_listed(lost[:6])}{f' and {len(lost) - 6} more' if len(lost) > 6 else ''}, which hold no whole side"]
-    told = [*raw.left_out, *(what if lost else [])]
-    if not told:
+    left_out = [*raw.left_out, *(what if lost else [])]
+    if not left_out:
         return []
     return [
         Finding(
             code="G25",
             severity=Severity.NOTE,
-            message=f"Left out of '{raw.path.name}': {'; '.join(told)}.",
+            message=f"Left out of '{raw.path.name}': {'; '.join(left_out)}.",
             advice="Nothing is to be done unless a name is missing: faces need sets that hold all nodes of a side, "
             "and edges and points have no names in a mesh.",
         )
@@ -211,7 +211,7 @@ def _name_voids(sides: Sides, faces: dict[str, Ints], mirrors: list[Ints]) -> li
     walls = np.setdiff1d(np.flatnonzero(sides.outer), np.concatenate([np.zeros(0, dtype=np.int64), *mirrors]))
     voids = [rows for rows in components(sides, walls) if is_cavity(sides, rows, mirrors)]
     voids.sort(key=lambda rows: tuple(np.round(sides.positions[rows].mean(axis=(0, 1)), 9)))
-    new, told = [], []
+    new, sentences = [], []
     for rows in voids:
         on = {name: np.isin(rows, own) for name, own in faces.items() if np.isin(rows, own).any()}
         called = [name for name in on if name.startswith("cavity")]
@@ -220,7 +220,7 @@ def _name_voids(sides: Sides, faces: dict[str, Ints], mirrors: list[Ints]) -> li
         share = ", ".join(f"'{name}' ({int(on[name].sum())} of {len(rows)} sides)" for name in called)
         if len(called) == 1:
             faces[called[0]] = np.union1d(faces[called[0]], rows)
-            told.append(f"{share} is now all of the closed inner surface on which it lies")
+            sentences.append(f"{share} is now all of the closed inner surface on which it lies")
             continue
         for name in called:
             del faces[name]
@@ -234,9 +234,11 @@ def _name_voids(sides: Sides, faces: dict[str, Ints], mirrors: list[Ints]) -> li
     if names:
         volumes = [-enclosed_volume(sides, rows, sides.points.mean(axis=0)) / mm**3 for rows, _ in new]
         shown = ["" if mirrors else f" ({volume:.5g} mm³)" for volume in volumes]
-        held = [f"'{name}'{size}{rest}" for name, size, (_, rest) in zip(names, shown, new, strict=True)]
-        told.append(f"closed inner surfaces without the name of a cavity became {'; '.join(held)}")
-    return [_note(f"{each[0].upper()}{each[1:]}.", "Name them yourself if they are not cavities.") for each in told]
+        cavities = [f"'{name}'{size}{rest}" for name, size, (_, rest) in zip(names, shown, new, strict=True)]
+        sentences.append(f"closed inner surfaces without the name of a cavity became {'; '.join(cavities)}")
+    return [
+        _note(f"{each[0].upper()}{each[1:]}.", "Name them yourself if they are not cavities.") for each in sentences
+    ]
 
 
 def _group(groups: Mapping[str, Ints], name: str, what: str) -> Ints:

@@ -94,7 +94,7 @@ def read_mesh(
     """
     file = Path(path)
     if unit is not None:
-        Frame(unit=unit, axes=axes)  # what is wrong with these is told before the file is read
+        Frame(unit=unit, axes=axes)  # what is wrong with these is reported before the file is read
     raw = _read(file)
     frame = Frame(unit=unit or raw.unit or DEFAULT_UNIT, axes=axes)
     mesh = named_mesh(raw, Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame))
@@ -114,7 +114,7 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
     ----------
     raw : RawMesh
     wishes : Wishes
-        Unit, axes and names that were asked for.
+        Unit, axes and names that were requested.
 
     Returns
     -------
@@ -135,8 +135,8 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
     )
     if solids.kind is TETRAHEDRON:
         refuse_inverted(mesh, f"repair '{raw.path.name}' where it was made, or export cells of first order")
-    found = (*_mended(raw.path, solids), *_overlapping(raw.path, solids), *_straight(raw, sides), *notes, *more)
-    return replace(mesh, findings=found)
+    findings = (*_mended(raw.path, solids), *_overlapping(raw.path, solids), *_straight(raw, sides), *notes, *more)
+    return replace(mesh, findings=findings)
 
 
 def _read(file: Path) -> RawMesh:
@@ -173,7 +173,7 @@ def _check_extent(raw: RawMesh, frame: Frame) -> None:
 
 def _put_on_planes(file: Path, points: Array, sides: Sides, faces: Mapping[str, Ints]) -> list[Finding]:
     """G27: put nodes of mirror planes that lie a little off, such as mid-side nodes, on their planes."""
-    found = []
+    findings = []
     for name, rows in faces.items():
         if not name.startswith("symmetry_"):
             continue
@@ -191,7 +191,7 @@ def _put_on_planes(file: Path, points: Array, sides: Sides, faces: Mapping[str, 
         points[nodes, axis] = level
         moved = int((off > FLAT * extent.max()).sum())
         if moved:
-            found.append(
+            findings.append(
                 Finding(
                     code="G27",
                     severity=Severity.NOTE,
@@ -200,7 +200,7 @@ def _put_on_planes(file: Path, points: Array, sides: Sides, faces: Mapping[str, 
                     advice="Nothing is to be done where this is what the part looks like.",
                 )
             )
-    return found
+    return findings
 
 
 def _mended(file: Path, solids: Solids) -> tuple[Finding, ...]:

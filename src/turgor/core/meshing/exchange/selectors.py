@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.geometry.cad.selectors import SAME_DIRECTION, ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.core.meshing.exchange.boundary import Sides
 from turgor.core.meshing.exchange.formats.raw import Array, Ints
-from turgor.core.meshing.exchange.numbered import ByNodes, BySides
+from turgor.core.meshing.exchange.node_selectors import ByNodes, BySides
 from turgor.foundation.errors import TurgorError
 
 Mask = NDArray[np.bool_]

@@ -74,8 +74,8 @@ class Curve:
         return bool(np.abs(self.samples - even).max() <= STRAIGHT * np.abs(self.samples).max())
 
     def _values(self, function: Any, at: Array) -> Array:
-        found = [function(t) for t in (self.low + at * (self.high - self.low)).tolist()]
-        return np.array([(each.x, each.y, each.z) for each in found]).reshape(-1, 3) * self.scale
+        points = [function(t) for t in (self.low + at * (self.high - self.low)).tolist()]
+        return np.array([(each.x, each.y, each.z) for each in points]).reshape(-1, 3) * self.scale
 
 
 def curve_of(edge: Any, scale: float) -> Curve:

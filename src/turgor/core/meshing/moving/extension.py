@@ -25,7 +25,7 @@ class Extension:
     stiffness : (n, n) sparse array
         Of Laplace's equation.
     free : (k,) int array
-        Nodes whose motion is sought.
+        Nodes whose motion is unknown.
     """
 
     stiffness: csr_array

@@ -155,7 +155,7 @@ def movable(mesh: Mesh, geometry: Geometry) -> MovableMesh:
         If the geometry has no CAD shape, or nodes do not lie on it.
     """
     if mesh.cells.shape[1] != 10:
-        raise TurgorError(f"mesh '{mesh.name}' has hexahedra, which are swept anew; only tetrahedra are carried along.")
+        raise TurgorError(f"mesh '{mesh.name}' has hexahedra, which are swept again; only tetrahedra can be moved.")
     parts = parts_of(geometry)
     return MovableMesh(mesh, parts, placed(mesh, parts))
 

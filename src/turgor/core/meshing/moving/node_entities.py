@@ -109,7 +109,7 @@ def placed(mesh: Mesh, parts: Parts) -> Placed:
     return Placed(corners, tuple(edges), _faces(mesh, sides, parts, chains))
 
 
-def _astray(mesh: Mesh, what: str) -> TurgorError:
+def _off_shape(mesh: Mesh, what: str) -> TurgorError:
     return TurgorError(
         f"the nodes of the mesh of '{mesh.name}' do not lie on its CAD {what}, so they cannot follow its dimensions; "
         "take hexahedra, or a size of the cells that needs no repair."
@@ -121,7 +121,7 @@ def _corners(mesh: Mesh, sides: Sides, parts: Parts) -> Ints:
     nodes = np.flatnonzero(np.isfinite(sides.shortest[: mesh.vertex_count]))
     away, nearest = cKDTree(mesh.points[nodes]).query(parts.vertices)
     if (away > NEAR * sides.shortest[nodes[nearest]]).any() or len(np.unique(nearest)) < len(nearest):
-        raise _astray(mesh, "vertices")
+        raise _off_shape(mesh, "vertices")
     return np.asarray(nodes[nearest])
 
 
@@ -143,7 +143,7 @@ def _chain(mesh: Mesh, sides: Sides, path: Ints) -> Ints:
     """Edges of the mesh along a path of vertices, as rows of `Sides.edges`."""
     rows = sides.rows(np.stack([path[:-1], path[1:]], axis=1))
     if (rows < 0).any():
-        raise _astray(mesh, "edges")
+        raise _off_shape(mesh, "edges")
     return rows
 
 
@@ -159,20 +159,20 @@ def _faces(mesh: Mesh, sides: Sides, parts: Parts, chains: list[Ints]) -> tuple[
             if edge >= 0:
                 rims[number].add(edge)
     rim_nodes = np.unique(sides.edges[on >= 0])
-    found: dict[int, OnFace] = {}
+    placed_faces: dict[int, OnFace] = {}
     for number, rim in rims.items():
         triangles = sides.triangles[owner == number]
         nodes = np.setdiff1d(triangles, rim_nodes)
-        for face in (i for i, known in enumerate(parts.rims) if known == rim and rim and i not in found):
+        for face in (i for i, known in enumerate(parts.rims) if known == rim and rim and i not in placed_faces):
             on_surface = located(parts.surfaces[face], mesh.points, triangles, nodes)
             if on_surface is not None and _close(mesh, sides, nodes, on_surface[1]):
-                found[face] = OnFace(triangles, nodes, *on_surface)
+                placed_faces[face] = OnFace(triangles, nodes, *on_surface)
                 break
         else:
-            raise _astray(mesh, "faces")
-    if len(found) < len(parts.surfaces):
-        raise _astray(mesh, "faces")
-    return tuple(found[face] for face in range(len(found)))
+            raise _off_shape(mesh, "faces")
+    if len(placed_faces) < len(parts.surfaces):
+        raise _off_shape(mesh, "faces")
+    return tuple(placed_faces[face] for face in range(len(placed_faces)))
 
 
 def _enclosed(sides: Sides, crossed: NDArray[np.bool_]) -> Ints:

@@ -43,15 +43,15 @@ def located(surface: Surface, points: Array, triangles: Ints, nodes: Ints) -> tu
         return None
     uv, known = np.zeros((len(nodes), 2)), np.zeros(len(nodes), dtype=bool)
     uv[0], known[0] = start, True
-    beside = _beside(triangles, nodes)
+    adjacency = _adjacency(triangles, nodes)
     while not known.all():
-        reached, parents = _reached(beside, own, known)
+        reached, parents = _reached(adjacency, own, known)
         uv[reached], _ = surface.nearest(own[reached], uv[parents])
         known[reached] = True
     return surface.nearest(own, uv)
 
 
-def _beside(triangles: Ints, nodes: Ints) -> coo_array:
+def _adjacency(triangles: Ints, nodes: Ints) -> coo_array:
     """Which of the nodes share a triangle, (k, k)."""
     place = np.searchsorted(nodes, triangles)
     place[place == len(nodes)] = 0
@@ -61,9 +61,9 @@ def _beside(triangles: Ints, nodes: Ints) -> coo_array:
     return (within.T @ within).tocoo()
 
 
-def _reached(beside: coo_array, own: Array, known: NDArray[np.bool_]) -> tuple[Ints, Ints]:
-    """Nodes beside known ones, and which known one each follows; the nearest one of all where none is beside."""
-    one, other = beside.row[known[beside.row]], beside.col[known[beside.row]]
+def _reached(adjacency: coo_array, own: Array, known: NDArray[np.bool_]) -> tuple[Ints, Ints]:
+    """Nodes next to known ones, and which known one each follows; the nearest one of all where none is adjacent."""
+    one, other = adjacency.row[known[adjacency.row]], adjacency.col[known[adjacency.row]]
     one, other = one[~known[other]], other[~known[other]]
     if len(one):
         reached, first = np.unique(other, return_index=True)

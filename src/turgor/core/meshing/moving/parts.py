@@ -85,7 +85,7 @@ def _numbers(parts: Any) -> dict[Any, int]:
 
 def _ends(edge: Any, vertices: dict[Any, int]) -> tuple[int, ...]:
     """Vertices of an edge in the direction of its parameter."""
-    found = list(dict.fromkeys(edge.vertices))
+    ends = list(dict.fromkeys(edge.vertices))
     start = edge.Value(edge.parameter_interval[0])
-    away = [sum((getattr(each.p, axis) - getattr(start, axis)) ** 2 for axis in "xyz") for each in found]
-    return tuple(vertices[each] for each in (found if away[0] <= away[-1] else found[::-1]))
+    away = [sum((getattr(each.p, axis) - getattr(start, axis)) ** 2 for axis in "xyz") for each in ends]
+    return tuple(vertices[each] for each in (ends if away[0] <= away[-1] else ends[::-1]))

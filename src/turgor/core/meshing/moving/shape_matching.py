@@ -14,7 +14,7 @@ from turgor.foundation.errors import TurgorError
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: A sample of a closed curve by which its direction is told.
+#: A sample of a closed curve by which its direction is determined.
 QUARTER = SAMPLES // 4
 
 
@@ -45,9 +45,9 @@ def matched(known: Parts, parts: Parts, name: str) -> Parts:
     if sizes[0] == sizes[1]:
         nearest = np.asarray(cKDTree(parts.vertices).query(known.vertices)[1], dtype=np.int64)
         for vertices in (nearest, np.arange(len(known.vertices))):
-            found = _reordered(known, parts, vertices)
-            if found is not None:
-                return found
+            ordered = _reordered(known, parts, vertices)
+            if ordered is not None:
+                return ordered
     raise TurgorError(
         f"the CAD shape of '{name}' has other faces or edges there, so the nodes of its tetrahedra cannot follow; "
         "a dimension is at a value where an edge appears or vanishes."

@@ -62,39 +62,41 @@ class Surface:
         return points[0], along[0], across[0]
 
     def _evaluated(self, uv: Array) -> tuple[Array, Array, Array]:
-        found = [self.surface.D1(u, v) for u, v in uv.tolist()]
-        flat = np.array([[(each.x, each.y, each.z) for each in one] for one in found]).reshape(-1, 3, 3) * self.scale
+        derivatives = [self.surface.D1(u, v) for u, v in uv.tolist()]
+        flat = (
+            np.array([[(each.x, each.y, each.z) for each in one] for one in derivatives]).reshape(-1, 3, 3) * self.scale
+        )
         return flat[:, 0], flat[:, 1], flat[:, 2]
 
     def nearest(self, points: Array, uv: Array) -> tuple[Array, Array]:
         """Find the nearest points of the surface, from parameters close to theirs: parameters (n, 2), points (n, 3)."""
         uv = np.array(uv, dtype=np.float64)
-        found, along, across = (np.array(each) for each in self.at(uv))
+        nearest, along, across = (np.array(each) for each in self.at(uv))
         size = max(float(np.abs(points).max(initial=0.0)), 1e-300)
         active = np.arange(len(uv))
         for _ in range(ITERATIONS):
-            step = _step(points[active] - found[active], along[active], across[active])
+            step = _step(points[active] - nearest[active], along[active], across[active])
             length = np.linalg.norm(step[:, :1] * along[active] + step[:, 1:] * across[active], axis=1)
             active, step = active[length > ENDED * size], step[length > ENDED * size]
             if not len(active):
                 break
             uv[active] += step
-            found[active], along[active], across[active] = self.at(uv[active])
-        return uv, found
+            nearest[active], along[active], across[active] = self.at(uv[active])
+        return uv, nearest
 
     def searched(self, point: Array, size: float) -> tuple[Array, float]:
         """Search for the parameters (2,) of a point (3,) on a face of a size [m], and return how far off they are."""
         if self.plane is not None:
-            uv, found = self.nearest(point[None], np.zeros((1, 2)))
-            return uv[0], float(np.linalg.norm(found[0] - point))
+            uv, nearest = self.nearest(point[None], np.zeros((1, 2)))
+            return uv[0], float(np.linalg.norm(nearest[0] - point))
         shares = np.array(STARTS)
         length = size / self.scale
         one = np.unique(np.concatenate([shares, 2 * np.pi * shares, length * shares, -length * shares]))
         starts = np.stack(np.meshgrid(one, one), axis=-1).reshape(-1, 2)
         away = np.linalg.norm(self.at(starts)[0] - point, axis=1)
         best = starts[np.argsort(away)[:TRIED]]
-        uv, found = self.nearest(np.tile(point, (len(best), 1)), best)
-        away = np.linalg.norm(found - point, axis=1)
+        uv, nearest = self.nearest(np.tile(point, (len(best), 1)), best)
+        away = np.linalg.norm(nearest - point, axis=1)
         return uv[away.argmin()], float(away.min())
 
 

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from turgor.core.geometry.cad.walls import thinnest_wall
 from turgor.core.meshing.cells import TETRAHEDRON, six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.core.meshing.quality.facing import OPPOSED, edge_keys, unit_normals
+from turgor.core.meshing.quality.facing_walls import OPPOSED, edge_keys, unit_normals
 from turgor.core.meshing.quality.quality_cache import once_per_mesh
 from turgor.core.meshing.surface import among, check_surface, outer_triangles
 from turgor.foundation.finding import Finding, Severity
@@ -122,10 +122,10 @@ def _thinnest(mesh: Mesh, edges: Ints, thickness: Array) -> tuple[float, Array]:
 
 def _on_cuts(mesh: Mesh, surface: Ints) -> NDArray[np.bool_]:
     """Which triangles lie on a cut, which is no surface of the whole actuator."""
-    found = np.zeros(len(surface), dtype=bool)
+    on_faces = np.zeros(len(surface), dtype=bool)
     for name in mesh.cut_faces:
-        found |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
-    return found
+        on_faces |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
+    return on_faces
 
 
 def _thin_walls(mesh: Mesh) -> list[Finding]:

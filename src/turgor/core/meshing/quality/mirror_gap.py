@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.quality.facing import OPPOSED, first_hits, unit_normals
+from turgor.core.meshing.quality.facing_walls import OPPOSED, first_hits, unit_normals
 from turgor.core.meshing.quality.proximity import REACH
 from turgor.core.meshing.surface import outer_triangles
 
@@ -70,15 +70,15 @@ def find_mirror_walls(mesh: Mesh, cavity: str | None = None) -> tuple[MirrorWall
     else:
         nodes = mesh.face_nodes(cavity)
     size = float(np.ptp(mesh.points, axis=0).max())
-    found = []
+    walls = []
     for name in mesh.symmetry_faces:
         plane = mesh.points[mesh.face_nodes(name)]
         axis = int(np.ptp(plane, axis=0).argmin())
         level = float(plane[:, axis].mean())
         side = 1.0 if mesh.points[:, axis].mean() > level else -1.0
         off = side * (mesh.points[nodes, axis] - level) > ON_PLANE * size
-        found.append(MirrorWalls(nodes[off], axis, level, side))
-    return tuple(found)
+        walls.append(MirrorWalls(nodes[off], axis, level, side))
+    return tuple(walls)
 
 
 def mirror_gap(walls: tuple[MirrorWalls, ...], points: Array) -> float:

@@ -7,7 +7,7 @@ from turgor.core.geometry.cad.surface.crossing import winding
 from turgor.core.meshing.bodies.bodies import find_bodies
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.core.meshing.quality.facing import edge_keys, unit_normals
+from turgor.core.meshing.quality.facing_walls import edge_keys, unit_normals
 from turgor.core.meshing.quality.quality_cache import once_per_mesh
 from turgor.core.meshing.surface import outer_triangles
 

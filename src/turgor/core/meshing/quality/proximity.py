@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.quality.facing import find_walls, first_hits, unit_normals
+from turgor.core.meshing.quality.facing_walls import find_walls, first_hits, unit_normals
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm

@@ -29,7 +29,7 @@ def with_face_sizes(mesh: Mesh, face_sizes: Mapping[str, float]) -> Mesh:
 
     A hexahedron cannot be cut alone: the cut goes on through the whole sheet of cells, across the section or along the
     sweep, until it leaves the body. Cells elsewhere in the sheet get shorter too. Edges are halved, so that they may
-    be up to half as long as asked for.
+    be up to half as long as requested.
 
     Parameters
     ----------

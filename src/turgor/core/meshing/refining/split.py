@@ -41,10 +41,10 @@ class _Nodes:
     def at(self, ends: Ints, position: Array) -> Ints:
         """Mid-side nodes of edges (e, 2), made at their positions (e, 3) where they are new."""
         keys = _keys(ends, 1 << 31)
-        found, first = np.unique(keys, return_index=True)
-        new = ~np.isin(found, self.keys)
+        unique, first = np.unique(keys, return_index=True)
+        new = ~np.isin(unique, self.keys)
         count = len(self.points)
-        keys_all = np.concatenate([self.keys, found[new]])
+        keys_all = np.concatenate([self.keys, unique[new]])
         mids_all = np.concatenate([self.mids, count + np.arange(int(new.sum()))])
         order = np.argsort(keys_all)
         self.keys, self.mids = keys_all[order], mids_all[order]
@@ -212,7 +212,7 @@ def _middle(x: Array, triangles: Ints) -> Array:
 
 
 def _cut_triangles(triangles: Ints, ranks: tuple[Ints, Ints], nodes: _Nodes) -> Ints:
-    """Cut the triangles of a face as the cells beside them were cut."""
+    """Cut the triangles of a face as the cells next to them were cut."""
     turns = np.array([[0, 1, 2, 3, 4, 5], [1, 2, 0, 4, 5, 3], [2, 0, 1, 5, 3, 4]])
     while True:
         cut = _first_marked(triangles, TRIANGLE_EDGES, ranks)

@@ -42,10 +42,10 @@ def sheets(mesh: Mesh) -> Ints:
     """
     edges = np.sort(np.stack([mesh.cells[:, list(e)] for group in CELL_EDGES for e in group], axis=1), axis=2)
     keys = edges[..., 0] * len(mesh.points) + edges[..., 1]
-    found, place = np.unique(keys, return_inverse=True)
+    unique, place = np.unique(keys, return_inverse=True)
     place = place.reshape(-1, 3, 4)
     links = place[:, :, :1].repeat(3, axis=2).ravel(), place[:, :, 1:].ravel()
-    graph = coo_matrix((np.ones(len(links[0]), dtype=np.int8), links), shape=(len(found), len(found)))
+    graph = coo_matrix((np.ones(len(links[0]), dtype=np.int8), links), shape=(len(unique), len(unique)))
     return np.asarray(connected_components(graph, directed=False)[1][place[:, :, 0]], dtype=np.int64)
 
 
@@ -123,14 +123,14 @@ def _keys(corners: Ints, weights: Array) -> NDArray[np.uint64]:
 
 def _numbered(keys: NDArray[np.uint64]) -> tuple[Ints, Ints, int]:
     """Numbers (c, n) of nodes by their keys, corners first; where each stands first; how many there are."""
-    found, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
+    unique, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
     inverse = inverse.reshape(keys.shape)
-    is_corner = np.zeros(len(found), dtype=bool)
+    is_corner = np.zeros(len(unique), dtype=bool)
     is_corner[inverse[:, :8]] = True
     order = np.argsort(~is_corner, kind="stable")
-    number = np.empty(len(found), dtype=np.int64)
-    number[order] = np.arange(len(found))
-    return number[inverse], first[order], len(found)
+    number = np.empty(len(unique), dtype=np.int64)
+    number[order] = np.arange(len(unique))
+    return number[inverse], first[order], len(unique)
 
 
 def _positions(x: Array, at: Array) -> Array:
@@ -142,7 +142,7 @@ def _positions(x: Array, at: Array) -> Array:
 
 
 def _cut_sides(mesh: Mesh, sides: Ints, chosen: Ints, of_cell: Ints, known: dict[int, int]) -> Ints:
-    """Cut the sides of a face as the cells beside them were cut."""
+    """Cut the sides of a face as the cells next to them were cut."""
     if not len(sides):
         return sides
     cut = _cut_edges(mesh, chosen, of_cell)

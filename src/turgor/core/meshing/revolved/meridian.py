@@ -70,10 +70,10 @@ def meridian_of(geometry: Geometry) -> Meridian:
     # of a part with three mirror planes each axis may be the one
     possible = [axis for axis in range(3) if set("xyz") - {"xyz"[axis]} <= set(letters)]
     for axis in possible:
-        found = _about(geometry, axis)
-        volume = _turned_volume(found)
+        meridian = _about(geometry, axis)
+        volume = _turned_volume(meridian)
         if abs(volume - geometry.solid_volume) <= SAME_VOLUME * geometry.solid_volume:
-            return found
+            return meridian
     raise TurgorError(
         f"'{geometry.name}' is no body of revolution: its section, turned by a quarter, has {volume * 1e9:.6g} mm³, "
         f"the part has {geometry.solid_volume * 1e9:.6g} mm³. Use another kind of cells."
@@ -125,7 +125,7 @@ def _loops(
     """Loops of the section with what is in them, and its edges by the faces that meet there."""
     plane, radial = letters[0], "xyz".index(letters[1])
     scale = geometry.length_scale
-    beside = [(face, set(face.edges)) for face in geometry._cad.faces]
+    borders = [(face, set(face.edges)) for face in geometry._cad.faces]
     loops: list[Fill] = []
     edges: list[tuple[str, Array]] = []
     for solid in geometry._cad.solids:
@@ -136,7 +136,9 @@ def _loops(
                 lines = [_points(edge, axis, radial, center / scale) * scale for edge in wire]
                 loops.append((str(solid.name) if number == 0 else None, outline_of(lines)))
                 for edge, line in zip(wire, lines, strict=True):
-                    names = [str(f.name) for f, owned in beside if edge in owned and not f.name.startswith("symmetry_")]
+                    names = [
+                        str(f.name) for f, owned in borders if edge in owned and not f.name.startswith("symmetry_")
+                    ]
                     if names:
                         edges.append((names[0], line))
     return loops, edges

@@ -31,7 +31,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     ----------
     geometry : Geometry
     cells : str
-        ``"tetrahedra"``, ``"hexahedra"``, which are shorter beside walls by themselves, or ``"axisymmetric"``.
+        ``"tetrahedra"``, ``"hexahedra"``, which are shorter near walls by themselves, or ``"axisymmetric"``.
 
     Returns
     -------

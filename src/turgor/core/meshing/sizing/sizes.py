@@ -31,13 +31,13 @@ UNKNOWNS_PER_SIZE_SQUARED = 20.0
 #: (a slot of 1 mm radius at 1 mm size: 3 cells); with 2, none did on slots, tubes, half tubes and spheres.
 CELLS_PER_RADIUS = 2.0
 
-#: Relative mesh errors that can be asked for.
+#: Relative mesh errors that can be requested.
 LEAST_TARGET, MOST_TARGET = 1e-4, 0.5
 
 #: A sweep is a tube where one layer is longer than this share of its path, and than so many times the thinnest wall.
 TUBE, LONG_PER_WALL = 0.5, 20.0
 
-#: Cells through a wall that can be asked for.
+#: Cells through a wall that can be requested.
 MOST_WALL_CELLS = 4
 
 

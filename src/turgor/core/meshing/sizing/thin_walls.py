@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.core.meshing.quality.facing import OPPOSED, first_hits, unit_normals
+from turgor.core.meshing.quality.facing_walls import OPPOSED, first_hits, unit_normals
 from turgor.core.meshing.sizing.sizes import LARGEST_SIZE_PER_WALL, MOST_UNKNOWNS, UNKNOWNS_PER_SIZE_SQUARED
 from turgor.core.meshing.surface import outer_triangles
 from turgor.foundation.errors import TurgorError
@@ -20,8 +20,8 @@ Array = NDArray[np.float64]
 #: makes some edges half as long again as the size it is given.
 LONGEST_EDGE_PER_WALL = 1.5 * LARGEST_SIZE_PER_WALL
 
-#: Size asked for at a thin wall over its thickness at first, and its factor each time that this did not suffice.
-ASKED_SIZE_PER_WALL, FIRMER = 3.0, 0.7
+#: Size requested at a thin wall over its thickness at first, and its factor each time that this did not suffice.
+REQUESTED_SIZE_PER_WALL, FIRMER = 3.0, 0.7
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -43,11 +43,11 @@ class ThinWalls:
     areas: Array
 
     def sizes(self, rounds: int) -> Array:
-        """Sizes that suit the walls after some rounds of asking, (p,) [m]."""
-        return ASKED_SIZE_PER_WALL * FIRMER**rounds * self.thickness
+        """Sizes that suit the walls after some rounds of requests, (p,) [m]."""
+        return REQUESTED_SIZE_PER_WALL * FIRMER**rounds * self.thickness
 
     def unknowns(self) -> float:
-        """About so many unknowns lie in these walls once their cells are as short as they are asked to be."""
+        """About so many unknowns lie in these walls with cells as short as requested."""
         return float((UNKNOWNS_PER_SIZE_SQUARED / 2 * self.areas / self.sizes(0) ** 2).sum())
 
     def place(self) -> str:
@@ -99,10 +99,10 @@ def find_thin_walls(mesh: Mesh, size: float, stated: Collection[str] = ()) -> Th
 
 def _on_faces(mesh: Mesh, surface: NDArray[np.int64], names: Collection[str]) -> NDArray[np.bool_]:
     """Whether each triangle lies on one of some faces."""
-    found = np.zeros(len(surface), dtype=bool)
+    on_faces = np.zeros(len(surface), dtype=bool)
     for name in names:
-        found |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
-    return found
+        on_faces |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
+    return on_faces
 
 
 def refuse_thin_walls(walls: ThinWalls, name: str) -> None:

@@ -53,9 +53,9 @@ def fitted_to_walls(
         refuse_thin_walls(walls, geometry.name)
         sizes = replace(sizes, places=(*sizes.places, walls))
         result = make(sizes)
-    found = []
+    findings = []
     if sizes.places and chosen.wall_cells == 1:
-        found.append(thin_walls_finer(sizes.size, geometry.smallest_wall))
+        findings.append(thin_walls_finer(sizes.size, geometry.smallest_wall))
     if len((left := find_thin_walls(result, sizes.size)).points):
-        found.append(thin_walls_left(left))
-    return replace(result, findings=(*result.findings, *found))
+        findings.append(thin_walls_left(left))
+    return replace(result, findings=(*result.findings, *findings))

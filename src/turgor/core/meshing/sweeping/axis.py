@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.extrusion import Sweep, Turned
 from turgor.core.geometry.shapes.sections import Outline, rectangle
-from turgor.core.meshing.places import same_places
+from turgor.core.meshing.coinciding_points import same_places
 from turgor.core.meshing.sweeping.hexahedra import PLACES, Filling
 from turgor.core.meshing.sweeping.polar import core_section
 from turgor.core.meshing.sweeping.section import SAME_LINE, Fineness, SectionMesh, is_solid, names_at
@@ -80,7 +80,7 @@ def _edges_at(section: SectionMesh, radius: float) -> tuple[Ints, Ints]:
         there = np.flatnonzero((np.abs(section.points[edge, 1] - radius) <= tolerance).all(axis=1))
         edges.append(edge[there])
         owner.append(there)
-    found = np.concatenate(edges)
-    backwards = section.points[found[:, 0], 0] > section.points[found[:, 2], 0]
-    found[backwards] = found[backwards][:, ::-1]
-    return found, np.concatenate(owner)
+    on_axis = np.concatenate(edges)
+    backwards = section.points[on_axis[:, 0], 0] > section.points[on_axis[:, 2], 0]
+    on_axis[backwards] = on_axis[backwards][:, ::-1]
+    return on_axis, np.concatenate(owner)

@@ -11,7 +11,7 @@ from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.shapes.planar import planar_faces
 from turgor.core.geometry.shapes.sections import Outline
 from turgor.core.meshing import netgen
-from turgor.core.meshing.places import same_places
+from turgor.core.meshing.coinciding_points import same_places
 from turgor.core.meshing.silenced_output import captured_output
 from turgor.core.meshing.sweeping.pairing import corner_sines, paired
 from turgor.core.meshing.sweeping.section import Fineness, SectionMesh, circle_of, joined

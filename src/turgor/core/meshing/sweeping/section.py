@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from turgor.core.geometry.extrusion import Layer
 from turgor.core.geometry.shapes.arcs import edge_center, edge_radius
 from turgor.core.geometry.shapes.sections import Outline, Point
-from turgor.core.meshing.places import SAME_PLACE, same_places
+from turgor.core.meshing.coinciding_points import SAME_PLACE, same_places
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -18,7 +18,7 @@ Ints = NDArray[np.int64]
 #: Points are looked up a little aside, as a share of the size, so that none lies on a line between two corners.
 OFF_LINES = np.array([6.18e-8, 7.55e-8])
 
-#: Length of the cells beside a feature line, such as the inner side of a wall, as a share of the size. Measured on a
+#: Length of the cells next to a feature line, such as the inner side of a wall, as a share of the size. Measured on a
 #: rectangular bender of 50 mm with a base 20 times stiffer, size three times the wall: the angle is 1.6 % off with
 #: cells of equal length, 0.1 % with these and a quarter more unknowns.
 SHORT_CELL = 1 / 3
@@ -45,10 +45,10 @@ class Fineness:
     grading : float [-]
         How fast cells grow away from small ones where the section is no grid.
     edge : float or None [m]
-        Length of the cells beside a feature line within, from which they grow to the size; None makes one cell of a
+        Length of the cells next to a feature line within, from which they grow to the size; None makes one cell of a
         third of the size there. Stresses have no bound along sharp edges; reference values need short cells there.
     quarter_cells : int or None
-        Cells around a quarter of a turn, even; None takes as many as size and curvature ask for.
+        Cells around a quarter of a turn, even; None takes as many as size and curvature require.
     along : float or None [m]
         Longest edge along a straight path, if it is larger than the size: cells grow to it from a third of the size.
     corners : tuple of (2,) floats [m]
@@ -169,7 +169,7 @@ def feature_lines(values: Array, scale: float) -> Array:
 def divided(lines: Array, fine: Fineness) -> Array:
     """Cut the intervals between feature lines into cells, and put a node in the middle of each.
 
-    Beside a feature line within, cells are a third of the size long: that is where walls meet and bend most.
+    Next to a feature line within, cells are a third of the size long: that is where walls meet and bend most.
 
     Parameters
     ----------
@@ -190,23 +190,23 @@ def divided(lines: Array, fine: Fineness) -> Array:
     return nodes
 
 
-def _ticks(start: float, end: float, beside: tuple[bool, bool], fine: Fineness) -> Array:
-    """Ends of the cells of an interval, with short cells beside its start and its end if more is left between them."""
+def _ticks(start: float, end: float, refined: tuple[bool, bool], fine: Fineness) -> Array:
+    """Ends of the cells of an interval, with short cells next to its start and its end if more is left between them."""
     count = max(fine.wall_cells, ceil((end - start) / fine.size - 1e-6))
-    short = _short_cells((end - start) / max(sum(beside), 1), sum(beside), fine) if any(beside) else []
+    short = _short_cells((end - start) / max(sum(refined), 1), sum(refined), fine) if any(refined) else []
     if not short:
         return np.linspace(start, end, count + 1)
     taken = np.cumsum([0.0, *short])
-    inner = [start + taken[-1] * beside[0], end - taken[-1] * beside[1]]
+    inner = [start + taken[-1] * refined[0], end - taken[-1] * refined[1]]
     longest = fine.size if fine.edge is None else min(fine.size, GROWTH * short[-1])
-    count = max(1, fine.wall_cells - sum(beside) * len(short), ceil((inner[1] - inner[0]) / longest - 1e-6))
+    count = max(1, fine.wall_cells - sum(refined) * len(short), ceil((inner[1] - inner[0]) / longest - 1e-6))
     ticks = np.linspace(inner[0], inner[1], count + 1)
-    first, last = (start + taken[:-1])[: len(short) * beside[0]], (end - taken[-2::-1])[: len(short) * beside[1]]
+    first, last = (start + taken[:-1])[: len(short) * refined[0]], (end - taken[-2::-1])[: len(short) * refined[1]]
     return np.concatenate([first, ticks, last])
 
 
 def _short_cells(room: float, lines: int, fine: Fineness) -> list[float]:
-    """Lengths of the short cells beside a feature line, of which there are one or two with so much room each."""
+    """Lengths of the short cells next to a feature line, of which there are one or two with so much room each."""
     short = SHORT_CELL * fine.size
     if fine.edge is None:
         return [short] if room * lines > (1 + lines) * short * (1 + 1e-6) else []

@@ -24,8 +24,8 @@ KINDS = ("tetrahedra", "hexahedra", "axisymmetric")
 def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """Generate 27-node hexahedra that fill a geometry which is a swept section, and carry its names.
 
-    All nodes lie on the true shape. Where the section is a grid or rings, walls get one cell unless more are asked
-    for; sections of other outlines get two.
+    All nodes lie on the true shape. Where the section is a grid or rings, walls get one cell unless more are
+    requested; sections of other outlines get two.
 
     Parameters
     ----------

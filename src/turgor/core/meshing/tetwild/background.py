@@ -1,4 +1,4 @@
-"""Sizes of cells in space: a lattice of tetrahedra around a part, small beside faces with a size of their own."""
+"""Sizes of cells in space: a lattice of tetrahedra around a part, small near faces with a size of their own."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -21,11 +21,11 @@ ROUNDS = 10
 
 def faces_at(nodes: Ints, face: Ints) -> dict[int, frozenset[int]]:
     """Return the faces that meet at each node, from the faces of the triangles (b, k) around it."""
-    found: dict[int, set[int]] = {}
+    faces_of: dict[int, set[int]] = {}
     for row, number in zip(nodes.tolist(), face.tolist(), strict=True):
         for node in row:
-            found.setdefault(node, set()).add(number)
-    return {node: frozenset(numbers) for node, numbers in found.items()}
+            faces_of.setdefault(node, set()).add(number)
+    return {node: frozenset(numbers) for node, numbers in faces_of.items()}
 
 
 def snapped(

@@ -76,7 +76,7 @@ def inp_points(model: Model, program: str) -> dict[str, InpPoint]:
 def _check(point: ReferencePoint, program: str) -> None:
     if program == "calculix" and point.coupling != RIGID:
         raise TurgorError(
-            f"reference point '{point.name}': the couplings of CalculiX that average a face cannot be held or moved, "
+            f"reference point '{point.name}': the couplings of CalculiX that average a face cannot be fixed or moved, "
             "and are linear in the rotation (5 % off at half a radian); take rigid, or the program abaqus."
         )
     if point.rotational_spring:
@@ -131,22 +131,22 @@ def point_lines(model: Model, points: Mapping[str, InpPoint], plain: Mapping[str
                 yield from (f"*SPRING, ELSET={label}", f"{axis + 1}", f"{share:.12g}")
 
 
-def held_lines(model: Model, points: Mapping[str, InpPoint]) -> Iterator[str]:
-    """Rows of ``*BOUNDARY``: what is held at zero all along."""
+def fixed_lines(model: Model, points: Mapping[str, InpPoint]) -> Iterator[str]:
+    """Rows of ``*BOUNDARY``: what stays zero all along."""
     for each in points.values():
-        held, still = set(each.mirrored), set[int]()
+        fixed, still = set(each.mirrored), set[int]()
         for axis in each.mirrored:
             still |= {k for k in range(3) if k != axis}
         for support in model.supports:
             if isinstance(support, Fixed) and support.face == each.point.name:
-                held |= {"xyz".index(letter) for letter in support.directions}
+                fixed |= {"xyz".index(letter) for letter in support.directions}
             elif isinstance(support, Hinge) and support.point == each.point.name:
                 still |= _across(support)
             elif isinstance(support, Rotation) and support.point == each.point.name:
                 still |= {k for k in range(3) if not support.angle * support.axis[k]}
                 if support.tilts:
                     raise TurgorError(f"the rotation of '{support.point}' tilts, which .inp files cannot say.")
-        yield from (f"{each.node}, {axis + 1}" for axis in sorted(held))
+        yield from (f"{each.node}, {axis + 1}" for axis in sorted(fixed))
         yield from (f"{each.turning}, {each.first + axis}" for axis in sorted(still))
 
 

@@ -28,7 +28,7 @@ Shape = Plane | Sphere | Cylinder | Box | RigidSurface
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Obstacle:
-    """A rigid body that the actuator may touch: fixed, moved along a path, or held by a spring.
+    """A rigid body that the actuator may touch: fixed, moved along a path, or on a spring.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ class Obstacle:
         Points (load factor, displacement), straight lines between them; from load factor 0 to 1. Left out, it stays.
     spring : float [N/m], optional
         Stiffness in all three directions of the spring that holds it at its place, or at its path's; it does not
-        turn. Of the whole obstacle, also where a half of the actuator is modeled. Left out, it is held rigidly.
+        turn. Of the whole obstacle, also where a half of the actuator is modeled. Left out, it cannot give way.
     face : str, optional
         The only face of the actuator that may touch it; by default the whole surface outside the cavities.
     stiffness : float [Pa/m], optional

@@ -14,9 +14,9 @@ class Fixed(Support):
     Parameters
     ----------
     face : str
-        Name of the face, or of a `ReferencePoint`, which is then held where it is and may still turn.
+        Name of the face, or of a `ReferencePoint`, which then stays where it is and may still turn.
     directions : str
-        Which components are held, any of ``"x"``, ``"y"``, ``"z"``.
+        Which components are fixed, any of ``"x"``, ``"y"``, ``"z"``.
     """
 
     face: str
@@ -33,7 +33,7 @@ class Fixed(Support):
 
     def text(self) -> str:
         """Return the sentence of a report."""
-        return f"{self.face} held in {', '.join(self.directions)}."
+        return f"{self.face} does not move in {', '.join(self.directions)}."
 
     def as_moved(self) -> Displacement:
         """Return a displacement of zero."""

@@ -25,4 +25,4 @@ class Radial(Support):
 
     def text(self) -> str:
         """Return the sentence of a report."""
-        return f"{self.face} held radially, around the axis {self.axis}."
+        return f"{self.face} does not move radially, around the axis {self.axis}."

@@ -18,7 +18,7 @@ class Support:
     >>> from turgor.core.model.supports import Fixed
     >>> support = Fixed("fixed", "xz")
     >>> support.place, support.prescribed, support.text()
-    ('fixed', ('fixed', 'xz'), 'fixed held in x, z.')
+    ('fixed', ('fixed', 'xz'), 'fixed does not move in x, z.')
     """
 
     __slots__ = ()

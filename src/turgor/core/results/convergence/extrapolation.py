@@ -76,8 +76,8 @@ def extrapolate(sizes: ArrayLike, values: ArrayLike) -> Extrapolation:
     Examples
     --------
     >>> h = np.array([4.0, 2.0, 1.0])
-    >>> found = extrapolate(h, 10 + 0.5 * h**2)
-    >>> round(found.value, 9), round(found.order, 9), found.error
+    >>> limit = extrapolate(h, 10 + 0.5 * h**2)
+    >>> round(limit.value, 9), round(limit.order, 9), limit.error
     (10.0, 2.0, 0.625)
     >>> extrapolate(h, [1.0, 3.0, 2.0]).trust
     'not monotone'

@@ -112,14 +112,14 @@ class Convergence:
     @property
     def summary(self) -> str:
         """The result in a sentence or two."""
-        found, name, finest = self.extrapolation, self.measure.name.replace("_", " "), float(self.values[-1])
-        error, shown = self._error_text(found.error, finest), self._text(finest, found.error)
-        order = f"observed order {found.order:.3g}" if found.order is not None else ""
-        if not found.reliable:
+        limit, name, finest = self.extrapolation, self.measure.name.replace("_", " "), float(self.values[-1])
+        error, shown = self._error_text(limit.error, finest), self._text(finest, limit.error)
+        order = f"observed order {limit.order:.3g}" if limit.order is not None else ""
+        if not limit.reliable:
             text = f"The finest mesh gives {name} {shown}, with an error of about {error}"
-            return f"{text}, {order}.{_WORDS[found.trust]}" if order else f"{text}.{_WORDS[found.trust]}"
-        text = f"Extrapolated {name} {self._text(found.value, found.error)}; the finest mesh gives {shown}"
-        return f"{text}, with an estimated error of {error}{f'; {order}' if order else ''}.{_WORDS[found.trust]}"
+            return f"{text}, {order}.{_WORDS[limit.trust]}" if order else f"{text}.{_WORDS[limit.trust]}"
+        text = f"Extrapolated {name} {self._text(limit.value, limit.error)}; the finest mesh gives {shown}"
+        return f"{text}, with an estimated error of {error}{f'; {order}' if order else ''}.{_WORDS[limit.trust]}"
 
     def _text(self, value: float, error: float) -> str:
         """A value with as many digits as its error allows to tell apart, six where there is no error."""

@@ -126,8 +126,8 @@ def smooth_tension(pieces: Pieces, tension: Array) -> Array:
     places = nodes + (nodes.max() + 1) * pieces.hand[:, None]
     weights = np.repeat(pieces.weights, corners)
     total = np.bincount(places.ravel(), weights)
-    held = np.bincount(places.ravel(), weights * np.repeat(tension, corners))
-    return np.asarray((held / np.where(total > 0, total, 1.0))[places].mean(axis=1))
+    weighted = np.bincount(places.ravel(), weights * np.repeat(tension, corners))
+    return np.asarray((weighted / np.where(total > 0, total, 1.0))[places].mean(axis=1))
 
 
 def threads_with_tension(at: StateFields) -> list[tuple[Array, Array]]:
@@ -137,9 +137,9 @@ def threads_with_tension(at: StateFields) -> list[tuple[Array, Array]]:
         return []
     from scipy.spatial import cKDTree  # slow to load, and few models have threads
 
-    found = fiber_results(at)
-    places = np.concatenate([image.of(each.positions) for image in at.facts.images for each in found])
-    tension = np.tile(np.concatenate([each.tension for each in found]), len(at.facts.images))
+    fibers = fiber_results(at)
+    places = np.concatenate([image.of(each.positions) for image in at.facts.images for each in fibers])
+    tension = np.tile(np.concatenate([each.tension for each in fibers]), len(at.facts.images))
     nearest = cKDTree(places)
     return [(line, tension[nearest.query(line)[1]]) for line in lines]
 

@@ -21,7 +21,7 @@ class PathFields:
     facts : MeshFacts, optional
         What states of the same mesh share; made here if it is not given.
     most : int
-        Nodes of all states whose fields are kept; the other states are evaluated by each reader anew. 0 keeps none,
+        Nodes of all states whose fields are kept; the other states are evaluated again by each reader. 0 keeps none,
         which is best where there is one reader.
     """
 

@@ -60,11 +60,11 @@ class MeshFacts:
         self._made: dict[Hashable, Any] = {}
 
     def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
-        """Return what was made under a key, which is made when it is first asked for."""
+        """Return what was made under a key, which is made when it is first requested."""
         if key not in self._made:
             self._made[key] = make()
-        found: Made = self._made[key]
-        return found
+        made: Made = self._made[key]
+        return made
 
     @cached_property
     def mirrors(self) -> tuple[MirrorPlane, ...]:
@@ -74,14 +74,14 @@ class MeshFacts:
     @cached_property
     def images(self) -> tuple[Image, ...]:
         """Maps of the modeled part onto all parts of the whole, itself first."""
-        found = [ITSELF]
+        images = [ITSELF]
         for plane in map(MirrorPlane.image, self.mirrors):  # each moves along one axis of its own
-            found += [Image(plane.turn @ each.turn, each.center + plane.center, not each.flips) for each in found]
+            images += [Image(plane.turn @ each.turn, each.center + plane.center, not each.flips) for each in images]
         wedge = self.mesh.wedge
         if wedge is not None:
             center = np.array(wedge.center)
-            found += [Image(wedge.turn(k), center, False) for k in range(1, wedge.fold)]
-        return tuple(found)
+            images += [Image(wedge.turn(k), center, False) for k in range(1, wedge.fold)]
+        return tuple(images)
 
     @cached_property
     def walls(self) -> FacingWalls:
@@ -138,11 +138,11 @@ class StateFields:
         self._made: dict[Hashable, Any] = {}
 
     def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
-        """Return what was made of this state under a key, which is made when it is first asked for."""
+        """Return what was made of this state under a key, which is made when it is first requested."""
         if key not in self._made:
             self._made[key] = make()
-        found: Made = self._made[key]
-        return found
+        made: Made = self._made[key]
+        return made
 
     @property
     def model(self) -> Model:

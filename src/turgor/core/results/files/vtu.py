@@ -141,7 +141,7 @@ def _times(solution: Solution) -> tuple[list[float], str]:
 def write_vtu(of: Solution | State, path: str | Path) -> Path:
     """Write VTU files for ParaView: one file of a state, or a series of all states of a solution.
 
-    The fields are those that `write_state` lists, in SI units; `write_series` says what lies beside them.
+    The fields are those that `write_state` lists, in SI units; `write_series` says what lies next to them.
 
     Parameters
     ----------

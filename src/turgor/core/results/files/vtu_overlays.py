@@ -1,4 +1,4 @@
-"""Files for ParaView of discrete threads and obstacles, beside that of the body."""
+"""Files for ParaView of discrete threads and obstacles, besides that of the body."""
 
 from collections.abc import Mapping
 
@@ -23,17 +23,19 @@ def threads_text(at: StateFields) -> str:
     at : StateFields
         The modeled part, not mirrored.
     """
-    found = [(number, each, each.threads) for number, each in enumerate(fiber_results(at)) if each.threads is not None]
-    if not found:
+    windings = [
+        (number, each, each.threads) for number, each in enumerate(fiber_results(at)) if each.threads is not None
+    ]
+    if not windings:
         return ""
-    ends = [threads.ends(at.points) for _, _, threads in found]
+    ends = [threads.ends(at.points) for _, _, threads in windings]
     points = np.concatenate([pair.reshape(-1, 3) for pair in ends])
     count = len(points) // 2
     cell_data = [
-        VtuArray("tension", np.concatenate([each.tension for _, each, _ in found]).astype("f4"), "N"),
-        VtuArray("stretch", np.concatenate([each.stretch for _, each, _ in found]).astype("f4")),
-        VtuArray("winding", np.concatenate([np.full(len(t.thread), n, dtype="i4") for n, _, t in found])),
-        VtuArray("thread", np.concatenate([threads.thread.astype("i4") for _, _, threads in found])),
+        VtuArray("tension", np.concatenate([each.tension for _, each, _ in windings]).astype("f4"), "N"),
+        VtuArray("stretch", np.concatenate([each.stretch for _, each, _ in windings]).astype("f4")),
+        VtuArray("winding", np.concatenate([np.full(len(t.thread), n, dtype="i4") for n, _, t in windings])),
+        VtuArray("thread", np.concatenate([threads.thread.astype("i4") for _, _, threads in windings])),
     ]
     return simple_grid(points, np.arange(2 * count).reshape(count, 2), cell_data)
 

@@ -10,7 +10,7 @@ from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle, Plane, Plate
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measure import Measure
-from turgor.core.setups.blocked_tip import HeldTip
+from turgor.core.setups.blocked_tip import FixedTip
 from turgor.core.setups.grasped_object import BETWEEN, Grasped
 from turgor.core.setups.setup_values import PLATE
 from turgor.core.solvers.checks.plate import bearing_distance as distance_from_tip
@@ -63,13 +63,13 @@ def contact_measures_of(solution: Solution) -> tuple[Measure, ...]:
     """
     chosen: list[Measure] = []
     model = solution.model
-    obstacles, held = model.contact.obstacles, _held_tip(model)
-    if held is not None or any(isinstance(each, Plate) for each in obstacles):
+    obstacles, tip = model.contact.obstacles, _fixed_tip(model)
+    if tip is not None or any(isinstance(each, Plate) for each in obstacles):
         chosen.append(blocked_force)
     if any(isinstance(each, Plate) for each in obstacles):
         chosen.append(bearing_distance)
-    if held is not None and len(held.directions) > 1:
-        chosen += [_component(axis) for axis in held.directions]
+    if tip is not None and len(tip.directions) > 1:
+        chosen += [_component(axis) for axis in tip.directions]
     if any(isinstance(each, Grasped) for each in obstacles):
         chosen += [pull_distance, grip_force, holding_force]
     for obstacle in obstacles:
@@ -108,22 +108,22 @@ def _area_on(at: StateFields, name: str) -> float:
     return 0.0 if touch is None else at.mesh.symmetry_factor * touch.area
 
 
-def _held_tip(model: Model) -> HeldTip | None:
-    return next((support for support in model.supports if isinstance(support, HeldTip)), None)
+def _fixed_tip(model: Model) -> FixedTip | None:
+    return next((support for support in model.supports if isinstance(support, FixedTip)), None)
 
 
 def _push(at: StateFields) -> tuple[Array, Array]:
     """Force of the tip on what stops it, of the whole actuator [N], and the direction in which it pushes, (3,) each."""
-    held = _held_tip(at.model)
-    if held is not None:
+    tip = _fixed_tip(at.model)
+    if tip is not None:
         force = np.zeros(3)
-        axes = ["xyz".index(letter) for letter in held.directions]
-        force[axes] = _force_on_gauge(at, held.face)[axes]
-        return at.facts.of_whole(force), np.array(held.push)
+        axes = ["xyz".index(letter) for letter in tip.directions]
+        force[axes] = _force_on_gauge(at, tip.face)[axes]
+        return at.facts.of_whole(force), np.array(tip.push)
     plates = [each for each in at.model.contact.obstacles if each.name == PLATE and isinstance(each.shape, Plane)]
     if not plates:
         raise TurgorError(
-            "nothing stops the tip: the model has neither a plane obstacle 'plate' nor a held tip; make it "
+            "nothing stops the tip: the model has neither a plane obstacle 'plate' nor a fixed tip; make it "
             "with setups.blocked_force."
         )
     assert isinstance(plates[0].shape, Plane)
@@ -131,7 +131,7 @@ def _push(at: StateFields) -> tuple[Array, Array]:
 
 
 def _force_on_gauge(at: StateFields, face: str) -> Array:
-    """Force of a held face, or of the tab that is glued to it, of the whole actuator, (3,) [N]."""
+    """Force of a fixed face, or of the tab that is glued to it, of the whole actuator, (3,) [N]."""
     tab = at.state.points.get(face)
     if tab is not None:
         return -tab.force
@@ -167,13 +167,13 @@ def _grasped(at: StateFields) -> Grasped:
 
 
 def _holding_force(at: StateFields) -> float:
-    held = _grasped(at)
-    return float(-held.fingers * _force_on(at, held.name) @ np.array(held.pull))
+    grasped = _grasped(at)
+    return float(-grasped.fingers * _force_on(at, grasped.name) @ np.array(grasped.pull))
 
 
 def _pull_distance(at: StateFields) -> float:
-    held = _grasped(at)
-    return float(held.displacement(at.state.load_factor) @ np.array(held.pull))
+    grasped = _grasped(at)
+    return float(grasped.displacement(at.state.load_factor) @ np.array(grasped.pull))
 
 
 def _largest(values: Sequence[float]) -> float:

@@ -24,7 +24,7 @@ FARTHEST = 0.25
 def marker(name: str, point: Sequence[float]) -> tuple[Measure, Measure, Measure]:
     """Return the coordinates of a marker as measures, as a camera would record them.
 
-    A marker on the surface moves with the point of the surface on which it lies. One beside it, such as a ball on a
+    A marker on the surface moves with the point of the surface on which it lies. One next to it, such as a ball on a
     pin, moves with the nearest point of the surface and turns with the surface there. One on the mirror image of a
     modeled half is the image of its mirror image; one outside the modeled sector of a wedge, that of its turned image.
 

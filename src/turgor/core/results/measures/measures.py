@@ -38,7 +38,7 @@ from turgor.core.results.measures.field_measures import (
 )
 from turgor.core.results.measures.measure import Measure as Measure
 from turgor.core.results.measures.measure import measures_of
-from turgor.core.results.measures.point_measures import held_points_force, point_measure, point_measures_of
+from turgor.core.results.measures.point_measures import fixed_points_force, point_measure, point_measures_of
 from turgor.core.results.measures.rotations import face_rotation, twist
 from turgor.core.solvers.pressures import pressures_of, stated_by_loads
 from turgor.core.solvers.procedures.stages import Stages
@@ -99,7 +99,7 @@ class Reader:
     def response(self, solution: Solution, fields: PathFields | None = None) -> Response:
         """Return the measures of all states, as `measure` does; ``fields`` are those that others read, too."""
         chosen = chosen_measures(solution, self.measures)
-        names = tuple(each.name for each in chosen)  # the measures of parts are made anew each time
+        names = tuple(each.name for each in chosen)  # the measures of parts are made again each time
         if names != self._names:
             self._names, self._rows = names, {}
         if self._facts is None or self._facts.mesh is not solution.model.mesh:
@@ -131,13 +131,13 @@ class Reader:
 
 
 def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Measure, ...]:
-    """Choose what `measure` reads: what is asked for with its parts, or the standard measures."""
+    """Choose what `measure` reads: what is requested with its parts, or the standard measures."""
     mesh = solution.model.mesh
     fitting = fitting_measures(measured_faces(mesh.faces, mesh.cavities))
     standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
     own = (*point_measures_of(solution.model), *contact_measures_of(solution))
-    asked = (*fitting, *own) if standard else measures
-    return _with_parts(asked, mesh)
+    requested = (*fitting, *own) if standard else measures
+    return _with_parts(requested, mesh)
 
 
 def fitting_measures(faces: Collection[str]) -> tuple[Measure, ...]:
@@ -251,10 +251,10 @@ def _drive(solution: Solution) -> tuple[Column, ...]:
     columns = [Column("load_factor", "", factors), *stage_column(solution), *time_column(solution)]
     common = common_pressure(solution.model.loads)
     if not all(state.model is solution.model and stated_by_loads(state) for state in solution.states):
-        found = [pressures_of(state) for state in solution.states]
-        for face in found[0]:
-            name = "pressure" if len(found[0]) == 1 else f"{as_column(face)}_pressure"
-            columns.append(Column(name, "kPa", np.array([at[face] for at in found])))
+        pressures = [pressures_of(state) for state in solution.states]
+        for face in pressures[0]:
+            name = "pressure" if len(pressures[0]) == 1 else f"{as_column(face)}_pressure"
+            columns.append(Column(name, "kPa", np.array([at[face] for at in pressures])))
     elif common is not None:
         columns.append(Column("pressure", "kPa", np.array([common.at(factor) for factor in factors])))
     elif solution.model.pressures:
@@ -308,21 +308,21 @@ def _cavity_volume(at: StateFields) -> float:
 
 def _reaction(at: StateFields) -> float:
     """Sum the forces along the directions in which the supports Fixed and Radial hold each node."""
-    held = np.zeros(at.mesh.points.shape, dtype=bool)
+    fixed = np.zeros(at.mesh.points.shape, dtype=bool)
     for support in at.model.supports:
         if isinstance(support, Fixed) and support.face in at.mesh.faces:
             nodes = at.mesh.face_nodes(support.face)
             for direction in support.directions:
-                held[nodes, "xyz".index(direction)] = True
+                fixed[nodes, "xyz".index(direction)] = True
     nodes, normals = radial_normals(at.model)
-    if not held.any() and not len(nodes):
+    if not fixed.any() and not len(nodes):
         raise TurgorError("the model has no support Fixed or Radial whose force could be summed.")
-    force = np.where(held, at.state.nodal_force, 0.0)
-    across = np.where(held[nodes], 0.0, normals)  # what the normal adds to the directions that are fixed
+    force = np.where(fixed, at.state.nodal_force, 0.0)
+    across = np.where(fixed[nodes], 0.0, normals)  # what the normal adds to the directions that are fixed
     across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
     force[nodes] += np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across
     whole = at.facts.of_whole(at.mesh.symmetry_factor * force.sum(axis=0))
-    return float(np.linalg.norm(whole + held_points_force(at)))
+    return float(np.linalg.norm(whole + fixed_points_force(at)))
 
 
 bending_angle = Measure(
@@ -365,7 +365,7 @@ smallest_gap = Measure(
     function=lambda at: float(smallest_gap_between(at.facts.walls, at.displacement)),
     definition="smallest distance between outer walls that face each other; negative once they have passed through",
 )  # fmt: skip
-#: What a run writes unless it is told otherwise.
+#: What a run writes unless other measures are requested.
 STANDARD_MEASURES: tuple[Measure, ...] = (
     bending_angle, tip_displacement, cavity_volume, principal_stretch_p99, maximum_principal_stretch, von_mises_p99,
     maximum_von_mises, reaction,

@@ -88,7 +88,7 @@ def point_measure(name: str) -> Measure | None:
 
 
 def point_measures_of(model: Model) -> tuple[Measure, ...]:
-    """Return the measures that a response has by itself: motions of all points, reactions of those that are held.
+    """Return the measures that a response has by itself: motions of all points, reactions of those that are supported.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def point_measures_of(model: Model) -> tuple[Measure, ...]:
     return tuple(chosen)
 
 
-def held_points_force(at: StateFields) -> Array:
+def fixed_points_force(at: StateFields) -> Array:
     """Sum of the forces of supports on reference points that are `Fixed`, along these directions, (3,) [N]."""
     total = np.zeros(3)
     for support in at.model.supports:

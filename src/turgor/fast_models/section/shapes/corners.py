@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry.extrusion import Layer
-from turgor.core.meshing.places import same_places
+from turgor.core.meshing.coinciding_points import same_places
 from turgor.core.meshing.sweeping.section import is_solid, names_at
 
 Array = NDArray[np.float64]

@@ -1,1 +1,1 @@
-"""What pictures show beside the actuator: obstacles, threads, and patches in contact."""
+"""What pictures show besides the actuator: obstacles, threads, and patches in contact."""

@@ -33,9 +33,9 @@ def visible_threads(scene: Scene, hits: Hits, raster: Raster, threads: Sequence[
     threads : sequence of ((k, 3) array [m], (k,) array)
         Points along each thread, and a value at each of them, such as its tension.
     """
-    found = np.full(hits.triangle.shape, np.nan)
+    painted = np.full(hits.triangle.shape, np.nan)
     if not len(threads):
-        return found
+        return painted
     begin = np.concatenate([line[:-1] for line, _ in threads])
     end = np.concatenate([line[1:] for line, _ in threads])
     values = np.concatenate([(each[1:] + each[:-1]) / 2 for _, each in threads])
@@ -50,18 +50,18 @@ def visible_threads(scene: Scene, hits: Hits, raster: Raster, threads: Sequence[
     column, line, depth, row = column[inside], line[inside], scene.depth(points[inside]), row[inside]
     below = DEPTH_JUMP * float(np.ptp(scene.skin.points, axis=0).max())
     seen = (hits.triangle[line, column] >= 0) & (depth <= hits.depth[line, column] + below)
-    found[line[seen], column[seen]] = values[row[seen]]
-    return found
+    painted[line[seen], column[seen]] = values[row[seen]]
+    return painted
 
 
-def draw_threads(image: Bytes, found: Array, width: float, colors: Callable[[Array], Array] | None = None) -> None:
+def draw_threads(image: Bytes, painted: Array, width: float, colors: Callable[[Array], Array] | None = None) -> None:
     """Draw threads into an image, ``width`` samples wide: in ink, or in the color of their values.
 
     Parameters
     ----------
     image : (h, w, 3) array
         Changed in place.
-    found : (h, w) array
+    painted : (h, w) array
         What `visible_threads` returns.
     width : float
         In samples.
@@ -69,15 +69,15 @@ def draw_threads(image: Bytes, found: Array, width: float, colors: Callable[[Arr
         ``colors(values) -> (k, 3)`` from 0 to 255.
     """
     if colors is None:
-        place = thickened(np.isfinite(found), width / 2)
+        place = thickened(np.isfinite(painted), width / 2)
         image[place] = (image[place] * (1 - OPACITY) + np.array(INK) * OPACITY).astype(np.uint8)
         return
-    wide, reach = found.copy(), int(np.ceil(width / 2))
-    rows, columns = np.nonzero(np.isfinite(found))
+    wide, reach = painted.copy(), int(np.ceil(width / 2))
+    rows, columns = np.nonzero(np.isfinite(painted))
     for down in range(-reach, reach + 1):
         for aside in range(-reach, reach + 1):
             if down**2 + aside**2 <= (width / 2) ** 2:
                 at = np.clip(rows + down, 0, len(wide) - 1), np.clip(columns + aside, 0, wide.shape[1] - 1)
-                wide[at] = np.fmax(wide[at], found[rows, columns])
+                wide[at] = np.fmax(wide[at], painted[rows, columns])
     drawn = np.isfinite(wide)
     image[drawn] = colors(wide[drawn]).astype(np.uint8)

@@ -98,7 +98,7 @@ def write_motion(
     Raises
     ------
     TurgorError
-        If the ending is unknown, nothing moves, or MP4 is asked for without the extra ``motion``.
+        If the ending is unknown, nothing moves, or MP4 is requested without the extra ``motion``.
     """
     path, motion = Path(path), motion or Motion()
     ending = path.suffix.lower()
@@ -194,11 +194,11 @@ def _encoder() -> Any:
 
 def _write_mp4(cv2: Any, path: Path, images: list[Bytes], motion: Motion) -> None:
     height, width = images[0].shape[:2]
-    beside = path.with_name(path.name + ".mp4")  # OpenCV chooses the container by the ending
-    writer = cv2.VideoWriter(str(beside), cv2.VideoWriter_fourcc(*"mp4v"), float(motion.rate), (width, height))
+    temporary = path.with_name(path.name + ".mp4")  # OpenCV chooses the container by the ending
+    writer = cv2.VideoWriter(str(temporary), cv2.VideoWriter_fourcc(*"mp4v"), float(motion.rate), (width, height))
     if not writer.isOpened():
         raise TurgorError("OpenCV cannot write MP4 on this machine; write .gif or .webp instead.")
     for each in images + (images[-2::-1] if motion.back else []):
         writer.write(np.ascontiguousarray(each[..., ::-1]))
     writer.release()
-    beside.replace(path)
+    temporary.replace(path)

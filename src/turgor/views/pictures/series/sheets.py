@@ -179,7 +179,7 @@ def _view(states: Sequence[State | StateFields], color_by: str | Field, width: i
 
 
 def _within(picture: NDArray[np.uint8], view: View) -> NDArray[np.uint8]:
-    """The picture without the white beside the widest state, but for a small margin."""
+    """The picture without the white on both sides of the widest state, but for a small margin."""
     content = round((view.right - view.left) / view.pixel)
     spare = max(0, (view.columns - content) // 2 - MARGIN // 3)
     return picture[:, spare : picture.shape[1] - spare]

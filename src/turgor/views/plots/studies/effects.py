@@ -82,15 +82,15 @@ def plot_effects(axes: Axes, levels: Sequence[float | str], effects: Sequence[Ef
         axes.set_xlim(-0.4, len(levels) - 0.6)
     elif len(at) <= MOST_TICKS:
         axes.set_xticks(at, labels=[f"{each:.4g}" for each in at])
-    told = False
+    labeled = False
     for color, each in zip(shades(len(effects)), effects, strict=True):
         known = np.where(np.isfinite(each.errors), each.errors, 0.0)
         bars = known if known.any() else None
         axes.errorbar(at, each.values, yerr=bars, fmt="o", ms=4.5, capsize=3, lw=1.2, color=color, label=each.label)
         for k, hidden in enumerate(each.hidden):
             style = {"ls": ":", "color": QUIET, "lw": 1.8} if hidden else {"ls": "-", "color": color, "lw": 1.6}
-            label = HIDDEN if hidden and not told else None
-            told = told or bool(hidden)
+            label = HIDDEN if hidden and not labeled else None
+            labeled = labeled or bool(hidden)
             axes.plot(at[k : k + 2], each.values[k : k + 2], label=label, zorder=1.5, **style)
     axes.set_xlabel(x, color=INK)
     axes.set_ylabel(y, color=INK)

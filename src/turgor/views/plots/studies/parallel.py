@@ -106,7 +106,7 @@ def _upright(axes: Axes, place: int, each: Coordinate, *, is_last: bool) -> None
         marks = [((k - low) / (high - low), name) for k, name in enumerate(each.names)]
     else:
         marks = [(share, f"{low + share * (high - low):.3g}") for share in (0.0, 0.5, 1.0)]
-    beside, align = (0.03, "left") if is_last else (-0.03, "right")
+    offset, align = (0.03, "left") if is_last else (-0.03, "right")
     for height, text in marks:
         box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 1.0}
-        axes.text(place + beside, height, text, ha=align, va="center", color=INK, fontsize=8, bbox=box)
+        axes.text(place + offset, height, text, ha=align, va="center", color=INK, fontsize=8, bbox=box)

@@ -9,8 +9,8 @@ const ELEVATION = (18 * Math.PI) / 180;
 // Whether a processor draws in place of a graphics card. It is some fifty times slower, so the viewer asks less of it.
 function drawsInSoftware() {
   const probe = document.createElement("canvas").getContext("webgl2");
-  const told = probe?.getExtension("WEBGL_debug_renderer_info");
-  const name = told ? probe.getParameter(told.UNMASKED_RENDERER_WEBGL) : "";
+  const extension = probe?.getExtension("WEBGL_debug_renderer_info");
+  const name = extension ? probe.getParameter(extension.UNMASKED_RENDERER_WEBGL) : "";
   probe?.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
@@ -174,6 +174,6 @@ class Stage {
     this.lamp.target.position.copy(this.controls.target);
     this.renderer.render(this.scene, this.camera);
     this.frames++;
-    this.listeners.forEach((told) => told());
+    this.listeners.forEach((listener) => listener());
   }
 }

@@ -1,4 +1,4 @@
-// Body: the actuator with its lines, its cut, its outline at rest, and what stands beside it.
+// Body: the actuator with its lines, its cut, its outline at rest, and what stands next to it.
 
 const RUBBER = 0xdcd9d4;
 

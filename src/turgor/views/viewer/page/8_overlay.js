@@ -33,9 +33,9 @@ class Overlay {
   }
 }
 
-// Tells the value under the pointer while no button is pressed.
+// Shows the value under the pointer while no button is pressed.
 class Probe {
-  constructor(stage, body, box, told) {
+  constructor(stage, body, box, describe) {
     this.caster = new THREE.Raycaster();
     this.tip = document.createElement("div");
     this.tip.className = "v-tip";
@@ -45,7 +45,7 @@ class Probe {
     box.addEventListener("pointermove", (event) => {
       clearTimeout(waiting);
       this.tip.hidden = true;
-      if (event.buttons === 0) waiting = setTimeout(() => this.#ask(stage, body, box, event, told), 120);
+      if (event.buttons === 0) waiting = setTimeout(() => this.#show(stage, body, box, event, describe), 120);
     });
     box.addEventListener("pointerleave", () => {
       clearTimeout(waiting);
@@ -53,7 +53,7 @@ class Probe {
     });
   }
 
-  #ask(stage, body, box, event, told) {
+  #show(stage, body, box, event, describe) {
     const frame = box.getBoundingClientRect();
     const [x, y] = [event.clientX - frame.left, event.clientY - frame.top];
     this.caster.setFromCamera(new THREE.Vector2((2 * x) / frame.width - 1, 1 - (2 * y) / frame.height), stage.camera);
@@ -61,7 +61,7 @@ class Probe {
     const hits = this.caster.intersectObjects(body.meshes).filter((hit) => !cut || cut.distanceToPoint(hit.point) >= 0);
     if (!hits.length) return;
     const place = hits[0].point.toArray().map((value) => written(1000 * value));
-    this.tip.textContent = `${told(hits[0].uv.x)} at (${place.join(", ")}) mm`;
+    this.tip.textContent = `${describe(hits[0].uv.x)} at (${place.join(", ")}) mm`;
     this.tip.style.left = `${Math.min(x + 12, frame.width - 220)}px`;
     this.tip.style.top = `${y + 14}px`;
     this.tip.hidden = false;

@@ -45,7 +45,7 @@ class Viewer {
     this.rest = positions.at(0);
     this.#frame(places);
     new Overlay(this.stage, picture);
-    new Probe(this.stage, this.body, picture, (share) => this.#told(share));
+    new Probe(this.stage, this.body, picture, (share) => this.#describe(share));
     this.#controls();
     this.show(0);
     this.body.keepRest();
@@ -97,7 +97,7 @@ class Viewer {
     this.stage.frame(cloud);
   }
 
-  #told(share) {
+  #describe(share) {
     const field = this.shown;
     const value = field.low + share * (field.high - field.low);
     return `${field.label} ${written(value, 3)} ${field.unit}`.trim();

@@ -34,7 +34,7 @@ LATER = {
     "turgor.accuracy.laboratory",
     "turgor.core.materials.experiments.material_test",
     "turgor.core.materials.fitting.fit_laws",
-    "turgor.core.meshing.exchange.fill",
+    "turgor.core.meshing.exchange.surface_filling",
     "turgor.core.meshing.exchange.read",
     "turgor.core.meshing.generate",
     "turgor.views.pictures",

@@ -6,7 +6,7 @@ from turgor.actuators import RectangularBender, SemicircularBender
 
 import turgor as tg
 from turgor.core.meshing.cells import six_node_triangles
-from turgor.core.meshing.quality.facing import unit_normals
+from turgor.core.meshing.quality.facing_walls import unit_normals
 from turgor.foundation.errors import TurgorError
 from turgor.units import MPa, kPa, mm
 

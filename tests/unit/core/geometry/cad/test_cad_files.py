@@ -11,7 +11,7 @@ from turgor.core.geometry.cad.files import load_file
 from turgor.core.geometry.cad.read import read_here as read_cad
 from turgor.core.geometry.cad.stl import read_stl
 from turgor.core.geometry.cad.surface.crossing import crossings
-from turgor.core.meshing.exchange.fill import mesh_surfaces
+from turgor.core.meshing.exchange.surface_filling import mesh_surfaces
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 

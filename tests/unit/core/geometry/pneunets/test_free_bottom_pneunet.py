@@ -60,7 +60,7 @@ def test_it_meshes_coarsely(options):
         ({"free_height": 9 * mm}, "free_height is 9 mm; allowed is 0.5 mm to 8.49 mm"),
         (
             {"bonded_side": 8 * mm},
-            "bonded_side is 8 mm; allowed is 0 mm to 7.49 mm, beside the channel with its walls.",
+            "bonded_side is 8 mm; allowed is 0 mm to 7.49 mm, next to the channel with its walls.",
         ),
         ({"bonded_side": -1 * mm}, "bonded_side is -1 mm; allowed is 0 mm to 7.49 mm"),
         ({"channel_wall": 5.8 * mm}, "channel_wall is 5.8 mm; allowed is 0.01 mm to 5.74 mm, so that the channel with"),

@@ -7,9 +7,9 @@ import pytest
 import prints
 import turgor as tg
 from turgor.core.geometry.cad.selectors import InBox, WithNormal
-from turgor.core.meshing.exchange.fill import mesh_surfaces
 from turgor.core.meshing.exchange.formats.stl import stl_bytes
 from turgor.core.meshing.exchange.read import read_mesh
+from turgor.core.meshing.exchange.surface_filling import mesh_surfaces
 from turgor.core.meshing.quality.checks import check_mesh
 from turgor.foundation.errors import TurgorError
 from turgor.job.output.lock import lock_text

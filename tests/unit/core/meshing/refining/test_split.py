@@ -11,7 +11,7 @@ from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.core.meshing.quality.cell_quality import cell_shapes, cell_volumes, jacobian_ratios
 from turgor.core.meshing.quality.checks import check_mesh, crossings
 from turgor.core.meshing.refining.split import split_edges
-from turgor.core.meshing.sizing.walls import refine_walls
+from turgor.core.meshing.sizing.wall_refinement import refine_walls
 from turgor.core.meshing.surface import cell_sides, check_surface, corner_keys, outer_triangles
 from turgor.foundation.finding import Severity
 from turgor.units import mm

@@ -10,7 +10,7 @@ from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.generate import mesh
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.quality.facing import first_hits
+from turgor.core.meshing.quality.facing_walls import first_hits
 from turgor.core.meshing.quality.proximity import FacingWalls, find_facing_walls, smallest_gap
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm

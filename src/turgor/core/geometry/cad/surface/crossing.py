@@ -29,14 +29,14 @@ def crossings(points: Array, triangles: Ints) -> Ints:
     low, high = points[triangles].min(axis=1), points[triangles].max(axis=1)
     order = np.argsort(low[:, 0], kind="stable")
     ends = np.searchsorted(low[order, 0], high[order, 0], side="right")
-    found = []
+    crossing = []
     for i in range(len(order)):
         one, others = order[i], order[i + 1 : ends[i]]
         near = ((low[others] <= high[one]) & (high[others] >= low[one])).all(axis=1)
         others = others[near]
         apart = ~np.isin(triangles[others], triangles[one]).any(axis=1)
-        found += [(one, other) for other in others[apart]]
-    pairs = np.array(found, dtype=np.int64).reshape(-1, 2)
+        crossing += [(one, other) for other in others[apart]]
+    pairs = np.array(crossing, dtype=np.int64).reshape(-1, 2)
     pierced = np.zeros(len(pairs), dtype=bool)
     for edges_of, walls in ((0, 1), (1, 0)):
         a, b, c = (points[triangles[pairs[:, walls], i]] for i in range(3))

@@ -19,7 +19,7 @@ PLANE_COSINE, PLANE_DISTANCE = float(np.cos(2 * deg)), 1e-3
 #: Facets whose normals differ by less than this belong to one curved face.
 SMOOTH_COSINE = float(np.cos(30 * deg))
 
-#: A strip of a curved face has a neighbor of similar area, which continues it smoothly; a plane beside a fillet is
+#: A strip of a curved face has a neighbor of similar area, which continues it smoothly; a plane next to a fillet is
 #: this many times larger than the first strip of the fillet.
 LARGER = 4.0
 
@@ -101,8 +101,8 @@ def _truly_plane(region: Ints, normal: Array, area: Array, pairs: Ints) -> NDArr
     total = np.bincount(region, weights=area)
     a, b = region[pairs].T
     smooth = (a != b) & (np.einsum("pi,pi->p", normal[pairs[:, 0]], normal[pairs[:, 1]]) > SMOOTH_COSINE)
-    beside = np.unique(np.concatenate([np.stack([a, b], axis=1)[smooth], np.stack([b, a], axis=1)[smooth]]), axis=0)
-    one, other = beside.T
+    adjacent = np.unique(np.concatenate([np.stack([a, b], axis=1)[smooth], np.stack([b, a], axis=1)[smooth]]), axis=0)
+    one, other = adjacent.T
     largest, together = np.zeros(len(total)), np.bincount(one, weights=total[other], minlength=len(total))
     np.maximum.at(largest, one, total[other])
     least = np.where(together > 0, LEAST_PLANE * float(area.sum()), 0.0)

@@ -13,7 +13,7 @@ from turgor.core.geometry.cad.symmetry.facet_cut import facet_half, facet_symmet
 from turgor.core.geometry.cad.symmetry.find import MirrorPlane, PartSymmetry, find_symmetry
 from turgor.core.geometry.cad.symmetry.modeled_share import Modeled
 from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
-from turgor.core.geometry.cad.symmetry.wedges import asked_wedge, cut_to_wedge, smaller_wedge
+from turgor.core.geometry.cad.symmetry.wedges import cut_to_wedge, requested_wedge, smaller_wedge
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 
@@ -43,7 +43,7 @@ def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Mo
     Raises
     ------
     TurgorError
-        If what is asked for by name does not map the part onto itself.
+        If what is requested by name does not map the part onto itself.
     """
     if not wanted.automatic and not wanted.normals and not wanted.wedge:
         return Modeled(part=part, names=tuple(names))
@@ -53,21 +53,21 @@ def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Mo
             f"symmetry: '{part.path}' is given by facets, and is cut at mirror planes only, not to a wedge: "
             'use "automatic" or "y", or export STEP.'
         )
-    found = facet_symmetry(part, names) if facets else find_symmetry(part, names)
+    symmetry = facet_symmetry(part, names) if facets else find_symmetry(part, names)
     if wanted.wedge:
-        return cut_to_wedge(part, names, asked_wedge(part, names, found, wanted.fold))
-    used, left = _chosen(part, found, wanted)
-    smaller = smaller_wedge(part, names, found, wanted, 2 ** len(used)) if wanted.automatic else None
+        return cut_to_wedge(part, names, requested_wedge(part, names, symmetry, wanted.fold))
+    used, left = _chosen(part, symmetry, wanted)
+    smaller = smaller_wedge(part, names, symmetry, wanted, 2 ** len(used)) if wanted.automatic else None
     if smaller is not None:
         return cut_to_wedge(part, names, smaller)
     for plane in used:
         part, names = facet_half(part, names, plane) if facets else _half(part, names, plane)
-    return Modeled(part=part, names=tuple(names), findings=(_told(used, left),))
+    return Modeled(part=part, names=tuple(names), findings=(_finding(used, left),))
 
 
-def _chosen(part: Part, found: PartSymmetry, wanted: WantedSymmetry) -> tuple[list[MirrorPlane], dict[str, str]]:
+def _chosen(part: Part, symmetry: PartSymmetry, wanted: WantedSymmetry) -> tuple[list[MirrorPlane], dict[str, str]]:
     """The planes to cut at, and why the others are left."""
-    mirrors = {plane.normal: plane for plane in found.mirrors}
+    mirrors = {plane.normal: plane for plane in symmetry.mirrors}
     if not wanted.automatic:
         for letter in wanted.normals:
             _check_has(part, letter, mirrors)
@@ -81,7 +81,7 @@ def _chosen(part: Part, found: PartSymmetry, wanted: WantedSymmetry) -> tuple[li
         if letter in wanted.broken:
             left[letter] = wanted.broken[letter]
         elif any({"fixed", "tip"} & set(pair) for pair in plane.joined):
-            continue  # the ends are held and moved differently: nobody expects a half there
+            continue  # the ends are fixed and moved differently: nobody expects a half there
         elif plane.joined:
             left[letter] = f"it maps '{plane.joined[0][0]}' onto '{plane.joined[0][1]}', which have names of their own"
         else:
@@ -141,7 +141,7 @@ def _named(part: Part, shape: Any, axis: int, plane: MirrorPlane) -> tuple[Part,
     return with_shape(part, shape, faces, facets), tuple(names)
 
 
-def _told(used: Sequence[MirrorPlane], left: dict[str, str]) -> Finding:
+def _finding(used: Sequence[MirrorPlane], left: dict[str, str]) -> Finding:
     """Say what is modeled."""
     share = {0: "The whole part", 1: "Half of the part", 2: "A quarter of the part", 3: "An eighth of the part"}
     planes = " and ".join(f"{plane.normal} = {plane.position + 0.0:.4g} mm" for plane in used)

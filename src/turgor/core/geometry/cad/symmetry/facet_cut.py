@@ -51,7 +51,7 @@ def facet_symmetry(part: Part, names: Sequence[str]) -> PartSymmetry:
     low, high = shape.points.min(axis=0), shape.points.max(axis=0)
     middle = (low + high) / 2
     middle[np.abs(middle) < IN_PLANE * (high - low).max()] = 0.0
-    found = []
+    mirrors = []
     for axis, letter in enumerate("xyz"):
         flip = np.eye(3)[axis]
         image = body.translate(-middle).mirror(flip).translate(middle)
@@ -59,9 +59,9 @@ def facet_symmetry(part: Part, names: Sequence[str]) -> PartSymmetry:
             continue
         joined = _joined(shape, names, axis, float(middle[axis]))
         if joined is not None:
-            found.append(MirrorPlane(normal=letter, position=float(middle[axis]), joined=joined))
+            mirrors.append(MirrorPlane(normal=letter, position=float(middle[axis]), joined=joined))
     x, y, z = (float(value) for value in middle)
-    return PartSymmetry(mirrors=tuple(found), axis="", fold=1, center=(x, y, z))
+    return PartSymmetry(mirrors=tuple(mirrors), axis="", fold=1, center=(x, y, z))
 
 
 def facet_half(part: Part, names: Sequence[str], plane: MirrorPlane) -> tuple[Part, tuple[str, ...]]:

@@ -93,7 +93,7 @@ def find_symmetry(part: Part, names: Sequence[str]) -> PartSymmetry:
     faces = _Faces.of(part, names)
     size = float(np.ptp(part.facets.points, axis=0).max())
     center = part.facets.points.min(axis=0) / 2 + part.facets.points.max(axis=0) / 2
-    center[np.abs(center) < SAME * size] = 0.0  # what is made about the origin is symmetric about it, not beside it
+    center[np.abs(center) < SAME * size] = 0.0  # what is made about the origin is symmetric about it, not next to it
     mirrors = []
     for axis, letter in enumerate("xyz"):
         flip = np.eye(3)

@@ -62,14 +62,14 @@ class WantedSymmetry:
 
     @property
     def wedge(self) -> bool:
-        """Whether a wedge is asked for by name."""
+        """Whether a wedge is requested by name."""
         if not isinstance(self.planes, str) or self.planes.split(" ")[0] != WEDGE:
             return False
         return self.planes == WEDGE or self.fold is not None
 
     @property
     def fold(self) -> int | None:
-        """The number of sectors that is asked for; None where it is to be found."""
+        """The number of sectors that is requested; None where it is to be found."""
         word, _, number = self.planes.partition(" ")
         if word != WEDGE or not (number.isascii() and number.isdigit()):
             return None
@@ -82,7 +82,7 @@ class WantedSymmetry:
 
     @property
     def normals(self) -> tuple[str, ...]:
-        """Normals of the planes that are asked for by name."""
+        """Normals of the planes that are requested by name."""
         return () if self.planes in (NONE, AUTOMATIC) or self.wedge else tuple(sorted(self.planes))
 
 

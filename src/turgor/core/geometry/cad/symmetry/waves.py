@@ -40,11 +40,11 @@ def surface_waves(facets: Facets, axis: int, center: Array) -> Array:
     z = spots[:, b] + 1j * spots[:, c]
     radius = np.abs(z)
     unit = z / np.maximum(radius, 1e-12 * radius.max())
-    weights, turned, found = weights * radius**2, np.ones_like(unit), []
+    weights, turned, waves = weights * radius**2, np.ones_like(unit), []
     for _ in range(MOST_WAVES):
         turned *= unit
-        found.append(abs(complex(weights @ turned)))
-    return np.array(found) / weights.sum()
+        waves.append(abs(complex(weights @ turned)))
+    return np.array(waves) / weights.sum()
 
 
 def returns(waves: Array, fold: int) -> bool:

@@ -16,60 +16,60 @@ from turgor.units import mm
 OF_REVOLUTION = 6
 
 
-def asked_wedge(part: Part, names: Sequence[str], found: PartSymmetry, fold: int | None) -> Wedge:
-    """The wedge that is asked for by name, with the largest number of sectors where none is given.
+def requested_wedge(part: Part, names: Sequence[str], symmetry: PartSymmetry, fold: int | None) -> Wedge:
+    """The wedge that is requested by name, with the largest number of sectors where none is given.
 
     Raises
     ------
     TurgorError
         If the part is not the same after each of so many turns, or a turn joins faces with names of their own.
     """
-    if not found.axis:
+    if not symmetry.axis:
         raise TurgorError(
             f"symmetry: '{part.path}' is not the same after any turn about x, y or z by less than a whole one, so that "
-            f"it has no wedge; it has: {found}. Its axis must be along x, y or z."
+            f"it has no wedge; it has: {symmetry}. Its axis must be along x, y or z."
         )
-    wedge = _wedge(found, fold or found.fold or OF_REVOLUTION)
-    joined = joined_by_turn(part, names, found, wedge.fold)
+    wedge = _wedge(symmetry, fold or symmetry.fold or OF_REVOLUTION)
+    joined = joined_by_turn(part, names, symmetry, wedge.fold)
     if joined is None:
         raise TurgorError(
-            f"symmetry: '{part.path}' is not the same after a turn of 1/{wedge.fold} about {found.axis}; it is the "
-            f"same after each of {found.fold} turns about {found.axis}, and a number of sectors that divides "
-            f"{found.fold} can be used."
+            f"symmetry: '{part.path}' is not the same after a turn of 1/{wedge.fold} about {symmetry.axis}; it is the "
+            f"same after each of {symmetry.fold} turns about {symmetry.axis}, and a number of sectors that divides "
+            f"{symmetry.fold} can be used."
         )
     apart = [pair for pair in joined if not all(name.startswith("cavity") for name in pair)]
     if apart:
         raise TurgorError(
-            f"symmetry: a turn of 1/{wedge.fold} about {found.axis} maps '{apart[0][0]}' onto '{apart[0][1]}'; give "
+            f"symmetry: a turn of 1/{wedge.fold} about {symmetry.axis} maps '{apart[0][0]}' onto '{apart[0][1]}'; give "
             "both the same name to model a wedge."
         )
     return wedge
 
 
 def smaller_wedge(
-    part: Part, names: Sequence[str], found: PartSymmetry, wanted: WantedSymmetry, share: int
+    part: Part, names: Sequence[str], symmetry: PartSymmetry, wanted: WantedSymmetry, share: int
 ) -> Wedge | None:
     """The wedge of a part, if it is a smaller share than 1/share and loads and names allow it."""
-    if not found.axis or found.axis in wanted.broken_turns:
+    if not symmetry.axis or symmetry.axis in wanted.broken_turns:
         return None
-    if found.fold == 0 and share > 1:
+    if symmetry.fold == 0 and share > 1:
         return None  # a quarter becomes axisymmetric if that is wanted
-    wedge = _wedge(found, found.fold or OF_REVOLUTION)
+    wedge = _wedge(symmetry, symmetry.fold or OF_REVOLUTION)
     if wedge.fold <= max(share, 2):
         return None  # a half is as good between mirror planes, and a body that reaches its axis has no other
-    return None if joined_by_turn(part, names, found, wedge.fold) else wedge
+    return None if joined_by_turn(part, names, symmetry, wedge.fold) else wedge
 
 
 def cut_to_wedge(part: Part, names: Sequence[str], wedge: Wedge) -> Modeled:
     """Cut a sector out of a part; cavities that a turn joins get one name."""
     renamed = _together(part, names, wedge)
     own, cut = sector(part, [renamed.get(name, name) for name in names], wedge)
-    return Modeled(part=own, names=cut, findings=(_told(wedge, renamed),), wedge=wedge, renamed=renamed)
+    return Modeled(part=own, names=cut, findings=(_finding(wedge, renamed),), wedge=wedge, renamed=renamed)
 
 
-def _wedge(found: PartSymmetry, fold: int) -> Wedge:
-    x, y, z = found.center
-    return Wedge(axis=found.axis, fold=fold, center=(x * mm, y * mm, z * mm))
+def _wedge(symmetry: PartSymmetry, fold: int) -> Wedge:
+    x, y, z = symmetry.center
+    return Wedge(axis=symmetry.axis, fold=fold, center=(x * mm, y * mm, z * mm))
 
 
 def _together(part: Part, names: Sequence[str], wedge: Wedge) -> dict[str, str]:
@@ -86,7 +86,7 @@ def _together(part: Part, names: Sequence[str], wedge: Wedge) -> dict[str, str]:
     return {name: leader for name, leader in first.items() if leader != name}
 
 
-def _told(wedge: Wedge, renamed: dict[str, str]) -> Finding:
+def _finding(wedge: Wedge, renamed: dict[str, str]) -> Finding:
     """Say what is modeled."""
     names = {name: sorted(each for each, to in renamed.items() if to == name) for name in renamed.values()}
     together = "".join(f" '{name}' stands for {', '.join(each)}, under one pressure." for name, each in names.items())

@@ -86,11 +86,11 @@ def _named(name: str, value: float) -> tuple[int, int, float]:
 def _term(term: Any) -> tuple[int, int, float]:
     try:
         i, j, value = term
-        found = (int(i), int(j), number(value, f"GeneralizedRivlin: C{i}{j}", "pressure", finite=False))
+        checked = (int(i), int(j), number(value, f"GeneralizedRivlin: C{i}{j}", "pressure", finite=False))
     except TurgorError:
         raise
     except (TypeError, ValueError):
         raise TurgorError(f"GeneralizedRivlin: {term!r} is no term; give (i, j, Cij) with a number Cij.") from None
-    if found[:2] != (i, j) or min(found[:2]) < 0 or sum(found[:2]) < 1:
+    if checked[:2] != (i, j) or min(checked[:2]) < 0 or sum(checked[:2]) < 1:
         raise TurgorError(f"GeneralizedRivlin: exponents {i}, {j}; they must be whole, at least 0, and not both 0.")
-    return found
+    return checked

@@ -76,7 +76,7 @@ def read_abaqus(path: Path) -> RawMesh:
 
 def _keywords(path: Path, above: tuple[Path, ...] = ()) -> list[_Keyword]:
     """Split a file into keywords, with the files that it includes in their places; ``above`` are those around it."""
-    found: list[_Keyword] = []
+    keywords: list[_Keyword] = []
     pending = ""
     for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
         if line.startswith("**") or not line.strip():
@@ -84,8 +84,8 @@ def _keywords(path: Path, above: tuple[Path, ...] = ()) -> list[_Keyword]:
         text = pending + line.strip()
         pending = ""
         if not text.startswith("*"):
-            if found:
-                found[-1].lines.append(text)
+            if keywords:
+                keywords[-1].lines.append(text)
             continue
         if text.endswith(","):  # a keyword line goes on in the next line
             pending = text
@@ -94,9 +94,9 @@ def _keywords(path: Path, above: tuple[Path, ...] = ()) -> list[_Keyword]:
         given = {k.strip().lower(): v.strip().strip('"') for k, _, v in (p.partition("=") for p in parameters)}
         keyword = _Keyword(" ".join(name.lower().split()), given)
         if keyword.name == "include":
-            found += _included(path, given.get("input", ""), (*above, path.resolve()))
-        found.append(keyword)
-    return found
+            keywords += _included(path, given.get("input", ""), (*above, path.resolve()))
+        keywords.append(keyword)
+    return keywords
 
 
 def _included(path: Path, name: str, above: tuple[Path, ...]) -> list[_Keyword]:

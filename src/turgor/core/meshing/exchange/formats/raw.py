@@ -97,7 +97,7 @@ class RawMesh:
     sections : tuple of str
         Groups that the file gives a material, which together hold every cell once.
     named : bool
-        Whether the groups were named by a person: they then become regions and faces without being asked for.
+        Whether the groups were named by a person: they then become regions and faces without a request.
     unit : str
         Unit of length that the file states; empty where it states none.
     left_out : tuple of str
@@ -152,11 +152,11 @@ def rows_of(ids: Ints, known: Ints, path: Path, what: str) -> Ints:
         raise TurgorError(f"'{path}': the file defines no {what}s.")
     order = np.argsort(known, kind="stable")
     place = np.minimum(np.searchsorted(known[order], ids), len(known) - 1)
-    found = np.asarray(order[place])
-    wrong = known[found] != ids
+    rows = np.asarray(order[place])
+    wrong = known[rows] != ids
     if wrong.any():
         raise TurgorError(f"'{path}': {what} {int(ids[wrong].flat[0])} is used, but the file does not define it.")
-    return found
+    return rows
 
 
 def numbers(text: str, path: Path, what: str) -> list[float]:

@@ -48,8 +48,8 @@ class Triangles:
             (np.ones(3 * count), (np.repeat(np.arange(count), 3), self.triangles.ravel())), shape=(count, n)
         ).tocsr()
         parts = connected_components(links @ links.T, directed=False)[1]
-        found = [_compact(self.points, self.triangles[parts == part]) for part in np.unique(parts)]
-        return tuple(sorted(found, key=lambda shell: -abs(shell.volume)))
+        shells = [_compact(self.points, self.triangles[parts == part]) for part in np.unique(parts)]
+        return tuple(sorted(shells, key=lambda shell: -abs(shell.volume)))
 
 
 def _compact(points: Array, triangles: Ints) -> Triangles:

@@ -56,7 +56,7 @@ class VtkCells:
     labels: dict[str, Ints]
 
 
-def vtk_mesh(path: Path, points: Array, found: VtkCells) -> RawMesh:
+def vtk_mesh(path: Path, points: Array, content: VtkCells) -> RawMesh:
     """Sort the cells of a VTK file by kind.
 
     Parameters
@@ -64,14 +64,14 @@ def vtk_mesh(path: Path, points: Array, found: VtkCells) -> RawMesh:
     path : Path
         The file, for messages.
     points : (n, 3) array
-    found : VtkCells
+    content : VtkCells
 
     Returns
     -------
     RawMesh
         With groups that were not named by a person.
     """
-    connectivity, offsets, types = found.connectivity, found.offsets, found.types
+    connectivity, offsets, types = content.connectivity, content.offsets, content.types
     starts = np.concatenate([[0], offsets[:-1]]).astype(np.int64)
     if len(offsets) and (len(offsets) != len(types) or offsets[-1] > len(connectivity)):
         raise TurgorError(f"'{path}' is damaged: {len(types)} cells have kinds, {len(offsets)} have nodes.")
@@ -90,7 +90,7 @@ def vtk_mesh(path: Path, points: Array, found: VtkCells) -> RawMesh:
             raise TurgorError(f"'{path}': a cell uses node {int(nodes.max())}, but there are {len(points)}.")
         groups = {
             f"{name} {value}": np.flatnonzero(values[cells] == value)
-            for name, values in found.labels.items()
+            for name, values in content.labels.items()
             for value in np.unique(values[cells])
         }
         blocks.append(Block(kind=kind, nodes=nodes.astype(np.int64), groups=groups))

@@ -63,9 +63,9 @@ class _Scanner:
             end = self.place + count * kind.itemsize
             if end > len(self.data):
                 raise TurgorError(f"'{self.path}' breaks off.")
-            found = np.frombuffer(self.data[self.place : end], dtype=kind)
+            values = np.frombuffer(self.data[self.place : end], dtype=kind)
             self.place = end
-            return found.astype(kind.newbyteorder("="))
+            return values.astype(kind.newbyteorder("="))
         words = self.data[self.place :].split(None, count)
         if len(words) < count:
             raise TurgorError(f"'{self.path}' breaks off.")

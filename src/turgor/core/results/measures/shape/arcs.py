@@ -41,8 +41,8 @@ def distance_from_arc(points: Array) -> float:
     frame, curvature = _first(scaled)
     start = np.array([0.0, 0.0, 0.0, 0.0, 0.0, curvature])
     local = (scaled - scaled[len(scaled) // 2]) @ frame
-    found = least_squares(_distances, start, args=(local,), xtol=1e-14, ftol=1e-14, gtol=1e-14)
-    return size * float(np.sqrt(2 * found.cost / len(points)))
+    fitted = least_squares(_distances, start, args=(local,), xtol=1e-14, ftol=1e-14, gtol=1e-14)
+    return size * float(np.sqrt(2 * fitted.cost / len(points)))
 
 
 def _distances(parameters: Array, points: Array) -> Array:

@@ -139,7 +139,7 @@ def center_line(state: State | StateFields) -> CenterLine:
 def _found(at: StateFields) -> CenterLine:
     pieces = at.facts.once("center line", partial(_pieces, at.facts))
     rotations, centers, rest = sections_of(at, pieces)
-    found = [
+    motions = [
         screw_between(a.T @ b, a.T @ (there - here))
         for a, b, here, there in zip(rotations[:-1], rotations[1:], centers[:-1], centers[1:], strict=True)
     ]
@@ -147,8 +147,8 @@ def _found(at: StateFields) -> CenterLine:
         rest=rest,
         position=centers,
         rotation=rotations,
-        turns=np.array([turn for turn, _ in found]),
-        ways=np.array([way for _, way in found]),
+        turns=np.array([turn for turn, _ in motions]),
+        ways=np.array([way for _, way in motions]),
         source=Source(text="finite elements", detail=at.mesh.name),
     )
 

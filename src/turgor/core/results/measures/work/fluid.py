@@ -40,8 +40,8 @@ def fluid_works(path: Sequence[StateFields]) -> Array:
     ----------
     path : sequence of StateFields
     """
-    held = np.array([volumes(at) for at in path])
+    volume = np.array([volumes(at) for at in path])
     acting = [pressures_of(at.state) for at in path]
     pressure = np.array([[each.get(name, 0.0) for name in path[0].mesh.cavities] for each in acting])
-    steps = ((pressure[1:] + pressure[:-1]) / 2 * np.diff(held, axis=0)).sum(axis=1)
+    steps = ((pressure[1:] + pressure[:-1]) / 2 * np.diff(volume, axis=0)).sum(axis=1)
     return np.concatenate([[0.0], np.cumsum(steps)])

@@ -1,4 +1,4 @@
-"""Outside loads: the work of an actuator on weights, dead forces, springs and what is held and moved."""
+"""Outside loads: the work of an actuator on weights, dead forces, springs and what is fixed and moved."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -67,14 +67,14 @@ def efficiencies(path: Sequence[StateFields]) -> Array:
 def _dead(path: Sequence[StateFields], loads: list[Load]) -> tuple[Array, Array]:
     """Mean forces (n - 1, k, 3) [N] of dead loads in each step, and ways (n - 1, k, 3) [m] of the nodes."""
     model = replace(path[0].model, loads=tuple(loads))
-    setting, held = _setting(model)
+    setting, carriers = _setting(model)
     terms = dead_terms(setting)
     forces, moved = [], []
     for at in path:
         force = np.zeros_like(setting.points)
         for term in terms:
             term.add_forces(force, Configuration(setting.points, at.state.load_factor, None))
-        own = carried_displacement(held, (1.0, 1.0), at.displacement, at.state.points)
+        own = carried_displacement(carriers, (1.0, 1.0), at.displacement, at.state.points)
         forces.append(force)
         moved.append(np.concatenate([at.displacement, own]))
     force = np.array(forces)

@@ -48,11 +48,11 @@ def _compliance(at: StateFields) -> Array:
     nodes = surfaces.nodal_weights(at.mesh.points, at.mesh.face("tip"))
     share = nodes / nodes.sum()
     loaded = {load.face for load in model.pressures}
-    found = {face: pressure for face, pressure in at.state.pressures.items() if face not in loaded}
+    unknown_pressures = {face: pressure for face, pressure in at.state.pressures.items() if face not in loaded}
     compile_kernels(None, Needs.of(model))
-    system = System(model, tuple(found))
+    system = System(model, tuple(unknown_pressures))
     unknowns = unknowns_of(system, at.state)
-    pressures = np.array(list(found.values())) / system.stress_scale if found else None
+    pressures = np.array(list(unknown_pressures.values())) / system.stress_scale if unknown_pressures else None
     history = system.history(at.state.memory, np.inf)
     here = system.evaluate(unknowns, at.state.load_factor, pressures, history=history)
     if here is None:

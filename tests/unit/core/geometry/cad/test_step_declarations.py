@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from turgor.core.geometry.cad.declared import declared
 from turgor.core.geometry.cad.read import read_cad
+from turgor.core.geometry.cad.step_declarations import declared
 from turgor.foundation.errors import TurgorError
 
 EXAMPLES = Path(__file__).parents[5] / "examples"

@@ -4,7 +4,7 @@ import numpy as np
 
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.meshing.generate import mesh
-from turgor.core.meshing.quality.facing import _ray_distances, first_hits
+from turgor.core.meshing.quality.facing_walls import _ray_distances, first_hits
 from turgor.core.meshing.surface import outer_triangles
 
 

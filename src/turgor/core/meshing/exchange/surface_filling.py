@@ -76,8 +76,8 @@ def mesh_surfaces(
     """
     file = Path(path)
     outer = read_stl(file).shells()
-    found = [shell for cavity in (cavities or {}).values() for shell in read_stl(cavity).shells()]
-    inner = [shell for shell in found if not any(_same(shell, other) for other in outer)]
+    shells_of_cavities = [shell for cavity in (cavities or {}).values() for shell in read_stl(cavity).shells()]
+    inner = [shell for shell in shells_of_cavities if not any(_same(shell, other) for other in outer)]
     for shell, where in ((shell, file) for shell in (*outer, *inner)):
         if shell.open_edges:
             raise TurgorError(f"a surface of '{where}' is open: {shell.open_edges} edges have not two triangles.")
@@ -161,7 +161,7 @@ def _filled(file: Path, shells: Sequence[Triangles], frame: Frame) -> RawMesh:
         try:
             made.GenerateVolumeMesh()
         except netgen.NgException:
-            pass  # no cells were made, which is told below with the places
+            pass  # no cells were made, which is reported below with the places
         finally:
             netgen.SetMessageImportance(before)
         said = text()

@@ -27,7 +27,7 @@ def turned_part(part: Part, rotation: Array) -> Part:
 
 
 def turned_naming(part: Part, naming: Naming, given: Collection[str]) -> Naming:
-    """Return the names of the faces of a part after it was turned: cavities that were found are numbered along x anew.
+    """Return the names of the faces of a part after it was turned: cavities that were found are numbered along x again.
 
     Parameters
     ----------
@@ -38,9 +38,9 @@ def turned_naming(part: Part, naming: Naming, given: Collection[str]) -> Naming:
     given : collection of str
         Names that the caller or the file has given, which stay.
     """
-    found = {name: hollow for name, hollow in naming.cavities.items() if name not in given}
-    places = {id(hollow): name for name, hollow in found.items()}
-    ordered = [places[id(hollow)] for hollow in in_order([*found.values()], part)]
-    renamed = dict(zip(ordered, sorted(found, key=lambda name: (len(name), name)), strict=True))
+    unnamed = {name: hollow for name, hollow in naming.cavities.items() if name not in given}
+    places = {id(hollow): name for name, hollow in unnamed.items()}
+    ordered = [places[id(hollow)] for hollow in in_order([*unnamed.values()], part)]
+    renamed = dict(zip(ordered, sorted(unnamed, key=lambda name: (len(name), name)), strict=True))
     names = [renamed.get(name, name) for name in naming.names]
     return replace(naming, names=tuple(names), cavities=called_cavities(part, names, mirrors_of(part, names, {})[0])[0])

@@ -1,4 +1,4 @@
-"""Selectors by the numbers of nodes, as research meshes name their faces in lists beside the mesh."""
+"""Selectors by the numbers of nodes, as research meshes name their faces in lists next to the mesh."""
 
 import re
 from collections.abc import Iterable, Sequence
