@@ -144,9 +144,8 @@ def _invert(found: "Surrogate", fixed: "dict[str, Value]", options: _PredictOpti
     from turgor.studies.surrogates.invert import invert
 
     prefer = values_given(options.prefer, found.factors, "--prefer")
-    inverse = invert(
-        found, numbers_given(options.want, found.units, "--want"), held=fixed, prefer=prefer
-    )  # the user's word
+    wanted = numbers_given(options.want, found.units, "--want")
+    inverse = invert(found, wanted, held=fixed, prefer=prefer)  # the user's word
     typer.echo(inverse.sentence())
     for each in found.factors:
         if each.name in inverse.deviations:

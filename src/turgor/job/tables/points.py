@@ -144,16 +144,8 @@ def read_points(
         if geometry is not None and table.face not in geometry.faces:
             problems.add((*key, "face"), str(unknown("face", table.face, geometry.faces)))
             continue
-        fields = (
-            "coupling",
-            "inertia",
-            "held",
-            "displacement",
-            "rotation",
-            "hinge",
-            "axis",
-            "history",
-        )  # the user's word
+        motions = "held", "displacement", "rotation", "hinge", "axis"  # the user's word
+        fields = ("coupling", "inertia", *motions, "history")
         made = problems.attempt(key, partial(_rig, name, table, gravity, duration), fields=fields)
         if made is not None:
             rigs[name] = made

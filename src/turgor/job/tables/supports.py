@@ -38,7 +38,8 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
             allowed = ", ".join(f"'{name}'" for name in (*RADIAL, PLANE))
             problems.add(
                 key,
-                f"{shown(stated)} is not allowed; name the fixed directions, such as 'xyz' or 'z', or one of {allowed}.",
+                f"{shown(stated)} is not allowed; name the fixed directions, such as 'xyz' or 'z', or one "
+                f"of {allowed}.",
             )
         else:
             supports.append(Fixed(face, stated))

@@ -188,7 +188,7 @@ def sobol_indices(
     """
     if samples < 2 or samples & (samples - 1):
         raise TurgorError(f"samples is {samples}; allowed are powers of two, such as 1024.")
-    predictor, fixed = asked, held  # the user's words
+    predictor, fixed = asked, held  # the user's word
     problem, names = problem_of(predictor, fixed, spreads), _names(predictor, measures)
     drawn: Any = needed("SALib.sample.sobol", "a sensitivity")
     values = problem.values(drawn.sample(problem.salib, samples, calc_second_order=False, seed=seed))
@@ -247,7 +247,7 @@ def screening(
     """
     if trajectories < 2:
         raise TurgorError(f"trajectories is {trajectories}; allowed is 2 or more.")
-    predictor, fixed = asked, held  # the user's words
+    predictor, fixed = asked, held  # the user's word
     problem, names = problem_of(predictor, fixed), _names(predictor, measures)
     sample = needed("SALib.sample.morris", "a sensitivity").sample(problem.salib, trajectories, num_levels=4, seed=seed)
     values, units = problem.values(sample), predictor.units
@@ -261,7 +261,8 @@ def screening(
         found.append(
             Screening(
                 measure=name, unit=units[name], factors=tuple(problem.names), size=np.asarray(analysis["mu_star"]),
-                size_error=np.asarray(analysis["mu_star_conf"]), spread=np.asarray(analysis["sigma"]), count=len(sample),
+                size_error=np.asarray(analysis["mu_star_conf"]), spread=np.asarray(analysis["sigma"]),
+                count=len(sample),
             )
         )  # fmt: skip
     return tuple(found)
