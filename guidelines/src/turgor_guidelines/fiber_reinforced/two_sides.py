@@ -22,7 +22,7 @@ NAMED = (70.0, 35.0)
 
 
 def bend(upper: float, lower: float, size: float) -> Computed:
-    """Inflate a tube with double windings at these angles from the axis [deg], free and kept straight."""
+    """Inflate a tube with double windings at these angles from the axis [deg], free and at zero curvature."""
 
     def solve(cell: float) -> tuple[tg.Response, tg.sections.SectionSolution]:
         section = tg.Section(

@@ -34,12 +34,12 @@ def judge(found: Found) -> Judgement:
         straight.append(linearity(each.response, "bending_angle", "pressure", pressure))
         bulges.append(at_angle(each.response, "bulge", angle))
     fast, slow, void = straight
-    parts = ", ".join(f"{name} {value:.4f}" for name, value in zip(found, straight, strict=True))
+    fits = ", ".join(f"{name} {value:.4f}" for name, value in zip(found, straight, strict=True))
     return Judgement(
         verdict=verdict_of(
             [fast > void, slow > void, bulges[0].number < bulges[2].number, bulges[1].number < bulges[2].number]
         ),
-        found=f"R² of a straight line up to {angle:.3g} deg: {parts}; sides bulge by {listed(bulges)} there, in this "
+        found=f"R² of a straight line up to {angle:.3g} deg: {fits}; sides bulge by {listed(bulges)} there, in this "
         f"order",
         conditions=_conditions(straight, [each.number for each in bulges]),
     )

@@ -48,7 +48,7 @@ def extend(rubber: str, size: float) -> Computed:
 
 
 def bend(rubber: str, size: float) -> Computed:
-    """Bend a half-round section free and kept straight, up to a pressure of twice the share of the modulus."""
+    """Bend a half-round section free and at zero curvature, up to a pressure of twice the share of the modulus."""
     material = _rubber(rubber)
     pressures = np.linspace(0, 2 * LARGEST * material.law.shear_modulus, 13)
     # Rods, not threads that go slack: next to the softest rubber slack threads leave no path from rest.

@@ -22,7 +22,7 @@ EQUAL, STRETCH, NAMED = 12.0, 1.4, (8.0, 12.5)
 
 
 def push(width: float, hooped: bool, size: float) -> Computed:
-    """Inflate a rectangular section whose void has a width [mm], kept straight."""
+    """Inflate a rectangular section whose void has a width [mm], at zero curvature."""
     shape = tg.actuators.RectangularBender(
         width=(width + 2 * WALL) * mm,
         height=(HEIGHT + 2 * WALL) * mm,
@@ -140,7 +140,7 @@ GUIDELINE = Guideline(
             title="Width of a rectangular void",
             setup="Section of a long rectangular bender, void 8 mm high and 5 to 25 mm wide, walls of 2 mm, "
             "Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa), fabric of 650 N/mm along and across below; bare or in "
-            "hoops of Kevlar thread every 2 mm; kept straight. Force of a tip that is fixed across, 1.5 times the "
+            "hoops of Kevlar thread every 2 mm; at zero curvature. Force of a tip that is fixed across, 1.5 times the "
             "moment over the length, for a length of 100 mm or a plan area of 1000 mm², at 12 kPa or where the "
             "rubber is stretched by 1.4.",
             expected="The force is largest at a ratio between 8 and 12.5.",
