@@ -37,9 +37,9 @@ def guidelines() -> dict[str, Guideline]:
     for chapter in CHAPTERS:
         package = import_module(f"turgor_guidelines.{chapter}")
         for module in pkgutil.iter_modules(package.__path__):
-            held = import_module(f"{package.__name__}.{module.name}")
-            if hasattr(held, "GUIDELINE"):
-                found.append(held.GUIDELINE)
+            member = import_module(f"{package.__name__}.{module.name}")
+            if hasattr(member, "GUIDELINE"):
+                found.append(member.GUIDELINE)
     return {each.key: each for each in sorted(found, key=lambda each: _order(each.key))}
 
 

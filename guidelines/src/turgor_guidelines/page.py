@@ -11,7 +11,7 @@ from turgor_guidelines.guideline import Verdict
 from turgor_guidelines.judge import Judged, JudgedStudy
 from turgor_guidelines.pictures import png_of, svg_of
 
-#: Folder of the figures beside the page, and the name of the page.
+#: Folder of the figures next to the page, and the name of the page.
 FIGURES, MARKDOWN, HTML = "figures", "guidelines.md", "guidelines.html"
 
 #: Dots per inch of the figures that are files.

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 import turgor as tg
 
-#: Width of the pictures [pixels]: up to five stand beside each other in a figure.
+#: Width of the pictures [pixels]: up to five stand side by side in a figure.
 WIDTH = 480
 
 #: Size and resolution of the outlines of sections [inch, dots per inch].

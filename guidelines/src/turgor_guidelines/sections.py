@@ -36,7 +36,7 @@ def solved_twice(solve: Callable[[float], tg.sections.SectionSolution], size: fl
 
 
 def compared(fine: tg.Response, coarse: tg.Response) -> tg.Response:
-    """Put the differences from a coarser response beside each column, as mesh errors.
+    """Put the differences from a coarser response next to each column, as mesh errors.
 
     Parameters
     ----------

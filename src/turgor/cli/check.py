@@ -3,7 +3,7 @@
 import typer
 
 from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
+from turgor.cli.options import Changes, Debug, JobFile, Json, requested_job
 
 
 def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, debug: Debug = False) -> None:
@@ -18,7 +18,7 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
         from turgor.views.report.describe import contact
         from turgor.views.report.describe_procedure import procedure
 
-        parsed = asked_job(job, changes)
+        parsed = requested_job(job, changes)
         model, findings = prepare(parsed)
         save_mesh_of(parsed)
         mesh = model.mesh

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
+from turgor.cli.options import Changes, Debug, JobFile, Json, output_option, requested_job
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def convergence_command(
 
         wanted = _sizes(sizes)
         find_measure(measure)
-        parsed = asked_job(job, changes)
+        parsed = requested_job(job, changes)
         place = output if output is not None else Path(f"{parsed.name}-convergence")
         with claimed(place, force, files=FILES) as folder:
             study = _solve(parsed, wanted, measure)

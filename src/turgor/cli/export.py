@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, asked_job, command_of, output_option
+from turgor.cli.options import Changes, Debug, Json, command_of, output_option, requested_job
 from turgor.foundation.errors import TurgorError
 
 
@@ -65,7 +65,7 @@ def _files_of_job(chosen: ExportOptions, kinds: list[str]) -> tuple[Path, ...]:
 
     if not kinds:
         return ()
-    question = asked_job(chosen.job, chosen.changes)
+    question = requested_job(chosen.job, chosen.changes)
     folder = chosen.output if chosen.output is not None else Path(f"{question.name}-export")
     options = InpOptions(program=chosen.program, poisson=chosen.poisson)
     return export_job(question, folder, kinds, inp=options, force=chosen.force)

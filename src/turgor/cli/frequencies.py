@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
+from turgor.cli.options import Changes, Debug, JobFile, Json, output_option, requested_job
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def modes_command(
         from turgor.core.solvers.solve import solve
         from turgor.job.prepare import prepare
 
-        parsed = asked_job(job, changes)
+        parsed = requested_job(job, changes)
         model, findings = prepare(parsed)
         state = solve(model, parsed.procedure, progress=False).states[-1] if loaded else None
         if state is not None and isinstance(parsed.procedure, Stages):

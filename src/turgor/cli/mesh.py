@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
+from turgor.cli.options import Changes, Debug, JobFile, Json, output_option, requested_job
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def mesh_command(
         from turgor.job.meshes import mesh_of, save_mesh_of
         from turgor.views.report.mesh_text import describe_mesh
 
-        parsed = _with_size(asked_job(job, changes), size)
+        parsed = _with_size(requested_job(job, changes), size)
         geometry = parsed.geometry()
         mesh = mesh_of(parsed, geometry)
         save_mesh_of(parsed)

@@ -48,7 +48,7 @@ def output_option(text: str) -> Any:
     return typer.Option("--output", "-o", help=text, show_default=False)
 
 
-def asked_job(job: Path, changes: Sequence[str] | None) -> "Job":
+def requested_job(job: Path, changes: Sequence[str] | None) -> "Job":
     """Read a job file with the changes that ``--set`` states.
 
     Parameters

@@ -83,10 +83,12 @@ def compare_command(
     """Compare a run with an experiment: differences, the best shift of the drive, table and picture."""
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.cli.answers.results import compared_result
-        from turgor.job.compare import Asked, compare_folder
+        from turgor.job.compare import ComparisonOptions, compare_folder
 
         units = dict(name_and_unit(each) for each in unit or ())
-        comparison, files = compare_folder(run, experiment, Asked(y=y, x=x, units=units, only_loading=only_loading))
+        comparison, files = compare_folder(
+            run, experiment, ComparisonOptions(y=y, x=x, units=units, only_loading=only_loading)
+        )
         typer.echo(comparison.summary()[:1].upper() + comparison.summary()[1:])
         for note in comparison.notes:
             typer.echo(note)

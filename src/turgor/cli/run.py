@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, ENDED, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of, output_option
+from turgor.cli.options import Changes, Debug, JobFile, Json, command_of, output_option, requested_job
 from turgor.cli.start.signals import RUN, ends_at_once
 from turgor.foundation.startup.background_compiler import start_early
 
@@ -72,7 +72,7 @@ def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
     """Run a job; return the outcome, and the findings that were printed before the solve."""
     from turgor.job.run import run_job
 
-    job = asked_job(chosen.job, chosen.changes)
+    job = requested_job(chosen.job, chosen.changes)
     with _display(chosen.quiet or chosen.as_json) as show:
         outcome = run_job(
             job,

@@ -80,7 +80,7 @@ def by_weight(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     return tuple(sorted(dict.fromkeys(findings), key=lambda found: HEAVIEST_FIRST.index(found.severity)))
 
 
-def not_told(findings: Iterable[Finding], told: Iterable[Finding]) -> tuple[Finding, ...]:
+def not_reported(findings: Iterable[Finding], reported: Iterable[Finding]) -> tuple[Finding, ...]:
     """Return the findings of codes that were not reported before.
 
     A check before a solve and the solve itself look at the same model, of which the second may have a finer mesh and
@@ -89,8 +89,8 @@ def not_told(findings: Iterable[Finding], told: Iterable[Finding]) -> tuple[Find
     Examples
     --------
     >>> note = Finding(code="B03", severity=Severity.NOTE, message="Open.", advice="")
-    >>> not_told([note], told=[note]), len(not_told([note], told=[]))
+    >>> not_reported([note], reported=[note]), len(not_reported([note], reported=[]))
     ((), 1)
     """
-    codes = {found.code for found in told}
+    codes = {found.code for found in reported}
     return tuple(found for found in findings if found.code not in codes)

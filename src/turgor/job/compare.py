@@ -23,7 +23,7 @@ OF_A_RUN = b"load_factor,"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Asked:
+class ComparisonOptions:
     """How an experiment is read and compared.
 
     Parameters
@@ -46,7 +46,7 @@ class Asked:
 
 
 def compare_folder(
-    run: str | Path, experiment: str | Path, asked: Asked | None = None
+    run: str | Path, experiment: str | Path, options: ComparisonOptions | None = None
 ) -> tuple[Comparison, list[Path]]:
     """Compare the response of a run with a table from a laboratory, and write the comparison into its folder.
 
@@ -56,7 +56,7 @@ def compare_folder(
         Folder of a run, or a CSV file that holds a response; for a file, nothing is written.
     experiment : str or Path
         See `turgor.experiments.read_experiment`; or the folder of another run, or its response.
-    asked : Asked, optional
+    options : ComparisonOptions, optional
 
     Returns
     -------
@@ -69,26 +69,26 @@ def compare_folder(
     TurgorError
         If the folder holds no response, or the two cannot be compared.
     """
-    run, asked = Path(run), asked or Asked()
+    run, options = Path(run), options or ComparisonOptions()
     file = run / RESPONSE if run.is_dir() else run
     if run.is_dir() and not file.exists():
         raise TurgorError(f"'{run}' holds no {RESPONSE}, so it is no folder of a run; run the job first.")
     computed = read_response(file, Source(text=run.name.removesuffix("-results") or run.name))
-    measured = _measured(Path(experiment), asked)
-    if asked.only_loading:
+    measured = _measured(Path(experiment), options)
+    if options.only_loading:
         measured = loading(measured, drive_of(measured))
-    found = compare(computed, measured, asked.y, x=asked.x)
+    found = compare(computed, measured, options.y, x=options.x)
     other = Path(experiment)
     name = other.resolve().parent.name if other.name == RESPONSE else other.stem
     return found, _write(run / COMPARISONS, name, found) if run.is_dir() else []
 
 
-def _measured(experiment: Path, asked: Asked) -> Response:
+def _measured(experiment: Path, options: ComparisonOptions) -> Response:
     """Read what a run is compared with: the table of a laboratory, or the response of another run."""
     file = experiment / RESPONSE if (experiment / RESPONSE).is_file() else experiment
     if file.is_file() and file.read_bytes().removeprefix(BOM)[: len(OF_A_RUN)] == OF_A_RUN:
         return read_response(file, Source(text=file.resolve().parent.name.removesuffix("-results")))
-    return read_experiment(file, units=asked.units, columns=asked.columns)
+    return read_experiment(file, units=options.units, columns=options.columns)
 
 
 def comparisons_of(folder: Path, computed: Response) -> list[tuple[str, Comparison]]:

@@ -22,7 +22,7 @@ from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.errors import unknown
 from turgor.foundation.registry import Registry, class_of_file, name_in
 from turgor.job.tables.points import Rig
-from turgor.job.tables.supports import Held
+from turgor.job.tables.supports import StatedSupport
 
 if TYPE_CHECKING:
     from turgor.core.results.measures.measure import Measure
@@ -161,7 +161,7 @@ class Job:
     mesh_target_measure: str | None = None
     mesh_most_unknowns: int = 200_000
     materials: Mapping[str, Material | Sheet]
-    supports: tuple[Held, ...] = (Fixed("fixed"),)
+    supports: tuple[StatedSupport, ...] = (Fixed("fixed"),)
     loads: tuple[Load, ...]
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
     points: Mapping[str, Rig] = field(default_factory=dict)

@@ -18,7 +18,7 @@ from turgor.core.solvers.progress.watchers import Heard, Progress, watched
 from turgor.core.solvers.solution import Solution, Status
 from turgor.core.solvers.solve import follow_question
 from turgor.foundation.errors import TurgorError
-from turgor.foundation.finding import Finding, by_weight, not_told, show_warning
+from turgor.foundation.finding import Finding, by_weight, not_reported, show_warning
 from turgor.foundation.response import Response
 from turgor.job.job import Job
 from turgor.job.kernel_needs import kernel_needs
@@ -169,13 +169,13 @@ def _solved(
     question = replace(record.question, options=options)
     solution = follow_question(question, Listeners(progress), record, throw=False)
     if solution.status is Status.INTERRUPTED:
-        told = by_weight((*findings, *not_told(solution.findings, findings)))
-        return solution, files.response(solution), told
+        reported = by_weight((*findings, *not_reported(solution.findings, findings)))
+        return solution, files.response(solution), reported
     solution, refined = _refined(job, solution, options)
     files.say("measuring")
     response, unknown = _with_errors(job, files.response(solution), solution, options, bool(refined))
     before = (*mesh_error_findings(response, findings), *refined, *unknown)
-    return solution, response, by_weight((*before, *not_told(solution.findings, findings)))
+    return solution, response, by_weight((*before, *not_reported(solution.findings, findings)))
 
 
 def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solution, tuple[Finding, ...]]:

@@ -1,4 +1,4 @@
-"""Bodies beside the actuator: simple solids, and meshes placed, mirrored and put together."""
+"""Bodies besides the actuator: simple solids, and meshes placed, mirrored and put together."""
 
 from typing import TYPE_CHECKING
 

@@ -46,20 +46,20 @@ def _short(values: list[float]) -> list[float]:
 
 def judge(found: Found) -> Judgement:
     """The coarsest mesh moves less than the finest, for both quantities of both kinds."""
-    holds, told, seen = [], [], []
+    holds, parts, seen = [], [], []
     for kind in KINDS:
         for column in QUANTITIES:
             short = _short(_values(found, kind, column))
             name = column.split("_")[-2 if column.startswith("curvature") else -1]
             holds.append(short[0] < -SAME)
             sizes = ", ".join(f"{size:g} mm {value:+.2%}" for size, value in zip(SIZES, short, strict=False))
-            told.append(f"{name} {kind} {sizes}")
+            parts.append(f"{name} {kind} {sizes}")
             seen += [] if holds[-1] else [f"The {name} {kind} is not less on the coarsest mesh."]
             rising = all(b >= a - SAME for a, b in zip(short, [*short[1:], 0.0], strict=True))
             seen += [] if rising else [f"The {name} {kind} does not rise from mesh to mesh."]
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"against cells of {SIZES[-1]:g} mm: {'; '.join(told)}",
+        found=f"against cells of {SIZES[-1]:g} mm: {'; '.join(parts)}",
         conditions=" ".join(seen),
     )
 

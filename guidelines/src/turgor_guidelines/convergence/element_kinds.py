@@ -16,7 +16,7 @@ SIZES = {"hexahedra": (8.0, 4.0, 2.5, 1.8, 1.3), "tetrahedra": (8.0, 4.0, 2.5, 1
 FINEST = {"hexahedra": 1.0, "tetrahedra": 0.8}
 KINDS = tuple(SIZES)
 
-#: Relative difference between the finest meshes of both kinds beyond which errors cannot be told.
+#: Relative difference between the finest meshes of both kinds beyond which errors cannot be distinguished.
 SAME = 0.005
 
 
@@ -76,7 +76,7 @@ def judge(found: Found) -> Judgement:
     worst = [min(spent(each, "worst_cell") for each in _of(found, kind)) for kind in KINDS]
     lost = [max(spent(each, "lost_volume") for each in _of(found, kind)) for kind in KINDS]
     cheaper = [_cheaper(found, error, count) for error, count in zip(*_curve(found, "hexahedra"), strict=True)]
-    told = "; ".join(
+    summary = "; ".join(
         f"{kind} "
         + ", ".join(f"{error:.2%} with {n:,.0f} unknowns" for error, n in zip(*_curve(found, kind), strict=True))
         for kind in KINDS
@@ -85,7 +85,7 @@ def judge(found: Found) -> Judgement:
         verdict=verdict_of([worst[0] > worst[1], lost[0] < lost[1], *cheaper])
         if abs(apart) < SAME
         else Verdict.NOT_JUDGED,
-        found=f"error of the angle: {told}; the finest of both differ by {abs(apart):.2%}; worst Jacobian ratio "
+        found=f"error of the angle: {summary}; the finest of both differ by {abs(apart):.2%}; worst Jacobian ratio "
         f"{worst[0]:.2g} of hexahedra and {worst[1]:.2g} of tetrahedra; volume of the cavity lost at most "
         f"{lost[0]:.1e} and {lost[1]:.1e}",
         conditions=f"Hexahedra have a smaller error than tetrahedra with as many unknowns in {sum(cheaper)} of "

@@ -37,11 +37,11 @@ def judge(found: Found) -> Judgement:
     names = list(found)
     ends = [end(found[name]) for name in names if complete[name]]
     same = all(abs(each.number / ends[-1].number - 1) < SAME for each in ends) if ends else False
-    told = ", ".join(f"{name} {reached(found[name]):.0%} of the load" for name in names)
+    summary = ", ".join(f"{name} {reached(found[name]):.0%} of the load" for name in names)
     iterations = ", ".join(f"{spent(found[name], 'iterations'):.0f}" for name in names)
     return Judgement(
         verdict=verdict_of([not complete[names[0]], complete[names[-1]] and same]),
-        found=f"reached: {told}; iterations {iterations}" + (f"; angles at the end {listed(ends)}" if ends else ""),
+        found=f"reached: {summary}; iterations {iterations}" + (f"; angles at the end {listed(ends)}" if ends else ""),
         conditions="The whole load in one step converges here: the step matters less to this iteration than to plain "
         "Newton's."
         if complete[names[0]]

@@ -68,12 +68,12 @@ def _apart(found: Found, column: str, width: float) -> dict[float, float]:
 
 def judge(found: Found) -> Judgement:
     """Cells of 1 to 3 mm are good enough for both widths, for bending and for ballooning."""
-    holds, told, seen = [], [], []
+    holds, rows, seen = [], [], []
     for width in WIDTHS:
         for column, name in (("curvature_y", "curvature"), ("cavity_ballooning", "ballooning")):
             apart = _apart(found, column, width)
             holds += [abs(apart[size]) < GOOD for size in SIZES if size <= 3]
-            told.append(
+            rows.append(
                 f"{width} mm wide, {name} " + ", ".join(f"{size:g} mm {value:+.2%}" for size, value in apart.items())
             )
             coarse = [f"{size:g} mm" for size in SIZES if size > 3 and abs(apart[size]) < GOOD]
@@ -82,7 +82,9 @@ def judge(found: Found) -> Judgement:
             seen += [f"For {about} {' and '.join(coarse)} are enough too."] if coarse else []
             seen += [f"For {about} {' and '.join(poor)} are too coarse."] if poor else []
     return Judgement(
-        verdict=verdict_of(holds), found=f"against cells of {FINEST:g} mm: {'; '.join(told)}", conditions=" ".join(seen)
+        verdict=verdict_of(holds),
+        found=f"against cells of {FINEST:g} mm: {'; '.join(rows)}",
+        conditions=" ".join(seen),
     )
 
 

@@ -77,12 +77,12 @@ def judge(found: Found, wanted: float) -> Judgement:
     bad = [a or b for a, b in zip(stopped[:-1], wrong, strict=True)]
     verdict = Verdict.CONFIRMED if all(bad) else Verdict.CONDITIONAL if any(bad) else Verdict.NOT_REPRODUCED
     reach = max(stretches[-1] for stretches, _ in errors.values())
-    told = "; ".join(f"{size:g} mm {first:.2%} to {end:.2%}" for size, (_, (first, *_, end)) in errors.items())
+    summary = "; ".join(f"{size:g} mm {first:.2%} to {end:.2%}" for size, (_, (first, *_, end)) in errors.items())
     ends = "every path reached its end" if not any(stopped) else f"{sum(stopped)} of {len(stopped)} paths stopped early"
     return Judgement(
         verdict=verdict,
         found=f"{ends}, with the rubber stretched {reach:.3g} times; error of the motion against cells of {FINEST:g} "
-        f"mm, from the first to the last pressure: {told}",
+        f"mm, from the first to the last pressure: {summary}",
         conditions=""
         if all(bad)
         else "Here a mesh that is fine enough from the start serves to the end. The "

@@ -17,7 +17,7 @@ LENGTH = 30
 SETUP = (
     "Semicircular bender of 30 mm without hoops: void of radius 8 mm, wall 2 mm, floor and base 1.5 mm, end walls 5 "
     "mm, "
-    "Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), paper of 0.1 mm in the base, one end held"
+    "Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), paper of 0.1 mm in the base, one end fixed"
 )
 
 

@@ -18,7 +18,7 @@ SPACINGS = (0.0, 16.0, 8.0, 4.0, 2.0)
 
 #: What is computed, for the texts of studies.
 SETUP = (
-    "Whole tube (inner radius 6.35 mm, outer 8.35 mm, 48 mm between caps of 6 mm, one end held), axisymmetric, "
+    "Whole tube (inner radius 6.35 mm, outer 8.35 mm, 48 mm between caps of 6 mm, one end fixed), axisymmetric, "
     "Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa); each hoop of Kevlar thread of 0.1778 mm is a band of 1 mm on the "
     "outside"
 )

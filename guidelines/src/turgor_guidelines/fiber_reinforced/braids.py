@@ -59,11 +59,11 @@ def judge(found: Found) -> Judgement:
     contracts = longer(found, "dense", PRESSURES[-1])[1][0] < 0
     close = [abs(each - NEUTRAL) < NEAR for each in dense]
     verdict = Verdict.CONFIRMED if all(close) and contracts else Verdict.NOT_REPRODUCED
-    told = ", ".join(f"{where['dense', p]:.2f} deg at {p:g} kPa" for p in PRESSURES)
+    summary = ", ".join(f"{where['dense', p]:.2f} deg at {p:g} kPa" for p in PRESSURES)
     loose = ", ".join(f"{where['loose', p]:.2f} deg" if np.isfinite(where["loose", p]) else "none" for p in PRESSURES)
     return Judgement(
         verdict=verdict,
-        found=f"The length stays at {told} from the axis, 2 mm between threads.",
+        found=f"The length stays at {summary} from the axis, 2 mm between threads.",
         conditions=f"Angles count from the axis; from the circumference the neutral angle is {90 - NEUTRAL:.1f} "
         f"deg. It belongs to threads that do not stretch: with so few that they do (256 mm apart) it is {loose} at "
         "the same pressures.",

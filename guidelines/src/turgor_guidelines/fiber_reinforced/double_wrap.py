@@ -51,11 +51,11 @@ def judge(found: Found) -> Judgement:
     turned = {name: last(each.response, "twist") for name, each in found.items()}
     single = abs(turned["single helix"].number)
     share = {name: abs(each.number) / single for name, each in turned.items()}
-    told = ", ".join(f"{name} {abs(each.number) / deg * mm:.3g} deg/mm" for name, each in turned.items())
+    summary = ", ".join(f"{name} {abs(each.number) / deg * mm:.3g} deg/mm" for name, each in turned.items())
     others = [f"{name}: {value:.1%}" for name, value in share.items() if name not in ("single helix", "double, alike")]
     return Judgement(
         verdict=Verdict.CONFIRMED if share["double, alike"] < NOTHING else Verdict.NOT_REPRODUCED,
-        found=f"Twist at {PRESSURE:g} kPa: {told}.",
+        found=f"Twist at {PRESSURE:g} kPa: {summary}.",
         conditions=f"Both helices must be alike; what remains of the twist of a single one: {'; '.join(others)}. The "
         f"double wrap also extends less: stretch {last(found['double, alike'].response, 'stretch')}, single "
         f"{last(found['single helix'].response, 'stretch')}.",

@@ -31,11 +31,11 @@ def judge_tubes(found: Found) -> Judgement:
     verdict = Verdict.CONFIRMED if all(ahead) and less else Verdict.CONDITIONAL
     if not any(ahead) or not less:
         verdict = Verdict.NOT_REPRODUCED
-    told = "; ".join(f"{p:g} kPa {a} and {b}" for p, (a, b) in zip(TUBES, pairs, strict=True))
+    text = "; ".join(f"{p:g} kPa {a} and {b}" for p, (a, b) in zip(TUBES, pairs, strict=True))
     behind = [f"{p:g}" for p, each in zip(TUBES, ahead, strict=True) if not each]
     return Judgement(
         verdict=verdict,
-        found=f"Extension without hoops and with {dense}: {told}. Volume for {EXTENSION / mm:g} mm: {share[0]:.1%} and "
+        found=f"Extension without hoops and with {dense}: {text}. Volume for {EXTENSION / mm:g} mm: {share[0]:.1%} and "
         f"{share[1]:.1%} of that at rest.",
         conditions=(
             "With hoops the tube is ahead at all pressures. "
@@ -66,10 +66,10 @@ def judge_benders(found: Found) -> Judgement:
     grown = [
         volume / each["cavity_volume_per_length"][0] - 1 for volume, each in zip(volumes, (bare, wound), strict=True)
     ]
-    told = "; ".join(f"{p:g} kPa {a} and {b}" for p, (a, b) in zip(BENDERS, pairs, strict=True))
+    text = "; ".join(f"{p:g} kPa {a} and {b}" for p, (a, b) in zip(BENDERS, pairs, strict=True))
     return Judgement(
         verdict=Verdict.CONFIRMED if all(ahead) and grown[1] < grown[0] else Verdict.NOT_REPRODUCED,
-        found=f"Curvature without and with hoops: {told}. Volume for {bend:.3g} 1/m: {grown[0]:.1%} and {grown[1]:.1%} "
+        found=f"Curvature without and with hoops: {text}. Volume for {bend:.3g} 1/m: {grown[0]:.1%} and {grown[1]:.1%} "
         "more than at rest.",
         conditions=f"The factor falls from {pairs[1][1].number / pairs[1][0].number:.3g} at {BENDERS[1]:g} kPa to "
         f"{pairs[-1][1].number / pairs[-1][0].number:.3g} at {BENDERS[-1]:g} kPa: without hoops bending grows with the "

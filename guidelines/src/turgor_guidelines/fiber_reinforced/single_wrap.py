@@ -56,14 +56,14 @@ def values_at(found: Found, name: str, pressure: float) -> list[Value]:
 
 def judge(found: Found) -> Judgement:
     """Where extension, expansion and twist are largest, at three pressures."""
-    angles, told, longest, widest, most = angles_of(found), [], [], [], []
+    angles, parts, longest, widest, most = angles_of(found), [], [], [], []
     for pressure in PRESSURES:
         stretch, radius = (values_at(found, name, pressure) for name in ("stretch", "outside_ballooning"))
         twist = [abs(each.number) for each in values_at(found, "twist", pressure)]
         longest.append(angles[largest(stretch)])
         widest.append(angles[largest(radius)])
         most.append(optimum(angles, twist))
-        told.append(
+        parts.append(
             f"at {pressure:g} kPa longest at {longest[-1]:g} deg (stretch {stretch[largest(stretch)]}), widest at "
             f"{widest[-1]:g} deg ({radius[largest(radius)]} times), most twist at {most[-1]:.1f} deg "
             f"({max(twist) / deg * mm:.3g} deg/mm)"
@@ -77,7 +77,7 @@ def judge(found: Found) -> Judgement:
         verdict = Verdict.NOT_REPRODUCED
     return Judgement(
         verdict=verdict,
-        found=f"{'; '.join(told)}. Stretch with threads at {angles[-1]:g} deg: {listed(axial)}.",
+        found=f"{'; '.join(parts)}. Stretch with threads at {angles[-1]:g} deg: {listed(axial)}.",
         conditions="Angles count from the circumference; from the axis the rule would be wrong in every part. The "
         f"angle of most twist goes from {most[0]:.1f} to {most[-1]:.1f} deg ({90 - most[0]:.1f} to "
         f"{90 - most[-1]:.1f} deg from the axis) while the pressure goes from {PRESSURES[0]:g} to {PRESSURES[-1]:g} "

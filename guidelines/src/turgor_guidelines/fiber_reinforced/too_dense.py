@@ -13,7 +13,7 @@ from turgor_guidelines.parts import elastosil, threads
 from turgor_guidelines.sections import solved_twice
 from turgor_guidelines.values import Value, at, listed, rises
 
-#: Diameter of a thread [mm], distances between threads [mm], stretch that is asked for, last pressure [kPa].
+#: Diameter of a thread [mm], distances between threads [mm], requested stretch, last pressure [kPa].
 DIAMETER, SPACINGS, STRETCH, PRESSURE = 0.1778, (8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.18), 1.2, 140.0
 
 #: Rise of the pressure that counts as higher.
@@ -61,7 +61,7 @@ def bonded_runs(setting: Setting) -> tuple[Run, ...]:
 
 
 def needed(found: Found) -> list[Value]:
-    """Pressure of each run at the stretch that is asked for, with the mesh error of the stretch there [kPa]."""
+    """Pressure of each run at the requested stretch, with the mesh error of the stretch there [kPa]."""
     out = []
     for each in found.values():
         pressure, stretch = each.response["pressure"] / kPa, each.response["stretch"]

@@ -22,7 +22,7 @@ NAMED = (70.0, 35.0)
 
 
 def bend(upper: float, lower: float, size: float) -> Computed:
-    """Inflate a tube with double windings at these angles from the axis [deg], free and held straight."""
+    """Inflate a tube with double windings at these angles from the axis [deg], free and at zero curvature."""
 
     def solve(cell: float) -> tuple[tg.Response, tg.sections.SectionSolution]:
         section = tg.Section(
@@ -91,7 +91,7 @@ def judge_difference(found: Found) -> Judgement:
     bends, moments = (_best(found, name) for name in ("curvature_y", "blocked_moment"))
     throughout = all(rising for each in (bends, moments) for _, rising in each.values())
     at_first = all(lower < _lowers(found, upper)[0] for each in (bends, moments) for upper, (lower, _) in each.items())
-    told = [
+    parts = [
         f"upper {upper:g} deg with lower {', '.join(f'{each:g}' for each in _lowers(found, upper))} deg: curvature "
         f"{', '.join(f'{each.number:.3g}' for each in values)} 1/m, moment that holds it straight "
         f"{', '.join(f'{1e3 * each.number:.3g}' for each in _rows(found, 'blocked_moment')[upper])} mNm"
@@ -101,7 +101,7 @@ def judge_difference(found: Found) -> Judgement:
     verdict = Verdict.CONDITIONAL if at_first else Verdict.NOT_REPRODUCED
     return Judgement(
         verdict=Verdict.CONFIRMED if throughout else verdict,
-        found=f"{'; '.join(told)}. All at {PRESSURE:g} kPa.",
+        found=f"{'; '.join(parts)}. All at {PRESSURE:g} kPa.",
         conditions="More difference bends further only up to a point: "
         + "; ".join(
             f"with {upper:g} deg above, bending is largest at {lower:g} deg below, the moment at "

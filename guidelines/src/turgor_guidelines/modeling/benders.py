@@ -21,9 +21,9 @@ BENDER = (
 TUBE = "Long tube, inner radius 6.35 mm, wall 2 mm, closed ends, by formula"
 
 
-def rubber_of(told: str) -> tg.Material:
+def rubber_of(named: str) -> tg.Material:
     """Material of the library from ``"name/record"``."""
-    name, record = told.split("/")
+    name, record = named.split("/")
     return tg.from_library(name, record=record)
 
 

@@ -44,7 +44,7 @@ def judge(found: Found) -> Judgement:
     verdict = Verdict.CONFIRMED if all(hoops) and all(fabric) else Verdict.CONDITIONAL
     if not any(hoops + fabric):
         verdict = Verdict.NOT_REPRODUCED
-    told = "; ".join(
+    summary = "; ".join(
         f"{pressure} kPa " + ", ".join(f"{name} {size:+.1%}" for name, size in row.items())
         for pressure, row in changes.items()
     )
@@ -52,7 +52,7 @@ def judge(found: Found) -> Judgement:
     angles = [at(found["all rods"].response, "bending_angle", "pressure", p * kPa) for p in PRESSURES]
     return Judgement(
         verdict=verdict,
-        found=f"angle against that with rods everywhere: {told}; with rods {listed(angles)}",
+        found=f"angle against that with rods everywhere: {summary}; with rods {listed(angles)}",
         conditions=f"For the hoops it matters {'at ' + ', '.join(where) if where else 'nowhere here'}, because they "
         f"are in "
         "tension elsewhere; the fabric along the base resists bending as rods and hardly as threads.",

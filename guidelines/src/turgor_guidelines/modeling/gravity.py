@@ -128,7 +128,7 @@ GUIDELINE = Guideline(
             title="Horizontal arm of two segments",
             setup="Cosserat rods of 20 mm diameter with one chamber of 50 mm² 6 mm below the axis, which fibers "
             "keep from "
-            "bulging, held horizontally, 4 to 12 diameters long; Ecoflex 00-30 or Elastosil M4601, pressures in "
+            "bulging, clamped horizontally, 4 to 12 diameters long; Ecoflex 00-30 or Elastosil M4601, pressures in "
             "proportion to "
             "their moduli; weight of the silicone on or off.",
             expected=f"The tips are more than {COUNTS:.0%} of the length apart.",

@@ -62,20 +62,20 @@ def accurate_until(response: tg.Response) -> float:
 
 def judge(found: Found) -> Judgement:
     """Ranges in which each law is accurate, against those that are claimed."""
-    holds, told, seen = [], [], []
+    holds, parts, seen = [], [], []
     for rubber in RUBBERS:
         reach = {law: accurate_until(found[f"{law}; {rubber}"].response) for law in CLAIMED}
         low, high = ("neo-hooke", "mooney-rivlin"), ("yeoh", "ogden-2")
         holds += [reach[law] >= CLAIMED[law] for law in CLAIMED]
         holds += [max(reach[law] for law in low) < min(reach[law] for law in high)]
-        told.append(f"{rubber}: " + ", ".join(f"{law} {strain:.0%}" for law, strain in reach.items()))
+        parts.append(f"{rubber}: " + ", ".join(f"{law} {strain:.0%}" for law, strain in reach.items()))
         short = [f"{law} reaches {reach[law]:.0%} only" for law in CLAIMED if reach[law] < CLAIMED[law]]
         longer = [f"{law} reaches {reach[law]:.0%}" for law in low if reach[law] > CLAIMED[law]]
         if short or longer:
             seen.append(f"{rubber}: {', '.join([*short, *longer])}.")
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"strain up to which the stress is within {ACCURATE:.0%}: {'; '.join(told)}",
+        found=f"strain up to which the stress is within {ACCURATE:.0%}: {'; '.join(parts)}",
         conditions=" ".join(seen),
     )
 

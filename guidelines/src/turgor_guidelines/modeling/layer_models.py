@@ -71,11 +71,11 @@ def _curvatures(found: Found, form: str) -> list[Value]:
 def judge(found: Found) -> Judgement:
     """Membrane and shell bend as the solid layer does."""
     solid = _curvatures(found, "solid")
-    holds, told, apart = [], [], []
+    holds, parts, apart = [], [], []
     for form in FORMS[1:]:
         changes = [change(value, rest) for value, rest in zip(_curvatures(found, form), solid, strict=True)]
         holds += [abs(each) < SAME for each in changes]
-        told.append(f"{form} {', '.join(f'{each:+.1%}' for each in changes)}")
+        parts.append(f"{form} {', '.join(f'{each:+.1%}' for each in changes)}")
         apart += [
             f"{form} of {thickness:g} mm" for thickness, each in zip(LAYERS, changes, strict=True) if abs(each) >= SAME
         ]
@@ -83,7 +83,7 @@ def judge(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict_of(holds),
         found=f"Curvature at {PRESSURES[-1]} kPa against that with a solid layer, layers of {sizes} mm: "
-        f"{'; '.join(told)}.",
+        f"{'; '.join(parts)}.",
         conditions=f"More than {SAME:.0%} apart: {', '.join(apart)}. A thick layer has its middle half a thickness "
         "below the face that carries the sheet."
         if apart

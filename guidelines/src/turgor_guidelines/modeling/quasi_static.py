@@ -80,7 +80,7 @@ def judge(found: Found) -> Judgement:
     slow = [k for k, periods in enumerate(RAMPS) if periods >= SLOW]
     follows = all(differences[RATIOS[1]][k] < NEAR and energies[RATIOS[1]][k] < ENERGY for k in slow)
     leaves = differences[RATIOS[0]][0] > NEAR
-    told = "; ".join(
+    summary = "; ".join(
         f"damping {ratio:.0%}: difference {', '.join(f'{each:.2%}' for each in differences[ratio])}, kinetic over "
         f"strain energy {', '.join(f'{each:.2g}' for each in energies[ratio])}"
         for ratio in RATIOS
@@ -92,7 +92,7 @@ def judge(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict,
         found=f"Ramps of {', '.join(f'{each:g}' for each in RAMPS)} periods, largest difference from the static path: "
-        f"{told}.",
+        f"{summary}.",
         conditions="The slow ramps follow the static path without damping, too." if alone else "",
     )
 

@@ -60,13 +60,13 @@ def judge(found: Found) -> Judgement:
     verdict = Verdict.CONDITIONAL if up and near else Verdict.NOT_REPRODUCED
     if up and all(low < value < high for row in shifts.values() for value in row.values()):
         verdict = Verdict.CONFIRMED
-    told = "; ".join(
+    summary = "; ".join(
         f"wall {wall:g} mm, stretch {stretch:g}: " + ", ".join(f"{skin:g} mm {v:+.0%}" for skin, v in row.items())
         for (wall, stretch), row in shifts.items()
     )
     return Judgement(
         verdict=verdict,
-        found=f"pressure that is needed more with a skin; {told}",
+        found=f"pressure that is needed more with a skin; {summary}",
         conditions=f"The shift follows the thickness of the skin against the wall; about 25 % needs "
         f"{' or '.join(near)}."
         if near

@@ -51,17 +51,17 @@ def _pressures(found: Found, fabric: str) -> tuple[float, list[Value]]:
 
 def judge(found: Found) -> Judgement:
     """Pressures for an angle rise with the hardness."""
-    told, holds, seen = [], [], []
+    parts, holds, seen = [], [], []
     for fabric in FABRICS:
         angle, pressures = _pressures(found, fabric)
         holds.append(rises(pressures))
         times = pressures[-1].number / pressures[0].number
-        told.append(f"{fabric}: {listed(pressures)} for {angle:.3g} deg")
+        parts.append(f"{fabric}: {listed(pressures)} for {angle:.3g} deg")
         seen.append(f"With a {fabric} the hardest needs {times:.2g} times the pressure of the softest.")
         if not holds[-1]:
             seen.append("The order is not that of the hardness there.")
     return Judgement(
-        verdict=verdict_of(holds), found=f"{', '.join(RUBBERS)}: {'; '.join(told)}", conditions=" ".join(seen)
+        verdict=verdict_of(holds), found=f"{', '.join(RUBBERS)}: {'; '.join(parts)}", conditions=" ".join(seen)
     )
 
 

@@ -40,7 +40,7 @@ def judge(found: Found) -> Judgement:
         p: [at(each.response, "blocked_force", "pressure", p * kPa) for each in found.values()] for p in PRESSURES
     }
     holds = {p: rises(values) for p, values in forces.items()}
-    missed = [f"{p} kPa" for p, held in holds.items() if not held]
+    missed = [f"{p} kPa" for p, confirmed in holds.items() if not confirmed]
     gains = ", ".join(f"{change(values[-1], values[0]):+.0%} at {p} kPa" for p, values in forces.items())
     return Judgement(
         verdict=verdict_of(holds.values()),

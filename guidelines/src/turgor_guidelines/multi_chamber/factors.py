@@ -103,14 +103,14 @@ def _effects(found: Found, pressure: float) -> dict[str, float]:
 def judge(found: Found) -> Judgement:
     """Signs, and the order of the sizes, before walls touch and after."""
     largest = max(float(name.split(" x ")[1]) for name in found if " x " in name)
-    holds, told, seen = [], [], []
+    holds, parts, seen = [], [], []
     for pressure in PRESSURES:
         effects = {
             name.split(" x ")[0]: size for name, size in _effects(found, pressure).items() if f"x {largest:g}" in name
         }
         sizes = [abs(effects[name]) for name in ORDER]
         holds += [effects[name] < 0 for name in ORDER] + [sizes == sorted(sizes, reverse=True)]
-        told.append(f"{pressure} kPa: " + ", ".join(f"{name} {size:+.1%}" for name, size in effects.items()))
+        parts.append(f"{pressure} kPa: " + ", ".join(f"{name} {size:+.1%}" for name, size in effects.items()))
         order = sorted(ORDER, key=lambda name: -abs(effects[name]))
         signs = [f"a larger {name} bends further" for name in ORDER if effects[name] >= 0]
         seen.append(f"At {pressure} kPa the order is {', '.join(order)}" + "".join(f", and {each}" for each in signs))
@@ -118,7 +118,7 @@ def judge(found: Found) -> Judgement:
     angles = listed(list(_angles(found, PRESSURES[-1]).values()))
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"change of the angle with dimensions {largest:g} times as large; {'; '.join(told)}. Angles: {angles}",
+        found=f"change of the angle with dimensions {largest:g} times as large; {'; '.join(parts)}. Angles: {angles}",
         conditions=" ".join(seen),
     )
 

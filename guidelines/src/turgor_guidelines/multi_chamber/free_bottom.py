@@ -56,7 +56,7 @@ def judge(found: Found) -> Judgement:
     for what, row in gains.items():
         low, high = RANGES[what.split()[0]]
         inside += [low <= gain <= high for gain in row.values()]
-    told = "; ".join(
+    summary = "; ".join(
         f"{what} " + ", ".join(f"{gain:+.1%} ({name})" for name, gain in row.items()) for what, row in gains.items()
     )
     fewer = [what for what, row in gains.items() if min(row.values()) <= 0]
@@ -65,7 +65,7 @@ def judge(found: Found) -> Judgement:
     if fewer:
         conditions += f" There is a loss here: {', '.join(fewer)}."
     return Judgement(
-        verdict=verdict_of(more) if not all(more) else verdict_of([True, *inside]), found=told, conditions=conditions
+        verdict=verdict_of(more) if not all(more) else verdict_of([True, *inside]), found=summary, conditions=conditions
     )
 
 

@@ -56,7 +56,7 @@ def judge(found: Found) -> Judgement:
         at(e.response, "blocked_force", "pressure", PUSH * kPa) for e in found.values() if "blocked_force" in e.response
     ]
     holds = {"less bending": falls(angle), "more twist": rises(twist), "more force": rises(forces)}
-    missed = [name for name, held in holds.items() if not held]
+    missed = [name for name, confirmed in holds.items() if not confirmed]
     return Judgement(
         verdict=verdict_of(holds.values()),
         found=f"chambers at {', '.join(name for name in found if 'pushing' not in name)}: bending {listed(angle)} "
@@ -68,18 +68,18 @@ def judge(found: Found) -> Judgement:
 
 def judge_longer(found: Found) -> Judgement:
     """Each further chamber adds the same angle and the same twist, so that radius and pitch stay."""
-    told, holds = [], []
+    parts, holds = [], []
     for name in ("bending_angle", "twist_angle"):
         values = [value.number for value in _read(found, name)]
         added = [b - a for a, b in pairwise(values)]
         spread = max(added) / min(added) - 1
         holds.append(0 <= spread < SAME)
-        told.append(
+        parts.append(
             f"{name.replace('_', ' ')} {listed(_read(found, name))}, each chamber adds {spread:.1%} more or less"
         )
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"{', '.join(found)} at {PRESSURE} kPa: {'; '.join(told)}",
+        found=f"{', '.join(found)} at {PRESSURE} kPa: {'; '.join(parts)}",
         conditions="" if all(holds) else "Ends of the actuator still matter with so few chambers.",
     )
 

@@ -34,23 +34,23 @@ def judge(found: Found) -> Judgement:
         straight.append(linearity(each.response, "bending_angle", "pressure", pressure))
         bulges.append(at_angle(each.response, "bulge", angle))
     fast, slow, void = straight
-    told = ", ".join(f"{name} {value:.4f}" for name, value in zip(found, straight, strict=True))
+    fits = ", ".join(f"{name} {value:.4f}" for name, value in zip(found, straight, strict=True))
     return Judgement(
         verdict=verdict_of(
             [fast > void, slow > void, bulges[0].number < bulges[2].number, bulges[1].number < bulges[2].number]
         ),
-        found=f"R² of a straight line up to {angle:.3g} deg: {told}; sides bulge by {listed(bulges)} there, in this "
+        found=f"R² of a straight line up to {angle:.3g} deg: {fits}; sides bulge by {listed(bulges)} there, in this "
         f"order",
         conditions=_conditions(straight, [each.number for each in bulges]),
     )
 
 
 def _conditions(straight: list[float], bulges: list[float]) -> str:
-    told = []
+    parts = []
     for k, name in enumerate(("With gaps", "Without gaps")):
         line = "straighter" if straight[k] > straight[2] else "less straight"
-        told.append(f"{name} the line is {line} than that of a single void, and the sides bulge {_times(bulges, k)}.")
-    return " ".join(told)
+        parts.append(f"{name} the line is {line} than that of a single void, and the sides bulge {_times(bulges, k)}.")
+    return " ".join(parts)
 
 
 def _times(bulges: list[float], k: int) -> str:

@@ -1,4 +1,4 @@
-"""PneuNets of the guidelines: one rubber, paper in the base, the fixed end held; bent, or pushing on a plate."""
+"""PneuNets of the guidelines: one rubber, paper in the base, one end fixed; bent, or pushing on a plate."""
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
@@ -56,7 +56,7 @@ SETUP = (
     "PneuNet {count}, 20 mm wide and 19 mm high, walls between chambers of 1.5 mm, gaps of 1 "
     "mm, other walls of 2 mm, floor and base of 1.5 mm each, of Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), with "
     "paper of "
-    "0.1 mm between floor and base; one end held; walls touch"
+    "0.1 mm between floor and base; one end fixed; walls touch"
 )
 
 

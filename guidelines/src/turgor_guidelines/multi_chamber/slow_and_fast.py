@@ -67,7 +67,7 @@ def varied(setting: Setting) -> tuple[Run, ...]:
 
 
 def _angle(found: Found) -> float:
-    """Angle [deg] that all have reached, a little below the one asked for."""
+    """Angle [deg] that all have reached, a little below the requested one."""
     return 0.999 * min(
         last(each.response, "bending_angle").number for each in found.values() if "bending_angle" in each.response
     )
@@ -92,11 +92,11 @@ def judge(found: Found) -> Judgement:
     }
     near = {name: 1 / NEAR < ratio.number / PUBLISHED[name] < NEAR for name, ratio in ratios.items()}
     more = [ratio.number - ratio.error > 1 for ratio in ratios.values()]
-    told = "; ".join(f"{name} {ratio} (published {PUBLISHED[name]:g})" for name, ratio in ratios.items())
+    summary = "; ".join(f"{name} {ratio} (published {PUBLISHED[name]:g})" for name, ratio in ratios.items())
     far = [name for name, close in near.items() if not close]
     return Judgement(
         verdict=verdict_of(more) if not all(more) else verdict_of([True, *near.values()]),
-        found=f"ratios at {angle:.3g} deg, of the force at {PUSH} kPa: {told}",
+        found=f"ratios at {angle:.3g} deg, of the force at {PUSH} kPa: {summary}",
         conditions=f"Not by the published factor here: {', '.join(far)}." if far else "",
     )
 

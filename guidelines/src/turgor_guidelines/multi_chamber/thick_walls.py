@@ -38,12 +38,12 @@ def _split(found: Found) -> tuple[list[float], dict[int, list[Value]], list[Valu
 def judge(found: Found) -> Judgement:
     """Angles and forces fall."""
     walls, angles, forces = _split(found)
-    told = "; ".join(f"angle at {p} kPa {listed(values)}" for p, values in angles.items())
+    text = "; ".join(f"angle at {p} kPa {listed(values)}" for p, values in angles.items())
     holds = {f"the angle at {p} kPa": falls(values) for p, values in angles.items()} | {"the force": falls(forces)}
-    missed = [name for name, held in holds.items() if not held]
+    missed = [name for name, confirmed in holds.items() if not confirmed]
     return Judgement(
         verdict=verdict_of(holds.values()),
-        found=f"walls of {', '.join(f'{wall:g}' for wall in walls)} mm: {told}; force at {PUSH} kPa {listed(forces)}",
+        found=f"walls of {', '.join(f'{wall:g}' for wall in walls)} mm: {text}; force at {PUSH} kPa {listed(forces)}",
         conditions=f"Does not fall by more than the mesh error: {', '.join(missed)}." if missed else "",
     )
 

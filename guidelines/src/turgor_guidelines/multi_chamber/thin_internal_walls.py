@@ -88,7 +88,7 @@ def _judged(found: Found, better: str, order: object) -> Judgement:
     ordered = {"rises": rises, "falls": falls}[str(order)]
     work = _energy(values)
     holds = {"pressure times air": ordered(work), "bulge": ordered(values["bulge"])}
-    missed = [name for name, held in holds.items() if not held]
+    missed = [name for name, confirmed in holds.items() if not confirmed]
     return Judgement(
         verdict=verdict_of(holds.values()),
         found=f"{'; '.join(found)}: at {angle:.3g} deg {listed(values['pressure'])}, air "

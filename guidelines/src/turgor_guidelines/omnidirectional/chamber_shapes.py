@@ -25,18 +25,18 @@ def _ballooning(found: Found, pressure: float) -> dict[str, Value]:
 
 def judge(found: Found) -> Judgement:
     """Which shape bends most and which balloons least, at equal pressure and at equal angle."""
-    holds, told, seen = [], [], []
+    holds, parts, seen = [], [], []
     for pressure in PRESSURES:
         angles, wide = read(found, "bending_angle", pressure), _ballooning(found, pressure)
         most = max(angles, key=lambda name: angles[name].number)
         least = min(wide, key=lambda name: wide[name].number)
         least_each = min(wide, key=lambda name: wide[name].number / angles[name].number)
         holds += [most == "ring sector", least.startswith("half"), least_each.startswith("half")]
-        told += [f"at {pressure} kPa " + "; ".join(f"{n} {angles[n]}, {wide[n]} wider" for n in angles)]
+        parts += [f"at {pressure} kPa " + "; ".join(f"{n} {angles[n]}, {wide[n]} wider" for n in angles)]
         seen += [
             f"At {pressure} kPa {most} bends most, {least} balloons least, and least for the same angle: {least_each}."
         ]
-    return Judgement(verdict=verdict_of(holds), found=", ".join(told), conditions=" ".join(seen))
+    return Judgement(verdict=verdict_of(holds), found=", ".join(parts), conditions=" ".join(seen))
 
 
 def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:

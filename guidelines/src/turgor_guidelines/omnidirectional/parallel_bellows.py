@@ -41,11 +41,11 @@ def extend(wall: float, inner_radius: float, blocked: bool) -> Computed:
         folds=2, wall=wall * mm, inner_radius=inner_radius * mm, outer_radius=(inner_radius + FOLD + wall) * mm
     )
     part = actuator.build()
-    held: list[Any] = [tg.Fixed("fixed")]
+    supports: list[Any] = [tg.Fixed("fixed")]
     model = tg.Model(
         tg.mesh(part, cells="axisymmetric"),
         materials=dict.fromkeys(part.regions, elastosil()),
-        supports=held,
+        supports=supports,
         loads=[tg.Pressure("cavity", SINGLE * kPa)],
     )
     if blocked:
@@ -59,8 +59,8 @@ def kinds(setting: Setting) -> tuple[Run, ...]:
     """With ribs and without."""
     size = 5.0 if setting == "quick" else 2.5
     return tuple(
-        Run(name=name, function=bend, values={"constrained": held, "size": size})
-        for name, held in (("unconstrained", False), ("constrained", True))
+        Run(name=name, function=bend, values={"constrained": ribbed, "size": size})
+        for name, ribbed in (("unconstrained", False), ("constrained", True))
     )
 
 
@@ -85,15 +85,15 @@ def _shapes() -> tuple[tuple[str, float, float], ...]:
 
 def judge_kinds(found: Found) -> Judgement:
     """The constrained ones bend further at both pressures."""
-    holds, told, apart = [], [], False
+    holds, parts, apart = [], [], False
     for pressure in PRESSURES:
-        free, held = (at(each.response, "bending_angle", "pressure", pressure * kPa) for each in found.values())
-        holds.append(rises([free, held]))
-        apart = apart or differs(free, held)
-        told.append(f"{listed([free, held])} at {pressure:g} kPa ({change(held, free):+.1%})")
+        free, ribbed = (at(each.response, "bending_angle", "pressure", pressure * kPa) for each in found.values())
+        holds.append(rises([free, ribbed]))
+        apart = apart or differs(free, ribbed)
+        parts.append(f"{listed([free, ribbed])} at {pressure:g} kPa ({change(ribbed, free):+.1%})")
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"Without and with ribs: {'; '.join(told)}",
+        found=f"Without and with ribs: {'; '.join(parts)}",
         conditions="The rule does not say what constrains them. Here it is a rib that ties the three together in the "
         "middle." + ("" if apart else " Both differ by less than their mesh errors."),
     )
@@ -105,12 +105,12 @@ def judge_dimensions(found: Found) -> Judgement:
         {name: last(found[name + end].response, column) for name, _, _ in _shapes()}
         for end, column in (("", "tip_displacement_x"), (", blocked", "blocked_force"))
     )
-    holds, told = [], []
+    holds, parts = [], []
     for values, what in ((ways, "extension"), (forces, "blocked force")):
         thin, wide = ([values[name] for name, _, _ in part] for part in (_shapes()[:3], _shapes()[3:]))
         holds += [falls(thin), rises(wide)]
-        told.append(f"{what}, walls {listed(thin)}, inner radii {listed(wide)}")
-    return Judgement(verdict=verdict_of(holds), found=f"At {SINGLE:g} kPa: {'; '.join(told)}")
+        parts.append(f"{what}, walls {listed(thin)}, inner radii {listed(wide)}")
+    return Judgement(verdict=verdict_of(holds), found=f"At {SINGLE:g} kPa: {'; '.join(parts)}")
 
 
 def panels_kinds(found: Found) -> tuple[tg.pictures.Panel, ...]:
@@ -155,7 +155,7 @@ GUIDELINE = Guideline(
         GuidelineTest(
             title="Wall and inner radius of one bellows",
             setup=f"Bellows of two folds of 10 mm, {FOLD:g} mm high between inner radius and wall, Elastosil M4601 "
-            f"(neo-Hooke, 0.12 MPa), {SINGLE:g} kPa; free, or held at its length. Three in parallel bend by the "
+            f"(neo-Hooke, 0.12 MPa), {SINGLE:g} kPa; free, or with a fixed length. Three in parallel bend by the "
             "difference of their lengths over their distance.",
             expected="Extension and force fall with the wall and rise with the inner radius.",
             runs=dimensions,

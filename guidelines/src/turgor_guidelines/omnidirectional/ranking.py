@@ -94,18 +94,18 @@ def _sensitivities(found: Found, pressure: float) -> dict[str, Value]:
 
 def judge(found: Found) -> Judgement:
     """Signs and order at both pressures."""
-    holds, told, seen = [], [], []
+    holds, parts, seen = [], [], []
     for pressure in PRESSURES:
         values = _sensitivities(found, pressure)
         order = sorted(SIGNS, key=lambda name: -abs(values[name].number))
         holds += [values[name].number * sign > 0 for name, sign in SIGNS.items()] + [order == list(SIGNS)]
-        told.append(f"at {pressure} kPa " + ", ".join(f"{name} {value}" for name, value in values.items()))
+        parts.append(f"at {pressure} kPa " + ", ".join(f"{name} {value}" for name, value in values.items()))
         seen.append(f"At {pressure} kPa the order is {', '.join(order)}.")
         wrong = [name for name, sign in SIGNS.items() if values[name].number * sign <= 0]
         seen += [f"Against the rule, more {name} has the other sign." for name in wrong]
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"d ln(angle) / d ln(parameter): {'; '.join(told)}. Angles of the reference: "
+        found=f"d ln(angle) / d ln(parameter): {'; '.join(parts)}. Angles of the reference: "
         + listed([angle_at(found["reference"].response, pressure) for pressure in PRESSURES]),
         conditions=" ".join(seen),
     )

@@ -20,18 +20,18 @@ def runs(setting: Setting) -> tuple[Run, ...]:
 
 def judge(found: Found) -> Judgement:
     """Both ways round, at both pressures."""
-    holds, told, seen = [], [], []
+    holds, parts, seen = [], [], []
     for pressure in PRESSURES:
         angles = read(found, "bending_angle", pressure)
         rest = angles["circular"]
-        told.append(f"{pressure} kPa {listed(list(angles.values()))}")
+        parts.append(f"{pressure} kPa {listed(list(angles.values()))}")
         for name in NAMES[1:]:
             more = change(angles[name], rest)
             holds.append(more > 0 and differs(angles[name], rest))
             seen.append(f"{name} {more:+.0%} at {pressure} kPa")
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"{'; '.join(found)}: {'; '.join(told)}",
+        found=f"{'; '.join(found)}: {'; '.join(parts)}",
         conditions=f"At equal area and equal wall, against round chambers: {', '.join(seen)}.",
     )
 

@@ -36,7 +36,7 @@ def best(values: dict[str, Value]) -> str:
     return max(values, key=lambda shape: values[shape].number)
 
 
-def _told(values: dict[str, Value]) -> str:
+def _summary(values: dict[str, Value]) -> str:
     return ", ".join(f"{shape} {each}" for shape, each in values.items())
 
 
@@ -51,7 +51,7 @@ def judge_bending(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict if right else Verdict.NOT_REPRODUCED,
         found=f"Curvature at {PRESSURE:g} kPa: "
-        + "; ".join(f"{way}: {_told(values)}" for way, values in ways.items())
+        + "; ".join(f"{way}: {_summary(values)}" for way, values in ways.items())
         + ".",
         conditions="; ".join(
             f"{way}: most with {first[way]}, half round has {share[way]:.0%} of it and {against[way]:.2f} times the "
@@ -78,7 +78,7 @@ def judge_extension(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict if right or among else Verdict.NOT_REPRODUCED,
         found=f"Stretch at {PRESSURE:g} kPa: "
-        + "; ".join(f"{way}: {_told(values)}" for way, values in ways.items())
+        + "; ".join(f"{way}: {_summary(values)}" for way, values in ways.items())
         + ".",
         conditions="; ".join(
             f"{way}: longest with {first[way]}, of those that stay straight with {straight[way]}; sections grow by "

@@ -90,7 +90,7 @@ def bends(found: Found, around: str, mean: bool = False) -> tuple[list[float], l
     return list(chosen), [Value(number, 0.0, "1/m") for number in numbers]
 
 
-def _told(ratios: list[float], values: list[Value]) -> str:
+def _summary(ratios: list[float], values: list[Value]) -> str:
     top = largest(values)
     if top == len(values) - 1 and rises(values):
         return f"rises up to {ratios[top]:g}, and by {values[-1].number / values[-2].number - 1:.1%} in the last step"
@@ -103,11 +103,11 @@ def _judge(found: Found, ways: dict[str, tuple[list[float], list[Value]]]) -> Ju
     verdict = Verdict.CONFIRMED if all(inside.values()) else Verdict.CONDITIONAL
     ratios, values = ways[HOOPED]
     share = [values[ratios.index(each)].number / max(value.number for value in values) for each in NAMED]
-    told = "; ".join(f"{way}: {listed(values)}" for way, (_, values) in ways.items())
+    summary = "; ".join(f"{way}: {listed(values)}" for way, (_, values) in ways.items())
     return Judgement(
         verdict=verdict if any(inside.values()) else Verdict.NOT_REPRODUCED,
-        found=f"Curvature at {PRESSURE:g} kPa for ratios {', '.join(f'{each:g}' for each in ratios)}: {told}.",
-        conditions="; ".join(f"{way}: {_told(*each)}" for way, each in ways.items())
+        found=f"Curvature at {PRESSURE:g} kPa for ratios {', '.join(f'{each:g}' for each in ratios)}: {summary}.",
+        conditions="; ".join(f"{way}: {_summary(*each)}" for way, each in ways.items())
         + f". In hoops, ratios of {NAMED[0]:g} and {NAMED[1]:g} give {share[0]:.0%} and {share[1]:.0%} of the largest "
         "curvature seen.",
     )

@@ -28,20 +28,20 @@ def straight(found: Found) -> dict[str, float]:
 
 def judge(found: Found) -> Judgement:
     """Whether the round section has the largest R² and the smallest stretch of the rubber."""
-    wear, lines, told, good = worn(found), straight(found), [], []
+    wear, lines, parts, good = worn(found), straight(found), [], []
     for way in dict.fromkeys(name.split(", ")[0] for name in found):
         names = [name for name in found if name.split(", ")[0] == way]
         of_round = f"{way}, {ROUND}"
         line, spared = max(names, key=lambda each: lines[each]), min(names, key=lambda each: wear[each])
         good += [line == of_round, spared == of_round]
-        told.append(f"{way}: straightest {line.split(', ')[1]}, rubber stretched least in {spared.split(', ')[1]}")
+        parts.append(f"{way}: straightest {line.split(', ')[1]}, rubber stretched least in {spared.split(', ')[1]}")
     verdict = Verdict.CONFIRMED if all(good) else Verdict.CONDITIONAL
     return Judgement(
         verdict=verdict if any(good) else Verdict.NOT_REPRODUCED,
         found=f"R² up to {PRESSURE:g} kPa, and largest stretch of the rubber at a stretch of {STRETCH:g}: "
         + "; ".join(f"{name} {lines[name]:.5f}, {wear[name]:.3f}" for name in found)
         + ".",
-        conditions="; ".join(told)
+        conditions="; ".join(parts)
         + ". Wear is judged by the stretch of the rubber; the stretch at the inner corners of "
         "the other shapes grows with finer cells, so that theirs are lower bounds.",
     )

@@ -45,11 +45,11 @@ def _groups(found: Found) -> dict[str, list[str]]:
 
 def judge_radius(found: Found) -> Judgement:
     """Larger radius, larger curvature, in each of four ways."""
-    told, grown, good = [], [], {}
+    texts, grown, good = [], [], {}
     for group, names in _groups(found).items():
         bends = [last(found[name].response, "curvature_y") for name in names]
         good[group] = rises(bends)
-        told.append(f"{group}: {listed(bends)}")
+        texts.append(f"{group}: {listed(bends)}")
         more = bends[-1].number / bends[0].number
         grown.append(f"{more:.2f} times as large, most at {RADII[largest(bends)]:g} mm ({group})")
     right = [group for group, each in good.items() if each]
@@ -57,7 +57,7 @@ def judge_radius(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict if right else Verdict.NOT_REPRODUCED,
         found=f"Curvature at {SECTION_PRESSURE:g} kPa for radii of {', '.join(f'{each:g}' for each in RADII)} mm: "
-        + "; ".join(told)
+        + "; ".join(texts)
         + ".",
         conditions=f"The curvature rises with the radius with {' and '.join(right) or 'none of them'}. From "
         f"{RADII[0]:g} to {RADII[-1]:g} mm it becomes {'; '.join(grown)}. Sections that are scaled in all their "
@@ -153,7 +153,7 @@ GUIDELINE = Guideline(
             title="Length of whole benders",
             setup="Whole half-round benders in hoops, chamber radius 8 mm, wall and base 2 mm, Elastosil M4601 "
             "(neo-Hookean, C10 = 0.12 MPa), fabric of 650 N/mm along and across on the flat side, end walls of 5 "
-            "mm, one end held; lengths of 30, 40 and 60 mm; bending angle at 10 kPa.",
+            "mm, one end fixed; lengths of 30, 40 and 60 mm; bending angle at 10 kPa.",
             expected="The angle rises with every step to a larger length.",
             runs=length_runs,
             judge=judge_length,

@@ -48,10 +48,10 @@ def extend(rubber: str, size: float) -> Computed:
 
 
 def bend(rubber: str, size: float) -> Computed:
-    """Bend a half-round section free and held straight, up to a pressure of twice the share of the modulus."""
+    """Bend a half-round section free and at zero curvature, up to a pressure of twice the share of the modulus."""
     material = _rubber(rubber)
     pressures = np.linspace(0, 2 * LARGEST * material.law.shear_modulus, 13)
-    # Rods, not threads that go slack: beside the softest rubber slack threads leave no path from rest.
+    # Rods, not threads that go slack: next to the softest rubber slack threads leave no path from rest.
     wound = [*fabric(), replace(threads(("outside", "strain_limiting_layer")), compression=1.0)]
 
     def solve(cell: float) -> tuple[tg.Response, tg.sections.SectionSolution]:
@@ -173,7 +173,7 @@ GUIDELINE = Guideline(
     studies=(
         GuidelineTest(
             title="Stroke and stress of four rubbers",
-            setup="Whole tube (inner radius 6.35 mm, wall 2 mm, 60 mm long, caps of 5 mm, one end held), "
+            setup="Whole tube (inner radius 6.35 mm, wall 2 mm, 60 mm long, caps of 5 mm, one end fixed), "
             "axisymmetric, in hoops of Kevlar thread every 2 mm; Ecoflex 00-30, Dragon Skin 10, Elastosil M4601, "
             "Smooth-Sil 950 (records of Polygerinos et al., neo-Hookean); extension and von Mises stress up to 0.2 "
             "times the shear modulus.",

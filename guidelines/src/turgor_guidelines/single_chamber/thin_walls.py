@@ -93,17 +93,17 @@ def _groups(found: Found) -> dict[str, list[str]]:
 
 def judge_benders(found: Found) -> Judgement:
     """Thinner wall, larger curvature, in each of four ways."""
-    told, good = [], {}
+    parts, good = [], {}
     for group, names in _groups(found).items():
         bends = [last(found[name].response, "curvature_y") for name in names]
         good[group] = rises(bends)
-        told.append(f"{group}: {listed(bends)}")
+        parts.append(f"{group}: {listed(bends)}")
     verdict = Verdict.CONFIRMED if all(good.values()) else Verdict.CONDITIONAL
     bad = [group for group, each in good.items() if not each]
     return Judgement(
         verdict=verdict if any(good.values()) else Verdict.NOT_REPRODUCED,
         found=f"Curvature at {BENDER_PRESSURE:g} kPa with walls of {', '.join(f'{each:g}' for each in WALLS)} mm: "
-        + "; ".join(told)
+        + "; ".join(parts)
         + ".",
         conditions=f"It does not hold with {' and '.join(bad)}."
         if bad
@@ -135,7 +135,7 @@ def bender_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
 
 EXTENDERS = GuidelineTest(
     title="Wall of a tube in hoops",
-    setup="Whole tube (outer radius 8.35 mm, 60 mm long, caps of 5 mm, one end held), axisymmetric, Elastosil M4601 "
+    setup="Whole tube (outer radius 8.35 mm, 60 mm long, caps of 5 mm, one end fixed), axisymmetric, Elastosil M4601 "
     "(neo-Hookean, C10 = 0.12 MPa), hoops of Kevlar thread every 2 mm, smeared; extension at 50 kPa.",
     expected="The extension rises with every step to a thinner wall.",
     runs=tube_runs,

@@ -22,7 +22,7 @@ EQUAL, STRETCH, NAMED = 12.0, 1.4, (8.0, 12.5)
 
 
 def push(width: float, hooped: bool, size: float) -> Computed:
-    """Inflate a rectangular section whose void has a width [mm], held straight."""
+    """Inflate a rectangular section whose void has a width [mm], at zero curvature."""
     shape = tg.actuators.RectangularBender(
         width=(width + 2 * WALL) * mm,
         height=(HEIGHT + 2 * WALL) * mm,
@@ -38,9 +38,9 @@ def push(width: float, hooped: bool, size: float) -> Computed:
         still = section.solve(
             np.linspace(0, PRESSURE * kPa, 13), held={"curvature_y": 0.0}, throw=False, mesh_error=False
         )
-        held = still.response
-        columns = [*held.columns, tg.experiments.Column("blocked_moment", "Nm", -held["moment_y"])]
-        return tg.Response(columns=tuple(columns), source=held.source, message=held.message), still
+        response = still.response
+        columns = [*response.columns, tg.experiments.Column("blocked_moment", "Nm", -response["moment_y"])]
+        return tg.Response(columns=tuple(columns), source=response.source, message=response.message), still
 
     (fine, still), (coarse, _) = solve(size * mm), solve(COARSER * size * mm)
     return Computed(response=compared(fine, coarse), picture=outline_of(still))
@@ -63,7 +63,7 @@ def runs(setting: Setting) -> tuple[Run, ...]:
 def forces(found: Found, around: str, drive: str, where: float) -> dict[str, tuple[list[float], list[float]]]:
     """Ratios of length to width, and forces of the tip [N], with the length kept and with the area kept.
 
-    A beam that is held at one end and whose other end is held across, free to turn, pushes with 1.5 times the moment
+    A beam that is fixed at one end and whose other end is fixed across, free to turn, pushes with 1.5 times the moment
     over its length.
     """
     chosen = {float(name.split()[-3]): each.response for name, each in found.items() if name.startswith(around)}
@@ -94,12 +94,12 @@ def ways(found: Found) -> dict[str, tuple[list[float], list[float]]]:
 
 def judge(found: Found) -> Judgement:
     """The ratio of the largest force, in each way."""
-    told, inside = [], []
+    parts, inside = [], []
     for way, (ratios, pushes) in ways(found).items():
         top = int(np.argmax(pushes))
         end = " (the last that was tried)" if top in (0, len(pushes) - 1) else ""
         inside.append(not end and NAMED[0] <= ratios[top] <= NAMED[1])
-        told.append(f"{way}: {max(pushes):.3g} N at {ratios[top]:.3g}{end}")
+        parts.append(f"{way}: {max(pushes):.3g} N at {ratios[top]:.3g}{end}")
     verdict = Verdict.CONFIRMED if all(inside) else Verdict.CONDITIONAL if any(inside) else Verdict.NOT_REPRODUCED
     errors = [
         float((each.response.mesh_error("blocked_moment") / np.abs(each.response["blocked_moment"]).max()).max())
@@ -107,7 +107,7 @@ def judge(found: Found) -> Judgement:
     ]
     return Judgement(
         verdict=verdict,
-        found=f"Largest force, and the ratio of length to width: {'; '.join(told)}. Mesh errors are at most "
+        found=f"Largest force, and the ratio of length to width: {'; '.join(parts)}. Mesh errors are at most "
         f"{max(errors):.1%} of the force at {PRESSURE:g} kPa.",
         conditions=f"{sum(inside)} of {len(inside)} ways to ask have their best ratio between {NAMED[0]:g} and "
         f"{NAMED[1]:g}. What is kept decides: the rule does not say whether length, area or volume is, nor whether the "
@@ -140,7 +140,7 @@ GUIDELINE = Guideline(
             title="Width of a rectangular void",
             setup="Section of a long rectangular bender, void 8 mm high and 5 to 25 mm wide, walls of 2 mm, "
             "Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa), fabric of 650 N/mm along and across below; bare or in "
-            "hoops of Kevlar thread every 2 mm; held straight. Force of a tip that is held across, 1.5 times the "
+            "hoops of Kevlar thread every 2 mm; at zero curvature. Force of a tip that is fixed across, 1.5 times the "
             "moment over the length, for a length of 100 mm or a plan area of 1000 mm², at 12 kPa or where the "
             "rubber is stretched by 1.4.",
             expected="The force is largest at a ratio between 8 and 12.5.",

@@ -28,7 +28,7 @@ RECORDS = (
     (8, "smooth-sil-950", "neo-hooke-connolly-2017"),
 )
 
-#: Records of one study, the same law from one table; the stretch that is asked for; last pressure over the modulus.
+#: Records of one study, the same law from one table; the requested stretch; last pressure over the modulus.
 ONE_TABLE, STRETCH, LARGEST = "neo-hooke-polygerinos-2020", 1.1, 0.3
 
 
@@ -65,7 +65,7 @@ def ranks() -> dict[str, int]:
 
 
 def needed(found: Found) -> dict[str, Value]:
-    """Pressure for the stretch that is asked for [kPa]."""
+    """Pressure for the requested stretch [kPa]."""
     return {
         name: Value(
             float(np.interp(STRETCH, each.response["stretch"], each.response["pressure"] / kPa, right=np.nan)),

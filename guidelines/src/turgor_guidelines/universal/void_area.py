@@ -59,11 +59,11 @@ def _groups(found: Found) -> dict[str, list[str]]:
 
 def judge(found: Found) -> Judgement:
     """Whether the curvature rises with the area."""
-    told, good = [], []
+    parts, good = [], []
     for kept, names in _groups(found).items():
         bends = [last(found[name].response, "curvature") for name in names]
         good.append(rises(bends))
-        told.append(f"{kept}, void of {', '.join(name.split()[-2] for name in names)} mm²: {listed(bends)}")
+        parts.append(f"{kept}, void of {', '.join(name.split()[-2] for name in names)} mm²: {listed(bends)}")
     verdict = Verdict.CONFIRMED if all(good) else Verdict.CONDITIONAL if any(good) else Verdict.NOT_REPRODUCED
     first, second = (
         last(found[names[-1]].response, "curvature").number / last(found[names[0]].response, "curvature").number
@@ -71,7 +71,7 @@ def judge(found: Found) -> Judgement:
     )
     return Judgement(
         verdict=verdict,
-        found=f"Curvature at {PRESSURE:g} kPa in one of three chambers: {'; '.join(told)}.",
+        found=f"Curvature at {PRESSURE:g} kPa in one of three chambers: {'; '.join(parts)}.",
         conditions=f"A void {(DIAMETERS[-1] / DIAMETERS[0]) ** 2:.1f} times as large bends {second:.3g} times as "
         f"far where the wall of {WALL:g} mm outside it stays, and {first:.3g} times where the chambers' axes stay "
         "and this wall becomes thinner: a larger void mostly means a thinner wall, and both add up.",

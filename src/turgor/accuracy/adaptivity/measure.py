@@ -81,7 +81,7 @@ def mesh_error_of(
     ----------
     solution : Solution
     measures : tuple of Measure
-        What it is asked to read.
+        What is read.
     options : EngineOptions, optional
     refined_before : bool
         Whether the mesh was refined where the error comes from.
@@ -128,8 +128,8 @@ def _found_pressures(solution: Solution) -> tuple[Measure, ...]:
     acting, stated = pressures_of(last), {load.face for load in solution.model.pressures}
     by_path = isinstance(procedure_of(solution, last), ArcLength | Auto)
     given = last.model is solution.model and stated_by_loads(last)
-    sought = [] if given else [name for name, value in last.pressures.items() if name not in stated and value]
-    found = list(acting) if by_path else sought
+    controlled = [] if given else [name for name, value in last.pressures.items() if name not in stated and value]
+    found = list(acting) if by_path else controlled
     return tuple(
         Measure(
             name="pressure" if len(acting) == 1 else f"{face}_pressure",

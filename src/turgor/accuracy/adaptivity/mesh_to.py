@@ -1,4 +1,4 @@
-"""mesh_to: solve, refine where the error comes from, and solve again, until a measure is as exact as asked."""
+"""mesh_to: solve, refine where the error comes from, and solve again, until a measure is as exact as requested."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -75,7 +75,7 @@ class Refined:
     measure : Measure
         What is to be exact.
     target : float [-]
-        Relative error that was asked for.
+        Requested relative error.
     rounds : tuple of Round
         The meshes, the first one first.
     reached : bool
@@ -169,7 +169,7 @@ def refine_to(
         if refinement is None:
             where = f"the next mesh would have more than {most_unknowns:,} unknowns; {where}"
             break
-        shown = f"{100 * rounds[-1].relative:.2g} %, asked are {100 * target:.2g} %"
+        shown = f"{100 * rounds[-1].relative:.2g} %, requested are {100 * target:.2g} %"
         unknowns = refinement.mesh.unknown_count
         say(f"mesh error of the {measure.name.replace('_', ' ')}: {shown}; refining to {unknowns} unknowns")
         solution = _solved_on(solution, refinement, options or EngineOptions())
@@ -208,23 +208,23 @@ def _solved_on(solution: Solution, refinement: Refinement, options: EngineOption
     touching = any(touch.area > 0 for state in solution.states for touch in state.touches.values())
     remembers = any(state.memory is not None and state.memory.of_rubber is not None for state in solution.states)
     if touching or remembers or any(state.stage for state in solution.states):
-        return _solved_anew(model, solution, options)
+        return _solved_again(model, solution, options)
     second = SecondMesh(refinement, Transfer(solution.model.mesh, refinement), options)
     states = [second.at_rest(solution.states[0])]
     with use_threads(options.threads):
         for state in solution.states[1:]:
             found = second.found_again(state, procedure_of(solution, state), exact=True)
             if found is None or (found.unstable_modes or 0) != (state.unstable_modes or 0):
-                return _solved_anew(model, solution, options)
+                return _solved_again(model, solution, options)
             states.append(found)
     return replace(solution, model=states[-1].model, states=tuple(states))
 
 
-def _solved_anew(model: Model, solution: Solution, options: EngineOptions) -> Solution:
-    anew = solve(model, solution.procedure, options=options, throw=False, progress=False)
-    if len(anew.states) < 2:
-        raise SolveError(anew)
-    return anew
+def _solved_again(model: Model, solution: Solution, options: EngineOptions) -> Solution:
+    solved = solve(model, solution.procedure, options=options, throw=False, progress=False)
+    if len(solved.states) < 2:
+        raise SolveError(solved)
+    return solved
 
 
 def _where(mesh: Mesh, shares: Array) -> str:
@@ -252,12 +252,12 @@ def _ended(solution: Solution, measure: Measure, target: float, rounds: list[Rou
         f"The mesh was refined for the {name} from {first.unknowns:,} to {last.unknowns:,} unknowns in "
         f"{len(rounds) - 1} rounds: {with_error(first.value, first.error, measure.unit)} became "
         f"{with_error(last.value, last.error, measure.unit)}, an error of {100 * last.relative:.2g} % where "
-        f"{100 * target:.2g} % was asked; {where}."
+        f"{100 * target:.2g} % was requested; {where}."
     )
     if len(rounds) == 1 and reached:
         message = (
             f"The first mesh meets the target: {name} {with_error(last.value, last.error, measure.unit)}, an error of "
-            f"{100 * last.relative:.2g} % where {100 * target:.2g} % was asked."
+            f"{100 * last.relative:.2g} % where {100 * target:.2g} % was requested."
         )
     advice = "" if reached else "Allow more unknowns (most_unknowns), or begin with smaller cells in these places."
     return Refined(

@@ -25,7 +25,7 @@ class Adjoint:
     Parameters
     ----------
     unknowns : (m, size) array [SI]
-        Change of each measure by a unit of residual, zero at held unknowns.
+        Change of each measure by a unit of residual, zero at fixed unknowns.
     scalars : (m, k) array [SI]
         By a unit of error of each condition.
     left : float
@@ -71,9 +71,9 @@ def adjoint_of(base: Equilibrium, measures: tuple[Measure, ...], facts: MeshFact
     -------
     Adjoint
     """
-    held, found, left = base.system.prescribed, [], 0.0
+    fixed, found, left = base.system.prescribed, [], 0.0
     for each in measures:
-        right = np.where(held, 0.0, by_unknowns(base, each, facts))
+        right = np.where(fixed, 0.0, by_unknowns(base, each, facts))
         unknowns, scalars = base.transposed_answer(right)
         found.append((unknowns, scalars))
         left = max(left, _difference(base, unknowns))
@@ -82,6 +82,6 @@ def adjoint_of(base: Equilibrium, measures: tuple[Measure, ...], facts: MeshFact
 
 def _difference(base: Equilibrium, unknowns: Array) -> float:
     """Relative difference of the forces that a motion causes by the tangent and by residuals."""
-    told = np.where(base.system.prescribed, 0.0, base.border.tangent.product(unknowns))
+    predicted = np.where(base.system.prescribed, 0.0, base.border.tangent.product(unknowns))
     caused, _ = motion_along(base, unknowns, np.zeros(len(base.scalars))).forces()
-    return float(np.linalg.norm(caused - told)) / max(float(np.linalg.norm(told)), 1e-300)
+    return float(np.linalg.norm(caused - predicted)) / max(float(np.linalg.norm(predicted)), 1e-300)

@@ -141,7 +141,7 @@ def forces_of(base: Equilibrium, neighbors: Neighbors) -> tuple[tuple[Place, ...
     tuple
     """
     moved = np.zeros(base.system.size)
-    moved[base.system.prescribed] = neighbors.held()
+    moved[base.system.prescribed] = neighbors.prescribed_rates()
     places = neighbors.look(moved)
     residual = neighbors.difference(lambda _, place: place.at.residual, places)
     residual[base.system.prescribed] = 0.0

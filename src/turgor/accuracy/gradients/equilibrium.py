@@ -66,7 +66,7 @@ class Equilibrium:
         What holds there: given loads, or given volumes or amounts of gas.
     at : Evaluation
     scalars : (k,) array
-        The pressures that are sought.
+        The unknown pressures.
     systems : Systems
         Equations that were set up before.
     """
@@ -87,7 +87,7 @@ class Equilibrium:
 
     @cached_property
     def columns(self) -> Array:
-        """Derivatives (k, size) of the residual by the scalars, zero at held unknowns."""
+        """Derivatives (k, size) of the residual by the scalars, zero at fixed unknowns."""
         return np.where(self.system.prescribed, 0.0, self.constraint.scalar_unknowns.columns(self.at))
 
     def answer(self, right: Array, errors: Array) -> tuple[Array, Array]:
@@ -216,7 +216,7 @@ def _found_again(
 
 
 def controlled_cavities(state: State, procedure: OneProcedure) -> tuple[str, ...]:
-    """Name the cavities whose pressure a procedure sought.
+    """Name the cavities whose pressure is unknown in a procedure.
 
     Parameters
     ----------
@@ -233,7 +233,7 @@ def controlled_cavities(state: State, procedure: OneProcedure) -> tuple[str, ...
 def constraint_of(system: System, state: State, procedure: OneProcedure) -> Constraint:
     """Return what holds at a state: loads at its load factor, or the volumes or amounts of gas of its cavities.
 
-    Along `ArcLength` and `Auto` the loads are given, too: what is asked is how a measure changes at the same load.
+    Along `ArcLength` and `Auto` the loads are given, too: the question is how a measure changes at the same load.
 
     Parameters
     ----------

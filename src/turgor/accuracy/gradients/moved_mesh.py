@@ -23,8 +23,8 @@ TETRAHEDRON = 10
 def carried(variation: Variation, mesh: Mesh) -> Variation:
     """Return a variation whose models have the cells of a mesh.
 
-    Hexahedra are swept anew in the same order. Tetrahedra that are generated anew would be others, so those of the mesh
-    are carried along with the CAD shape that a model generates its mesh of.
+    Hexahedra are swept again in the same order. Tetrahedra that are generated again would be others, so those of the
+    mesh are moved along with the CAD shape that a model generates its mesh of.
 
     Parameters
     ----------

@@ -75,7 +75,7 @@ class Neighbor:
 
     @cached_property
     def prescribed(self) -> Array:
-        """Scaled values of the held unknowns."""
+        """Scaled values of the fixed unknowns."""
         return self.system.prescribed_values(self.base.state.load_factor)
 
     @cached_property
@@ -120,8 +120,8 @@ class Neighbors:
     step: float
     each: tuple[Neighbor, ...]
 
-    def held(self) -> Array:
-        """Rates (h,) at which supports move the held unknowns."""
+    def prescribed_rates(self) -> Array:
+        """Rates (h,) at which supports move the fixed unknowns."""
         moved = sum(each.weight * each.prescribed for each in self.each)
         return np.asarray(moved / self.step)
 
@@ -198,8 +198,8 @@ def _neighbor(base: Equilibrium, variation: Variation, name: str, steps: int) ->
     model = variation.model(values)
     procedure = base.procedure if variation.procedure is None else variation.procedure(values)
     _check_cells(base.state.model.mesh, model.mesh, name)
-    asked, touching = _touching(base, model)
-    system = base.systems.near(model, asked, touching, base.system)
+    contact_model, touching = _touching(base, model)
+    system = base.systems.near(model, contact_model, touching, base.system)
     if system.size != base.system.size or not np.array_equal(system.prescribed, base.system.prescribed):
         raise TurgorError(_other_unknowns(base, name))
     for part, known in zip(system.contact.parts, base.system.contact.parts, strict=False):

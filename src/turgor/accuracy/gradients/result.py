@@ -111,16 +111,16 @@ class Gradient:
         changes = [self.relative(each.name) for each in self.measures]
         rows = [heads]
         for key, number in zip(self.keys, self.numbers, strict=True):
-            told = [_shown(change[key], each.unit) for change, each in zip(changes, self.measures, strict=True)]
-            rows.append([key, _shown(float(number.values[0]), number.unit), *told])
+            parts = [_shown(change[key], each.unit) for change, each in zip(changes, self.measures, strict=True)]
+            rows.append([key, _shown(float(number.values[0]), number.unit), *parts])
         widths = [max(len(row[k]) for row in rows) for k in range(len(heads))]
         return "\n".join(
             "  ".join(text.ljust(width) for text, width in zip(row, widths, strict=True)).rstrip() for row in rows
         )
 
     def __repr__(self) -> str:
-        told = ", ".join(f"{each.name} {_shown(float(each.values[0]), each.unit)}" for each in self.measures)
-        return f"Gradient at load factor {self.load_factor:.4g} ({told}):\n{self.table()}"
+        values = ", ".join(f"{each.name} {_shown(float(each.values[0]), each.unit)}" for each in self.measures)
+        return f"Gradient at load factor {self.load_factor:.4g} ({values}):\n{self.table()}"
 
     def to_csv(self, file: str | Path) -> Path:
         """Write a row for each number: its key, value and unit, and the derivative of each measure per unit of both.

@@ -10,7 +10,7 @@ from turgor.core.engine.system import System
 from turgor.core.model.model import Model
 from turgor.core.solvers.solve import FEW_UNKNOWNS
 
-#: What equations belong to: a model, and what is asked of it.
+#: What equations belong to: a model, and what is requested of it.
 Key = tuple[int, object]
 
 Made = TypeVar("Made")
@@ -32,7 +32,7 @@ class Systems:
         ----------
         model : Model
         controlled : tuple of str
-            Cavities whose pressure is sought.
+            Cavities whose pressure is unknown.
 
         Returns
         -------
@@ -59,13 +59,13 @@ class Systems:
         tangent.use_double()  # a solution in single precision takes two or three refinements, every answer five of them
         return tangent
 
-    def near(self, model: Model, asked: Model, touching: bool, like: System) -> System:
+    def near(self, model: Model, contact_model: Model, touching: bool, like: System) -> System:
         """Return the equations of a model at a nearby value of a number.
 
         Parameters
         ----------
         model : Model
-        asked : Model
+        contact_model : Model
             The same with what may touch at the state.
         touching : bool
             Whether anything touches there.
@@ -76,7 +76,7 @@ class Systems:
         -------
         System
         """
-        return self._kept(model, (id(like), touching), lambda: System(asked, like.controlled, like=like))
+        return self._kept(model, (id(like), touching), lambda: System(contact_model, like.controlled, like=like))
 
     def _kept(self, model: Model, what: object, make: Callable[[], Made]) -> Made:
         key = id(model), what

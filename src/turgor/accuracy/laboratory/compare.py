@@ -141,8 +141,8 @@ def compare(computed: Response, measured: Response, y: str | None = None, *, x: 
     ours, theirs = _columns(computed, measured, x, driving=True)
     name, other = _columns(computed, measured, y, driving=False, besides=(ours, theirs))
     notes = _named_differently(ours, theirs) + _named_differently(name, other)
-    curve, told = first_branch(computed, ours)
-    notes += told
+    curve, turned = first_branch(computed, ours)
+    notes += turned
     drive, values = measured.column(theirs), measured.column(other)
     known = np.isfinite(drive) & np.isfinite(values)
     drive, values = drive[known], values[known]
@@ -232,11 +232,11 @@ def first_branch(response: Response, x: str) -> tuple[Response, tuple[str, ...]]
 
 
 def _columns(
-    computed: Response, measured: Response, asked: str | None, *, driving: bool, besides: tuple[str, str] = ("", "")
+    computed: Response, measured: Response, requested: str | None, *, driving: bool, besides: tuple[str, str] = ("", "")
 ) -> tuple[str, str]:
     """Names of the column of each response that are compared with each other."""
-    if asked is not None:
-        ours, _, theirs = (part.strip() for part in asked.partition("="))
+    if requested is not None:
+        ours, _, theirs = (part.strip() for part in requested.partition("="))
         return _of_one_kind(computed, ours, measured, theirs or _same(computed, ours, measured, besides[1]))
     if driving:
         drives = (drive_of(computed), drive_of(measured), "pressure", "time")

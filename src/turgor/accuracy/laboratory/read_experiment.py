@@ -70,7 +70,7 @@ def read_experiments(
     units: Mapping[str, str] | None = None,
     columns: Mapping[str, str] | Sequence[str] | None = None,
 ) -> dict[str, Response]:
-    r"""Read a table that holds several runs, told apart by one or more of its columns.
+    r"""Read a table that holds several runs, distinguished by one or more of its columns.
 
     Parameters
     ----------

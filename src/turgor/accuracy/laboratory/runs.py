@@ -1,4 +1,4 @@
-"""Runs of an experiment: loading and unloading told apart, and repeated runs averaged with their spread."""
+"""Runs of an experiment: loading and unloading distinguished, and repeated runs averaged with their spread."""
 
 from collections.abc import Sequence
 from dataclasses import replace

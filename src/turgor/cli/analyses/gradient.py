@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.analyses.calibrate import often
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of, output_option
+from turgor.cli.options import Changes, Debug, JobFile, Json, command_of, output_option, requested_job
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,21 +27,21 @@ class _Options:
     debug: Debug = False
 
 
-def _run(asked: _Options) -> None:
+def _run(options: _Options) -> None:
     """Solve a job, and differentiate its measures at the full load by dimensions, materials and loads.
 
     The derivatives cost a fraction of the run, whatever their number.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+    with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.answers.studies import gradient_result
         from turgor.studies.runs.jobs.job_gradients import gradient_of_job
 
-        job = asked_job(asked.job, asked.changes)
-        found = gradient_of_job(job, asked.wrt or (), asked.measures or ())
+        job = requested_job(options.job, options.changes)
+        found = gradient_of_job(job, options.wrt or (), options.measures or ())
         typer.echo(repr(found))
-        if asked.output is not None:
-            typer.echo(f"Written to {found.to_csv(asked.output)}.")
-        answer.give(lambda: gradient_result(found, asked.output))
+        if options.output is not None:
+            typer.echo(f"Written to {found.to_csv(options.output)}.")
+        answer.give(lambda: gradient_result(found, options.output))
         raise typer.Exit(DONE)
 
 

@@ -104,16 +104,16 @@ def write_script(given: StudyFile, study: Path, folder: Path, script: Script) ->
     tasks = min(script.tasks or designs, designs)
     job_function(given.job, folder)
     _directive(str(study))
-    asked = ["sweep", str(study), "--output", str(folder)]
+    arguments = ["sweep", str(study), "--output", str(folder)]
     text = SCRIPT.format(
         name=_directive(given.name), tasks=tasks, designs=designs, here=_directive(str(Path.cwd())),
         log=_directive(str(folder).replace("%", "%%") + "/slurm-%A-%a.log"),
-        command=shlex.join([sys.executable, "-m", "turgor", *asked]),
+        command=shlex.join([sys.executable, "-m", "turgor", *arguments]),
     )  # fmt: skip
     with whole(script.file) as part:
         part.write_text(text, encoding="utf-8")
         part.chmod(0o755)
-    again = shlex.join(["turgor", *asked, "--gather"])
+    again = shlex.join(["turgor", *arguments, "--gather"])
     submit = shlex.join(["sbatch", str(script.file)])
     return f"{designs} designs in {tasks} tasks. Submit them: {submit}; then write the table: {again}"
 

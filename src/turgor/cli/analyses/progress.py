@@ -45,7 +45,7 @@ class Counts:
             return None
         return (self.total - self.ended) * (perf_counter() - self._began) / self.computed
 
-    def told(self) -> str:
+    def text(self) -> str:
         """Return the counts in words."""
         parts = [f"{self.ended} of {self.total}"]
         parts += [f"{self.kept} kept from before"] if self.kept else []
@@ -67,7 +67,7 @@ class StudyProgress:
         self.counts = Counts(total)
         console = PatientConsole(file=sys.stderr)
         self._bar = _bar(console) if console.is_terminal else None
-        self._task = self._bar.add_task("", total=total, told=self.counts.told(), left="") if self._bar else None
+        self._task = self._bar.add_task("", total=total, text=self.counts.text(), left="") if self._bar else None
 
     def __enter__(self) -> Self:
         if self._bar is not None:
@@ -88,13 +88,13 @@ class StudyProgress:
             line = Text(f"{ended.run.name}: {ended.problem}", overflow="ellipsis", no_wrap=True)
             self._bar.console.print(line, highlight=False)
         left = f"{clock(self.counts.seconds_left)} left"
-        self._bar.update(self._task, completed=self.counts.ended, told=self.counts.told(), left=left)
+        self._bar.update(self._task, completed=self.counts.ended, text=self.counts.text(), left=left)
 
 
 def _bar(console: Console) -> Progress:
     return Progress(
         SpinnerColumn(),
-        TextColumn("{task.fields[told]}", table_column=Column(no_wrap=True)),
+        TextColumn("{task.fields[text]}", table_column=Column(no_wrap=True)),
         BarColumn(bar_width=None),
         TextColumn("{task.fields[left]}", table_column=Column(no_wrap=True)),
         console=console,

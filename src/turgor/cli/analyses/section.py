@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
+from turgor.cli.options import Changes, Debug, JobFile, Json, output_option, requested_job
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -43,15 +43,15 @@ def section_command(
         from turgor.job.section import section_of, solve_section
 
         length = _length(size)
-        asked = asked_job(job, changes)
-        section = section_of(asked, length, ends)
+        requested = requested_job(job, changes)
+        section = section_of(requested, length, ends)
         typer.echo(f"{section!r}")
-        solution = solve_section(asked, section, rows)
-        with claimed(output if output is not None else Path(f"{asked.name}-section"), force, files=FILES) as folder:
-            _write(folder, asked, solution)
+        solution = solve_section(requested, section, rows)
+        with claimed(output if output is not None else Path(f"{requested.name}-section"), force, files=FILES) as folder:
+            _write(folder, requested, solution)
         _show(solution)
         answer.warn(solution.response.findings)
-        answer.give(lambda: section_result(asked.name, solution, folder))
+        answer.give(lambda: section_result(requested.name, solution, folder))
         typer.echo(f"Table and plot in {folder}.")
         if solution.response.message:
             typer.echo(solution.response.message, err=True)

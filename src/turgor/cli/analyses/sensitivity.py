@@ -55,7 +55,7 @@ class _Options:
 def _run(options: _Options) -> None:
     """Say which factors of a study matter: shares of the variance, with a picture.
 
-    A full factorial gets an analysis of variance. Samples get Sobol indices of a surrogate, whose error is told.
+    A full factorial gets an analysis of variance. Samples get Sobol indices of a surrogate, whose error is reported.
     """
     with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
@@ -140,6 +140,6 @@ def _sobol(
     fitted = surrogate(study, names, at=at)
     fixed = values_given([f"{name}={text}" for name, text in wanted.fixed.items()], fitted.factors, "--hold")
     spreads = spreads_given([f"{name}={text}" for name, text in wanted.spread.items()], fitted.factors)
-    found = sobol_indices(fitted, spreads=spreads, held=fixed, samples=wanted.samples)
+    found = sobol_indices(fitted, spreads=spreads, held=fixed, samples=wanted.samples)  # the user's word
     text = "\n".join([*(each.sentence() for each in found), *fitted.notes])
     return text, [term for each in found for term in index_terms(each)], indices_figure(found)

@@ -85,7 +85,7 @@ surrogate_command = command_of(_Options, _fit)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Asked:
+class _PredictOptions:
     file: Annotated[Path, typer.Argument(metavar="SURROGATE", help="File of 'turgor surrogate'.", show_default=False)]
     at: Annotated[
         list[str] | None,
@@ -106,7 +106,7 @@ class _Asked:
     debug: Debug = False
 
 
-def _predict(options: _Asked) -> None:
+def _predict(options: _PredictOptions) -> None:
     """Say what a surrogate gives for values of its factors, or which of them give wanted measures."""
     with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.analyses.given_study import values_given
@@ -124,10 +124,10 @@ def _predict(options: _Asked) -> None:
         _say(found, at, options, answer)
 
 
-predict_command = command_of(_Asked, _predict)
+predict_command = command_of(_PredictOptions, _predict)
 
 
-def _say(found: "Surrogate", at: "dict[str, Value]", options: _Asked, answer: "Answer") -> None:
+def _say(found: "Surrogate", at: "dict[str, Value]", options: _PredictOptions, answer: "Answer") -> None:
     from turgor.cli.answers.surrogates import prediction_result
 
     said = found.predict(at, extrapolate=options.extrapolate)
@@ -138,13 +138,14 @@ def _say(found: "Surrogate", at: "dict[str, Value]", options: _Asked, answer: "A
     raise typer.Exit(DONE)
 
 
-def _invert(found: "Surrogate", held: "dict[str, Value]", options: _Asked, answer: "Answer") -> None:
+def _invert(found: "Surrogate", fixed: "dict[str, Value]", options: _PredictOptions, answer: "Answer") -> None:
     from turgor.cli.analyses.given_study import numbers_given, values_given
     from turgor.cli.answers.surrogates import inverse_result
     from turgor.studies.surrogates.invert import invert
 
     prefer = values_given(options.prefer, found.factors, "--prefer")
-    inverse = invert(found, numbers_given(options.want, found.units, "--want"), held=held, prefer=prefer)
+    wanted = numbers_given(options.want, found.units, "--want")
+    inverse = invert(found, wanted, held=fixed, prefer=prefer)  # the user's word
     typer.echo(inverse.sentence())
     for each in found.factors:
         if each.name in inverse.deviations:

@@ -77,7 +77,8 @@ def optimization_result(found: "Optimization", files: Sequence[Path]) -> Optimiz
         ],
         goals=[
             {
-                "name": read.name, "asked": read.asked, "value": _known(read.value),
+                "name": read.name, "asked": read.request,  # the user's word
+                "value": _known(read.value),
                 "mesh_error": _known(read.mesh_error), "start": _known(before.value),
             }
             for read, before in zip(reads, begun, strict=True)

@@ -68,13 +68,13 @@ class PredictionResult:
     Parameters
     ----------
     at : table
-        Value of each factor; those that were sought too.
+        Value of each factor, the unknown ones too.
     values, deviations : table
         Of each measure.
     reached : bool or None
         Whether the wanted measures are reached; null where none was wanted.
     sought : table
-        Standard deviation of each factor that was sought; null where a measure does not depend on it.
+        Standard deviation of each unknown factor; null where a measure does not depend on it.
     others : list of tables
         Further solutions.
     sentence : str
@@ -85,27 +85,34 @@ class PredictionResult:
     values: Mapping[str, float]
     deviations: Mapping[str, float]
     reached: bool | None
-    sought: Mapping[str, float | None]
+    sought: Mapping[str, float | None]  # the user's word
     others: Sequence[Mapping[str, float | int | str]]
     sentence: str
 
 
 def prediction_result(said: "Prediction", at: Mapping[str, float | int | str]) -> PredictionResult:
     """Make the result of a prediction."""
-    told = ", ".join(f"{name.replace('_', ' ')} {said.text(name)}" for name in said.values)
+    sentence = ", ".join(f"{name.replace('_', ' ')} {said.text(name)}" for name in said.values)
     return PredictionResult(
-        at=at, values=said.values, deviations=said.deviations, reached=None, sought={}, others=[], sentence=told
+        at=at,
+        values=said.values,
+        deviations=said.deviations,
+        reached=None,
+        others=[],
+        sentence=sentence,
+        sought={},  # the user's word
     )
 
 
 def inverse_result(found: "Inverse") -> PredictionResult:
     """Make the result of an inverse."""
+    unknown = {name: value if value < float("inf") else None for name, value in found.deviations.items()}
     return PredictionResult(
         at=found.values,
         values=found.prediction.values,
         deviations=found.prediction.deviations,
         reached=found.reached,
-        sought={name: value if value < float("inf") else None for name, value in found.deviations.items()},
+        sought=unknown,  # the user's word
         others=found.others,
         sentence=found.sentence(),
     )

@@ -107,7 +107,7 @@ def castigliano_bellows(
     *,
     shares: Sequence[float] = (1.0, 0.0, 0.0),
 ) -> Response:
-    """Push with bellows: the force of a bellows that is held at its length, and its small motion where it is free.
+    """Push with bellows: the force of a bellows whose length is fixed, and its small motion where it is free.
 
     Assumptions: Strains and rotations are small, and the rubber is linear with the modulus that it has at rest. The
     wall of a fold bends along its generator only: rings around the axis neither stretch nor bend. Neck and crest do not
@@ -116,7 +116,7 @@ def castigliano_bellows(
 
     The ring at the radius r carries N = F + P π r² and bends with M = M₀ + ∫ N dr on the width 2 π r. From
     U = ∫ M²/(4 π r D) ds, ∂U/∂M₀ = 0 gives M₀ and ∂U/∂F the extension of half a fold, c F + c A P: a bellows of n folds
-    pushes with P A when it is held, and lengthens by 2 n c P A when it is free. A is nearly π times the square of the
+    pushes with P A when it is fixed, and lengthens by 2 n c P A when it is free. A is nearly π times the square of the
     mean radius. Three bellows at the distance d from the middle push with Σ Pᵢ A and bend with Σ Pᵢ A dᵢ.
 
     Parameters

@@ -162,7 +162,7 @@ def mckibben(
     wanted = path_of("pressure", pressure)
     length = actuator.length - 2 * actuator.cap
     shortened = 1 - _unloaded(wall, start, wanted) if contraction is None else _matched(contraction, wanted)
-    states = _held(wall, start, 1 - shortened)
+    states = _braid_states(wall, start, 1 - shortened)
     by_wall, by_pressure = _pull(wall, states)
     pull = by_wall - wanted * by_pressure
     inner, axial = states[:, 0], states[:, 1]
@@ -178,7 +178,7 @@ def mckibben(
     return MCKIBBEN.response(columns, findings)
 
 
-def _held(wall: WoundWall, start: float, axial: Array) -> Array:
+def _braid_states(wall: WoundWall, start: float, axial: Array) -> Array:
     """States that the braid allows at axial stretches, as rows of `WoundWall.slopes`."""
     square = 1 - (cos(start) * axial) ** 2
     b = wall.wound * np.sqrt(np.maximum(square, 0.0)) / sin(start)
@@ -200,7 +200,7 @@ def _unloaded(wall: WoundWall, start: float, pressure: Array) -> Array:
 
     def balanced(share: Array) -> Array:
         """The pressure that holds a share of the way to where an ideal muscle ends."""
-        by_wall, by_pressure = _pull(wall, _held(wall, start, 1 + share * (ideal - 1)))
+        by_wall, by_pressure = _pull(wall, _braid_states(wall, start, 1 + share * (ideal - 1)))
         return by_wall / by_pressure
 
     shares = np.concatenate([[0.0], 1 - np.geomspace(0.99, 1e-6, 40)])

@@ -43,7 +43,11 @@ FIBER_REINFORCED = Formula(
 
 
 def fiber_reinforced_bender(
-    actuator: FiberReinforcedBender, material: Material, pressure: ArrayLike, *, held_angle: float = 0.0
+    actuator: FiberReinforcedBender,
+    material: Material,
+    pressure: ArrayLike,
+    *,
+    held_angle: float = 0.0,  # the user's word
 ) -> Response:
     """Bend a half-round bender with fibers, and push with its tip: the torque balance about the layer.
 
@@ -53,7 +57,7 @@ def fiber_reinforced_bender(
 
     P ∫ z dA over the cavity = ∫ z ∂Ŵ/∂λ dA over the wall, with λ = 1 + κ z at the height z above the layer and
     Ŵ(λ) = W(λ, 1, 1/λ); the first is P (4 r³ + 3 π r² b)/6 for the radius r on a base b. For a neo-Hookean law
-    ∂Ŵ/∂λ = μ (λ − λ⁻³). A tip that is held pushes with F = (Mₚ − M_wall)/L, a rigid lever of the length L.
+    ∂Ŵ/∂λ = μ (λ − λ⁻³). A blocked tip pushes with F = (Mₚ − M_wall)/L, a rigid lever of the length L.
 
     Parameters
     ----------
@@ -103,11 +107,12 @@ def fiber_reinforced_bender(
             f"{1 + rise.x[-1] * top:.3g} times already, and the formula is not followed further."
         )
     curvature = inverted(balanced, rise, wanted)
-    held = _moment(law, z, weights, np.array([held_angle / length]))[0]
+    blocked_curvature = held_angle / length  # the user's word
+    wall_moment = _moment(law, z, weights, np.array([blocked_curvature]))[0]
     columns = [
         Column("pressure", "kPa", wanted),
         Column("bending_angle", "deg", curvature * length),
-        Column("blocked_force", "N", (wanted * lever - held) / actuator.length),
+        Column("blocked_force", "N", (wanted * lever - wall_moment) / actuator.length),
         Column("cavity_volume", "mL", (area + curvature * lever) * length),
         Column("largest_stretch", "", 1 + curvature * top),
     ]

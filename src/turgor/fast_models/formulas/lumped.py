@@ -128,7 +128,7 @@ def identify_step(response: Response, measure: str, *, drive: float = 1.0, delay
     drive : float
         Height of the step: a pressure [Pa] or a force [N]; m, c and k are for this drive.
     delayed : bool
-        Whether a delay before the motion is sought, too.
+        Whether a delay before the motion is estimated, too.
 
     Returns
     -------

@@ -38,7 +38,7 @@ THICK_TUBE = Formula(
     families=TUBES,
     assumptions=(
         ELASTIC,
-        "The tube is long and stays round and straight: the caps do not hold the wall beside them.",
+        "The tube is long and stays round and straight: the caps do not hold the wall next to them.",
         "There are no fibers, and no skin.",
     ),
     source=Source(text="Haughton and Ogden 1979, J. Mech. Phys. Solids 27, 179", detail="thick-walled tube"),
@@ -91,7 +91,7 @@ def thick_tube(
     """Inflate a tube without fibers: the exact solution of a long one, for any law.
 
     Assumptions: The rubber is incompressible and elastic: no relaxation, no softening. The tube is long and stays round
-    and straight: the caps do not hold the wall beside them. There are no fibers, and no skin.
+    and straight: the caps do not hold the wall next to them. There are no fibers, and no skin.
 
     P = ∫ (σθ − σr) dr/r over the wall, with r² − a² = (R² − A²)/λz. With closed ends λz is such that the wall carries
     the push of the pressure on the caps and nothing else; it begins with the square of the pressure.
@@ -107,7 +107,7 @@ def thick_tube(
     inner_stretch : float or (n,) array [-], optional
         The largest stretch of the inner wall, or several, instead of the pressure: this passes limit points.
     ends : str
-        ``"closed"``: caps that are free to move; ``"held"``: the length is held.
+        ``"closed"``: caps that are free to move; ``"held"``: the length is fixed.
 
     Returns
     -------
@@ -254,8 +254,9 @@ class _Path:
 
 def _axial_of(wall: Wall, ends: str) -> Callable[[Array], tuple[Array, Array]]:
     """Pressure and axial stretch by inner stretch."""
-    if ends not in ("closed", "held"):
-        raise unknown("ends of a tube", str(ends), ("closed", "held"))
+    known = "closed", "held"  # the user's word
+    if ends not in known:
+        raise unknown("ends of a tube", str(ends), known)
     if ends == "closed":
         knots = _samples(HIGHEST, SAMPLES)
         _, axial = wall.free_tube(knots)

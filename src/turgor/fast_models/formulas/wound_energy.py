@@ -152,12 +152,12 @@ class WoundWall:
         return float(self._forces(self._row(at), pressure)[0, 1])
 
     def follow(self, pressures: Array, *, axial: float | None = None) -> list[Point]:
-        """Take the tube through pressures [Pa], its ends free or its stretch held; ends where no state is found."""
+        """Take the tube through pressures [Pa], its ends free or its stretch fixed; ends where no state is found."""
         found: list[Point] = []
         at = self.rest
         if axial is not None:
             for stretch in np.linspace(1.0, axial, max(2, int(abs(axial - 1) / 0.02) + 2))[1:]:
-                reached = self._solved(self._moved(at, float(stretch)), 0.0, held=True)
+                reached = self._solved(self._moved(at, float(stretch)), 0.0, stretch_fixed=True)
                 if reached is None:
                     return found
                 at = reached
@@ -167,7 +167,7 @@ class WoundWall:
             while path[-1][0] != pressure:
                 before = path[-1][0]
                 target = pressure if share == 1.0 else before + share * (pressure - before)
-                reached = self._next(path, target, held=axial is not None)
+                reached = self._next(path, target, stretch_fixed=axial is not None)
                 if reached is not None:
                     path.append((target, reached))
                 share = min(1.0, 2 * share) if reached is not None else share / 2
@@ -176,7 +176,7 @@ class WoundWall:
             found.append(path[-1][1])
         return found
 
-    def _next(self, path: Sequence[tuple[float, Point]], pressure: float, *, held: bool) -> Point | None:
+    def _next(self, path: Sequence[tuple[float, Point]], pressure: float, *, stretch_fixed: bool) -> Point | None:
         """State at the next pressure, from the path so far continued as a parabola, or from its last state."""
         if len(path) > PARABOLA:
             knots = np.array([before for before, _ in path[-PARABOLA:]])
@@ -186,9 +186,11 @@ class WoundWall:
             ]
             a, axial, twist, *rigid = (np.array(weights) @ states).tolist()
             near = abs(axial / states[-1, 1] - 1) + abs(a / states[-1, 0] - 1) < NEAR
-            if near and (reached := self._solved(Point(a, axial, twist, tuple(rigid)), pressure, held=held)):
+            if near and (
+                reached := self._solved(Point(a, axial, twist, tuple(rigid)), pressure, stretch_fixed=stretch_fixed)
+            ):
                 return reached
-        return self._solved(path[-1][1], pressure, held=held)
+        return self._solved(path[-1][1], pressure, stretch_fixed=stretch_fixed)
 
     @property
     def rest(self) -> Point:
@@ -248,13 +250,13 @@ class WoundWall:
         out += np.pi * self.wound * np.einsum("nf,nfk->nk", share, slopes)
         return np.concatenate([out, squares[:, rigid] - 1], axis=1)
 
-    def _solved(self, start: Point, pressure: float, *, held: bool) -> Point | None:
+    def _solved(self, start: Point, pressure: float, *, stretch_fixed: bool) -> Point | None:
         """Newton's method from a state nearby; None where it finds none."""
         unit = self.law.shear_modulus * self.base**2
         rigid = len(start.rigid)
         scale = np.array([self.base, 1.0, 1 / self.base, *[unit / self.base] * rigid])
         weight = np.array([self.base / unit, 1 / unit, 1 / (self.base * unit), *[1.0] * rigid])
-        free = np.flatnonzero([True, not held, not self.symmetric, *[True] * rigid])
+        free = np.flatnonzero([True, not stretch_fixed, not self.symmetric, *[True] * rigid])
         x = self._row(start)[0] / scale
         steps = np.zeros((2 * len(free) + 1, len(x)))  # the state itself, then one step ahead and back in each unknown
         steps[1 + np.arange(len(free)), free] = STEP

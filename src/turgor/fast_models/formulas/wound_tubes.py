@@ -27,7 +27,7 @@ WOUND_TUBE = Formula(
     families=TUBES,
     assumptions=(
         ELASTIC,
-        "The tube is long and stays round and straight: the caps do not hold the wall beside them.",
+        "The tube is long and stays round and straight: the caps do not hold the wall next to them.",
         "The threads are so close that they act like a sheet, and they do not slide on the rubber.",
     ),
     source=Source(
@@ -49,7 +49,7 @@ def wound_tube(
     """Inflate a tube that is wound with threads: its extension, expansion and twist.
 
     Assumptions: The rubber is incompressible and elastic: no relaxation, no softening. The tube is long and stays round
-    and straight: the caps do not hold the wall beside them. The threads are so close that they act like a sheet, and
+    and straight: the caps do not hold the wall next to them. The threads are so close that they act like a sheet, and
     they do not slide on the rubber.
 
     The minimum of the energy of wall and threads less P V. Threads that do not stretch obey

@@ -91,8 +91,8 @@ def element_forces(law: Law, turn: Array, shift: Array, force: Array) -> Element
     square = ad @ ad
     even = np.eye(6) + sums[:, 0, None, None] * square + sums[:, 1, None, None] * (square @ square)
     ahead, back = even + 0.5 * ad, even - 0.5 * ad
-    gap, inverse, coupling, held, wrench, stiffness = _condensed(law, strain, force)
-    odd, common = _map_slopes(np.swapaxes(ad, 1, 2), twist, held, sums)
+    gap, inverse, coupling, internal, wrench, stiffness = _condensed(law, strain, force)
+    odd, common = _map_slopes(np.swapaxes(ad, 1, 2), twist, internal, sums)
     by_second = np.swapaxes(ahead, 1, 2) @ stiffness + common + odd
     by_first = np.swapaxes(back, 1, 2) @ stiffness + common - odd
     blocks = np.empty((len(twist), 2, 2, 6, 6))
@@ -135,10 +135,10 @@ def _condensed(law: Law, strain: Array, force: Array) -> tuple[Array, ...]:
     gap = strain - law.rest - _times(effective, force)
     inverse = np.asarray(np.linalg.inv(effective), dtype=np.float64)
     through = coupling @ inverse
-    held = force - _times(weighted, strain)
-    wrench = held + _times(through, gap)
+    internal = force - _times(weighted, strain)
+    wrench = internal + _times(through, gap)
     stiffness = (through @ np.swapaxes(coupling, 1, 2) - weighted) / law.length[:, None, None]
-    return gap, inverse, np.swapaxes(coupling, 1, 2), held, wrench, stiffness
+    return gap, inverse, np.swapaxes(coupling, 1, 2), internal, wrench, stiffness
 
 
 def _map_slopes(lowered: Array, twist: Array, wrench: Array, sums: Array) -> tuple[Array, Array]:

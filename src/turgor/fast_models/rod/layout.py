@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.fast_models.rod.frames import adjoint_inverse, cross_matrix, exponential, logarithm
-from turgor.fast_models.rod.model import HELD, Place, Rod, RodModel
+from turgor.fast_models.rod.model import FREE_MOTIONS, Place, Rod, RodModel
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -64,7 +64,7 @@ def layout_of(model: RodModel) -> Layout:
         end_turn[first, 0], end_position[first, 0] = _frame(rod.start_at)
         end_turn[after - 1, 1], end_position[after - 1, 1] = _frame(rod.end_at)
     free = np.ones((count, 6), dtype=bool)
-    free[: len(names)] = [HELD[model.plate(name).held] for name in names]
+    free[: len(names)] = [FREE_MOTIONS[model.plate(name).held] for name in names]  # the user's word
     return Layout(
         nodes=tuple(nodes),
         ends=ends,
@@ -138,7 +138,7 @@ def _frame(place: Place) -> tuple[Array, Array]:
 
 
 def _then(first: tuple[Array, Array], second: tuple[Array, Array]) -> tuple[Array, Array]:
-    """Return the frame that the second one, told in the axes of the first, stands at."""
+    """Return the frame that the second one, stated in the axes of the first, stands at."""
     return first[0] @ second[0], first[1] + (first[0] @ second[1][..., None])[..., 0]
 
 

@@ -13,7 +13,7 @@ from turgor.fast_models.rod.sections.section import RodSection
 from turgor.foundation.errors import TurgorError, unknown
 
 #: What holds a plate: its free motions along x, y and z and about x, y and z, in its own axes.
-HELD: Mapping[str, tuple[bool, ...]] = MappingProxyType(
+FREE_MOTIONS: Mapping[str, tuple[bool, ...]] = MappingProxyType(
     {
         "free": (True,) * 6,
         "fixed": (False,) * 6,
@@ -24,7 +24,7 @@ HELD: Mapping[str, tuple[bool, ...]] = MappingProxyType(
     }
 )
 
-#: The plate that is held unless a model says otherwise.
+#: The plate that is fixed unless a model says otherwise.
 BASE = "base"
 
 
@@ -65,7 +65,7 @@ class Plate:
     ----------
     name : str
     held : str
-        One of `HELD`: what holds the plate. A hinge turns about an axis of the plate.
+        One of `FREE_MOTIONS`: what holds the plate. A hinge turns about an axis of the plate.
     mass : float [kg]
     inertia : (3,) floats [kg m²]
         Moments of inertia about the axes of the plate.
@@ -85,14 +85,15 @@ class Plate:
     """
 
     name: str
-    held: str = "free"
+    held: str = "free"  # the user's word
     mass: float = 0.0
     inertia: Vector = (0.0, 0.0, 0.0)
     place: Place | None = None
 
     def __post_init__(self) -> None:
-        if self.held not in HELD:
-            raise unknown(f"support of plate '{self.name}'", self.held, HELD)
+        support = self.held  # the user's word
+        if support not in FREE_MOTIONS:
+            raise unknown(f"support of plate '{self.name}'", support, FREE_MOTIONS)
         if not 0 <= self.mass < np.inf:
             raise TurgorError(f"plate '{self.name}': mass is {self.mass:g} kg; it must be 0 or more.")
         object.__setattr__(self, "inertia", vector(f"plate '{self.name}': inertia", self.inertia))
@@ -175,7 +176,7 @@ class RodModel:
     Raises
     ------
     TurgorError
-        If names do not fit, nothing is held, or the weight of a rod is not known.
+        If names do not fit, no plate is fixed, or the weight of a rod is not known.
 
     Examples
     --------
@@ -201,8 +202,9 @@ class RodModel:
         for plate in self.plates:
             if plate.name not in known:
                 raise unknown("plate", plate.name, known)
-        if all(self.plate(name).held == "free" for name in known):
-            raise TurgorError(f"no plate is held; hold one of {', '.join(known)} by Plate(name=..., held='fixed').")
+        if all(self.plate(name).held == "free" for name in known):  # the user's word
+            way = "Plate(name=..., held='fixed')"  # the user's word
+            raise TurgorError(f"no plate is fixed; fix one of {', '.join(known)} by {way}.")
         for load in self.loads:
             self._check(load)
 
@@ -218,7 +220,9 @@ class RodModel:
                 return plate
         if name not in self.plate_names:
             raise unknown("plate", name, self.plate_names)
-        return Plate(name=name, held="fixed", place=Place()) if name == BASE else Plate(name=name)
+        if name == BASE:
+            return Plate(name=name, held="fixed", place=Place())  # the user's word
+        return Plate(name=name)
 
     def rod(self, name: str) -> Rod:
         """Return a rod by its name; an unknown name fails with the near match."""

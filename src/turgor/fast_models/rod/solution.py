@@ -129,7 +129,7 @@ class RodSolution:
         ]
 
     def reaction(self, plate: str, index: int = -1) -> Array:
-        """Return force and moment that a held plate takes from its support, (6,) [N, N m], in the axes of space."""
+        """Return force and moment that a fixed plate takes from its support, (6,) [N, N m], in the axes of space."""
         self.model.plate(plate)
         node = self.model.plate_names.index(plate)
         state = self.states[index]

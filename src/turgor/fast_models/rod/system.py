@@ -284,8 +284,8 @@ def _contact_points(model: RodModel, layout: Layout) -> tuple[NDArray[np.intp], 
     for rod, own in zip(model.rods, layout.nodes, strict=True):
         places = np.zeros((len(own), 3))
         places[0], places[-1] = rod.start_at.position, rod.end_at.position
-        held = ~layout.free[own].any(axis=1)
-        node.append(own[~held])
-        at.append(places[~held])
-        radius.append(np.full((~held).sum(), rod.section.contact_radius))
+        is_fixed = ~layout.free[own].any(axis=1)
+        node.append(own[~is_fixed])
+        at.append(places[~is_fixed])
+        radius.append(np.full((~is_fixed).sum(), rod.section.contact_radius))
     return np.concatenate(node), np.concatenate(at), np.concatenate(radius)

@@ -64,7 +64,7 @@ class Question:
         Of the cavities whose volume is free.
     volumes : (k,) array
         Prescribed volumes of the cavities for each length; NaN where the pressure is given.
-    held : (4,) array
+    strains : (4,) array
         Prescribed strains; NaN where a strain is free.
     forces : (4,) array
         Axial force, torque and moments where the strain is free.
@@ -72,7 +72,7 @@ class Question:
 
     pressures: Array
     volumes: Array
-    held: Array
+    strains: Array
     forces: Array
 
     def towards(self, other: "Question", share: float) -> "Question":
@@ -80,7 +80,7 @@ class Question:
         return Question(
             pressures=self.pressures + share * (other.pressures - self.pressures),
             volumes=self.volumes + share * (other.volumes - self.volumes),
-            held=self.held + share * (other.held - self.held),
+            strains=self.strains + share * (other.strains - self.strains),
             forces=self.forces + share * (other.forces - self.forces),
         )
 
@@ -98,12 +98,12 @@ class Linearized:
     right, below : (core, b), (b, core) arrays
     corner : (b, b) array
     pushed : (size, v) array
-        Derivatives of the residual by the unknown pressures, those of the cavities whose volume is held.
+        Derivatives of the residual by the unknown pressures, those of the cavities whose volume is prescribed.
     gradients : (v, size) array
         Derivatives of these volumes.
     missed : (v,) array
         What these volumes lack.
-    held : (v,) array
+    controlled : (v,) array
         Which cavities these are.
     """
 
@@ -115,7 +115,7 @@ class Linearized:
     pushed: Array
     gradients: Array
     missed: Array
-    held: Ints
+    controlled: Ints
 
 
 class Equations:
@@ -245,17 +245,17 @@ class Equations:
         self._add_conditions(at, residual, (right, below, corner))
         first = self.numbers.first_strain
         residual[first : first + STRAINS] -= question.forces
-        held = np.flatnonzero(~np.isnan(question.volumes))
+        controlled = np.flatnonzero(~np.isnan(question.volumes))
         return Linearized(
             residual=residual,
             data=summed[0],
             right=right,
             below=below,
             corner=corner,
-            pushed=-self._gradients_of(at, held, closed=self.closed).T,
-            gradients=self._gradients_of(at, held, closed=True),
-            missed=(question.volumes - self.volumes(at))[held],
-            held=held,
+            pushed=-self._gradients_of(at, controlled, closed=self.closed).T,
+            gradients=self._gradients_of(at, controlled, closed=True),
+            missed=(question.volumes - self.volumes(at))[controlled],
+            controlled=controlled,
         )
 
     def _gradients_of(self, at: Unknowns, cavities: Ints, *, closed: bool) -> Array:
@@ -318,8 +318,8 @@ class Equations:
             found.append(_summed(unknowns.ravel(), r.ravel(), len(self.numbers.core)))
         return found
 
-    def update(self, at: Unknowns, equations: Linearized, held: Array) -> Unknowns:
-        """Newton's next state, with prescribed strains where ``held`` is not NaN."""
+    def update(self, at: Unknowns, equations: Linearized, strains: Array) -> Unknowns:
+        """Newton's next state, with prescribed strains where ``strains`` is not NaN."""
         S, behind, rest = self.condensed(equations)
         numbers = self.numbers
         core, border = numbers.core >= 0, numbers.border >= 0
@@ -334,16 +334,16 @@ class Equations:
         right = np.concatenate(
             [-equations.residual[border] + equations.below @ rest, equations.missed + V[:, core] @ rest]
         )
-        for i in np.flatnonzero(~np.isnan(held)):
+        for i in np.flatnonzero(~np.isnan(strains)):
             place = numbers.strains[i]
             matrix[place] = 0.0
-            matrix[place, place], right[place] = 1.0, held[i] - at.strains[i]
+            matrix[place, place], right[place] = 1.0, strains[i] - at.strains[i]
         step, pressed = np.split(np.linalg.solve(matrix, right), [len(S)])
         change = np.zeros(len(numbers.core))
         change[border] = step
         change[core] = -rest - behind @ step - of_pressure @ pressed
         pressures = at.pressures.copy()
-        pressures[equations.held] += pressed
+        pressures[equations.controlled] += pressed
         return replace(self._moved(at, change), pressures=pressures)
 
     def _moved(self, at: Unknowns, change: Array) -> Unknowns:
@@ -373,11 +373,11 @@ class Equations:
         behind, rest = solved[:, :-1], solved[:, -1]
         return equations.corner - equations.below @ behind, behind, rest
 
-    def size_of(self, equations: Linearized, held: Array) -> float:
+    def size_of(self, equations: Linearized, strains: Array) -> float:
         """Largest residual but those of prescribed strains."""
         kept = (self.numbers.core >= 0) | (self.numbers.border >= 0)
         first = self.numbers.first_strain
-        kept[first : first + STRAINS] &= np.isnan(held)
+        kept[first : first + STRAINS] &= np.isnan(strains)
         return float(np.abs(equations.residual[kept]).max())
 
 

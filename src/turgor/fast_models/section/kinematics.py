@@ -8,7 +8,7 @@ are ∂y/∂Y and ∂y/∂Z: nothing depends on s. Every tangent vector of a bod
     tₖ = Σₐ g⁰ₐₖ yₐ + g¹ₐₖ w(yₐ)
 
 with the positions yₐ of the nodes of the section; the derivative of the deformation, F, has three of them. This form
-is exact, and the 4 strains λ, κ₁ (twist), κ₂, κ₃ are unknowns beside the yₐ. κ is rotation per reference length.
+is exact, and the 4 strains λ, κ₁ (twist), κ₂, κ₃ are unknowns besides the yₐ. κ is rotation per reference length.
 """
 
 from dataclasses import dataclass
@@ -97,8 +97,8 @@ class Vectors:
         K = np.swapaxes(B.reshape(count, -1, self.unknowns), 1, 2) @ moved
         stress = (self.weights[..., None] * P).reshape(*P.shape[:2], 3, k)
         # the second derivative of t by κ and y: P · (δκ × δy) = −δκ · [P]× δy
-        held = np.einsum("fqik,fqnk->fni", stress, self.along, optimize=True)
-        mixed = np.moveaxis(-skew(held), 1, 2).reshape(count, 3, 3 * n)
+        resultant = np.einsum("fqik,fqnk->fni", stress, self.along, optimize=True)
+        mixed = np.moveaxis(-skew(resultant), 1, 2).reshape(count, 3, 3 * n)
         K[:, 3 * n + 1 :, : 3 * n] += mixed
         K[:, : 3 * n, 3 * n + 1 :] += np.swapaxes(mixed, 1, 2)
         return np.asarray(K)

@@ -41,7 +41,7 @@ STILL = 1e-9
 def with_mesh_error(
     columns: Sequence[Column], equations: Equations, points: Sequence[Point]
 ) -> tuple[tuple[Column, ...], tuple[Finding, ...]]:
-    """Put the mesh error of each column beside it.
+    """Put the mesh error of each column next to it.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def _scaled(question: Question, equations: Equations, refined: Equations) -> Que
     return Question(
         pressures=question.pressures,
         volumes=question.volumes * equations.area / refined.area,
-        held=question.held * strain / fine_strain,
+        strains=question.strains * strain / fine_strain,
         forces=question.forces * force / fine_force,
     )
 

@@ -89,13 +89,13 @@ def numbering_of(model: Model, plane: Plane, mean_count: int) -> Numbering:
         If a support is not one of a section.
     """
     _check_supports(model)
-    held, axes = _held(model, plane)
+    is_fixed, axes = _prescribed_components(model, plane)
     mirrors = {axis for axis, _ in model.mesh.mirror_planes}
     centered = any(isinstance(support, Radial) for support in model.supports)
     kinds = ["x", *("yz"[axis - 1] for axis in (1, 2) if axis not in mirrors and not centered)]
     kinds += [] if mirrors else ["turn"]
     conditions = _conditions(plane, kinds)
-    pins = _pins(plane, kinds, held, axes)
+    pins = _pins(plane, kinds, is_fixed, axes)
     count = 3 * len(plane.points)
     size = count + STRAINS + mean_count + len(kinds)
     in_border = np.zeros(size, dtype=bool)
@@ -103,7 +103,7 @@ def numbering_of(model: Model, plane: Plane, mean_count: int) -> Numbering:
     in_border[count : count + STRAINS] = True
     in_border[size - len(kinds) :] = True
     prescribed = np.zeros(size, dtype=bool)
-    prescribed[:count] = held.ravel()
+    prescribed[:count] = is_fixed.ravel()
     core, border = np.full(size, -1), np.full(size, -1)
     free = ~prescribed & ~in_border
     core[free] = np.arange(free.sum())
@@ -129,7 +129,7 @@ def _check_supports(model: Model) -> None:
             )
 
 
-def _held(model: Model, plane: Plane) -> tuple[Flags, Array]:
+def _prescribed_components(model: Model, plane: Plane) -> tuple[Flags, Array]:
     """Prescribed components (n, 3) of the nodes of the section, and the directions of these components."""
     supports = prescribed_components(model)
     place = near_nodes(plane)
@@ -154,9 +154,9 @@ def _conditions(plane: Plane, kinds: list[str]) -> Array:
     return out
 
 
-def _pins(plane: Plane, kinds: list[str], held: Flags, axes: Array) -> Ints:
+def _pins(plane: Plane, kinds: list[str], is_fixed: Flags, axes: Array) -> Ints:
     """Unknowns that stand in the border, so that the core cannot move as a whole."""
-    free = np.flatnonzero(~held.any(axis=1) & (np.abs(axes - np.eye(3)) == 0).all(axis=(1, 2)))
+    free = np.flatnonzero(~is_fixed.any(axis=1) & (np.abs(axes - np.eye(3)) == 0).all(axis=(1, 2)))
     far = free[np.linalg.norm(plane.points[free], axis=1).argmax()]
     pins = [3 * far + "xyz".index(kind) for kind in kinds if kind != "turn"]
     if "turn" in kinds:

@@ -84,7 +84,7 @@ def follow(equations: Equations, wanted: Sequence[Question], settings: SectionPa
     start = Question(
         pressures=np.zeros_like(wanted[0].pressures),
         volumes=np.where(free, np.nan, equations.volumes(equations.rest)),
-        held=np.where(np.isnan(wanted[0].held), np.nan, [1.0, 0.0, 0.0, 0.0]),
+        strains=np.where(np.isnan(wanted[0].strains), np.nan, [1.0, 0.0, 0.0, 0.0]),
         forces=np.zeros(4),
     )
     points: list[Point] = []
@@ -94,8 +94,8 @@ def follow(equations: Equations, wanted: Sequence[Question], settings: SectionPa
         found, at = None, 0.0
         while at < 1.0:
             to = min(1.0, at + step)
-            asked = start.towards(question, to) if to < 1.0 else question
-            found = newton(equations, predicted(known, number + to), asked, settings)
+            target = start.towards(question, to) if to < 1.0 else question
+            found = newton(equations, predicted(known, number + to), target, settings)
             if found is None:
                 step = settings.cut * (to - at)
                 if step < settings.smallest_step:
@@ -155,7 +155,7 @@ class _AtPoint:
     def update(self, at: _Iterate) -> Unknowns:
         """The unknowns after an update."""
         try:
-            new = self.equations.update(at.unknowns, at.equations, self.question.held)
+            new = self.equations.update(at.unknowns, at.equations, self.question.strains)
         except (SingularTangentError, np.linalg.LinAlgError):
             raise Stopped("singular") from None
         if not np.abs(new.y - at.unknowns.y).max() < self.largest:
@@ -168,7 +168,7 @@ class _AtPoint:
 
     def ended(self, at: _Iterate, iteration: int) -> str | None:
         """Converged once forces, volumes and prescribed strains are met."""
-        prescribed = self.question.held
+        prescribed = self.question.strains
         missed = np.abs(at.unknowns.strains - prescribed)[~np.isnan(prescribed)].max(initial=0.0)
         missed = max(missed, np.abs(at.equations.missed).max(initial=0.0))
         error = max(missed, self.equations.size_of(at.equations, prescribed))

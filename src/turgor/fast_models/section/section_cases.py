@@ -16,7 +16,7 @@ Rows = Mapping[str, float | Sequence[float] | Array]
 
 
 def questions_of(
-    equations: Equations, pressure: float | Sequence[float] | Array | Rows, volume: Rows, held: Rows, forces: Rows
+    equations: Equations, pressure: float | Sequence[float] | Array | Rows, volume: Rows, strains: Rows, forces: Rows
 ) -> list[Question]:
     """Scaled questions, one for each row; what they are made of is described in `turgor.Section.solve`.
 
@@ -28,10 +28,10 @@ def questions_of(
     cavities = tuple(equations.cavities)
     _check_names("cavity", volume, cavities)
     given = _pressures_of(pressure, cavities, volume)
-    _check_names("strain of a section", held, STRAIN_NAMES)
+    _check_names("strain of a section", strains, STRAIN_NAMES)
     _check_names("force on a section", forces, FORCE_NAMES)
-    _check_strains(equations, held, forces)
-    columns = _as_rows({"pressure": 0.0} if not given else {}, given, volume, held, forces)
+    _check_strains(equations, strains, forces)
+    columns = _as_rows({"pressure": 0.0} if not given else {}, given, volume, strains, forces)
     rows = range(len(next(iter(columns.values()))))
     return [_question(equations, {name: float(values[row]) for name, values in columns.items()}) for row in rows]
 
@@ -39,24 +39,26 @@ def questions_of(
 def _question(equations: Equations, value: Mapping[str, float]) -> Question:
     """Scale the values of a row; what is not in it is free, or zero."""
     force, strain = scales(equations)
-    held = [value.get(f"held {name}", np.nan) / scale for name, scale in zip(STRAIN_NAMES, strain, strict=True)]
+    strains = [value.get(f"strain {name}", np.nan) / scale for name, scale in zip(STRAIN_NAMES, strain, strict=True)]
     for i in equations.numbers.fixed:
-        held[i] = 0.0
+        strains[i] = 0.0
     acting = [value.get(f"force {name}", 0.0) / scale for name, scale in zip(FORCE_NAMES, force, strict=True)]
     pressures = [value.get(f"pressure {name}", 0.0) / equations.stress for name in equations.cavities]
     volumes = [value.get(f"volume {name}", np.nan) / equations.area for name in equations.cavities]
     return Question(
-        pressures=np.array(pressures), volumes=np.array(volumes), held=np.array(held), forces=np.array(acting)
+        pressures=np.array(pressures), volumes=np.array(volumes), strains=np.array(strains), forces=np.array(acting)
     )
 
 
-def _check_strains(equations: Equations, held: Rows, forces: Rows) -> None:
+def _check_strains(equations: Equations, strains: Rows, forces: Rows) -> None:
     """Refuse a strain with a force of its own, and one that a mirror plane keeps at zero."""
     for name, other in zip(STRAIN_NAMES, FORCE_NAMES, strict=True):
-        if name in held and other in forces:
-            raise TurgorError(f"{name} is held, and {other} is given; a section takes one of both.")
+        if name in strains and other in forces:
+            raise TurgorError(f"{name} is prescribed, and {other} is given; a section takes one of both.")
     fixed = {STRAIN_NAMES[i] for i in equations.numbers.fixed}
-    blocked = [n for n, f in zip(STRAIN_NAMES, FORCE_NAMES, strict=True) if n in fixed and (n in held or f in forces)]
+    blocked = [
+        n for n, f in zip(STRAIN_NAMES, FORCE_NAMES, strict=True) if n in fixed and (n in strains or f in forces)
+    ]
     if blocked:
         raise TurgorError(
             f"{blocked[0]} is zero in a section that a mirror plane cuts; model the whole one (symmetric = false)."
@@ -84,11 +86,11 @@ def _pressures_of(
     return dict(pressure)
 
 
-def _as_rows(least: Rows, pressure: Rows, volume: Rows, held: Rows, forces: Rows) -> dict[str, Array]:
+def _as_rows(least: Rows, pressure: Rows, volume: Rows, strains: Rows, forces: Rows) -> dict[str, Array]:
     """Columns of equal length."""
     named = dict(least) | {f"pressure {n}": v for n, v in pressure.items()}
     named |= {f"volume {n}": v for n, v in volume.items()}
-    named |= {f"held {n}": v for n, v in held.items()} | {f"force {n}": v for n, v in forces.items()}
+    named |= {f"strain {n}": v for n, v in strains.items()} | {f"force {n}": v for n, v in forces.items()}
     columns = {name: np.atleast_1d(np.asarray(values, dtype=np.float64)) for name, values in named.items()}
     count = max(len(values) for values in columns.values())
     for name, values in columns.items():

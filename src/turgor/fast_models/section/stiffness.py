@@ -43,7 +43,7 @@ class SectionStiffness:
 
     @property
     def axial(self) -> float:
-        """Axial force for each unit of stretch [N], the curvatures and the twist held."""
+        """Axial force for each unit of stretch [N] at fixed curvatures and twist."""
         return float(self.matrix[0, 0])
 
     @property

@@ -10,7 +10,7 @@ from pathlib import Path
 if sys.platform != "win32":
     import fcntl
 
-#: Ending of what is written beside a file before it takes its place.
+#: Ending of what is written next to a file before it takes its place.
 PART = ".turgor-part"
 
 

@@ -197,11 +197,11 @@ class Store:
                 self._file(name).unlink(missing_ok=True)
             for table in (self._needs, self._opened, self._read):
                 table.pop(name, None)
-        self._objects = {key: held for key, held in self._objects.items() if _archive(held[1]) not in obsolete}
+        self._objects = {key: entry for key, entry in self._objects.items() if _archive(entry[1]) not in obsolete}
         self._arrays = {
-            key: held
-            for key, held in self._arrays.items()
-            if held[0]() is not None and _archive(held[1]) not in obsolete
+            key: entry
+            for key, entry in self._arrays.items()
+            if entry[0]() is not None and _archive(entry[1]) not in obsolete
         }
 
     def _file(self, name: str) -> Path:

@@ -54,9 +54,9 @@ class PointTable(Table):
     hangs : float [kg], optional
         Mass that hangs from the point: its weight pulls in the direction of gravity, ``"-z"`` where none is stated.
     held : str
-        Directions in which the point is held, or moved by its displacement: some of x, y and z.
+        Directions in which the point is fixed, or moved by its displacement: some of x, y and z.
     displacement : (3,) floats [m], optional
-        How far the point is moved at the end along its held directions.
+        How far the point is moved at the end along these directions.
     rotation : float [rad], optional
         Angle by which the point is turned at the end; 0 keeps it from turning.
     axis : direction
@@ -84,7 +84,7 @@ class PointTable(Table):
     moment: Moments = None
     follower: bool = False
     hangs: Mass | None = None
-    held: str = Field(default="", examples=['"yz"'])
+    held: str = Field(default="", examples=['"yz"'])  # the user's word
     displacement: Lengths | None = None
     rotation: Angle | None = None
     axis: Direction = (1.0, 0.0, 0.0)
@@ -144,7 +144,8 @@ def read_points(
         if geometry is not None and table.face not in geometry.faces:
             problems.add((*key, "face"), str(unknown("face", table.face, geometry.faces)))
             continue
-        fields = ("coupling", "inertia", "held", "displacement", "rotation", "hinge", "axis", "history")
+        motions = "held", "displacement", "rotation", "hinge", "axis"  # the user's word
+        fields = ("coupling", "inertia", *motions, "history")
         made = problems.attempt(key, partial(_rig, name, table, gravity, duration), fields=fields)
         if made is not None:
             rigs[name] = made
@@ -171,14 +172,15 @@ def _rig(name: str, table: PointTable, gravity: Gravity, duration: float | None)
 
 def _holds(name: str, table: PointTable, history: Any) -> tuple[Support, ...]:
     holds: list[Support] = []
-    if not set(table.held) <= set("xyz"):
-        raise TurgorError(f"held is '{table.held}'; allowed are the letters x, y and z.")
+    directions = table.held  # the user's word
+    if not set(directions) <= set("xyz"):
+        raise TurgorError(f"held is '{directions}'; allowed are the letters x, y and z.")  # the user's word
     if table.displacement is not None:
-        if not table.held:
-            raise TurgorError("displacement: the point is not held; name the directions with held, such as held = 'z'.")
-        holds.append(Displacement(name, Shift(table.displacement, history), table.held))
-    elif table.held:
-        holds.append(Fixed(name, table.held))
+        if not directions:
+            raise TurgorError("displacement: name its directions with held, such as held = 'z'.")  # the user's word
+        holds.append(Displacement(name, Shift(table.displacement, history), directions))
+    elif directions:
+        holds.append(Fixed(name, directions))
     if table.rotation is not None and table.hinge is not None:
         raise TurgorError("rotation and hinge are both given; one of them says how the point may turn.")
     if table.rotation is not None:
@@ -201,7 +203,7 @@ def points_tables(rigs: Mapping[str, Rig]) -> dict[str, dict[str, Any]]:
     -------
     dict
     """
-    return {name: _point_values(rig.point) | _load_values(rig) | _held_values(rig) for name, rig in rigs.items()}
+    return {name: _point_values(rig.point) | _load_values(rig) | _support_values(rig) for name, rig in rigs.items()}
 
 
 def _point_values(point: ReferencePoint) -> dict[str, Any]:
@@ -238,14 +240,15 @@ def _load_values(rig: Rig) -> dict[str, Any]:
     return values | history_values(histories[0] if histories else RAMP)
 
 
-def _held_values(rig: Rig) -> dict[str, Any]:
+def _support_values(rig: Rig) -> dict[str, Any]:
     values: dict[str, Any] = {}
     for each in rig.holds:
         match each:
             case Fixed(_, directions):
-                values["held"] = directions
+                values["held"] = directions  # the user's word
             case Displacement(_, Shift(vector), directions):
-                values |= {"held": directions, "displacement": [format_quantity(part, "mm") for part in vector]}
+                values["held"] = directions  # the user's word
+                values["displacement"] = [format_quantity(part, "mm") for part in vector]
             case Rotation(_, angle, axis, _, tilts):
                 values |= {"rotation": format_quantity(angle, "deg"), "axis": list(axis)}
                 values |= {"tilts": True} if tilts else {}

@@ -21,7 +21,7 @@ from turgor.job.tables.loads import loads_table, read_loads
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
 from turgor.job.tables.setups import refuse_setup
-from turgor.job.tables.supports import Held
+from turgor.job.tables.supports import StatedSupport
 from turgor.job.text.lines import Key, Place
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Says, Table, read_table, shown
@@ -74,7 +74,7 @@ class Around:
 
     geometry: Geometry | None
     materials: Mapping[str, Material | Sheet]
-    supports: tuple[Held, ...]
+    supports: tuple[StatedSupport, ...]
     contact: Contact
     loads: tuple[Load, ...]
     moved: bool

@@ -1,4 +1,4 @@
-"""Supports of a job file: for each face the directions in which it is held, its radius, or that it stays plane."""
+"""Supports of a job file: for each face the directions in which it is fixed, its radius, or that it stays plane."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -17,36 +17,37 @@ RADIAL: Mapping[str, Vector] = {"radial": AXES["x"], **{f"radial about {axis}": 
 PLANE = "plane section"
 
 #: Supports that a job file can state.
-Held = Fixed | Radial | PlaneSection
+StatedSupport = Fixed | Radial | PlaneSection
 
 
-def read_supports(values: Any, geometry: Geometry | None, problems: Problems) -> tuple[Held, ...]:
-    """Read ``[supports]``: for each face the directions in which it is held, ``"radial"`` or ``"plane section"``."""
+def read_supports(values: Any, geometry: Geometry | None, problems: Problems) -> tuple[StatedSupport, ...]:
+    """Read ``[supports]``: for each face the directions in which it is fixed, ``"radial"`` or ``"plane section"``."""
     if not isinstance(values, Mapping):
         problems.add(("supports",), f"{shown(values)} is not a table; write [supports] and faces below it.")
         return ()
-    supports: list[Held] = []
-    for face, held in values.items():
+    supports: list[StatedSupport] = []
+    for face, stated in values.items():
         key = ("supports", face)
         if geometry is not None and face not in geometry.faces:
             problems.add(key, str(unknown("face", face, geometry.faces)))
-        elif isinstance(held, str) and held in RADIAL:
-            supports.append(Radial(face, RADIAL[held]))
-        elif held == PLANE:
+        elif isinstance(stated, str) and stated in RADIAL:
+            supports.append(Radial(face, RADIAL[stated]))
+        elif stated == PLANE:
             supports.append(PlaneSection(face))
-        elif not isinstance(held, str) or not held or not set(held) <= set("xyz"):
+        elif not isinstance(stated, str) or not stated or not set(stated) <= set("xyz"):
             allowed = ", ".join(f"'{name}'" for name in (*RADIAL, PLANE))
             problems.add(
                 key,
-                f"{shown(held)} is not allowed; name the held directions, such as 'xyz' or 'z', or one of {allowed}.",
+                f"{shown(stated)} is not allowed; name the fixed directions, such as 'xyz' or 'z', or one "
+                f"of {allowed}.",
             )
         else:
-            supports.append(Fixed(face, held))
+            supports.append(Fixed(face, stated))
     return tuple(supports)
 
 
-def held_text(support: Held) -> str:
-    """Write how a face is held; `read_supports` gives the same support back."""
+def support_text(support: StatedSupport) -> str:
+    """Write how a face is supported; `read_supports` gives the same support back."""
     if isinstance(support, Fixed):
         return support.directions
     if isinstance(support, PlaneSection):

@@ -76,18 +76,18 @@ def calibrate(
     >>> round(found.values["C10"], -2), found.converged
     (120000.0, True)
     """
-    asked = [trials] if isinstance(trials, Trial) else list(trials)
-    if not asked:
+    requested = [trials] if isinstance(trials, Trial) else list(trials)
+    if not requested:
         raise TurgorError("a calibration needs a trial: an experiment and the function that computes it.")
     check_names(free)
-    check_taken(asked, free)
+    check_taken(requested, free)
     runs = evaluations or Evaluations()
     most = 5 + 10 * len(free) if most_solves is None else most_solves
     if most < 2 + len(free):
         raise TurgorError(f"most_solves is {most}; allowed is {2 + len(free)} or more.")
     before = len(runs.ended)
-    begun, data = _paired([*asked, *(_without_slopes(each, asked) for each in hold_out)], free, runs)
-    fitted, predicted = data[: len(asked)], data[len(asked) :]
+    begun, data = _paired([*requested, *(_without_slopes(each, requested) for each in hold_out)], free, runs)
+    fitted, predicted = data[: len(requested)], data[len(requested) :]
     parameters = (*free, *(rig_parameter(each, fitted) for each in rig))
     check_names(parameters)
     objective = Objective(parameters=parameters, models=len(free), data=fitted, evaluations=runs)
@@ -137,7 +137,7 @@ def _calibration(
     elif known.at_bound:
         status = CalibrationStatus.AT_BOUND
     fits_ = tuple(each for each in fits if each is not None)
-    message, advice = _told(status, known, fits_, len(own))
+    message, advice = _outcome_text(status, known, fits_, len(own))
     return Calibration(
         parameters=parameters, values=values, estimate=known, fits=fits_, held_out=tuple(held_out), status=status,
         message=message, advice=advice, solves=len(own), computed=sum(not each.again for each in own),
@@ -161,7 +161,7 @@ def _fitted(data: Data, begun: Response, ended: Ended, rig: dict[str, float], st
     )
 
 
-def _told(status: CalibrationStatus, known: Estimate, fits: Sequence[Fitted], solves: int) -> tuple[str, str]:
+def _outcome_text(status: CalibrationStatus, known: Estimate, fits: Sequence[Fitted], solves: int) -> tuple[str, str]:
     """Return what happened and what to do."""
     count = f"{solves} runs"
     lost = [each for each in fits if each.beyond]

@@ -171,12 +171,12 @@ def known_columns(table: Array) -> NDArray[np.bool_]:
     return np.asarray(~np.isnan(table).any(axis=0))
 
 
-def rig_parameter(asked: str | Parameter, data: Sequence[Data]) -> Parameter:
+def rig_parameter(requested: str | Parameter, data: Sequence[Data]) -> Parameter:
     """Return a parameter of the rig with default bounds where only its name is given.
 
     Parameters
     ----------
-    asked : str or Parameter
+    requested : str or Parameter
         A measured column with ``_offset`` or ``_scale``.
     data : sequence of Data
 
@@ -190,7 +190,7 @@ def rig_parameter(asked: str | Parameter, data: Sequence[Data]) -> Parameter:
     TurgorError
         If no trial has such a column.
     """
-    name = asked if isinstance(asked, str) else asked.name
+    name = requested if isinstance(requested, str) else requested.name
     columns: dict[str, tuple[Data, bool]] = {}
     for each in data:
         columns.setdefault(each.x, (each, True))
@@ -198,8 +198,8 @@ def rig_parameter(asked: str | Parameter, data: Sequence[Data]) -> Parameter:
     known = [column + end for column in columns for end in (OFFSET, SCALE)]
     if name not in known:
         raise unknown("parameter of the rig", name, known)
-    if isinstance(asked, Parameter):
-        return asked
+    if isinstance(requested, Parameter):
+        return requested
     if name.endswith(SCALE):
         return Parameter(name=name, start=1.0, lower=0.5, upper=2.0)
     each, driving = columns[name.removesuffix(OFFSET)]

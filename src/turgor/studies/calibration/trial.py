@@ -78,9 +78,11 @@ class Trial:
         """Return the run of the function with values of parameters, with or without its derivatives."""
         given = {name: values[name] for name in taken}
         shown = ", ".join(f"{name} {value:.5g}" for name, value in given.items())
-        asked = self.slopes if slopes else {}
+        slope_values = self.slopes if slopes else {}
         keywords: dict[str, Any] = {self.gather: given} if self.gather else given
-        return Run(name=f"{self.name}: {shown}", function=self.function, values={**self.values, **asked, **keywords})
+        return Run(
+            name=f"{self.name}: {shown}", function=self.function, values={**self.values, **slope_values, **keywords}
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -143,7 +143,7 @@ def _front_figure(found: Optimization, objectives: list[Minimize]) -> PlotFigure
 
 
 def _label(shown: Read, unit: str) -> str:
-    return f"{shown.name}{f' [{unit_text(unit)}]' if unit else ''}: {shown.asked}"
+    return f"{shown.name}{f' [{unit_text(unit)}]' if unit else ''}: {shown.request}"
 
 
 def _levels(goal: Goal) -> list[float]:

@@ -46,7 +46,7 @@ class Target:
     tolerance : float [-]
         Share of the scale within which the target is met.
     unit : str
-        Unit in which it is told; by default that of the column.
+        Unit in which it is shown; by default that of the column.
 
     Raises
     ------
@@ -85,11 +85,11 @@ class Target:
 
     def reading(self, row: Row) -> Read:
         """Return the value in words."""
-        asked = f"wanted {shown_of(self.value, self.shown_unit(row))}"
-        return Read.of(row, self.measure, self.at, self.shown_unit(row), asked)
+        request = f"wanted {shown_of(self.value, self.shown_unit(row))}"
+        return Read.of(row, self.measure, self.at, self.shown_unit(row), request)
 
     def shown_unit(self, row: Row) -> str:
-        """Return the unit in which it is told."""
+        """Return the unit in which it is shown."""
         return self.unit or unit_of(row, self.measure)
 
 
@@ -158,9 +158,9 @@ class Limit:
     def reading(self, row: Row) -> Read:
         """Return the value in words."""
         unit = self.unit or unit_of(row, self.measure)
-        asked = [f"most {shown_of(self.most, unit)}"] if self.most is not None else []
-        asked += [f"least {shown_of(self.least, unit)}"] if self.least is not None else []
-        return Read.of(row, self.measure, self.at, unit, ", ".join(asked))
+        request = [f"most {shown_of(self.most, unit)}"] if self.most is not None else []
+        request += [f"least {shown_of(self.least, unit)}"] if self.least is not None else []
+        return Read.of(row, self.measure, self.at, unit, ", ".join(request))
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,8 +209,8 @@ class Minimize:
 
     def reading(self, row: Row) -> Read:
         """Return the value in words."""
-        asked = "as small as possible" if self.sign > 0 else "as large as possible"
-        return Read.of(row, self.measure, self.at, self.unit or unit_of(row, self.measure), asked)
+        request = "as small as possible" if self.sign > 0 else "as large as possible"
+        return Read.of(row, self.measure, self.at, self.unit or unit_of(row, self.measure), request)
 
 
 @dataclass(frozen=True, slots=True)
@@ -305,8 +305,8 @@ class TipPath:
 
     def reading(self, row: Row) -> Read:
         """Return the distance in words."""
-        asked = f"within {shown_of(self.tolerance, 'mm')}"
-        return Read(name="distance from the path", value=self.distance(row), unit="mm", asked=asked)
+        request = f"within {shown_of(self.tolerance, 'mm')}"
+        return Read(name="distance from the path", value=self.distance(row), unit="mm", request=request)
 
 
 Goal: TypeAlias = Target | Limit | Minimize | TipPath

@@ -80,7 +80,7 @@ def casting_rules(make: Make, casting: Casting | None = None) -> tuple[Rule, ...
     Raises
     ------
     TurgorError
-        If a mold is asked for, and there is none for the family.
+        If a mold is requested, and there is none for the family.
 
     Examples
     --------
@@ -89,14 +89,14 @@ def casting_rules(make: Make, casting: Casting | None = None) -> tuple[Rule, ...
     >>> [rule.broken({"wall": 1.5e-3, "gap": 0.5e-3}) for rule in rules if rule.broken({"wall": 1.5e-3, "gap": 0.5e-3})]
     ['web of the mold of at least 0.8 mm', 'web of the mold at most 20 times as deep as thick']
     """
-    asked = casting or Casting()
-    least = f"walls of at least {in_mm(asked.smallest_wall)}"
-    rules = [Rule(least, lambda values: _made(make, values, asked).smallest_wall - asked.smallest_wall)]
-    for words, part, smallest in (("web of the mold", web, asked.smallest_web), ("core", core, asked.smallest_pin)):
-        thick = f"{words} of at least {in_mm(smallest)}{_drafted(asked)}"
-        rules.append(Rule(thick, _thickness(make, part, smallest, asked)))
-        slender = f"{words} at most {asked.deepest:g} times as deep as thick"
-        rules.append(Rule(slender, _slenderness(make, part, asked)))
+    limits = casting or Casting()
+    least = f"walls of at least {in_mm(limits.smallest_wall)}"
+    rules = [Rule(least, lambda values: _made(make, values, limits).smallest_wall - limits.smallest_wall)]
+    for words, part, smallest in (("web of the mold", web, limits.smallest_web), ("core", core, limits.smallest_pin)):
+        thick = f"{words} of at least {in_mm(smallest)}{_drafted(limits)}"
+        rules.append(Rule(thick, _thickness(make, part, smallest, limits)))
+        slender = f"{words} at most {limits.deepest:g} times as deep as thick"
+        rules.append(Rule(slender, _slenderness(make, part, limits)))
     return tuple(rules)
 
 

@@ -51,7 +51,7 @@ def optimize(
     factors : sequence of Factor
         Numbers to choose, with their ranges.
     goals : sequence of Target, TipPath, Limit, Minimize, Maximize or Rule
-        Beside `Minimize` and `Maximize`, targets are conditions to be met within their tolerance.
+        Besides `Minimize` and `Maximize`, targets are conditions to be met within their tolerance.
     start : mapping of str to number, optional
         Where the search begins [SI]; by default the middle of the ranges.
     search : Search, optional

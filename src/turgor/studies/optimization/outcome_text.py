@@ -18,13 +18,13 @@ def ending_text(problem: Problem, ending: Ending, best: Candidate | None, search
         )
     missed = missed_goals(problem, best)
     if ending is Ending.CONVERGED:
-        met = "All targets are met" if not problem.objectives else _objectives_told(problem)
+        met = "All targets are met" if not problem.objectives else _objectives_text(problem)
         return f"{met}, after {runs}.{lost}", ""
     near = f" Nearest: {'; '.join(missed)}." if missed else ""
     if ending is Ending.INFEASIBLE:
         return (
             f"No design within the ranges meets all goals, as far as the search sees, after {runs}.{lost}{near}",
-            f"{_ends_told(problem, best)}Widen the ranges, relax a goal, or take more starts: the search is local.",
+            f"{_bounds_text(problem, best)}Widen the ranges, relax a goal, or take more starts: the search is local.",
         )
     keeps = "" if missed else " The best design so far meets all targets and limits."
     return (
@@ -35,7 +35,7 @@ def ending_text(problem: Problem, ending: Ending, best: Candidate | None, search
 
 def missed_goals(problem: Problem, candidate: Candidate) -> list[str]:
     """Return in words which targets and limits a candidate misses."""
-    told = []
+    missed = []
     for goal, part in zip(problem.goals, problem.parts(candidate.readings), strict=True):
         if isinstance(goal, Minimize):
             continue
@@ -43,18 +43,18 @@ def missed_goals(problem: Problem, candidate: Candidate) -> list[str]:
         scaled = (part - wanted) / divisor
         size = float(scaled.max()) if isinstance(goal, Limit) else float((scaled @ scaled) ** 0.5)
         if size > 1.0:
-            told.append(str(goal.reading(candidate.row)))
-    return told
+            missed.append(str(goal.reading(candidate.row)))
+    return missed
 
 
-def _objectives_told(problem: Problem) -> str:
+def _objectives_text(problem: Problem) -> str:
     if len(problem.objectives) > 1:
         return "The front no longer moves"
-    beside = any(isinstance(each, (*MET, Limit)) for each in problem.goals)
-    return "No better design is near" + (" that meets all targets and limits" if beside else "")
+    conditions = any(isinstance(each, (*MET, Limit)) for each in problem.goals)
+    return "No better design is near" + (" that meets all targets and limits" if conditions else "")
 
 
-def _ends_told(problem: Problem, best: Candidate) -> str:
+def _bounds_text(problem: Problem, best: Candidate) -> str:
     """Say which factors are at an end of their range."""
     at_end = [
         f"{each.name} at its {'lowest' if share <= 1e-6 else 'highest'}"

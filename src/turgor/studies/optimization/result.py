@@ -81,7 +81,7 @@ class Optimization:
         return () if number is None else tuple(each.reading(self.study.rows[number]) for each in self.goals)
 
     def objectives(self) -> np.ndarray:
-        """Return the objectives of the rows [SI], (rows, objectives), as they are told; NaN where a run failed."""
+        """Return the objectives of the rows [SI], (rows, objectives), as they are reported; NaN where a run failed."""
         wanted = [each for each in self.goals if isinstance(each, Minimize)]
         return np.array([[each.read(row)[0] for each in wanted] for row in self.study.rows])
 

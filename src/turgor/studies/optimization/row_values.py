@@ -27,9 +27,9 @@ class Read:
     value : float [SI]
         NaN where the path does not reach it.
     unit : str
-        Unit in which it is told.
-    asked : str
-        What was asked for, in words.
+        Unit in which it is shown.
+    request : str
+        What was requested, in words.
     mesh_error : float [SI]
         NaN where none was estimated.
     """
@@ -37,18 +37,18 @@ class Read:
     name: str
     value: float
     unit: str
-    asked: str
+    request: str
     mesh_error: float = float("nan")
 
     @classmethod
-    def of(cls, row: Row, measure: Measure, at: At, unit: str, asked: str) -> "Read":
+    def of(cls, row: Row, measure: Measure, at: At, unit: str, request: str) -> "Read":
         """Read a measure with its mesh error."""
         error = float("nan")
         if isinstance(measure, str) and row.response is not None and f"{measure}{MESH_ERROR}" in row.response:
             error = _in_row(row, f"{measure}{MESH_ERROR}", at)
-        place = "" if at is None else f" at {at[0].replace('_', ' ')} {_told_at(row, at)}"
+        place = "" if at is None else f" at {at[0].replace('_', ' ')} {_place_text(row, at)}"
         name = f"{words_of(measure)}{place}"
-        return cls(name=name, value=read(row, measure, at), unit=unit, asked=asked, mesh_error=error)
+        return cls(name=name, value=read(row, measure, at), unit=unit, request=request, mesh_error=error)
 
     @property
     def short(self) -> str:
@@ -57,9 +57,9 @@ class Read:
 
     def __str__(self) -> str:
         if not isfinite(self.value):
-            return f"{self.name}: not reached ({self.asked})"
+            return f"{self.name}: not reached ({self.request})"
         error = f" ± {shown_of(self.mesh_error, self.unit, 2)} (mesh)" if isfinite(self.mesh_error) else ""
-        return f"{self.name}: {shown_of(self.value, self.unit)}{error} ({self.asked})"
+        return f"{self.name}: {shown_of(self.value, self.unit)}{error} ({self.request})"
 
 
 def read(row: Row, measure: Measure, at: At = None) -> float:
@@ -141,5 +141,5 @@ def _in_row(row: Row, name: str, at: At) -> float:
     return float(study.column(name, at)[0])
 
 
-def _told_at(row: Row, at: tuple[str, float]) -> str:
+def _place_text(row: Row, at: tuple[str, float]) -> str:
     return shown_of(at[1], unit_of(row, at[0]))

@@ -74,8 +74,8 @@ def write_candidates(found: Optimization, file: Path) -> None:
             line[f"{each.name} ({each.unit})" if each.unit else each.name] = f"{value:.9g}"
         for goal, head in zip(found.goals, heads, strict=True):
             value = goal.reading(row).value
-            told = f"{value / COLUMN_UNITS.get(head.unit, 1.0):.9g}" if isfinite(value) else ""
-            line[f"{head.name} ({head.unit})" if head.unit else head.name] = told
+            text = f"{value / COLUMN_UNITS.get(head.unit, 1.0):.9g}" if isfinite(value) else ""
+            line[f"{head.name} ({head.unit})" if head.unit else head.name] = text
         line["kept"] = int(found.scores[number].kept)
         line["front"] = int(number in found.pareto)
         line |= {"status": row.status, "problem": row.problem, "cpu_seconds": f"{row.seconds:.3g}"}

@@ -48,7 +48,7 @@ class Evaluations:
         waiting = [run for run in fresh.values() if not self._read(run)]
         for each in self.executor.compute(waiting, self.folder) if waiting else ():
             self._take(each)
-        for key in fresh:  # in the order asked for
+        for key in fresh:  # in the order of the request
             self.ended[key] = self.ended.pop(key)
         return [self.ended[run.key] for run in runs]
 

@@ -9,13 +9,13 @@ from turgor.foundation.errors import NotHere
 _NAMES = {"sklearn": "scikit-learn"}
 
 
-def needed(module: str, asked: str) -> Any:
+def needed(module: str, purpose: str) -> Any:
     """Import a module of an optional package.
 
     Parameters
     ----------
     module : str
-    asked : str
+    purpose : str
         What needs it, for the message.
 
     Returns
@@ -33,5 +33,5 @@ def needed(module: str, asked: str) -> Any:
         package = module.split(".")[0]
         name = _NAMES.get(package, package)
         raise NotHere(
-            f'{asked} needs {name}, which is not installed; install it with: pip install "turgor[studies]"'
+            f'{purpose} needs {name}, which is not installed; install it with: pip install "turgor[studies]"'
         ) from None

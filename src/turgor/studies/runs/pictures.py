@@ -218,7 +218,7 @@ def hidden_by_mesh(study: Study, measure: str, at: At = None) -> tuple[str, ...]
     if grid is None:
         return ()
     values, errors = _read(study, measure, at)
-    told = []
+    sentences = []
     for along, factor in enumerate(grid.factors):
         rest = [range(len(each)) for k, each in enumerate(grid.levels) if k != along]
         effects = [grid.effect(values, errors, along, others) for others in product(*rest)]
@@ -236,8 +236,8 @@ def hidden_by_mesh(study: Study, measure: str, at: At = None) -> tuple[str, ...]
             f"{_name(study, factor)}, such as {apart:.3g} {unit} from {low} to {high} against mesh errors of "
             f"{wide:.3g} {unit}; take a finer mesh before you decide by them."
         )
-        told.append(sentence.replace(" °", "°"))
-    return tuple(told)
+        sentences.append(sentence.replace(" °", "°"))
+    return tuple(sentences)
 
 
 def _grid(study: Study, count: int) -> Grid:

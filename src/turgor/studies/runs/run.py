@@ -105,12 +105,12 @@ class Run:
         # a worker knows the script that called it under another name
         module = self.function.__module__.replace("__mp_main__", "__main__")
         values = {name: value for name, value in self.values.items() if not isinstance(value, Place)}
-        asked: list[Any] = [module, self.function.__qualname__, values]
+        parts: list[Any] = [module, self.function.__qualname__, values]
         if self.code:
-            asked.append(self.code)
+            parts.append(self.code)
         if self.design is not None:
-            asked.append(self.written_design)
-        return hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()[:KEY_LETTERS]
+            parts.append(self.written_design)
+        return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:KEY_LETTERS]
 
     @property
     def written_design(self) -> Any:

@@ -19,7 +19,7 @@ from turgor.studies.runs.optional_parts import needed
 
 Array = NDArray[np.float64]
 
-#: Relative difference up to which the end of a path is the value that is asked for.
+#: Relative difference up to which the end of a path is the requested value.
 SAME = 1e-9
 
 #: Status of a row whose run gave no response.
@@ -71,7 +71,7 @@ class Study:
     factors : tuple of Factor
         What varies.
     rows : tuple of Row
-        A row for each design, in the order asked for.
+        A row for each design, in the order of the request.
     source : Source
         Where the numbers came from.
 
@@ -193,12 +193,12 @@ class Study:
     @property
     def problems(self) -> tuple[str, ...]:
         """Rows that failed, and those whose path ended early, in sentences."""
-        told = []
+        sentences = []
         for row in self.rows:
             if row.problem:
                 ended = "failed" if row.response is None else "ended early"
-                told.append(f"The run with {self.values_text(row.values)} {ended}: {row.problem}")
-        return tuple(told)
+                sentences.append(f"The run with {self.values_text(row.values)} {ended}: {row.problem}")
+        return tuple(sentences)
 
     def values_text(self, values: Mapping[str, Value]) -> str:
         """Return values of the factors as text, with their units."""

@@ -71,9 +71,9 @@ def sweep(
     >>> study.column("inner_stretch", at=("pressure", 20 * kPa)).round(3)
     array([1.195, 1.076, 1.044])
     """
-    asked = _designs(design, designs, levels)
-    computation = _computation(function, design, asked)
-    return study_of(computation, asked, evaluations or Evaluations(), Source(text=_told(function)))
+    requested = _designs(design, designs, levels)
+    computation = _computation(function, design, requested)
+    return study_of(computation, requested, evaluations or Evaluations(), Source(text=_source_text(function)))
 
 
 def study_of(computation: Computation, designs: Designs, evaluations: Evaluations, source: Source) -> Study:
@@ -179,5 +179,5 @@ def _field(design: Any, name: str) -> Any:
     return design
 
 
-def _told(function: Function) -> str:
+def _source_text(function: Function) -> str:
     return f"sweep of {function.__module__}.{function.__qualname__}"

@@ -62,13 +62,13 @@ class WorkspaceRuns:
     @property
     def problems(self) -> tuple[str, ...]:
         """Runs that failed, and those whose path ended early, in sentences."""
-        told = []
+        sentences = []
         for each in self.ended:
             if each.found is None:
-                told.append(f"The run with {each.run.name} failed: {each.problem}")
+                sentences.append(f"The run with {each.run.name} failed: {each.problem}")
             elif each.found.response.message:
-                told.append(f"The run with {each.run.name} ended early: {each.found.response.message}")
-        return tuple(told)
+                sentences.append(f"The run with {each.run.name} ended early: {each.found.response.message}")
+        return tuple(sentences)
 
     def to_response(self) -> Response:
         """Return area and volume as a response of one state, as a sweep or an optimization of designs reads them."""
@@ -101,7 +101,7 @@ def workspace_of(
 ) -> WorkspaceRuns:
     """Compute a model at all combinations of the pressures of its cavities, and the workspace that its tip reaches.
 
-    A path goes from rest to each combination with all pressures in proportion. A run that fails is told, and the
+    A path goes from rest to each combination with all pressures in proportion. A run that fails is reported, and the
     workspace is that of the others.
 
     Parameters
@@ -145,7 +145,9 @@ def workspace_of(
     computed = evaluations or Evaluations()
     if not isinstance(model, Job):
         more = dict(values or {})
-        ended = computed.of([Run(name=_told(each), function=model, values={**more, **each}) for each in combinations])
+        ended = computed.of(
+            [Run(name=_name_of(each), function=model, values={**more, **each}) for each in combinations]
+        )
         return _gathered(combinations, ended)
     with TemporaryDirectory() as folder:
         file = (computed.folder or Path(folder)) / START
@@ -238,7 +240,7 @@ def _job_runs(
     same: dict[str, Any] = {"job": Place(file), "digest": digest_of(file), "measures": list(COLUMNS)}
     return [
         Run(
-            name=_told(each), function=solved_job,
+            name=_name_of(each), function=solved_job,
             values={**same, "numbers": {**values, **{keys[name]: value for name, value in each.items()}}},
         )
         for each in combinations
@@ -259,5 +261,5 @@ def _gathered(combinations: tuple[Mapping[str, float], ...], ended: Sequence[End
     return WorkspaceRuns(reached=workspace(responses), pressures=combinations, ended=tuple(ended))
 
 
-def _told(pressures: Mapping[str, float]) -> str:
+def _name_of(pressures: Mapping[str, float]) -> str:
     return ", ".join(f"{name} {value / kPa:g} kPa" for name, value in pressures.items())

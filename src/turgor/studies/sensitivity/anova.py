@@ -191,7 +191,7 @@ def anova(study: Study, measure: str, *, at: tuple[str, float] | None = None, in
     means = {each.name: _means(codes[each.name], each, rows, y) for each in factors}
     return Anova(
         measure=measure, unit=study.unit(measure), terms=terms, means=means, remainder=remainder, total=total,
-        error="" if error is None else error.told, rows=len(y), left_out=int((~known).sum()),
+        error="" if error is None else error.words, rows=len(y), left_out=int((~known).sum()),
     )  # fmt: skip
 
 
@@ -209,7 +209,7 @@ class _Error:
 
     square: float
     freedom: int
-    told: str
+    words: str
 
 
 def _codes(factor: Factor, rows: Sequence[Mapping[str, Value]]) -> Array:

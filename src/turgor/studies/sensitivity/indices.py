@@ -12,7 +12,7 @@ from turgor.foundation.response import Column
 from turgor.studies.runs.factor import Value
 from turgor.studies.runs.optional_parts import needed
 from turgor.studies.runs.rounding import percent
-from turgor.studies.sensitivity.predictors import Asked, Problem, problem_of
+from turgor.studies.sensitivity.predictors import Predictor, Problem, problem_of
 from turgor.studies.uncertainty.spread import Spread
 
 Array = NDArray[np.float64]
@@ -37,9 +37,9 @@ class Indices:
     deviation : float [SI]
         Standard deviation of the measure over the ranges.
     unexplained : float
-        Share of the variance that a surrogate leaves unexplained in held-out rows, 1 − R²; 0 where runs were asked.
+        Share of the variance that a surrogate leaves unexplained in held-out rows, 1 − R²; 0 where runs were computed.
     held : mapping of str to float or str [SI]
-        Factors that were held, with their values.
+        Factors that were fixed, with their values.
     count : int
         Number of points.
     normal : tuple of str
@@ -55,7 +55,7 @@ class Indices:
     total_error: Array
     deviation: float
     unexplained: float
-    held: Mapping[str, Value]
+    held: Mapping[str, Value]  # the user's word
     count: int
     normal: tuple[str, ...] = ()
 
@@ -84,16 +84,16 @@ class Indices:
     def sentence(self) -> str:
         """Return the ranking with total indices in a sentence."""
         low, high = self.interval("total")
-        told = []
+        shares = []
         for name in self.ranking:
             n = self.factors.index(name)
-            told.append(f"{name} {percent(self.total[n])} % ({percent(low[n])} to {percent(high[n])})")
+            shares.append(f"{name} {percent(self.total[n])} % ({percent(low[n])} to {percent(high[n])})")
         column = Column(self.measure, self.unit, np.array([self.deviation]))
         deviation = f"{column.in_unit[0]:.3g} {self.unit}".rstrip()
         left = f"; the surrogate leaves {percent(self.unexplained)} % unexplained" if self.unexplained else ""
         alone = f"factors alone bring {percent(float(self.first.sum()))} %"
         how = f" with {', '.join(self.normal)} normal" if self.normal else ""
-        return f"{column.words} varies by {deviation}{how}: {', '.join(told)}; {alone}{left}."
+        return f"{column.words} varies by {deviation}{how}: {', '.join(shares)}; {alone}{left}."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -129,11 +129,11 @@ class Screening:
 
 
 def sobol_indices(
-    asked: Asked,
+    asked: Predictor,  # the user's word
     measures: Sequence[str] | None = None,
     *,
     spreads: Sequence[Spread] = (),
-    held: Mapping[str, Value] | None = None,
+    held: Mapping[str, Value] | None = None,  # the user's word
     samples: int = 1024,
     seed: int = 0,
 ) -> tuple[Indices, ...]:
@@ -147,7 +147,7 @@ def sobol_indices(
 
     Parameters
     ----------
-    asked : Asked
+    asked : Predictor
         A `Surrogate`, or `Direct` for a function that is quick itself.
     measures : sequence of str, optional
         By default all of them.
@@ -156,7 +156,7 @@ def sobol_indices(
     held : mapping of str to float or str, optional [SI]
         Factors that do not vary, such as ``{"pressure": 40e3}``.
     samples : int
-        A power of two. The function is asked samples·(factors + 2) times.
+        A power of two. The function is computed at samples·(factors + 2) points.
     seed : int
         Equal seeds give equal samples.
 
@@ -188,33 +188,35 @@ def sobol_indices(
     """
     if samples < 2 or samples & (samples - 1):
         raise TurgorError(f"samples is {samples}; allowed are powers of two, such as 1024.")
-    problem, names = problem_of(asked, held, spreads), _names(asked, measures)
+    predictor, fixed = asked, held  # the user's word
+    problem, names = problem_of(predictor, fixed, spreads), _names(predictor, measures)
     drawn: Any = needed("SALib.sample.sobol", "a sensitivity")
     values = problem.values(drawn.sample(problem.salib, samples, calc_second_order=False, seed=seed))
-    return tuple(_indices(problem, name, values[:, asked.measures.index(name)], seed) for name in names)
+    return tuple(_indices(problem, name, values[:, predictor.measures.index(name)], seed) for name in names)
 
 
 def _indices(problem: Problem, name: str, values: Array, seed: int) -> Indices:
     """Divide the variance of a measure at the points of a sample."""
     _check_varies(name, values)
     analyzed: Any = needed("SALib.analyze.sobol", "a sensitivity")
-    told = analyzed.analyze(
+    found = analyzed.analyze(
         problem.salib, values, calc_second_order=False, num_resamples=RESAMPLES, conf_level=LEVEL, seed=seed
     )
     return Indices(
-        measure=name, unit=problem.asked.units[name], factors=tuple(problem.names), first=np.asarray(told["S1"]),
-        total=np.asarray(told["ST"]), first_error=np.asarray(told["S1_conf"]),
-        total_error=np.asarray(told["ST_conf"]), deviation=float(values.std()),
-        unexplained=_unexplained(problem, name), held=problem.held, count=len(values),
+        measure=name, unit=problem.predictor.units[name], factors=tuple(problem.names), first=np.asarray(found["S1"]),
+        total=np.asarray(found["ST"]), first_error=np.asarray(found["S1_conf"]),
+        total_error=np.asarray(found["ST_conf"]), deviation=float(values.std()),
+        unexplained=_unexplained(problem, name), held=problem.fixed,  # the user's word
+        count=len(values),
         normal=tuple(each.name for each in problem.spreads),
     )  # fmt: skip
 
 
 def screening(
-    asked: Asked,
+    asked: Predictor,  # the user's word
     measures: Sequence[str] | None = None,
     *,
-    held: Mapping[str, Value] | None = None,
+    held: Mapping[str, Value] | None = None,  # the user's word
     trajectories: int = 10,
     seed: int = 0,
 ) -> tuple[Screening, ...]:
@@ -222,14 +224,14 @@ def screening(
 
     Parameters
     ----------
-    asked : Asked
+    asked : Predictor
         `Direct` for runs, or a `Surrogate`.
     measures : sequence of str, optional
         By default all of them.
     held : mapping of str to float or str, optional [SI]
         Factors that do not vary.
     trajectories : int
-        The function is asked trajectories·(factors + 1) times, on four levels of each factor.
+        The function is computed at trajectories·(factors + 1) points, on four levels of each factor.
     seed : int
         Equal seeds give equal samples.
 
@@ -245,30 +247,32 @@ def screening(
     """
     if trajectories < 2:
         raise TurgorError(f"trajectories is {trajectories}; allowed is 2 or more.")
-    problem, names = problem_of(asked, held), _names(asked, measures)
+    predictor, fixed = asked, held  # the user's word
+    problem, names = problem_of(predictor, fixed), _names(predictor, measures)
     sample = needed("SALib.sample.morris", "a sensitivity").sample(problem.salib, trajectories, num_levels=4, seed=seed)
-    values, units = problem.values(sample), asked.units
+    values, units = problem.values(sample), predictor.units
     analyzed: Any = needed("SALib.analyze.morris", "a sensitivity")
     found = []
     for name in names:
-        column = values[:, asked.measures.index(name)]
-        told = analyzed.analyze(
+        column = values[:, predictor.measures.index(name)]
+        analysis = analyzed.analyze(
             problem.salib, sample, column, num_levels=4, num_resamples=RESAMPLES, conf_level=LEVEL, seed=seed
         )
         found.append(
             Screening(
-                measure=name, unit=units[name], factors=tuple(problem.names), size=np.asarray(told["mu_star"]),
-                size_error=np.asarray(told["mu_star_conf"]), spread=np.asarray(told["sigma"]), count=len(sample),
+                measure=name, unit=units[name], factors=tuple(problem.names), size=np.asarray(analysis["mu_star"]),
+                size_error=np.asarray(analysis["mu_star_conf"]), spread=np.asarray(analysis["sigma"]),
+                count=len(sample),
             )
         )  # fmt: skip
     return tuple(found)
 
 
-def _names(asked: Asked, measures: Sequence[str] | None) -> tuple[str, ...]:
+def _names(predictor: Predictor, measures: Sequence[str] | None) -> tuple[str, ...]:
     for name in measures or ():
-        if name not in asked.measures:
-            raise unknown("measure", name, asked.measures)
-    return tuple(measures or asked.measures)
+        if name not in predictor.measures:
+            raise unknown("measure", name, predictor.measures)
+    return tuple(measures or predictor.measures)
 
 
 def _check_varies(name: str, values: Array) -> None:
@@ -277,5 +281,5 @@ def _check_varies(name: str, values: Array) -> None:
 
 
 def _unexplained(problem: Problem, name: str) -> float:
-    error = problem.asked.error(name)
+    error = problem.predictor.error(name)
     return 0.0 if error is None else float(np.clip(1.0 - error.r_squared, 0.0, 1.0))

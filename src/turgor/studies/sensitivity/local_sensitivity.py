@@ -206,8 +206,8 @@ def _study(
     designs: Sequence[Mapping[str, float]],
     evaluations: Evaluations,
 ) -> Study:
-    asked = function if isinstance(function, Computation) else Computation(function=function)
-    ended = evaluations.of([asked.run(each) for each in designs])
+    computation = function if isinstance(function, Computation) else Computation(function=function)
+    ended = evaluations.of([computation.run(each) for each in designs])
     rows = tuple(Row(values=one, ended=other) for one, other in zip(designs, ended, strict=True))
     return Study(factors=tuple(each.factor for each in tolerances), rows=rows, source=Source(text="differences"))
 
@@ -215,7 +215,7 @@ def _study(
 def _check(study: Study, values: np.ndarray) -> None:
     for row, value in zip(study.rows, values, strict=True):
         if not np.isfinite(value):
-            why = row.problem or "its path does not reach the value that was asked for."
+            why = row.problem or "its path does not reach the requested value."
             raise TurgorError(
                 f"the run with {study.values_text(row.values)} gives no value: {why} Smaller tolerances may help."
             )

@@ -21,7 +21,7 @@ from turgor.studies.uncertainty.spread import Spread
 Array = NDArray[np.float64]
 
 
-class ErrorTold(Protocol):
+class PredictionError(Protocol):
     """How well a measure is predicted."""
 
     @property
@@ -30,7 +30,7 @@ class ErrorTold(Protocol):
         ...
 
 
-class Asked(Protocol):
+class Predictor(Protocol):
     """A function of factors, such as a `Surrogate` or `Direct`."""
 
     @property
@@ -52,7 +52,7 @@ class Asked(Protocol):
         """Return the measures at points [SI]: (q, k) to (q, m)."""
         ...
 
-    def error(self, name: str) -> ErrorTold | None:
+    def error(self, name: str) -> PredictionError | None:
         """Return how well a measure is predicted; None where it is computed."""
         ...
 
@@ -100,7 +100,7 @@ class Direct:
         bad = np.flatnonzero(~np.isfinite(found).all(axis=1))
         if len(bad):
             row = study.rows[int(bad[0])]
-            why = row.problem or "its path does not reach the value that was asked for."
+            why = row.problem or "its path does not reach the requested value."
             raise TurgorError(
                 f"{len(bad)} of {len(found)} runs give no value, such as that with {study.values_text(row.values)}: "
                 f"{why} "
@@ -116,27 +116,27 @@ class Direct:
         return {each.name: float(each.at(0.5)) for each in self.factors}
 
     def _rows(self, values: Sequence[Mapping[str, float]]) -> tuple[Row, ...]:
-        asked = self.function if isinstance(self.function, Computation) else Computation(function=self.function)
-        ended = self.evaluations.of([asked.run(each) for each in values])
+        computation = self.function if isinstance(self.function, Computation) else Computation(function=self.function)
+        ended = self.evaluations.of([computation.run(each) for each in values])
         return tuple(Row(values=one, ended=other) for one, other in zip(values, ended, strict=True))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Problem:
-    """What is sampled: the factors that vary, and those that are held.
+    """What is sampled: the factors that vary, and those that are fixed.
 
     Parameters
     ----------
-    asked : Asked
+    predictor : Predictor
     varied : tuple of Factor
-    held : mapping of str to float or str [SI]
+    fixed : mapping of str to float or str [SI]
     spreads : tuple of Spread
         Factors that are normal within their ranges; the others are uniform.
     """
 
-    asked: Asked
+    predictor: Predictor
     varied: tuple[Factor, ...]
-    held: Mapping[str, Value]
+    fixed: Mapping[str, Value]
     spreads: tuple[Spread, ...] = ()
 
     @property
@@ -157,22 +157,22 @@ class Problem:
 
     def values(self, sample: Array) -> Array:
         """Return the measures at a sample of the factors that vary, (q, m) [SI]."""
-        points = np.empty((len(sample), len(self.asked.factors)))
-        for n, each in enumerate(self.asked.factors):
-            held = each.name in self.held
-            points[:, n] = each.number(self.held[each.name]) if held else sample[:, self.names.index(each.name)]
-            if each.whole and not held:
+        points = np.empty((len(sample), len(self.predictor.factors)))
+        for n, each in enumerate(self.predictor.factors):
+            is_fixed = each.name in self.fixed
+            points[:, n] = each.number(self.fixed[each.name]) if is_fixed else sample[:, self.names.index(each.name)]
+            if each.whole and not is_fixed:
                 points[:, n] = np.round(points[:, n])
-        return self.asked.means(points)
+        return self.predictor.means(points)
 
 
-def problem_of(asked: Asked, held: Mapping[str, Value] | None, spreads: Sequence[Spread] = ()) -> Problem:
+def problem_of(predictor: Predictor, fixed: Mapping[str, Value] | None, spreads: Sequence[Spread] = ()) -> Problem:
     """Return what is sampled, after a check of the factors.
 
     Parameters
     ----------
-    asked : Asked
-    held : mapping of str to float or str, optional [SI]
+    predictor : Predictor
+    fixed : mapping of str to float or str, optional [SI]
         Factors that do not vary, with their values.
     spreads : sequence of Spread
         Factors that are normal within their ranges.
@@ -186,11 +186,11 @@ def problem_of(asked: Asked, held: Mapping[str, Value] | None, spreads: Sequence
     TurgorError
         If a name is unknown, a factor is a choice, fewer than two vary, or a spread does not fit its factor.
     """
-    known = [each.name for each in asked.factors]
-    for name in held or {}:
+    known = [each.name for each in predictor.factors]
+    for name in fixed or {}:
         if name not in known:
             raise unknown("factor", name, known)
-    varied = tuple(each for each in asked.factors if each.name not in (held or {}))
+    varied = tuple(each for each in predictor.factors if each.name not in (fixed or {}))
     for each in varied:
         if each.is_choice:
             raise TurgorError(
@@ -203,7 +203,7 @@ def problem_of(asked: Asked, held: Mapping[str, Value] | None, spreads: Sequence
     twice = next((each.name for n, each in enumerate(spreads) if each.name in [one.name for one in spreads[:n]]), "")
     if twice:
         raise TurgorError(f"'{twice}' has two spreads; give it one.")
-    return Problem(asked=asked, varied=varied, held=dict(held or {}), spreads=tuple(spreads))
+    return Problem(predictor=predictor, varied=varied, fixed=dict(fixed or {}), spreads=tuple(spreads))
 
 
 def _check_spread(spread: Spread, varied: Sequence[Factor]) -> None:

@@ -96,10 +96,10 @@ def _searched(start: _Kernel, inputs: Array, targets: Array, noise: Array, *, st
     lengths = np.clip(start.lengths, *LENGTHS)
     shape = kernels.RBF(lengths, LENGTHS) if start.smooth else kernels.Matern(lengths, LENGTHS, nu=2.5)
     low, high = AMPLITUDE
-    asked = kernels.ConstantKernel(np.clip(start.amplitude, low, high) ** 2, (low**2, high**2)) * shape
-    asked += kernels.WhiteKernel(np.clip(start.scatter**2, *SCATTER), SCATTER)
+    scattered = kernels.ConstantKernel(np.clip(start.amplitude, low, high) ** 2, (low**2, high**2)) * shape
+    scattered += kernels.WhiteKernel(np.clip(start.scatter**2, *SCATTER), SCATTER)
     regressor = process.GaussianProcessRegressor(
-        asked, alpha=noise**2 + 1e-10, n_restarts_optimizer=starts - 1, random_state=0
+        scattered, alpha=noise**2 + 1e-10, n_restarts_optimizer=starts - 1, random_state=0
     )
     with warnings.catch_warnings():
         # a length at its bound means an input without influence, which is no problem

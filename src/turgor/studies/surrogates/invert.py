@@ -35,7 +35,7 @@ class Inverse:
     Parameters
     ----------
     values : mapping of str to float or str [SI]
-        Every factor, those that were held too.
+        Every factor, those that were fixed, too.
     deviations : mapping of str to float [SI]
         Standard deviation of the unknown numbers, from that of the surrogate; infinite where the outputs do
         not depend on one.
@@ -84,7 +84,7 @@ def invert(
     surrogate: Surrogate,
     wanted: Mapping[str, float],
     *,
-    held: Mapping[str, Value] | None = None,
+    held: Mapping[str, Value] | None = None,  # the user's word
     prefer: Mapping[str, Value] | None = None,
 ) -> Inverse:
     """Find inputs within the range that give wanted outputs: from shape to pressures.
@@ -112,9 +112,10 @@ def invert(
     Raises
     ------
     TurgorError
-        If a name is unknown, a held or preferred value lies beyond the range, or nothing is left to seek.
+        If a name is unknown, a fixed or preferred value lies beyond the range, or nothing is left to seek.
     """
-    ends = [(each, end) for each in _searches(surrogate, wanted, held or {}, prefer or {}) for end in each.ends()]
+    fixed = held or {}  # the user's word
+    ends = [(each, end) for each in _searches(surrogate, wanted, fixed, prefer or {}) for end in each.ends()]
     best = min(search.distance(end) for search, end in ends)
     good = [(each, end) for each, end in ends if each.distance(end) <= max(REACHED, best * (1 + 1e-3))]
     nearest = [(search, search.nearest(end)) for search, end in good]
@@ -149,7 +150,7 @@ def _others(nearest: "Sequence[tuple[_Search, Array]]") -> "list[tuple[_Search, 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class _Search:
-    """A search over the shares of the free numbers; choices are held.
+    """A search over the shares of the free numbers; choices are fixed.
 
     Parameters
     ----------
@@ -260,25 +261,25 @@ class _Search:
 
 
 def _searches(
-    surrogate: Surrogate, wanted: Mapping[str, float], held: Mapping[str, Value], prefer: Mapping[str, Value]
+    surrogate: Surrogate, wanted: Mapping[str, float], fixed: Mapping[str, Value], prefer: Mapping[str, Value]
 ) -> list[_Search]:
-    """Return a search for each combination of the choices that are not held."""
-    _check(surrogate, wanted, (*held, *prefer))
-    choices = [each for each in surrogate.factors if each.is_choice and each.name not in held]
+    """Return a search for each combination of the choices that are not fixed."""
+    _check(surrogate, wanted, (*fixed, *prefer))
+    choices = [each for each in surrogate.factors if each.is_choice and each.name not in fixed]
     count = prod(len(each.levels) for each in choices)
     if count > MOST_COMBINATIONS:
         raise TurgorError(
             f"{count} combinations of choices are too many; up to {MOST_COMBINATIONS} are searched. Hold some."
         )
-    free = [n for n, each in enumerate(surrogate.factors) if not each.is_choice and each.name not in held]
+    free = [n for n, each in enumerate(surrogate.factors) if not each.is_choice and each.name not in fixed]
     if not free and not choices:
-        raise TurgorError("all factors are held; there is nothing to seek.")
+        raise TurgorError("all factors are fixed; there is nothing to seek.")
     wished = {each.name: each.levels[int(each.number(prefer[each.name]))] for each in choices if each.name in prefer}
     found = []
     for levels in product(*(each.levels for each in choices)):
         chosen = {each.name: level for each, level in zip(choices, levels, strict=True)}
         apart = sum(chosen[name] != level for name, level in wished.items())
-        found.append(_search(surrogate, wanted, {**prefer, **held, **chosen}, free, apart))
+        found.append(_search(surrogate, wanted, {**prefer, **fixed, **chosen}, free, apart))
     return found
 
 

@@ -36,7 +36,7 @@ class Goal:
     runs : int
         Most runs.
     batch : int
-        Runs that are asked for at once, such as the number of processes.
+        Runs that are requested at once, such as the number of processes.
     at : (str, float), optional
         Column and value [SI] at which measures are read; by default the last state.
     along : str
@@ -66,7 +66,7 @@ class Goal:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Learned:
-    """A surrogate with the study that it asked for.
+    """A surrogate with the study that it requested.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def learn(
     """Fit a surrogate to few runs, each chosen where the surrogate knows least.
 
     The first runs are 2k + 2 Sobol points of k factors, each level of a choice counted as one. Then a surrogate is
-    fitted, asked for the next designs (`next_design`), and fitted again. The designs depend on the runs alone, so that
+    fitted, used for the next designs (`next_design`), and fitted again. The designs depend on the runs alone, so that
     a call that was killed goes on where it was, if ``evaluations`` keep their runs in a folder.
 
     Parameters
@@ -124,7 +124,7 @@ def learn(
     TurgorError
         If a choice has more than ten levels, or too few of the first runs end.
     """
-    asked = function if isinstance(function, Computation) else Computation(function=function)
+    computation = function if isinstance(function, Computation) else Computation(function=function)
     where = evaluations or Evaluations()
     check_levels(factors)
     count = min(max(2 * Coding(factors=tuple(factors)).width + 2, FEWEST), goal.runs)
@@ -135,8 +135,8 @@ def learn(
     rows: list[Row] = []
     errors: list[tuple[int, float]] = []
     while True:
-        rows += _rows(asked, designs, where)
-        study = Study(factors=tuple(factors), rows=tuple(rows), source=Source(text="runs that a surrogate asked for"))
+        rows += _rows(computation, designs, where)
+        study = Study(factors=tuple(factors), rows=tuple(rows), source=Source(text="runs that a surrogate requested"))
         fitted = surrogate(study, goal.measures, at=goal.at, along=goal.along)
         errors.append((len(rows), max(each.share for each in fitted.held_out)))
         reached = errors[-1][1] <= goal.error
@@ -150,6 +150,6 @@ def learn(
         designs = list(next_design(fitted, left, avoid=failed, seed=len(rows)))
 
 
-def _rows(asked: Computation, designs: Sequence[Design], evaluations: Evaluations) -> list[Row]:
-    ended = evaluations.of([asked.run(each) for each in designs])
+def _rows(computation: Computation, designs: Sequence[Design], evaluations: Evaluations) -> list[Row]:
+    ended = evaluations.of([computation.run(each) for each in designs])
     return [Row(values=one, ended=other) for one, other in zip(designs, ended, strict=True)]

@@ -33,7 +33,7 @@ class Prediction:
     units : mapping of str to str
         Unit in which each is shown.
     findings : tuple of Finding
-        Where it was asked beyond its range.
+        Where it was evaluated beyond its range.
     """
 
     values: Mapping[str, float]
@@ -87,9 +87,9 @@ class Surrogate(Saved):
     source: Source
 
     def __repr__(self) -> str:
-        asked = ", ".join(f"{each.name} {each.range_text}" for each in self.factors)
-        told = ", ".join(f"{each.name} ± {100 * each.share:.2g} %" for each in self.held_out)
-        return f"Surrogate(Gaussian process of {self.rows} rows: {asked}; {told} of the range)"
+        ranges = ", ".join(f"{each.name} {each.range_text}" for each in self.factors)
+        errors = ", ".join(f"{each.name} ± {100 * each.share:.2g} %" for each in self.held_out)
+        return f"Surrogate(Gaussian process of {self.rows} rows: {ranges}; {errors} of the range)"
 
     @property
     def measures(self) -> tuple[str, ...]:
@@ -275,9 +275,9 @@ class Surrogate(Saved):
         row, n = np.unravel_index(np.argmax(off), off.shape)
         factor = self.factors[n]
         value = float(points[row, n])
-        told = f"{factor.name} is {factor.shown(value)}; the surrogate knows {factor.range_text}"
+        position = f"{factor.name} is {factor.shown(value)}; the surrogate knows {factor.range_text}"
         if not extrapolate:
-            raise TurgorError(f"{told}. Compute more rows there, or ask with extrapolate=True at your own risk.")
-        message = f"{told}: {100 * off[row, n]:.3g} % of the range beyond."
+            raise TurgorError(f"{position}. Compute more rows there, or ask with extrapolate=True at your own risk.")
+        message = f"{position}: {100 * off[row, n]:.3g} % of the range beyond."
         advice = "Compute the design itself; neither the value nor its standard deviation was tested there."
         return (Finding(code="U01", severity=Severity.WARNING, message=message, advice=advice),)

@@ -136,7 +136,7 @@ def _moves(factor: Factor) -> bool:
 
 
 def _names(study: Study, measures: Sequence[str] | None, inputs: Iterable[str]) -> list[str]:
-    """Names of measures that vary, or those that were asked for."""
+    """Names of measures that vary, or those that were requested."""
     if measures is not None:
         for name in measures:
             if name not in study.measures:

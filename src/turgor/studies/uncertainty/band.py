@@ -10,12 +10,12 @@ from turgor.core.results.measures.headlines import headlines
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import MESH_ERROR, Column, Response
 from turgor.foundation.source import Source
-from turgor.studies.uncertainty.cases import Case, told_cases
+from turgor.studies.uncertainty.cases import Case, case_texts
 
 Array = NDArray[np.float64]
 
-#: Parts that are not told in a sentence: below this share of the variance.
-LEAST_TOLD = 0.005
+#: Parts that are left out of a sentence: below this share of the variance.
+LEAST_SHARE = 0.005
 
 
 #: A surface that misses held-out runs by more standard deviations than this is not good.
@@ -137,17 +137,17 @@ class Uncertainty:
         value, *spreads = (
             float(np.interp(where, self.drive.values, each)) for each in (band.nominal, *band.parts.values())
         )
-        told = []
+        parts = []
         if band.mesh is not None and np.isfinite(band.mesh).any():
-            told.append(
+            parts.append(
                 f"± {_short(band, float(np.interp(where, self.drive.values, np.nan_to_num(band.mesh))))} (mesh)"
             )
         whole = float(np.interp(where, self.drive.values, band.deviation))
         order = sorted(zip(band.parts, spreads, strict=True), key=lambda item: -item[1])
-        told += [f"± {_short(band, part)} ({label})" for label, part in order if part**2 > LEAST_TOLD * whole**2]
+        parts += [f"± {_short(band, part)} ({label})" for label, part in order if part**2 > LEAST_SHARE * whole**2]
         here = Column(self.drive.name, self.drive.unit, np.array([where])).in_unit[0]
         x = f"{here:.4g} {self.drive.unit}".rstrip()
-        return f"{band.name.replace('_', ' ')} at {x}: {band.shown(value)} {' '.join(told)}"
+        return f"{band.name.replace('_', ' ')} at {x}: {band.shown(value)} {' '.join(parts)}"
 
     def case_sentences(self, at: float | None = None) -> list[str]:
         """Return what the records say: the lowest and the highest one of each column, with and without the doubtful.
@@ -168,7 +168,7 @@ class Uncertainty:
                    for each in self.cases]
             for name in self.bands
         }  # fmt: skip
-        return told_cases(self.cases, values, lambda name, value: self.bands[name].shown(value))
+        return case_texts(self.cases, values, lambda name, value: self.bands[name].shown(value))
 
     def summary(self) -> str:
         """Return the sentence of every column, and how they were computed."""

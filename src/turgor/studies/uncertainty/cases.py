@@ -96,8 +96,8 @@ def library_alternatives(
     names = (first, *rest)
     if len(names) < 2:
         which = " without doubts besides" if leave_out_doubtful and len(doubts) > 1 else ""
-        told = f"no other record{which}" if which else "one record"
-        raise TurgorError(f"'{library}' has {told}, '{first}'; a spread needs two or more.")
+        counted = f"no other record{which}" if which else "one record"
+        raise TurgorError(f"'{library}' has {counted}, '{first}'; a spread needs two or more.")
     return Alternatives(
         sets=tuple({name: each} for each in names), label=label or library, names=names,
         doubts=tuple(doubts[each] for each in names),
@@ -115,7 +115,7 @@ def doubt_codes(record: Record) -> tuple[str, ...]:
     return tuple(dict.fromkeys(each.code for each in find_doubts(record) if each.severity != Severity.NOTE))
 
 
-def told_cases(cases: Sequence[Case], values: Mapping[str, Sequence[float]], shown: Shown) -> list[str]:
+def case_texts(cases: Sequence[Case], values: Mapping[str, Sequence[float]], shown: Shown) -> list[str]:
     """Return what the records of each rubber say about some columns, in sentences.
 
     Parameters

@@ -53,17 +53,17 @@ class Plan:
     notes: list[str] = field(default_factory=list)
 
     @classmethod
-    def of(cls, asked: Computation, inputs: Sequence[Input], method: str, evaluations: Evaluations) -> "Plan":
+    def of(cls, computation: Computation, inputs: Sequence[Input], method: str, evaluations: Evaluations) -> "Plan":
         """Make the plan of a computation, after checks of its inputs."""
-        takes = list(signature(asked.function).parameters)
+        takes = list(signature(computation.function).parameters)
         named = [each.name for each in inputs if isinstance(each, Spread)]
-        drives = [name for name in named if name not in takes] if not asked.gather else named
+        drives = [name for name in named if name not in takes] if not computation.gather else named
         values = nominal_values(inputs, drives)
-        if not asked.gather:
-            check_inputs(list(values), [name for name in takes if name not in asked.values])
-        kept = {name: value for name, value in values.items() if asked.gather or name in takes}
+        if not computation.gather:
+            check_inputs(list(values), [name for name in takes if name not in computation.values])
+        kept = {name: value for name, value in values.items() if computation.gather or name in takes}
         return cls(
-            computation=asked, inputs=inputs, method=method, values=kept, evaluations=evaluations,
+            computation=computation, inputs=inputs, method=method, values=kept, evaluations=evaluations,
             before=len(evaluations.ended),
         )  # fmt: skip
 
@@ -136,7 +136,7 @@ class Plan:
     def compute(self) -> None:
         """Compute all runs as one batch, and note those that failed."""
         runs = []
-        told = {
+        reported = {
             self.computation.run({**self.values, **numbers}).key
             for each in self.sets
             if each.names
@@ -148,7 +148,7 @@ class Plan:
         for each in self.sets:
             runs += [self.computation.run({**self.values, **numbers}) for numbers in each.sets[1:]]
         for ended in self.evaluations.of(runs):
-            if ended.found is None and ended.run.key not in told:
+            if ended.found is None and ended.run.key not in reported:
                 self.notes.append(f"a run failed ({ended.run.name}): {ended.problem}")
 
     def problem_of(self, ended: Ended, nominal: Response, drive: str) -> str:

@@ -77,8 +77,8 @@ def propagate(
     """
     if method not in METHODS:
         raise unknown("method", method, METHODS)
-    asked = computation if isinstance(computation, Computation) else Computation(function=computation)
-    plan = Plan.of(asked, inputs, method, evaluations or Evaluations())
+    requested = computation if isinstance(computation, Computation) else Computation(function=computation)
+    plan = Plan.of(requested, inputs, method, evaluations or Evaluations())
     nominal = plan.nominal()
     drive = x or drive_of(nominal)
     plan.check_drives(drive)

@@ -25,7 +25,7 @@ class Spread:
     replicates : tuple of float [SI]
         Measured values, at least two, instead of mean and deviation.
     label : str
-        Name in sentences and pictures, such as ``"rubber"``; by default the name. Spreads of one label are told as one.
+        Name in sentences and pictures, such as ``"rubber"``; by default the name. Spreads of one label count as one.
 
     Examples
     --------
@@ -69,7 +69,7 @@ class Alternatives:
     label : str
         Name in sentences and pictures, such as ``"rubber"``.
     names : tuple of str
-        Name of each set, such as that of a record. Sets with names are told one by one.
+        Name of each set, such as that of a record. Sets with names are reported one by one.
     doubts : tuple of tuple of str
         Codes of what is doubtful about each set that has a name.
     """
@@ -82,9 +82,11 @@ class Alternatives:
     def __post_init__(self) -> None:
         if len(self.sets) < 2:
             raise TurgorError(f"'{self.label}' has {len(self.sets)} sets of numbers; two or more are needed.")
-        for told in (self.names, self.doubts):
-            if told and len(told) != len(self.sets):
-                raise TurgorError(f"'{self.label}' has {len(self.sets)} sets, but {len(told)} names or doubts of them.")
+        for given in (self.names, self.doubts):
+            if given and len(given) != len(self.sets):
+                raise TurgorError(
+                    f"'{self.label}' has {len(self.sets)} sets, but {len(given)} names or doubts of them."
+                )
         for each in self.sets:
             if set(each) != set(self.sets[0]):
                 raise TurgorError(

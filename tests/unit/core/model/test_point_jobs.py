@@ -93,7 +93,7 @@ def test_the_keys_are_those_of_the_model(tmp_path):
         ('face = "tip"\ncoupling = "rigd"', "did you mean 'rigid'?"),
         ('face = "tip"\nmoment = [0, "2 N", 0]', "'2 N' is a force, but a moment is needed"),
         ('face = "tip"\nmoment = ["2 N mm", 0, 0]', "set actuator.symmetric = false"),
-        ('face = "tip"\ndisplacement = [0, 0, "1 mm"]', "the point is not held"),
+        ('face = "tip"\ndisplacement = [0, 0, "1 mm"]', "name its directions with held"),
         ('face = "tip"\nheld = "xw"', "allowed are the letters x, y and z"),
         ('face = "tip"\nrotation = "1 deg"\nhinge = "y"', "rotation and hinge are both given"),
         ('face = "tip"\nhinge = "w"', "unknown direction 'w'"),

@@ -54,7 +54,7 @@ ROD = rods.Rod(section=SECTION, length=0.1)
         (lambda: RodModel(rods=[]), "none is given"),
         (lambda: RodModel(rods=[ROD, ROD]), "every name must be unique"),
         (lambda: RodModel(rods=[ROD], plates=[Plate(name="tipp")]), "'tipp'; did you mean 'tip'?"),
-        (lambda: RodModel(rods=[ROD], plates=[Plate(name="base")]), "no plate is held; hold one of base, tip"),
+        (lambda: RodModel(rods=[ROD], plates=[Plate(name="base")]), "no plate is fixed; fix one of base, tip"),
         (lambda: RodModel(rods=[ROD], loads=[LineLoad(force=(0, 0, 1), rod="rodd")]), "did you mean 'rod'"),
         (lambda: RodModel(rods=[ROD], loads=[ChamberPressure(pressure=1)]), "have no chambers; give them a RodChamber"),
         (lambda: RodModel(rods=[ROD], loads=[tg.Gravity()]), "gravity needs the mass of rod 'rod'"),

@@ -56,7 +56,7 @@ def test_what_has_no_section_is_refused_with_advice(made, text):
         ({"pressure": {"cavty": 1e3}}, "unknown cavity 'cavty'; did you mean 'cavity'"),
         ({"held": {"curvature": 1.0}}, "unknown strain of a section 'curvature'"),
         ({"forces": {"moment": 1.0}}, "unknown force on a section 'moment'"),
-        ({"held": {"twist": 1.0}, "forces": {"torque": 1.0}}, "twist is held, and torque is given"),
+        ({"held": {"twist": 1.0}, "forces": {"torque": 1.0}}, "twist is prescribed, and torque is given"),
         ({"pressure": [1e3, 2e3], "held": {"twist": [1.0, 2.0, 3.0]}}, "give one finite value for each row"),
         ({"pressure": np.nan}, "give one finite value for each row"),
     ],

@@ -35,7 +35,7 @@ PARTS = {
 
 
 FREE = np.full(4, np.nan)
-PRESSED = Question(pressures=np.array([0.3]), volumes=np.array([np.nan]), held=FREE, forces=np.zeros(4))
+PRESSED = Question(pressures=np.array([0.3]), volumes=np.array([np.nan]), strains=FREE, forces=np.zeros(4))
 
 
 def equations(more=None, fibers=(), supports=(), closed=True):
@@ -173,7 +173,7 @@ def test_half_and_whole_section_agree():
 def test_held_volumes_have_their_derivatives(closed):
     made = equations(closed=closed)
     at = somewhere(made)
-    held = Question(pressures=np.zeros(1), volumes=np.array([0.7]), held=FREE, forces=np.zeros(4))
+    held = Question(pressures=np.zeros(1), volumes=np.array([0.7]), strains=FREE, forces=np.zeros(4))
     found = made.linearized(at, held)
     kept = (made.numbers.core >= 0) | (made.numbers.border >= 0)
     direction = np.where(kept, np.random.default_rng(5).normal(size=len(kept)), 0.0)

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 class PressureTable:
     """Strains that a pressure causes in a section that nothing else loads, from a section analysis or an experiment.
 
-    Between the rows the table is linear; it must cover every pressure that is asked for.
+    Between the rows the table is linear; it must cover every requested pressure.
 
     Parameters
     ----------

@@ -127,13 +127,13 @@ def _nondominated(
     minimize = needed("pymoo.optimize", "a search for several objectives").minimize
     size, generations = effort
     ended = minimize(
-        _asked(problem, readings), nsga2(pop_size=size, eliminate_duplicates=True), ("n_gen", generations),
+        _pymoo_problem(problem, readings), nsga2(pop_size=size, eliminate_duplicates=True), ("n_gen", generations),
         seed=seed + 1, verbose=False,
     )  # fmt: skip
     return [] if ended.X is None else [problem.snapped(point) for point in np.atleast_2d(ended.X)]
 
 
-def _asked(problem: Problem, readings: Callable[[Array], Array]) -> Any:
+def _pymoo_problem(problem: Problem, readings: Callable[[Array], Array]) -> Any:
     """Return the problem as pymoo takes it: objectives, and violations that must not be above 0."""
     base = import_module("pymoo.core.problem").Problem
     count, size = len(problem.objectives), len(problem.factors)
@@ -145,7 +145,7 @@ def _asked(problem: Problem, readings: Callable[[Array], Array]) -> Any:
         violated = np.array([each.violation - 1.0 if each.known else 1e9 for each in found])
         out["F"], out["G"] = values, np.column_stack([violated, broken.astype(float)])
 
-    kind = type("Asked", (base,), {"_evaluate": _evaluate})
+    kind = type("Designs", (base,), {"_evaluate": _evaluate})
     return kind(n_var=size, n_obj=count, n_ieq_constr=2, xl=np.zeros(size), xu=np.ones(size))
 
 
@@ -160,7 +160,7 @@ def _apart(problem: Problem, points: Sequence[Array], surfaces: Any, count: int)
     taken = [np.array(each.score.objectives) / ranges for each in problem.known if each.score.kept]
     chosen: list[Array] = []
     farthest = 0.0
-    broken = [bool(problem.broken(point)) or _beside_a_failure(problem, point) for point in points]
+    broken = [bool(problem.broken(point)) or _near_failure(problem, point) for point in points]
     for _ in range(count):
         gaps = [
             -1.0 if wrong else min((float(np.linalg.norm(each / ranges - other)) for other in taken), default=1.0)
@@ -175,7 +175,7 @@ def _apart(problem: Problem, points: Sequence[Array], surfaces: Any, count: int)
     return chosen, farthest
 
 
-def _beside_a_failure(problem: Problem, point: Array) -> bool:
+def _near_failure(problem: Problem, point: Array) -> bool:
     """Whether the nearest candidate gave no value: what surfaces promise there is worth no further run."""
     return not min(problem.candidates, key=lambda each: float(np.linalg.norm(each.at - point))).known
 

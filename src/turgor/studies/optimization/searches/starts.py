@@ -103,7 +103,7 @@ def spread(problem: Problem, count: int, seed: int) -> list[Array]:
     Returns
     -------
     list of (n,) array
-        Shares of the ranges; fewer than asked for where the rules leave little room.
+        Shares of the ranges; fewer than requested where the rules leave little room.
     """
     found: list[Array] = []
     for more in range(DRAWS if count > 0 else 0):

@@ -103,17 +103,17 @@ def _minimized(
         value, slope = smooth.objective(z[:-1])
         return value + penalty * z[-1], np.append(slope, penalty)
 
-    held: list[dict[str, Any]] = [
+    constraints: list[dict[str, Any]] = [
         {
             "type": "ineq",
             "fun": lambda z: z[-1] - smooth.conditions(z[:-1])[0],
             "jac": lambda z: np.column_stack([-smooth.conditions(z[:-1])[1], np.ones(smooth.count)]),
         }
     ]
-    held += [_rule(problem, number, begin) for number in range(len(problem.rules))]
+    constraints += [_rule(problem, number, begin) for number in range(len(problem.rules))]
     bounds = [*zip(low.tolist(), high.tolist(), strict=True), (0.0, None)]
     ended = minimize(
-        objective, np.append(np.clip(begin, low, high), slack), jac=True, bounds=bounds, constraints=held,
+        objective, np.append(np.clip(begin, low, high), slack), jac=True, bounds=bounds, constraints=constraints,
         method="SLSQP", options={"maxiter": 100, "ftol": 1e-10},
     )  # fmt: skip
     return np.clip(ended.x[:-1], low, high) if np.isfinite(ended.x).all() else begin

@@ -33,7 +33,7 @@ class Claims:
     def __init__(self, runs: Sequence[Run], folder: Path | None) -> None:
         self._waiting = deque(runs)
         self._folder = folder
-        self._held: dict[str, BaseFileLock] = {}
+        self._locks: dict[str, BaseFileLock] = {}
 
     def __bool__(self) -> bool:
         """Whether runs wait."""
@@ -43,9 +43,9 @@ class Claims:
         return self
 
     def __exit__(self, *_: object) -> None:
-        for lock in self._held.values():
+        for lock in self._locks.values():
             _unlocked(lock)
-        self._held.clear()
+        self._locks.clear()
 
     def take(self) -> Run | Ended | None:
         """Return a run to compute, or how one has ended elsewhere; None where all that wait are computed elsewhere."""
@@ -66,13 +66,13 @@ class Claims:
                 _unlocked(lock)
                 return before
             if lock is not None:
-                self._held[run.key] = lock
+                self._locks[run.key] = lock
             return run
         return None
 
     def release(self, run: Run) -> None:
         """Unlock a run, after it has been kept or has failed."""
-        _unlocked(self._held.pop(run.key, None))
+        _unlocked(self._locks.pop(run.key, None))
 
 
 def drop_lock(key: str, folder: Path) -> None:
@@ -100,7 +100,7 @@ def _locked(file: Path) -> BaseFileLock | None:
 
 
 def _unlocked(lock: BaseFileLock | None) -> None:
-    """Remove the file of a lock while it is held, so that no other process locks what is gone, and unlock it."""
+    """Remove the file of a lock while it is locked, so that no other process locks what is gone, and unlock it."""
     if lock is not None:
         with suppress(OSError):  # Windows keeps a file that is open
             Path(lock.lock_file).unlink(missing_ok=True)

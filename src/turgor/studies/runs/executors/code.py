@@ -37,21 +37,21 @@ def code_digest(function: Callable[..., Any]) -> str:
     if module is None or module.__name__.split(".")[0] == "turgor":
         return ""
     waiting: list[Any] = [inspect.unwrap(function)]
-    told: dict[str, str] = {}
+    sources: dict[str, str] = {}
     while waiting:
         each = waiting.pop()
         text = _source(each)
-        told[each.__qualname__] = text
+        sources[each.__qualname__] = text
         for name in _names(text):
-            held = vars(module).get(name)
-            if isinstance(held, FunctionType | type):
-                if held.__module__ == module.__name__ and held.__qualname__ not in told:
-                    waiting.append(held)
-            elif isinstance(held, int | float | str | tuple):
-                told[name] = repr(held)
-    if not any(told.values()):
+            member = vars(module).get(name)
+            if isinstance(member, FunctionType | type):
+                if member.__module__ == module.__name__ and member.__qualname__ not in sources:
+                    waiting.append(member)
+            elif isinstance(member, int | float | str | tuple):
+                sources[name] = repr(member)
+    if not any(sources.values()):
         return ""
-    return hashlib.sha256(repr(sorted(told.items())).encode()).hexdigest()[:LETTERS]
+    return hashlib.sha256(repr(sorted(sources.items())).encode()).hexdigest()[:LETTERS]
 
 
 def _source(each: Any) -> str:

@@ -124,7 +124,7 @@ def _kept(run: Run, future: Any, folder: Path | None) -> Ended:
     """Keep what a worker sent back, and return how the run ended."""
     error = future.exception()
     if error is not None:
-        told = f"{type(error).__name__}: {error}".strip(": ")
-        return Ended(run=run, found=None, problem=f"the Dask worker could not compute it: {told}")
+        reported = f"{type(error).__name__}: {error}".strip(": ")
+        return Ended(run=run, found=None, problem=f"the Dask worker could not compute it: {reported}")
     ended: Ended = future.result()
     return keep_ended(replace(ended, run=run), folder)

@@ -44,17 +44,17 @@ def kept_as(key: str, folder: Path) -> Computed | None:
     Computed or None
     """
     notes, table, picture = _files(key, folder)
-    told = _told(notes)
-    if PROBLEM in told or not told or not table.is_file():
+    content = _read_notes(notes)
+    if PROBLEM in content or not content or not table.is_file():
         return None
     read = read_response(table)
-    source, status = Source(text=told["source"]), told.get("status", "")
-    response = Response(columns=read.columns, source=source, status=status, message=told["message"])
+    source, status = Source(text=content["source"]), content.get("status", "")
+    response = Response(columns=read.columns, source=source, status=status, message=content["message"])
     return Computed(
         response=response,
         picture=picture.read_bytes() if picture.is_file() else b"",
-        seconds=float(told["cpu_seconds"]),
-        notes=tuple(told.get("notes", ())),
+        seconds=float(content["cpu_seconds"]),
+        notes=tuple(content.get("notes", ())),
     )
 
 
@@ -74,15 +74,15 @@ def keep(run: Run, found: Computed, folder: Path) -> None:
     if found.picture:
         with whole(picture) as part:
             part.write_bytes(found.picture)
-    told = {
-        **_asked(run),
+    content = {
+        **_request(run),
         "source": str(found.response.source),
         "status": found.response.status,
         "message": found.response.message,
         "cpu_seconds": round(found.seconds, 3),
         **({"notes": list(found.notes)} if found.notes else {}),
     }
-    _write(notes, told)
+    _write(notes, content)
 
 
 def keep_problem(run: Run, problem: str, folder: Path) -> None:
@@ -96,7 +96,7 @@ def keep_problem(run: Run, problem: str, folder: Path) -> None:
         Made if there is none.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    _write(_files(run.key, folder)[0], {**_asked(run), PROBLEM: problem})
+    _write(_files(run.key, folder)[0], {**_request(run), PROBLEM: problem})
 
 
 def kept_problem(run: Run, folder: Path) -> str:
@@ -113,7 +113,7 @@ def kept_problem(run: Run, folder: Path) -> str:
     str
         Empty where it has not failed.
     """
-    return str(_told(_files(run.key, folder)[0]).get(PROBLEM, ""))
+    return str(_read_notes(_files(run.key, folder)[0]).get(PROBLEM, ""))
 
 
 def forget(run: Run, folder: Path) -> None:
@@ -128,7 +128,7 @@ def forget(run: Run, folder: Path) -> None:
         file.unlink(missing_ok=True)
 
 
-def _asked(run: Run) -> dict[str, Any]:
+def _request(run: Run) -> dict[str, Any]:
     return {
         "name": run.name,
         "function": f"{run.function.__module__}.{run.function.__qualname__}",
@@ -137,7 +137,7 @@ def _asked(run: Run) -> dict[str, Any]:
     }
 
 
-def _told(notes: Path) -> dict[str, Any]:
+def _read_notes(notes: Path) -> dict[str, Any]:
     """Read notes; nothing where there are none, or another call removes them at this moment to try again."""
     try:
         return dict(json.loads(notes.read_text(encoding="utf-8")))
@@ -145,9 +145,9 @@ def _told(notes: Path) -> dict[str, Any]:
         return {}
 
 
-def _write(notes: Path, told: Mapping[str, Any]) -> None:
+def _write(notes: Path, content: Mapping[str, Any]) -> None:
     with whole(notes) as part:
-        part.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
+        part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
 
 
 def _files(key: str, folder: Path) -> tuple[Path, Path, Path]:

@@ -66,7 +66,7 @@ def job_factor(key: str, given: Any, content: Mapping[str, Any], numbers: Mappin
 def check_choices(
     file: Path, changes: Mapping[str, Any], factors: Sequence[Factor], content: Mapping[str, Any]
 ) -> None:
-    """Read a job with each choice of each factor, so that a record that does not exist is told before anything runs.
+    """Read a job with each choice of each factor, so that a missing record is reported before anything runs.
 
     Parameters
     ----------

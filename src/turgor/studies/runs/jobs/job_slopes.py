@@ -203,14 +203,14 @@ class _Question:
 
     def at(self, row: int, keys: tuple[str, ...]) -> tuple[Gradient | None, dict[str, str]]:
         """Return the derivatives at a state by the numbers that can be differentiated, and why others cannot."""
-        found, refused = self._asked(row, keys)
+        found, refused = self._gradient(row, keys)
         if found is not None or len(keys) < 2:
             return found, dict.fromkeys(keys, refused) if refused else {}
-        reasons = {key: why for key in keys if (why := self._asked(row, (key,))[1])}
+        reasons = {key: why for key in keys if (why := self._gradient(row, (key,))[1])}
         able = tuple(key for key in keys if key not in reasons)
-        return (self._asked(row, able)[0] if able else None), reasons
+        return (self._gradient(row, able)[0] if able else None), reasons
 
-    def _asked(self, row: int, keys: tuple[str, ...]) -> tuple[Gradient | None, str]:
+    def _gradient(self, row: int, keys: tuple[str, ...]) -> tuple[Gradient | None, str]:
         if not keys:
             return None, ""
         try:
