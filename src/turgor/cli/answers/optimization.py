@@ -77,7 +77,7 @@ def optimization_result(found: "Optimization", files: Sequence[Path]) -> Optimiz
         ],
         goals=[
             {
-                "name": read.name, "asked": read.request,  # the user's word
+                "name": read.name, "asked": read.request,
                 "value": _known(read.value),
                 "mesh_error": _known(read.mesh_error), "start": _known(before.value),
             }

@@ -85,7 +85,7 @@ class PredictionResult:
     values: Mapping[str, float]
     deviations: Mapping[str, float]
     reached: bool | None
-    sought: Mapping[str, float | None]  # the user's word
+    sought: Mapping[str, float | None]
     others: Sequence[Mapping[str, float | int | str]]
     sentence: str
 
@@ -100,7 +100,7 @@ def prediction_result(said: "Prediction", at: Mapping[str, float | int | str]) -
         reached=None,
         others=[],
         sentence=sentence,
-        sought={},  # the user's word
+        sought={},
     )
 
 
@@ -112,7 +112,7 @@ def inverse_result(found: "Inverse") -> PredictionResult:
         values=found.prediction.values,
         deviations=found.prediction.deviations,
         reached=found.reached,
-        sought=unknown,  # the user's word
+        sought=unknown,
         others=found.others,
         sentence=found.sentence(),
     )

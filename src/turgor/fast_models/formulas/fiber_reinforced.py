@@ -47,7 +47,7 @@ def fiber_reinforced_bender(
     material: Material,
     pressure: ArrayLike,
     *,
-    held_angle: float = 0.0,  # the user's word
+    held_angle: float = 0.0,
 ) -> Response:
     """Bend a half-round bender with fibers, and push with its tip: the torque balance about the layer.
 
@@ -107,7 +107,7 @@ def fiber_reinforced_bender(
             f"{1 + rise.x[-1] * top:.3g} times already, and the formula is not followed further."
         )
     curvature = inverted(balanced, rise, wanted)
-    blocked_curvature = held_angle / length  # the user's word
+    blocked_curvature = held_angle / length
     wall_moment = _moment(law, z, weights, np.array([blocked_curvature]))[0]
     columns = [
         Column("pressure", "kPa", wanted),

@@ -254,7 +254,7 @@ class _Path:
 
 def _axial_of(wall: Wall, ends: str) -> Callable[[Array], tuple[Array, Array]]:
     """Pressure and axial stretch by inner stretch."""
-    known = "closed", "held"  # the user's word
+    known = "closed", "held"
     if ends not in known:
         raise unknown("ends of a tube", str(ends), known)
     if ends == "closed":

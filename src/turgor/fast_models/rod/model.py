@@ -85,13 +85,13 @@ class Plate:
     """
 
     name: str
-    held: str = "free"  # the user's word
+    held: str = "free"
     mass: float = 0.0
     inertia: Vector = (0.0, 0.0, 0.0)
     place: Place | None = None
 
     def __post_init__(self) -> None:
-        support = self.held  # the user's word
+        support = self.held
         if support not in FREE_MOTIONS:
             raise unknown(f"support of plate '{self.name}'", support, FREE_MOTIONS)
         if not 0 <= self.mass < np.inf:
@@ -202,8 +202,8 @@ class RodModel:
         for plate in self.plates:
             if plate.name not in known:
                 raise unknown("plate", plate.name, known)
-        if all(self.plate(name).held == "free" for name in known):  # the user's word
-            way = "Plate(name=..., held='fixed')"  # the user's word
+        if all(self.plate(name).held == "free" for name in known):
+            way = "Plate(name=..., held='fixed')"
             raise TurgorError(f"no plate is fixed; fix one of {', '.join(known)} by {way}.")
         for load in self.loads:
             self._check(load)
@@ -221,7 +221,7 @@ class RodModel:
         if name not in self.plate_names:
             raise unknown("plate", name, self.plate_names)
         if name == BASE:
-            return Plate(name=name, held="fixed", place=Place())  # the user's word
+            return Plate(name=name, held="fixed", place=Place())
         return Plate(name=name)
 
     def rod(self, name: str) -> Rod:

@@ -131,7 +131,7 @@ class Section(Shown):
         pressure: float | Sequence[float] | Array | Rows = 0.0,
         *,
         volume: Rows = MappingProxyType({}),
-        held: Rows = MappingProxyType({}),  # the user's word
+        held: Rows = MappingProxyType({}),
         forces: Rows = MappingProxyType({}),
         throw: bool = True,
         mesh_error: bool = True,
@@ -167,7 +167,7 @@ class Section(Shown):
         TurgorError
             If a name is unknown, a strain has a force too, or the numbers of rows differ.
         """
-        questions = questions_of(self._equations, pressure, volume, held, forces)  # the user's word
+        questions = questions_of(self._equations, pressure, volume, held, forces)
         with use_threads(1):
             path = follow(self._equations, questions)
             outcome = (str(Status.CONVERGED), "")

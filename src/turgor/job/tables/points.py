@@ -84,7 +84,7 @@ class PointTable(Table):
     moment: Moments = None
     follower: bool = False
     hangs: Mass | None = None
-    held: str = Field(default="", examples=['"yz"'])  # the user's word
+    held: str = Field(default="", examples=['"yz"'])
     displacement: Lengths | None = None
     rotation: Angle | None = None
     axis: Direction = (1.0, 0.0, 0.0)
@@ -144,7 +144,7 @@ def read_points(
         if geometry is not None and table.face not in geometry.faces:
             problems.add((*key, "face"), str(unknown("face", table.face, geometry.faces)))
             continue
-        motions = "held", "displacement", "rotation", "hinge", "axis"  # the user's word
+        motions = "held", "displacement", "rotation", "hinge", "axis"
         fields = ("coupling", "inertia", *motions, "history")
         made = problems.attempt(key, partial(_rig, name, table, gravity, duration), fields=fields)
         if made is not None:
@@ -172,12 +172,12 @@ def _rig(name: str, table: PointTable, gravity: Gravity, duration: float | None)
 
 def _holds(name: str, table: PointTable, history: Any) -> tuple[Support, ...]:
     holds: list[Support] = []
-    directions = table.held  # the user's word
+    directions = table.held
     if not set(directions) <= set("xyz"):
-        raise TurgorError(f"held is '{directions}'; allowed are the letters x, y and z.")  # the user's word
+        raise TurgorError(f"held is '{directions}'; allowed are the letters x, y and z.")
     if table.displacement is not None:
         if not directions:
-            raise TurgorError("displacement: name its directions with held, such as held = 'z'.")  # the user's word
+            raise TurgorError("displacement: name its directions with held, such as held = 'z'.")
         holds.append(Displacement(name, Shift(table.displacement, history), directions))
     elif directions:
         holds.append(Fixed(name, directions))
@@ -245,9 +245,9 @@ def _support_values(rig: Rig) -> dict[str, Any]:
     for each in rig.holds:
         match each:
             case Fixed(_, directions):
-                values["held"] = directions  # the user's word
+                values["held"] = directions
             case Displacement(_, Shift(vector), directions):
-                values["held"] = directions  # the user's word
+                values["held"] = directions
                 values["displacement"] = [format_quantity(part, "mm") for part in vector]
             case Rotation(_, angle, axis, _, tilts):
                 values |= {"rotation": format_quantity(angle, "deg"), "axis": list(axis)}

@@ -55,7 +55,7 @@ class Indices:
     total_error: Array
     deviation: float
     unexplained: float
-    held: Mapping[str, Value]  # the user's word
+    held: Mapping[str, Value]
     count: int
     normal: tuple[str, ...] = ()
 
@@ -129,11 +129,11 @@ class Screening:
 
 
 def sobol_indices(
-    asked: Predictor,  # the user's word
+    asked: Predictor,
     measures: Sequence[str] | None = None,
     *,
     spreads: Sequence[Spread] = (),
-    held: Mapping[str, Value] | None = None,  # the user's word
+    held: Mapping[str, Value] | None = None,
     samples: int = 1024,
     seed: int = 0,
 ) -> tuple[Indices, ...]:
@@ -188,7 +188,7 @@ def sobol_indices(
     """
     if samples < 2 or samples & (samples - 1):
         raise TurgorError(f"samples is {samples}; allowed are powers of two, such as 1024.")
-    predictor, fixed = asked, held  # the user's word
+    predictor, fixed = asked, held
     problem, names = problem_of(predictor, fixed, spreads), _names(predictor, measures)
     drawn: Any = needed("SALib.sample.sobol", "a sensitivity")
     values = problem.values(drawn.sample(problem.salib, samples, calc_second_order=False, seed=seed))
@@ -206,17 +206,17 @@ def _indices(problem: Problem, name: str, values: Array, seed: int) -> Indices:
         measure=name, unit=problem.predictor.units[name], factors=tuple(problem.names), first=np.asarray(found["S1"]),
         total=np.asarray(found["ST"]), first_error=np.asarray(found["S1_conf"]),
         total_error=np.asarray(found["ST_conf"]), deviation=float(values.std()),
-        unexplained=_unexplained(problem, name), held=problem.fixed,  # the user's word
+        unexplained=_unexplained(problem, name), held=problem.fixed,
         count=len(values),
         normal=tuple(each.name for each in problem.spreads),
     )  # fmt: skip
 
 
 def screening(
-    asked: Predictor,  # the user's word
+    asked: Predictor,
     measures: Sequence[str] | None = None,
     *,
-    held: Mapping[str, Value] | None = None,  # the user's word
+    held: Mapping[str, Value] | None = None,
     trajectories: int = 10,
     seed: int = 0,
 ) -> tuple[Screening, ...]:
@@ -247,7 +247,7 @@ def screening(
     """
     if trajectories < 2:
         raise TurgorError(f"trajectories is {trajectories}; allowed is 2 or more.")
-    predictor, fixed = asked, held  # the user's word
+    predictor, fixed = asked, held
     problem, names = problem_of(predictor, fixed), _names(predictor, measures)
     sample = needed("SALib.sample.morris", "a sensitivity").sample(problem.salib, trajectories, num_levels=4, seed=seed)
     values, units = problem.values(sample), predictor.units

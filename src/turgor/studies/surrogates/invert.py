@@ -84,7 +84,7 @@ def invert(
     surrogate: Surrogate,
     wanted: Mapping[str, float],
     *,
-    held: Mapping[str, Value] | None = None,  # the user's word
+    held: Mapping[str, Value] | None = None,
     prefer: Mapping[str, Value] | None = None,
 ) -> Inverse:
     """Find inputs within the range that give wanted outputs: from shape to pressures.
@@ -114,7 +114,7 @@ def invert(
     TurgorError
         If a name is unknown, a fixed or preferred value lies beyond the range, or nothing is left to seek.
     """
-    fixed = held or {}  # the user's word
+    fixed = held or {}
     ends = [(each, end) for each in _searches(surrogate, wanted, fixed, prefer or {}) for end in each.ends()]
     best = min(search.distance(end) for search, end in ends)
     good = [(each, end) for each, end in ends if each.distance(end) <= max(REACHED, best * (1 + 1e-3))]

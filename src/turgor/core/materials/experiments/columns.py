@@ -58,8 +58,8 @@ _PATTERNS: tuple[tuple[str, str], ...] = (
     (r"(true|log\w*|hencky).*strain", "true_strain"),
     (r"shear.*(strain|amount)|amount.*shear|gamma|γ", "shear"),
     (r"strain|dehnung|elongation at", "nominal_strain"),
-    (r"(stretch|lambda|λ).*(?<!\d)2( \(?(fixed|held|constant)\)?)?$", "stretch_2"),  # the user's word
-    (r"^(fixed|held|constant|transverse|lateral) (stretch|lambda|λ)$", "stretch_2"),  # the user's word
+    (r"(stretch|lambda|λ).*(?<!\d)2( \(?(fixed|held|constant)\)?)?$", "stretch_2"),
+    (r"^(fixed|held|constant|transverse|lateral) (stretch|lambda|λ)$", "stretch_2"),
     (r"stretch|lambda|λ", "stretch"),
     (r"extension|displacement|elongation|crosshead|travel|weg", "extension"),
     (r"length|grip|distance", "length"),
@@ -137,7 +137,7 @@ def split_unit(name: str) -> tuple[str, str | None]:
     (('Engineering Stress', 'MPa'), ('force', 'N'), ('stretch', '-'), ('Strain', None))
     """
     bracket = re.fullmatch(r"(.*?)\s*[(\[]([^)\]]*)[)\]]\s*", name)
-    if bracket and bracket[2].strip().lower() in ("fixed", "held", "constant"):  # the user's word
+    if bracket and bracket[2].strip().lower() in ("fixed", "held", "constant"):
         return name, None
     if bracket:
         return bracket[1], bracket[2].strip()
