@@ -11,8 +11,9 @@ PRIVATE = re.compile(r"(?<![a-z])(held(?![- _]?out)|told|asked|sought|beside(?!s
 
 #: Files in which a public name, a key of a file or a user's column header is such a word.
 PUBLIC = {
-    "cli/analyses/sensitivity.py", "cli/analyses/surrogate.py", "cli/answers/optimization.py", "cli/answers/surrogates.py",
-    "core/materials/experiments/columns.py", "fast_models/formulas/fiber_reinforced.py",
+    "cli/analyses/sensitivity.py", "cli/analyses/surrogate.py", "cli/answers/optimization.py",
+    "cli/answers/surrogates.py", "core/materials/experiments/columns.py",
+    "fast_models/formulas/fiber_reinforced.py",
     "fast_models/formulas/thick_walled.py", "fast_models/rod/layout.py", "fast_models/rod/model.py",
     "fast_models/section/section.py", "job/tables/points.py", "studies/sensitivity/indices.py",
     "studies/surrogates/invert.py",
