@@ -27,15 +27,20 @@ BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS")
 
 def command() -> int:
     """Run the command line in a process of its own, and return the exit code."""
-    warnings.simplefilter("ignore", FindingWarning)  # commands print findings themselves
-    warnings.formatwarning = _as_sentence
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, TextIOWrapper):  # none where there is no console
-            stream.reconfigure(errors="replace")  # a question mark for a letter that it lacks
+    prepare_output()
     search_rarely()
     if not any(name in os.environ for name in BLAS_THREADS):
         os.environ[BLAS_THREADS[0]] = "1"  # its products are small here: further threads would only spin
     return main(sys.argv[1:])
+
+
+def prepare_output() -> None:
+    """Write warnings as sentences, and a question mark for a letter that the output lacks."""
+    warnings.simplefilter("ignore", FindingWarning)  # commands print findings themselves
+    warnings.formatwarning = _as_sentence
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):  # none where there is no console
+            stream.reconfigure(errors="replace")
 
 
 def _as_sentence(

@@ -9,7 +9,7 @@ from turgor.cli.start.commands import COMMANDS, command_line
 
 
 def test_the_command_line_has_all_commands():
-    assert set(typer.main.get_group(command_line()).commands) == set(COMMANDS)
+    assert set(typer.main.get_group(command_line("run")).commands) == set(COMMANDS)
 
 
 def test_loading_the_commands_loads_nothing_heavy():

@@ -79,7 +79,7 @@ def test_a_choice_alone_is_sought(fitted):
     found = invert(fitted, {ANGLE: wanted}, held={"wall": 1.5 * mm})
     assert (found.values["rubber"], found.deviations) == ("stiff", {})
     assert found.prediction[ANGLE] == pytest.approx(wanted, abs=0.3 * deg)
-    with pytest.raises(TurgorError, match="all factors are held"):
+    with pytest.raises(TurgorError, match="all factors are fixed"):
         invert(fitted, {ANGLE: wanted}, held={"wall": 1.5 * mm, "rubber": "soft"})
 
 

@@ -73,7 +73,7 @@ def test_names_and_values_are_checked(fitted):
         invert(fitted, {"tipy": 1.0})
     with pytest.raises(TurgorError, match="unknown factor of the surrogate 'third'"):
         invert(fitted, {"tip_y": 1 * mm}, held={"third": 0.0})
-    with pytest.raises(TurgorError, match="all factors are held"):
+    with pytest.raises(TurgorError, match="all factors are fixed"):
         invert(fitted, {"tip_y": 1 * mm}, held={"first": 0.0, "second": 0.0})
     with pytest.raises(TurgorError, match="first is 50 kPa; the surrogate knows 0 kPa to 40 kPa"):
         invert(fitted, {"tip_y": 1 * mm}, held={"first": 50 * kPa})
