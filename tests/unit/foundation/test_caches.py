@@ -154,7 +154,7 @@ def test_one_wrong_bit_of_compiled_code_is_found(tmp_path):
     file.write_bytes(bytes(content))
     mended = run()
     assert mended.stdout == "6\n"
-    assert "was dropped (ValueError)" in mended.stderr
+    assert "was removed (ValueError)" in mended.stderr
     assert run().stderr == ""
 
 
