@@ -229,3 +229,12 @@ def test_a_text_stl_with_no_number_is_told(tmp_path):
     (tmp_path / "part.stl").write_text(f"solid part\n{facet}{lost}endsolid\n")
     with pytest.raises(TurgorError, match="has corners that are not finite numbers"):
         read_stl(tmp_path / "part.stl")
+
+
+@pytest.mark.parametrize("number", [np.nan, np.inf])
+def test_a_binary_stl_with_no_number_is_refused(tmp_path, number):
+    facet = np.zeros(1, dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    facet["corners"][0, 1, 2] = number
+    (tmp_path / "part.stl").write_bytes(bytes(80) + (1).to_bytes(4, "little") + facet.tobytes())
+    with pytest.raises(TurgorError, match="has corners that are not finite numbers"):
+        read_stl(tmp_path / "part.stl")
