@@ -64,7 +64,7 @@ job = "tube.toml"
 actuator.wall = ["2 mm", "2.5 mm"]
 "materials.body.C10" = { low = "0.1 MPa", high = "0.14 MPa", levels = 2 }
 
-[output]
+[sweep]
 measures = ["tip_displacement_x"]
 at = { pressure = "10 kPa" }
 """
@@ -76,16 +76,16 @@ job = "tube.toml"
 "actuator.wall" = { low = "1 mm", high = "4 mm" }
 "actuator.inner_radius" = { low = "4 mm", high = "10 mm", start = "7 mm" }
 
-[[targets]]
+[optimize]
+precision = 0.05
+
+[[optimize.targets]]
 measure = "tip_displacement_x"
 value = "0.8 mm"
 at = { pressure = "15 kPa" }
 
-[[objectives]]
+[[optimize.objectives]]
 minimize = "solid_volume"
-
-[search]
-precision = 0.05
 """
 
 RIG = "pressure (kPa),tip_displacement_x (mm)\n2,0.05\n6,0.16\n10,0.28\n14,0.40\n18,0.53\n"
