@@ -153,5 +153,5 @@ def test_two_files_of_one_name_are_refused(tmp_path, monkeypatch):
     (tmp_path / "other.py").write_text(MEASURE.replace('"rise"', '"reaction"'), encoding="utf-8")
     package = turgor.core.results.measures
     monkeypatch.setattr(package, "__path__", [*package.__path__, str(tmp_path)])
-    with pytest.raises(ValueError, match=r"two files of turgor\.results\.measures define 'reaction'"):
+    with pytest.raises(ValueError, match=r"two files of turgor\.core\.results\.measures define 'reaction'"):
         list(MEASURES)

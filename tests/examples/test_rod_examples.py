@@ -28,9 +28,9 @@ def test_code_of_the_guide_on_rods():
         exec(block, known)
     assert len(blocks) == 3
     assert known["response"]["tip_displacement_z"][-1] < -5 * mm
-    platform = known["rods"].static(known["platform"]).tip[-1]
+    platform = known["tg"].rods.static(known["platform"]).tip[-1]
     assert platform[1] < -1e-4, "pressure in the leg at +y bends the platform away from it"
-    lying = known["rods"].static(known["lying"])
+    lying = known["tg"].rods.static(known["lying"])
     weight = 9.80665 * known["section"].mass_per_length * 120 * mm
     assert lying.states[-1].contact.sum() + lying.reaction("base")[2] == pytest.approx(weight)
     assert np.ptp(known["release"].tip[:, 2]) > 5 * mm

@@ -84,7 +84,7 @@ def test_every_public_name_is_in_the_reference():
 def test_an_unknown_name_is_refused():
     with pytest.raises(AttributeError, match="module 'turgor' has no attribute 'nonsense'"):
         turgor.nonsense  # noqa: B018
-    with pytest.raises(AttributeError, match=r"module 'turgor\.namespaces\.laws' has no attribute 'Model'"):
+    with pytest.raises(AttributeError, match=r"module 'turgor\.(namespaces\.)?laws' has no attribute 'Model'"):
         turgor.laws.Model  # noqa: B018
 
 

@@ -53,8 +53,8 @@ class Geometry(Shown):
 
     Examples
     --------
-    >>> import turgor.core.geometry as geometry
-    >>> part = geometry.FastPneuNet(chambers=2, length=20e-3).build()
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> part = FastPneuNet(chambers=2, length=20e-3).build()
     >>> part
     Geometry('fast PneuNet, 2 chambers, half', 20 × 10 × 15 mm, thinnest wall 1 mm, cavity 1.049 mL, \
 regions: body, base, faces: cavity, fixed, outside, strain_limiting_layer, symmetry_y, tip)

@@ -74,7 +74,7 @@ class Run:
     --------
     >>> from turgor.studies.runs.run import Computed, Run
     >>> Run(name="two", function=Computed, values={"seconds": 2.0}).key
-    'c21755ea1c'
+    '81a6252a78'
     """
 
     name: str
