@@ -5,6 +5,7 @@ import subprocess
 import sys
 import warnings
 from pathlib import Path
+from zipfile import ZipFile
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from turgor.core.materials.laws.laws import NeoHooke
 from turgor.core.meshing.tetwild.mesh_cache import cached_cells
 from turgor.foundation.startup import kernel_folder
 from turgor.foundation.startup import kernel_folder as loops
+from turgor.foundation.store.cached_values import Cache
 from turgor.foundation.store.caches import PARTS, cache_folder, private
 
 posix = pytest.mark.skipif(not hasattr(os, "getuid"), reason="owners and modes are those of POSIX")
@@ -214,3 +216,19 @@ def test_caches_are_shown_and_emptied(tmp_path, monkeypatch, capsys):
     assert "2 files removed" in capsys.readouterr().out
     assert not any(map(Path.exists, cached))
     assert all(map(Path.exists, theirs))
+
+
+def test_an_entry_with_another_number_is_dropped(tmp_path, monkeypatch):
+    """The file is a whole archive, and a number in it is another one: without a hash it would be believed."""
+    monkeypatch.setenv("TURGOR_CACHE", str(tmp_path))
+    entries = Cache("meshes", 1e6)
+    entries.put([1.0, 2.0], "key")
+    (file,) = (tmp_path / "meshes").iterdir()
+    with ZipFile(file) as archive:
+        members = {name: archive.read(name).replace(b"2.0", b"3.0") for name in archive.namelist()}
+    with ZipFile(file, "w") as archive:
+        for name, content in members.items():
+            archive.writestr(name, content)
+    with pytest.warns(UserWarning, match="damaged entry in the cache of meshes was removed"):
+        assert entries.get("key") is None
+    assert not file.exists()

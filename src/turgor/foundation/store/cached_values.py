@@ -64,7 +64,7 @@ class Cache:
             return None
         try:
             content = read_archive(file)
-            value: object = Decoder(content.arrays, _nothing_elsewhere).decode(content.tree)
+            value = _checked(Decoder(content.arrays, _nothing_elsewhere).decode(content.tree))
         except _DAMAGE as error:
             warnings.warn(
                 f"a damaged entry in the cache of {self.part} was removed ({type(error).__name__}) and is made again.",
@@ -83,7 +83,7 @@ class Cache:
         if file is None:
             return
         with suppress(OSError, TurgorError):
-            content = Content("cached", encoder.encode(value), encoder.arrays)
+            content = Content("cached", encoder.encode([_digest((value,)), value]), encoder.arrays)
             if sum(array.nbytes for array in encoder.arrays.values()) > LARGEST_SHARE * self.most_bytes:
                 return
             write_archive(file, content)
@@ -126,8 +126,16 @@ def sources(package: str) -> str:
     return sha256(str(listed).encode()).hexdigest()
 
 
+def _checked(entry: object) -> object:
+    """Return the value of an entry if its hash is right: a damaged number would be another result without a word."""
+    stated, value = entry if isinstance(entry, list) and len(entry) == 2 else ("", None)
+    if stated != _digest((value,)):
+        raise ValueError("the entry is not as it was written.")
+    return value
+
+
 def _digest(key: tuple[object, ...]) -> str:
-    """Hash of a key: of its text, and of the bytes of its arrays."""
+    """Hash of a key or of a value: of its text, and of the bytes of its arrays."""
     encoder = Encoder()
     digest = sha256(json.dumps(encoder.encode(list(key))).encode())
     for name, array in encoder.arrays.items():
