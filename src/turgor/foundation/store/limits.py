@@ -7,8 +7,28 @@ from turgor.foundation.errors import TurgorError
 #: Most bytes that a file may unpack to if it is smaller than a twentieth of that; `MOST` states another number of MB.
 UNPACKED, RATIO = 200_000_000, 20
 
+#: Most designs of a study, so that a slip such as ``samples = 1e9`` does not fill the memory, and the environment
+#: variable that states another number.
+DESIGNS, MOST_DESIGNS = 100_000, "TURGOR_MOST_DESIGNS"
+
 #: Environment variable with the most megabytes that a file may unpack to.
 MOST = "TURGOR_UNPACKED_MB"
+
+
+def most_designs() -> int:
+    """Return how many designs a study may have, and levels a factor.
+
+    Returns
+    -------
+    int
+
+    Examples
+    --------
+    >>> most_designs()
+    100000
+    """
+    stated = os.environ.get(MOST_DESIGNS, "")
+    return int(stated) if stated.isdigit() else DESIGNS
 
 
 def check_unpacked(named: str, packed: int, unpacked: int) -> None:

@@ -10,13 +10,11 @@ from typing import Any
 import numpy as np
 
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.store.limits import MOST_DESIGNS, most_designs
 from turgor.studies.runs.factor import Array, Factor, Value, inputs_of
 from turgor.studies.runs.files.tables import Cells, header
 from turgor.studies.runs.rounding import rounded
 from turgor.units import unit_value
-
-#: Most designs of a study: beyond this a number is a typing error.
-MOST_DESIGNS = 100_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,10 +97,11 @@ def factorial(factors: Sequence[Factor]) -> Designs:
     """
     levels = [each.spaced() for each in factors]
     count = prod(len(each) for each in levels)
-    if count > MOST_DESIGNS:
+    if count > most_designs():
         raise TurgorError(
             f"a full factorial of {' × '.join(str(len(each)) for each in levels)} levels has {count} designs; allowed "
-            f"are {MOST_DESIGNS}. Give fewer levels, or take a Latin hypercube or Sobol points."
+            f"are {most_designs()}; the environment variable {MOST_DESIGNS} states another limit. Give fewer levels, "
+            "or take a Latin hypercube or Sobol points."
         )
     names = [each.name for each in factors]
     values = tuple(_design(factors, dict(zip(names, each, strict=True))) for each in product(*levels))
@@ -177,8 +176,11 @@ def sobol(factors: Sequence[Factor], samples: int, seed: int = 0) -> Designs:
 def _sampled(
     factors: Sequence[Factor], samples: int, seed: int, name: str, drawn: Callable[[Any, int], Any]
 ) -> Designs:
-    if not 1 <= samples <= MOST_DESIGNS:
-        raise TurgorError(f"samples is {samples}; allowed is 1 to {MOST_DESIGNS}.")
+    if not 1 <= samples <= most_designs():
+        raise TurgorError(
+            f"samples is {samples}; allowed is 1 to {most_designs()}; the environment variable {MOST_DESIGNS} states "
+            "another limit."
+        )
     if seed < 0:
         raise TurgorError(f"seed is {seed}; allowed is 0 or more.")
     if not factors:

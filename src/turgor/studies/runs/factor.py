@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.store.limits import most_designs
 from turgor.units import unit_value
 
 Array = NDArray[np.float64]
 Value = float | int | str
 
-#: Levels of a factorial where only a range is given, and most levels.
-LEVELS, MOST_LEVELS = 3, 100_000
+#: Levels of a factorial where only a range is given.
+LEVELS = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -127,8 +128,8 @@ class Factor:
             return self.levels
         if self.is_choice:
             return self.levels
-        if count is not None and not 1 <= count <= MOST_LEVELS:
-            raise TurgorError(f"levels of '{self.name}' is {count}; allowed is 1 to {MOST_LEVELS}.")
+        if count is not None and not 1 <= count <= most_designs():
+            raise TurgorError(f"levels of '{self.name}' is {count}; allowed is 1 to {most_designs()}.")
         values = np.linspace(*self.bounds, count or LEVELS)
         return tuple(dict.fromkeys(round(float(each)) for each in values)) if self.whole else tuple(values.tolist())
 

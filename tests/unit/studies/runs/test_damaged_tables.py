@@ -43,6 +43,14 @@ def test_numbers_of_samples_have_limits(rule, samples, seed):
         rule([Factor(name="wall", low=1e-3, high=2e-3)], samples, seed)
 
 
+def test_another_limit_of_designs_can_be_stated(monkeypatch):
+    monkeypatch.setenv("TURGOR_MOST_DESIGNS", "3")
+    with pytest.raises(TurgorError, match="samples is 4; allowed is 1 to 3;"):
+        latin_hypercube([Factor(name="wall", low=1e-3, high=2e-3)], 4, 0)
+    monkeypatch.setenv("TURGOR_MOST_DESIGNS", "200000")
+    assert len(Factor(name="wall", low=1e-3, high=2e-3).spaced(150_000)) == 150_000
+
+
 def test_factors_are_finite_and_have_a_limit_of_levels():
     with pytest.raises(TurgorError, match="'wall' has a value that is not finite"):
         Factor(name="wall", low=1e-3, high=float("inf"))
