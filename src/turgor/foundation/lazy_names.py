@@ -6,6 +6,7 @@ lines; they do not run. `names_in` reads the same lines as where to import each 
 
 import re
 from collections.abc import Callable
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -58,9 +59,7 @@ def found(name: str, names: dict[str, str], namespace: dict[str, Any]) -> Any:
     return namespace[name]
 
 
-def public(
-    file: str, namespace: dict[str, Any], otherwise: Callable[[str], Any] | None = None
-) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+def public(file: str, namespace: dict[str, Any]) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
     """Make ``__getattr__``, ``__dir__`` and ``__all__`` of a module that lists its public names.
 
     Parameters
@@ -69,18 +68,10 @@ def public(
         ``__file__`` of the module.
     namespace : dict of str to object
         Its ``globals()``.
-    otherwise : callable, optional
-        ``otherwise(name)`` gives other names, or raises an AttributeError.
 
     Returns
     -------
     tuple
     """
     names = names_in(file)
-
-    def get(name: str) -> Any:
-        if otherwise is None or name in names or name.startswith("_"):
-            return found(name, names, namespace)
-        return otherwise(name)
-
-    return get, lambda: sorted({*namespace, *names}), sorted(names)
+    return partial(found, names=names, namespace=namespace), lambda: sorted({*namespace, *names}), sorted(names)

@@ -1,6 +1,6 @@
 """Objective: weighted differences of all trials and the priors, and their derivatives."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -206,31 +206,6 @@ def rig_parameter(requested: str | Parameter, data: Sequence[Data]) -> Parameter
     reach = 0.5 * float(np.ptp(each.drive if driving else each.value))
     unit = each.trial.measured.find(each.measured_x if driving else each.measured_y).unit
     return Parameter(name=name, start=0.0, lower=-reach, upper=reach, unit=unit)
-
-
-def with_prior(parameters: Sequence[Parameter], priors: Mapping[str, tuple[float, float]]) -> tuple[Parameter, ...]:
-    """Return parameters with priors laid over them.
-
-    Parameters
-    ----------
-    parameters : sequence of Parameter
-    priors : mapping of str to (float, float) [SI]
-        Mean and standard deviation by name.
-
-    Returns
-    -------
-    tuple of Parameter
-
-    Raises
-    ------
-    TurgorError
-        If no parameter has a name.
-    """
-    names = [each.name for each in parameters]
-    for name in priors:
-        if name not in names:
-            raise unknown("parameter with a prior", name, names)
-    return tuple(replace(each, prior=priors[each.name]) if each.name in priors else each for each in parameters)
 
 
 def first_responses(ended: Sequence[Ended]) -> list[Response]:

@@ -145,8 +145,7 @@ def readings_of(goals: Sequence[Goal], factors: Collection[str]) -> list[list[An
     Returns
     -------
     list of [str, str or None, float]
-        Empty if a goal reads what has no derivative: a function, a path that is compared at shares of its length, or a
-        workspace.
+        Empty if a goal has no derivative: a function, a workspace, or a path compared at shares of its length.
     """
     found: list[list[Any]] = []
     for goal in goals:

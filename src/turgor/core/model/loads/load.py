@@ -174,7 +174,7 @@ class Load:
         return all(self.mirrored(across) for across in range(3) if across != axis)
 
     def check(self, mesh: Mesh, points: Container[str]) -> None:
-        """Refuse what is not there, and what has no mirror image in a half model or is not the same in all sectors.
+        """Refuse a place that the mesh lacks, and a load that a half model or a wedge cannot have.
 
         Parameters
         ----------
