@@ -203,6 +203,14 @@ class Fibers:
         """The faces, as messages name them."""
         return " and ".join(self.faces)
 
+    @property
+    def box(self) -> str:
+        """The box of the threads, as messages name it; empty where there is none."""
+        if self.within is None:
+            return ""
+        low, high = (", ".join(f"{x * 1e3:.4g}" for x in corner) for corner in self.within)
+        return f" within the box from ({low}) to ({high}) mm"
+
     def holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Whether points (..., 3) lie within the box of the threads."""
         if self.within is None:

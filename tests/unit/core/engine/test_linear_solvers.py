@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 
+from refused import refused
 from turgor.core.engine.algebra import linear
 from turgor.core.engine.algebra.linear import (
     MixedPrecision,
@@ -13,7 +14,6 @@ from turgor.core.engine.algebra.linear import (
     linear_solver,
 )
 from turgor.core.engine.algebra.pattern import Pattern
-from turgor.foundation.errors import TurgorError
 
 SIDE = 30
 
@@ -185,5 +185,5 @@ def test_small_matrices_are_factored_in_double_precision() -> None:
 
 
 def test_unknown_solver_is_named() -> None:
-    with pytest.raises(TurgorError, match="rslab"):
+    with refused("rslb", "rslab"):
         linear_solver("rslb", saddle()[0], 1)

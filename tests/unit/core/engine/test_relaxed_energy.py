@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
+from refused import refused
 from turgor.core.engine.faces.membranes import plane_stress_moduli
 from turgor.core.engine.faces.tension_field import (
     LARGEST_SHARE,
@@ -15,7 +16,6 @@ from turgor.core.engine.faces.tension_field import (
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.material import Material
 from turgor.core.model.sheets import Membrane
-from turgor.foundation.errors import TurgorError
 
 YOUNG, NU = 3.0, 0.3
 MODULI = plane_stress_moduli(Hooke(E=YOUNG, nu=NU))
@@ -102,5 +102,5 @@ def test_toe_and_share_follow_the_stiffness():
 
 def test_a_share_out_of_range_is_refused():
     film = Material(name="film", law=Hooke(E=1e9, nu=0.3))
-    with pytest.raises(TurgorError, match=r"membrane compression is -0.1; allowed is 0 \(it wrinkles\) to 1"):
+    with refused("compression", -0.1, "0 (it wrinkles) to 1"):
         Membrane(film, 1e-4, compression=-0.1)

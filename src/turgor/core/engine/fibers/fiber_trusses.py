@@ -98,7 +98,7 @@ def discrete_threads(mesh: Mesh, fibers: Fibers) -> FiberTrusses:
     lines = thread_lines(course, face, fibers)
     cuts = _parted(face, lines, _cut(face, lines, _Where(mesh, face, fibers)))
     if not len(cuts.side):
-        raise TurgorError(f"fibers on '{fibers.name}': no thread lies on this face within the given box.")
+        raise TurgorError(f"fibers on '{fibers.name}': no thread lies on this face{fibers.box}.")
     return _trusses(mesh, face, fibers, lines, cuts)
 
 

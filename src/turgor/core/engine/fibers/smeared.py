@@ -175,7 +175,7 @@ def smeared_pieces(mesh: Mesh, fibers: Fibers) -> Pieces:
     N = reference_cell(sides.shape[1], MEMBRANE_QUADRATURE_DEGREE[side_type(sides.shape[1]).corners]).N
     kept = np.flatnonzero(np.tile(_within_box(mesh, fibers, sides).ravel(), count))
     if not len(kept):
-        raise TurgorError(f"fibers on '{fibers.name}': nothing of this face lies within the given box.")
+        raise TurgorError(f"fibers on '{fibers.name}': nothing of this face lies{fibers.box}.")
     return Pieces(
         sides=np.tile(np.repeat(sides, points, axis=0), (count, 1))[kept],
         along=np.concatenate(along)[kept],

@@ -48,8 +48,9 @@ class SplitPlane:
     def __post_init__(self) -> None:
         object.__setattr__(self, "normal", direction("normal", self.normal))
         if (self.position is None) == (self.thickness is None):
+            given = "neither a position nor" if self.position is None else "both a position and"
             raise TurgorError(
-                "split needs either the position of its plane or the thickness of the layer, one of them."
+                f"split has {given} a thickness; give one, the position of its plane or the thickness of the layer."
             )
         if self.position is not None:
             object.__setattr__(self, "position", as_length("position", self.position))

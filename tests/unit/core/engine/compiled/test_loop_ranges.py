@@ -7,6 +7,7 @@ import time
 import numpy as np
 import pytest
 
+from refused import refused
 from turgor.core.engine.cells import spectral
 from turgor.core.engine.compiled import LEAST, over
 from turgor.core.engine.runtime import use_threads
@@ -41,7 +42,7 @@ def test_an_error_in_a_thread_is_not_lost():
     def loop(begin, end):
         raise ValueError("bad range")
 
-    with use_threads(2), pytest.raises(ValueError, match="bad range"):
+    with use_threads(2), refused("bad range", error=ValueError):
         over(10 * LEAST, loop)
 
 

@@ -3,8 +3,8 @@
 import pytest
 from tube_cases import areas, assert_cavity_between, assert_meshes, assert_shape
 
+from refused import refused
 from turgor.core.geometry.actuators.rectangular_bender import RectangularBender
-from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 FACES = {"cavity", "fixed", "outside", "strain_limiting_layer", "tip"}
@@ -51,21 +51,16 @@ def test_it_meshes_coarsely():
 
 
 @pytest.mark.parametrize(
-    ("field", "value", "message"),
+    ("field", "value", "facts"),
     [
-        ("width", 0.0, "width is 0 mm; allowed is 1 mm to 1000 mm."),
-        ("side_wall", 7e-3, "side_wall is 7 mm; allowed is 0.01 mm to 6.995 mm, less than half the width of 14 mm."),
-        ("base", 13e-3, "base is 13 mm; allowed is 0 (none) or 0.01 mm to 12.47 mm, so that a cavity remains within "
-         "the height of 12.5 mm."),
-        ("floor", 11e-3, "floor is 11 mm; allowed is 0.01 mm to 10.98 mm, so that a cavity remains within the height "
-         "of 12.5 mm."),
-        ("top_wall", 10e-3, "top_wall is 10 mm; allowed is 0.01 mm to 9.49 mm, so that a cavity remains within the "
-         "height of 12.5 mm."),
-        ("inlet_diameter", 8e-3, "inlet_diameter is 8 mm; allowed is 0 (none) or 0.01 mm to 7.5 mm"
-         ", so that it ends in the cavity."),
+        ("width", 0.0, ("width", "0 mm", "1 mm to 1000 mm")),
+        ("side_wall", 7e-3, ("side_wall", "7 mm", "0.01 mm to 6.995 mm", "14 mm")),
+        ("base", 13e-3, ("base", "13 mm", "0 (none) or 0.01 mm to 12.47 mm", "12.5 mm")),
+        ("floor", 11e-3, ("floor", "11 mm", "0.01 mm to 10.98 mm", "12.5 mm")),
+        ("top_wall", 10e-3, ("top_wall", "10 mm", "0.01 mm to 9.49 mm", "12.5 mm")),
+        ("inlet_diameter", 8e-3, ("inlet_diameter", "8 mm", "0 (none) or 0.01 mm to 7.5 mm")),
     ],
 )  # fmt: skip
-def test_what_cannot_be_is_said(field, value, message):
-    with pytest.raises(TurgorError) as error:
+def test_what_cannot_be_is_said(field, value, facts):
+    with refused(*facts):
         RectangularBender(**{field: value})
-    assert str(error.value) == message

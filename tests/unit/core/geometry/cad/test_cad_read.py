@@ -6,13 +6,13 @@ import pytest
 from netgen.occ import Axes, Box, Compound, Pnt, ThruSections, WorkPlane, X, Y
 
 import turgor as tg
+from refused import refused
 from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.read import read_here as read_cad
 from turgor.core.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, WithNormal
 from turgor.core.geometry.cad.split import SplitPlane
 from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
 from turgor.core.meshing.quality.cell_quality import cell_volumes
-from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 ENDS = {"fixed": WithNormal("-x"), "tip": WithNormal("+x")}
@@ -57,39 +57,38 @@ def test_each_selector_picks_its_faces(block, selector, area):
 
 
 @pytest.mark.parametrize(
-    ("selector", "message"),
+    ("selector", "facts"),
     [
-        (ByName("lad"), "face 'fixed': name 'lad' is not in the file; did you mean 'lid'? It has lid."),
-        (ByColor("green"), "face 'fixed': color green is not in the file; it has #ff0000."),
-        (InBox((0, 0, 0), (0, 0, 0)), "holds nothing whole; the part reaches from (0, 0, 0) to (40, 20, 10) mm."),
-        (WithNormal((1, 1, 1)), "is that of no plane face."),
+        (ByName("lad"), ("name 'lad'", "lid")),
+        (ByColor("green"), ("color green", "#ff0000")),
+        (InBox((0, 0, 0), (0, 0, 0)), ("box", "(0, 0, 0) mm", "(40, 20, 10) mm")),
+        (WithNormal((1, 1, 1)), ("normal (0.57735, 0.57735, 0.57735)", "plane face")),
     ],
 )
-def test_a_selector_that_picks_nothing_says_what_there_is(block, selector, message):
-    with pytest.raises(TurgorError) as caught:
+def test_a_selector_that_picks_nothing_says_what_there_is(block, selector, facts):
+    with refused(*facts):
         read_cad(block, faces={"fixed": selector})
-    assert message in str(caught.value)
 
 
 def test_two_names_for_one_face_are_refused(block):
-    with pytest.raises(TurgorError, match=r"the face at \(0, 10, 5\) mm is both 'fixed' and 'tip'"):
+    with refused("(0, 10, 5) mm", "fixed", "tip"):
         read_cad(block, faces={"fixed": WithNormal("-x"), "tip": ByColor("red")})
 
 
 @pytest.mark.parametrize(
-    ("make", "message"),
+    ("make", "facts"),
     [
-        (lambda: NearestTo((0, 1)), "point of NearestTo is \\(0, 1\\); three finite numbers are needed"),
-        (lambda: InBox((0, 0, 1), (1, 1, 0)), "along z; its low corner must lie below the high one"),
-        (lambda: WithNormal("up"), "normal is 'up'; allowed is '\\+x'"),
-        (lambda: WithNormal((0, 0, 0)), "has no direction"),
-        (lambda: ByColor("purpel"), "did you mean 'purple'\\?"),
-        (lambda: SplitPlane(), "needs either the position of its plane or the thickness"),
-        (lambda: SplitPlane(position=1.0, thickness=1.0), "one of them"),
+        (lambda: NearestTo((0, 1)), ("NearestTo", "(0, 1)")),
+        (lambda: InBox((0, 0, 1), (1, 1, 0)), ("box", "1000 mm to 0 mm", "along z")),
+        (lambda: WithNormal("up"), ("normal", "'up'", "'+x', '-x', '+y', '-y', '+z', '-z'")),
+        (lambda: WithNormal((0, 0, 0)), ("normal", "(0, 0, 0)", "'+x'")),
+        (lambda: ByColor("purpel"), ("color", "purpel", "purple")),
+        (lambda: SplitPlane(), ("split", "neither", "position", "thickness")),
+        (lambda: SplitPlane(position=1.0, thickness=1.0), ("split", "both", "position", "thickness")),
     ],
 )
-def test_selectors_are_checked_when_they_are_made(make, message):
-    with pytest.raises(TurgorError, match=message):
+def test_selectors_are_checked_when_they_are_made(make, facts):
+    with refused(*facts):
         make()
 
 
@@ -116,9 +115,9 @@ def test_a_plane_splits_off_the_bottom(tmp_path):
     named = read_cad(path, split=SplitPlane(position=-5 * mm, normal="-x", below="rear", interface="cut"))
     assert named.regions == ("body", "rear")
     assert "cut" in named.faces
-    with pytest.raises(TurgorError, match="position of the split is 80 mm; allowed is between 0 and 15 mm"):
+    with refused("position", "80 mm", "0 and 15 mm"):
         read_cad(path, split=SplitPlane(position=80 * mm))
-    with pytest.raises(TurgorError, match="thickness of the split is 80 mm; allowed is between 0 and 15 mm"):
+    with refused("thickness", "80 mm", "0 and 15 mm"):
         read_cad(path, split=SplitPlane(thickness=80 * mm))
 
 
@@ -142,7 +141,7 @@ def test_bodies_of_an_assembly_of_another_program_keep_their_names():
     assert "strain_limiting_layer" in renamed.faces
     mesh = tg.mesh(renamed, size=5 * mm)
     assert set(mesh.regions) == {"body", "base"}
-    with pytest.raises(TurgorError, match="region 'body': name 'top plate' is not in the file"):
+    with refused("body", "top plate", "base plate"):
         read_cad(cases.DATA / "cup_and_plate.step", regions={"body": ByName("top plate")})
 
 
@@ -160,7 +159,7 @@ def test_a_user_can_close_the_cavity_further_in(tmp_path):
     assert closed.cavity_volume / mm**3 == pytest.approx(np.pi * 64 * 40, rel=2e-4)
     assert read_cad(path).cavity_volume - closed.cavity_volume > 24 * mm**3
     everything = InBox((-1, -1, -1), (1, 1, 1))
-    with pytest.raises(TurgorError, match="is both"):
+    with refused("(50,", "cavity", "tip"):
         read_cad(path, faces={"cavity": everything, "tip": WithNormal("+x")})
 
 
@@ -241,5 +240,5 @@ def test_a_cad_file_notices_that_its_content_has_changed(tmp_path):
     first = CadFile(file=path)
     assert CadFile(file=path, sha256=first.sha256) == first
     cases.written(tmp_path, cases.tube(inlet="y"))
-    with pytest.raises(TurgorError, match="the file has changed since"):
+    with refused("sha256", first.sha256[:12], path):
         CadFile(file=path, sha256=first.sha256)

@@ -5,8 +5,8 @@ from math import cos, pi, tan
 import pytest
 from tube_cases import areas, assert_meshes, assert_shape
 
+from refused import refused
 from turgor.core.geometry.actuators.trapezoidal_pneunet import TrapezoidalPneuNet
-from turgor.foundation.errors import TurgorError
 from turgor.units import deg, mm
 
 FACES = {"cavity", "fixed", "outside", "strain_limiting_layer", "tip"}
@@ -69,30 +69,24 @@ def test_it_meshes_coarsely(options):
 
 
 @pytest.mark.parametrize(
-    ("wrong", "message"),
+    ("wrong", "facts"),
     [
-        (
-            {"flank_angle": 60 * deg},
-            "flank_angle is 60 deg; allowed is 0 deg to 36.03 deg, so that tops remain on feet",
-        ),
-        ({"flank_angle": -1 * deg}, "flank_angle is -1 deg; allowed is 0 deg to 36.03 deg"),
-        ({"flank_angle": "10 deg"}, "flank_angle is '10 deg'; a finite angle in radians is needed, such as 30[*]deg."),
-        ({"flank_angle": 35 * deg}, "top_wall is 1.5 mm; allowed is 2.286 mm to 9.99 mm, so that air with a flat top"),
-        ({"top_wall": 10 * mm}, "top_wall is 10 mm; allowed is 0.01 mm to 9.99 mm"),
-        ({"wall": 7.4 * mm}, "wall is 7.4 mm; allowed is 0.01 mm to 7.314 mm, so that air remains in bellows 12.38 mm"),
-        ({"wall": 10 * mm}, "wall is 10 mm; allowed is 0.01 mm to 9.97 mm, so that bellows remain within the height"),
-        ({"gap": 16 * mm}, "gap is 16 mm; allowed is 0.01 mm to 15.574 mm, so that 8 chambers fit in 110 mm."),
-        ({"end_wall": 60 * mm}, "end_wall is 60 mm; allowed is 0.01 mm to 51.02 mm, so that 8 chambers fit"),
-        ({"side_wall": 11 * mm}, "side_wall is 11 mm; allowed is 0.01 mm to 9.995 mm"),
-        ({"channel_height": 12 * mm}, "channel_height is 12 mm; allowed is 0.01 mm to 11.96 mm"),
-        (
-            {"inlet_diameter": 2 * mm},
-            "inlet_diameter is 2 mm; allowed is 0 mm to 1.99 mm, less than the chamber, 16 mm x",
-        ),
+        ({"flank_angle": 60 * deg}, ("flank_angle", "60 deg", "0 deg to 36.03 deg", "12.38 mm")),
+        ({"flank_angle": -1 * deg}, ("flank_angle", "-1 deg", "0 deg to 36.03 deg", "12.38 mm")),
+        ({"flank_angle": "10 deg"}, ("flank_angle", "'10 deg'", "radians")),
+        ({"flank_angle": 35 * deg}, ("top_wall", "1.5 mm", "2.286 mm to 9.99 mm")),
+        ({"top_wall": 10 * mm}, ("top_wall", "10 mm", "0.01 mm to 9.99 mm")),
+        ({"wall": 7.4 * mm}, ("wall", "7.4 mm", "0.01 mm to 7.314 mm", "12.38 mm")),
+        ({"wall": 10 * mm}, ("wall", "10 mm", "0.01 mm to 9.97 mm", "15 mm")),
+        ({"gap": 16 * mm}, ("gap", "16 mm", "0.01 mm to 15.574 mm", 8, "110 mm")),
+        ({"end_wall": 60 * mm}, ("end_wall", "60 mm", "0.01 mm to 51.02 mm", 8, "110 mm")),
+        ({"side_wall": 11 * mm}, ("side_wall", "11 mm", "0.01 mm to 9.995 mm", "20 mm")),
+        ({"channel_height": 12 * mm}, ("channel_height", "12 mm", "0.01 mm to 11.96 mm", "15 mm")),
+        ({"inlet_diameter": 2 * mm}, ("inlet_diameter", "2 mm", "0 mm to 1.99 mm", "16 mm x 2 mm")),
     ],
 )
-def test_an_impossible_dimension_is_refused(wrong, message):
-    with pytest.raises(TurgorError, match=message):
+def test_an_impossible_dimension_is_refused(wrong, facts):
+    with refused(*facts):
         TrapezoidalPneuNet(**wrong)
 
 

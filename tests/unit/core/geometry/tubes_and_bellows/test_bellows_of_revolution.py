@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 from tube_cases import areas, assert_meshes, assert_shape
 
+from refused import refused
 from turgor.core.geometry.actuators.bellows_of_revolution import BellowsOfRevolution
 from turgor.core.geometry.parts.folds import Folds
-from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 FACES = {"cavity", "fixed", "outside", "tip"}
@@ -103,29 +103,25 @@ def test_ends_and_inlet() -> None:
 
 
 @pytest.mark.parametrize(
-    ("wrong", "message"),
+    ("wrong", "facts"),
     [
-        ({"folds": 0}, "folds is 0; allowed is a whole number from 1 to 50."),
-        ({"fold_shape": "strait"}, "fold_shape is 'strait'; did you mean 'straight'? Allowed: rounded, straight."),
-        ({"inner_radius": 0.0}, "inner_radius is 0 mm; allowed is 0.5 mm to 1000 mm."),
-        ({"outer_radius": 8 * mm}, "outer_radius is 8 mm; allowed is 8.03 mm to 1000 mm."),
-        ({"outer_radius": 16.0}, "outer_radius is 16000 mm; allowed is 8.03 mm to 1000 mm; is the unit right?"),
-        (
-            {"pitch": 20 * mm},
-            "pitch is 20 mm; allowed is 0.1 mm to 15.96 mm, so that rounded folds fit between the radii",
-        ),
-        ({"wall": 4 * mm}, "wall is 4 mm; allowed is 0.01 mm to 2.99 mm, so that folds with a pitch of 10 mm fit"),
-        ({"wall": 6 * mm, "pitch": 15 * mm}, "wall is 6 mm; allowed is 0.01 mm to 0.49 mm"),
-        ({"cap": 0.0}, "cap is 0 mm; allowed is 0.1 mm to 1000 mm."),
-        ({"clamp_length": -1 * mm}, "clamp_length is -1 mm; allowed is 0.1 mm to 1000 mm, 0 leaves it out."),
-        ({"inlet_diameter": 16 * mm}, "inlet_diameter is 16 mm; allowed is 0.1 mm to 15.99 mm, less than the cavity"),
-        ({"quarter": 1}, "quarter is 1; allowed is True or False."),
+        ({"folds": 0}, ("folds", 0, "1 to 50")),
+        ({"fold_shape": "strait"}, ("fold_shape", "strait", "straight")),
+        ({"inner_radius": 0.0}, ("inner_radius", "0 mm", "0.5 mm to 1000 mm")),
+        ({"outer_radius": 8 * mm}, ("outer_radius", "8 mm", "8.03 mm to 1000 mm")),
+        ({"outer_radius": 16.0}, ("outer_radius", "16000 mm", "8.03 mm to 1000 mm", "unit")),
+        ({"pitch": 20 * mm}, ("pitch", "20 mm", "0.1 mm to 15.96 mm", "8 mm", "16 mm")),
+        ({"wall": 4 * mm}, ("wall", "4 mm", "0.01 mm to 2.99 mm", "10 mm", "8 mm", "16 mm")),
+        ({"wall": 6 * mm, "pitch": 15 * mm}, ("wall", "6 mm", "0.01 mm to 0.49 mm", "15 mm", "8 mm", "16 mm")),
+        ({"cap": 0.0}, ("cap", "0 mm", "0.1 mm to 1000 mm")),
+        ({"clamp_length": -1 * mm}, ("clamp_length", "-1 mm", "0.1 mm to 1000 mm")),
+        ({"inlet_diameter": 16 * mm}, ("inlet_diameter", "16 mm", "0.1 mm to 15.99 mm")),
+        ({"quarter": 1}, ("quarter", 1, "True or False")),
     ],
 )
-def test_dimensions_that_cannot_be_are_refused(wrong, message) -> None:
-    with pytest.raises(TurgorError) as caught:
+def test_dimensions_that_cannot_be_are_refused(wrong, facts) -> None:
+    with refused(*facts):
         BellowsOfRevolution(**wrong)
-    assert message in str(caught.value)
 
 
 @st.composite

@@ -5,8 +5,8 @@ from math import pi
 import pytest
 from tube_cases import areas, assert_meshes, assert_shape
 
+from refused import refused
 from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
-from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 FACES = {"cavity", "fixed", "outside", "tip"}
@@ -52,5 +52,5 @@ def test_it_meshes_coarsely():
 
 
 def test_what_cannot_be_is_said():
-    with pytest.raises(TurgorError, match=r"^skin is 0\.001 mm; allowed is 0 \(none\) or 0\.01 mm to 500 mm"):
+    with refused("skin", "0.001 mm", "0 (none) or 0.01 mm to 500 mm"):
         FiberReinforcedCylinder(skin=0.001 * mm)

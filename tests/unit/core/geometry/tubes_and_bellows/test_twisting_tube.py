@@ -5,8 +5,8 @@ from math import pi
 import pytest
 from tube_cases import areas, assert_meshes, assert_shape
 
+from refused import refused
 from turgor.core.geometry.actuators.twisting_tube import TwistingTube
-from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 
@@ -26,5 +26,5 @@ def test_it_meshes_coarsely():
 
 
 def test_what_cannot_be_is_said():
-    with pytest.raises(TurgorError, match=r"^wall is 0 mm; allowed is"):
+    with refused("wall", "0 mm", "0.01 mm to 500 mm"):
         TwistingTube(wall=0.0)
