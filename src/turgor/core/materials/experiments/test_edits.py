@@ -200,7 +200,8 @@ def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") 
         Name of the mean.
     """
     if len(tests) < 2:
-        raise TurgorError("one test has no mean; give two replicates or more.")
+        given = ", ".join(f"'{test.name}'" for test in tests) or "none"
+        raise TurgorError(f"a mean needs 2 replicates or more; given: {given}.")
     modes = {test.mode for test in tests}
     if len(modes) > 1 or "biaxial" in modes:
         raise TurgorError(f"replicates of the modes {', '.join(sorted(modes))} have no mean; give tests of one mode.")

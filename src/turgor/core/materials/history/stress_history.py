@@ -201,8 +201,10 @@ def _checked(time: ArrayLike, stretch: ArrayLike) -> tuple[Array, Array]:
         raise TurgorError(
             f"time has the shape {t.shape} and stretch {along.shape}; one stretch for each time is needed."
         )
-    if not (np.isfinite(t).all() and np.isfinite(along).all()):
-        raise TurgorError("time and stretch must be finite numbers.")
+    for name, values in (("time", t), ("stretch", along)):
+        if not np.isfinite(values).all():
+            n = int(np.argmin(np.isfinite(values)))
+            raise TurgorError(f"{name} of point {n + 1} is {values[n]:g}; it must be a finite number.")
     back = np.flatnonzero(np.diff(t) < 0)
     if len(back):
         n = int(back[0])

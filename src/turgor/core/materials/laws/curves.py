@@ -108,7 +108,9 @@ def curve(law: Law, mode: CurveMode, stretch: ArrayLike, second_stretch: ArrayLi
         raise unknown("mode", mode, CURVE_MODES)
     along = np.atleast_1d(np.asarray(stretch, dtype=np.float64))
     if not np.isfinite(along).all() or along.ndim != 1 or not len(along):
-        raise TurgorError("stretch must be a list of finite numbers, one for each point of the curve.")
+        raise TurgorError(
+            f"stretch is {along.tolist()}; a list of finite numbers is needed, one for each point of the curve."
+        )
     F = _deformation(mode, along, second_stretch)
     nominal, cauchy = nominal_stress(law, F), cauchy_stress(law, F)
     second = 1 if mode == "simple_shear" else 0
@@ -127,7 +129,8 @@ def curve(law: Law, mode: CurveMode, stretch: ArrayLike, second_stretch: ArrayLi
 
 def _deformation(mode: str, along: Array, second_stretch: ArrayLike | None) -> Array:
     if (mode == "biaxial") != (second_stretch is not None):
-        raise TurgorError("second_stretch goes with the mode biaxial, and only with it.")
+        given = "missing" if second_stretch is None else "given"
+        raise TurgorError(f"mode is '{mode}' and second_stretch is {given}; it goes with the mode biaxial alone.")
     if second_stretch is None:
         return DEFORMATIONS[mode](along)
     across = np.asarray(second_stretch, dtype=np.float64)

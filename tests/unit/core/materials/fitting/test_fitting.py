@@ -8,6 +8,7 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from refused import refused
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.fitting.checks import check_modes, check_order, check_stretch_range
 from turgor.core.materials.fitting.constrained import solve_constrained
@@ -20,7 +21,6 @@ from turgor.core.materials.laws.laws import MooneyRivlin, NeoHooke, Ogden, Yeoh
 from turgor.core.materials.laws.stability import first_instability
 from turgor.core.materials.library.record_files import read_records
 from turgor.core.materials.material import Material
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Severity
 
 
@@ -104,18 +104,18 @@ def test_laws_have_many_spellings(name, expected):
 
 
 @pytest.mark.parametrize(
-    ("name", "sentence"),
+    ("name", "facts"),
     [
-        ("yeo", "unknown law 'yeo'; did you mean 'yeoh'"),
-        ("ogden", "say how many, for example 'ogden-3'"),
-        (Ogden, "say how many, for example 'ogden-3'"),
-        ("ogden-0", "order 0; allowed is 1 to 6"),
-        ("ogden-30", "order 30; allowed is 1 to 6"),
-        ("gent-2", "unknown law 'gent-2'"),
+        ("yeo", ("'yeo'", "'yeoh'")),
+        ("ogden", ("'ogden'", "'ogden-3'")),
+        (Ogden, ("'ogden'", "'ogden-3'")),
+        ("ogden-0", ("'ogden-0'", "order 0", "1 to 6")),
+        ("ogden-30", ("'ogden-30'", "order 30", "1 to 6")),
+        ("gent-2", ("'gent-2'", "'gent'")),
     ],
 )
-def test_unknown_laws_are_answered(name, sentence):
-    with pytest.raises(TurgorError, match=sentence):
+def test_unknown_laws_are_answered(name, facts):
+    with refused(*facts):
         law_spec(name)
 
 
@@ -142,28 +142,28 @@ def test_laws_that_cannot_be_fitted_are_refused():
         def energy(self, I1, I2):
             return self.A * (I1 - 3) + self.B**2 * (I1 - 3) ** 2
 
-    with pytest.raises(TurgorError, match="Boundless: b states no bounds"):
+    with refused("Boundless", "b", "bounds"):
         law_spec(Boundless)
-    with pytest.raises(TurgorError, match="TwoShapes cannot be fitted: it needs coefficients in Pa"):
+    with refused("TwoShapes", "coefficients in Pa"):
         law_spec(TwoShapes)
-    with pytest.raises(TurgorError, match="its stress is not linear in its coefficients"):
+    with refused("quadratic", "coefficients", "linear"):
         fit(Quadratic, made(YEOH))
 
 
 @pytest.mark.parametrize(
-    ("change", "sentence"),
+    ("change", "facts"),
     [
-        ({"stretch": (2.0, 3.0)}, "must include the undeformed 1"),
-        ({"stretch": (1.0, 1.01)}, "no test has two points between stretch 1 and 1.01"),
-        ({"weights": "both"}, "unknown weights 'both'"),
-        ({"starts": 0}, "starts is 0"),
-        ({"law": "rivlin-6"}, "rivlin-6 needs stresses at 28 different stretches or more; the tests have 20"),
-        ({"tests": []}, "no test was given"),
+        ({"stretch": (2.0, 3.0)}, ("stretch", "2 to 3", "undeformed 1")),
+        ({"stretch": (1.0, 1.01)}, ("two points", "1 and 1.01")),
+        ({"weights": "both"}, ("weights 'both'", "absolute, relative")),
+        ({"starts": 0}, ("starts", 0, "at least 1")),
+        ({"law": "rivlin-6"}, ("rivlin-6", "28 different stretches", "have 20")),
+        ({"tests": []}, ("test", "least one")),
     ],
 )
-def test_wrong_arguments_are_refused(change, sentence):
+def test_wrong_arguments_are_refused(change, facts):
     arguments = {"law": "yeoh", "tests": [made(YEOH, points=20)]} | change
-    with pytest.raises(TurgorError, match=sentence):
+    with refused(*facts):
         fit(arguments.pop("law"), arguments.pop("tests"), **arguments)
 
 
@@ -171,7 +171,7 @@ def test_wrong_arguments_are_refused(change, sentence):
 def test_a_force_of_the_wrong_sign_is_noticed(law):
     stretch = np.linspace(1.1, 2.0, 20)
     test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=-1e5 * (stretch - 1), name="pushed")
-    with pytest.raises(TurgorError, match="check the sign of the force"):
+    with refused("stresses", "wrong sign", "force"):
         fit(law, test)
 
 
@@ -180,7 +180,7 @@ def test_a_constant_stress_has_no_r2():
     test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=np.full(20, 1e5), name="flat")
     assert np.isnan(fit("neo-hooke", test).quality[0].r2)
     none = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=np.zeros(20), name="nothing")
-    with pytest.raises(TurgorError, match="no stress at all"):
+    with refused("no stress", "test"):
         fit("neo-hooke", none)
 
 
@@ -194,14 +194,14 @@ def test_a_constant_stress_whose_mean_is_rounded_has_no_r2():
 def test_many_points_at_one_stretch_determine_nothing(law):
     stretch = 1.5 + 1e-5 * np.linspace(-1, 1, 50)
     held = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=np.full(50, 2e5), name="held")
-    with pytest.raises(TurgorError, match=f"{law} needs stresses at .* the tests have 1"):
+    with refused(law, "different stretches", "have 1"):
         fit(law, held)
 
 
 def test_cycles_must_be_chosen_first():
     stretch = np.array([1.0, 2.0, 3.0, 2.0, 1.0])
     test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stretch - 1, name="a saw")
-    with pytest.raises(TurgorError, match=r"'a saw' turns round at point 4 .* select_cycle"):
+    with refused("a saw", "point 4", "stretch 2", "select_cycle"):
         fit("neo-hooke", test)
 
 
@@ -286,12 +286,12 @@ def test_a_saved_fit_reads_back_to_the_same_stress(tmp_path, name):
 
 def test_what_cannot_be_saved_says_so(tmp_path):
     found = fit("yeoh", made(YEOH))
-    with pytest.raises(TurgorError, match=r"does not end in \.toml"):
+    with refused(tmp_path / "rubber.txt", ".toml"):
         save_fits(tmp_path / "rubber.txt", "rubber", [found])
     own = fit(Linear, made(YEOH))
     assert can_be_saved(found)
     assert not can_be_saved(own)
-    with pytest.raises(TurgorError, match="no form for the law linear"):
+    with refused("law linear"):
         records_toml("rubber", [own])
 
 
@@ -335,9 +335,9 @@ def test_ranking_orders_and_explains():
     assert "neo-hooke suits strains up to 50 %; over the 400 % wanted" in words
     assert "ogden-2: Uniaxial tests alone do not determine Ogden constants" in words
     assert "Use these constants only from stretch 1 to 5" in words
-    with pytest.raises(TurgorError, match="no law was given"):
+    with refused("no law", "'yeoh'"):
         rank([], made(YEOH))
-    with pytest.raises(TurgorError, match="unknown law"):
+    with refused("yeo", "yeoh"):
         rank(["yeo"], made(YEOH))
 
 

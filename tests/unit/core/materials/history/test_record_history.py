@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from refused import refused
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.experiments.read_tests import read_test, read_tests
 from turgor.core.materials.experiments.test_edits import crop, thin
@@ -19,7 +20,6 @@ from turgor.core.materials.library.records import from_library
 from turgor.core.materials.material import Material
 from turgor.core.model.inp.materials import material_lines
 from turgor.core.model.write_inp import _static
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.source import Source
 from turgor.job.output.lock import lock_text
 
@@ -66,22 +66,22 @@ def test_a_record_has_both(write):
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "message"),
+    ("old", "new", "facts"),
     [
-        ("moduli =", "modulus =", r"records.may.viscoelasticity: unknown key 'modulus'; did you mean 'moduli'"),
-        ('moduli = "instantaneous"\n', "", "viscoelasticity: 'moduli' is missing"),
-        ('"instantaneous"', '"longterm"', "did you mean 'long_term'"),
-        ("g = [0.2, 0.1]", "g = [0.2, 0.9]", "may.viscoelasticity: Prony: the sum of g is 1.1"),
-        ("g = [0.2, 0.1]", "g = 0.2", "0.2 is not a list"),
-        ('"2 min"', "120", "viscoelasticity.tau: 120 needs a unit, for example '2 s'"),
-        ('m = "20 kPa"', "m = 20", "stress_softening.m: 20 needs a unit"),
-        ("r = 1.4", "r = 0.4", "stress_softening: Mullins: r is 0.4; it must be more than 1"),
-        ("r = 1.4", 'r = "1.4"', "'1.4' is not a number without a unit"),
+        ("moduli =", "modulus =", ("records.may.viscoelasticity", "modulus", "moduli")),
+        ('moduli = "instantaneous"\n', "", ("records.may.viscoelasticity", "'moduli'", "missing")),
+        ('"instantaneous"', '"longterm"', ("records.may.viscoelasticity", "longterm", "long_term")),
+        ("g = [0.2, 0.1]", "g = [0.2, 0.9]", ("records.may.viscoelasticity", "sum of g", 1.1, "below 1")),
+        ("g = [0.2, 0.1]", "g = 0.2", ("records.may.viscoelasticity.g", 0.2)),
+        ('"2 min"', "120", ("records.may.viscoelasticity.tau", 120, "'2 s'")),
+        ('m = "20 kPa"', "m = 20", ("records.may.stress_softening.m", 20, "'60 kPa'")),
+        ("r = 1.4", "r = 0.4", ("records.may.stress_softening", "r is 0.4", "more than 1")),
+        ("r = 1.4", 'r = "1.4"', ("records.may.stress_softening.r", "'1.4'", "unit")),
     ],
 )
-def test_mistakes_in_a_record_are_named(write, old, new, message):
+def test_mistakes_in_a_record_are_named(write, old, new, facts):
     assert old in RECORD
-    with pytest.raises(TurgorError, match=message):
+    with refused(*facts):
         from_library(str(write(RECORD.replace(old, new))))
 
 
@@ -116,9 +116,9 @@ def test_a_material_is_saved_and_read_back(tmp_path, law):
 
 
 def test_what_has_no_form_is_not_saved(tmp_path):
-    with pytest.raises(TurgorError, match="no form for the law YeohN"):
+    with refused("law YeohN"):
         save_material(tmp_path / "a.toml", Material(name="a", law=YeohN(coefficients=(1e4, 10.0))))
-    with pytest.raises(TurgorError, match=r"does not end in \.toml"):
+    with refused(tmp_path / "a.csv", ".toml"):
         save_material(tmp_path / "a.csv", Material(name="a", law=tg.laws.NeoHooke(C10=1e5)))
 
 
@@ -164,11 +164,11 @@ def test_a_job_states_both_and_its_lock_file_repeats_them(write):
 
 
 def test_mistakes_in_a_job_are_named_with_their_line(write):
-    with pytest.raises(TurgorError, match=r"(?s)viscoelasticity.*'longterm'.*did you mean 'long_term'"):
+    with refused("job.toml:10", "viscoelasticity", "'longterm'", "'long_term'"):
         tg.jobs.read_job(write(JOB.replace('"long_term"', '"longterm"'), "job.toml"))
     extra = 'thickness = "0.1 mm"\nstress_softening = { r = 2.0, m = "5 kPa" }'
     stiff = write(JOB.replace('thickness = "0.1 mm"', extra), "job.toml")
-    with pytest.raises(TurgorError, match="stress_softening are for rubbers"):
+    with refused("job.toml:18", "materials.strain_limiting_layer", "'Paper'", "viscoelasticity", "stress_softening"):
         tg.jobs.read_job(stiff)
 
 
@@ -190,9 +190,9 @@ def test_abaqus_gets_either_and_calculix_refuses_it():
     ]
     assert _static(SimpleNamespace(region_materials={"body": relaxing}), "abaqus") == "*STATIC, LONG TERM"
     assert _static(SimpleNamespace(region_materials={"body": softening}), "abaqus") == "*STATIC"
-    with pytest.raises(TurgorError, match="Abaqus would soften its long-term stress alone"):
+    with refused("materials.body", "'a'", "Abaqus", "turgor"):
         material_lines("body", replace(relaxing, stress_softening=MULLINS), "abaqus")
-    with pytest.raises(TurgorError, match="CalculiX has neither viscoelasticity nor stress softening"):
+    with refused("materials.body", "CalculiX", "viscoelasticity"):
         material_lines("body", softening, "calculix")
 
 
@@ -228,5 +228,5 @@ def test_time_stays_with_its_points_until_they_are_averaged():
     test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stretch, time=np.arange(11.0), name="a")
     assert crop(test, 1.45, 2.0).time.tolist() == [5, 6, 7, 8, 9, 10]
     assert thin(test, points=5).time is None
-    with pytest.raises(TurgorError, match="time runs backwards after point 2, at 1 s"):
+    with refused("'a'", "time", "point 2", "1 s"):
         MaterialTest(mode="uniaxial", stretch=[1, 2, 3], nominal_stress=[1, 2, 3], time=[0, 1, 0.5], name="a")

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from refused import refused
 from turgor.core.materials.history.isochoric import isochoric_stress, isochoric_tangent, scaled_stress
 from turgor.core.materials.history.viscoelastic import (
     Prony,
@@ -18,7 +19,6 @@ from turgor.core.materials.history.viscoelastic import (
 )
 from turgor.core.materials.laws.laws import Hooke, NeoHooke
 from turgor.core.materials.material import Material
-from turgor.foundation.errors import TurgorError
 
 SERIES = Prony(g=(0.25, 0.15, 0.1), tau=(0.3, 2.0, 40.0), moduli="instantaneous")
 TWICE = np.array([1, 1, 1, 2, 2, 2])
@@ -132,27 +132,27 @@ def test_a_linear_history_never_gives_back_more_than_it_took(path):
 
 
 @pytest.mark.parametrize(
-    ("wrong", "message"),
+    ("wrong", "facts"),
     [
-        ({"g": (0.6, 0.4)}, "sum of g is 1; it must be below 1"),
-        ({"g": (0.6, -0.1)}, "every entry must be more than 0"),
-        ({"tau": (1.0, 0.0)}, "tau is"),
-        ({"g": (0.2,)}, "g has 1 terms and tau 2"),
-        ({"g": 0.2}, "a sequence with one number for each term"),
-        ({"moduli": "long term"}, "did you mean 'long_term'"),
+        ({"g": (0.6, 0.4)}, ("sum of g", 1, "below 1")),
+        ({"g": (0.6, -0.1)}, ("g is (0.6, -0.1)", "more than 0")),
+        ({"tau": (1.0, 0.0)}, ("tau is (1.0, 0.0)", "more than 0")),
+        ({"g": (0.2,)}, ("g", "1 terms", "tau 2", "least one")),
+        ({"g": 0.2}, ("g is 0.2", "sequence")),
+        ({"moduli": "long term"}, ("moduli 'long term'", "'long_term'")),
     ],
 )
-def test_mistakes_are_named(wrong, message):
-    with pytest.raises(TurgorError, match=message):
+def test_mistakes_are_named(wrong, facts):
+    with refused(*facts):
         Prony(**{"g": (0.2, 0.1), "tau": (1.0, 10.0), "moduli": "long_term"} | wrong)
 
 
 def test_a_step_back_in_time_is_refused():
-    with pytest.raises(TurgorError, match="goes back in time"):
+    with refused("-1 s", "0 s or more"):
         step_factor(SERIES, -1.0)
 
 
 def test_only_rubbers_relax():
     assert Material(name="a", law=NeoHooke(C10=1e5), viscoelasticity=SERIES).viscoelasticity is SERIES
-    with pytest.raises(TurgorError, match="viscoelasticity and stress_softening are for rubbers"):
+    with refused("paper", "viscoelasticity", "stress_softening"):
         Material(name="paper", law=Hooke(E=1e9, nu=0.3), viscoelasticity=SERIES)

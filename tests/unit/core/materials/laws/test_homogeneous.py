@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from refused import refused
 from turgor.core.materials.laws.homogeneous import (
     biaxial,
     cauchy_stress,
@@ -31,7 +32,6 @@ from turgor.core.materials.laws.laws import (
     StretchLaw,
     Yeoh,
 )
-from turgor.foundation.errors import TurgorError
 
 TABLE_DIGITS = 5e-6
 STRETCHES = np.array([0.7, 1.2, 1.5, 2.0, 3.0])
@@ -154,12 +154,12 @@ def test_third_direction_is_free_and_shape_follows_the_input() -> None:
 
 @pytest.mark.parametrize("stretch", [0.0, -1.0, [1.0, np.nan]])
 def test_impossible_stretch_is_refused(stretch: Any) -> None:
-    with pytest.raises(TurgorError, match="stretch"):
+    with refused("stretch", f"{np.min(stretch):g}", "more than 0"):
         uniaxial(stretch)
 
 
 def test_change_of_volume_is_refused() -> None:
-    with pytest.raises(TurgorError, match="volume"):
+    with refused("det F", 0.1):
         cauchy_stress(A, np.diag([1.1, 1.0, 1.0]))
 
 
@@ -189,5 +189,5 @@ def test_stress_turns_with_the_solid() -> None:
 
 
 def test_law_of_no_rubber_is_refused() -> None:
-    with pytest.raises(TurgorError, match="Hooke"):
+    with refused("Hooke", "NeoHooke or Ogden"):
         cauchy_stress(Hooke(E=1e9, nu=0.2), uniaxial(1.1))  # type: ignore[arg-type]

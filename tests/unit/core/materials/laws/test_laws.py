@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from refused import refused
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
 from turgor.core.materials.laws.homogeneous import cauchy_stress, simple_shear, uniaxial
 from turgor.core.materials.laws.laws import (
@@ -23,7 +24,6 @@ from turgor.core.materials.laws.laws import (
     Yeoh,
     YeohN,
 )
-from turgor.foundation.errors import TurgorError
 
 LAWS = [
     NeoHooke(C10=0.12e6),
@@ -167,34 +167,34 @@ def test_gent_has_no_stress_beyond_its_locking_stretch() -> None:
 
 
 @pytest.mark.parametrize(
-    ("make", "words"),
+    ("make", "facts"),
     [
-        (lambda: Ogden(mu=(1.0, 2.0), alpha=(1.0,)), "2 coefficients mu but 1 exponents alpha"),
-        (lambda: Ogden.from_abaqus(mu=(1.0,), alpha=()), "1 coefficients mu but 0 exponents alpha"),
-        (lambda: Ogden(mu=(), alpha=()), "mu is empty"),
-        (lambda: Ogden(mu=(1.0,), alpha=(0.0,)), "alpha 1 is 0"),
-        (lambda: Ogden.from_abaqus(mu=(1.0,), alpha=(0.0,)), "alpha is 0"),
-        (lambda: Ogden(mu=(1.0,), alpha=(-2.0,)), "Ogden has an initial shear modulus of -1 Pa"),
-        (lambda: Ogden(mu=1.0, alpha=2.0), "mu is 1.0; give a sequence"),  # type: ignore[arg-type]
-        (lambda: Ogden(mu=(float("inf"),), alpha=(2.0,)), "mu 1 is inf; it must be a finite number"),
-        (lambda: YeohN(coefficients=()), "coefficients is empty"),
-        (lambda: YeohN(coefficients=(1.0, float("nan"))), "C20 is nan"),
-        (lambda: YeohN(coefficients=(-1.0, 2.0)), "YeohN has an initial shear modulus of -2 Pa"),
-        (lambda: GeneralizedRivlin(coefficients=()), "coefficients is empty"),
-        (lambda: GeneralizedRivlin.from_names({"C1": 1.0}), "unknown coefficient 'C1'"),
-        (lambda: GeneralizedRivlin.from_names({"C00": 1.0}), "exponents 0, 0"),
-        (lambda: GeneralizedRivlin(coefficients=((1, 0),)), "is no term"),  # type: ignore[arg-type]
-        (lambda: GeneralizedRivlin(coefficients=((1, 0, 1.0), (1, 0, 2.0))), "a term twice"),
-        (lambda: GeneralizedRivlin.from_names({"C20": 1.0}), "GeneralizedRivlin has an initial shear modulus of 0 Pa"),
-        (lambda: Gent(mu=1.0, Jm=0.0), "Jm is 0; it must be positive"),
-        (lambda: Gent(mu=-1.0, Jm=1.0), "Gent has an initial shear modulus"),
-        (lambda: ArrudaBoyce(mu=1.0, locking_stretch=1.0), "locking_stretch is 1; it must be more than 1"),
-        (lambda: ArrudaBoyce(mu=0.0, locking_stretch=2.0), "ArrudaBoyce has an initial shear modulus"),
-        (lambda: Yeoh(C10=1.0, C20=float("nan")), "C20 is nan"),
+        (lambda: Ogden(mu=(1.0, 2.0), alpha=(1.0,)), ("Ogden", "2 coefficients mu", "1 exponents alpha")),
+        (lambda: Ogden.from_abaqus(mu=(1.0,), alpha=()), ("Ogden", "1 coefficients mu", "0 exponents alpha")),
+        (lambda: Ogden(mu=(), alpha=()), ("Ogden", "mu", "empty", "least one")),
+        (lambda: Ogden(mu=(1.0,), alpha=(0.0,)), ("Ogden", "alpha 1 is 0")),
+        (lambda: Ogden.from_abaqus(mu=(1.0,), alpha=(0.0,)), ("Ogden", "alpha is 0")),
+        (lambda: Ogden(mu=(1.0,), alpha=(-2.0,)), ("Ogden", "-1 Pa", "positive")),
+        (lambda: Ogden(mu=1.0, alpha=2.0), ("Ogden", "mu is 1.0", "sequence")),  # type: ignore[arg-type]
+        (lambda: Ogden(mu=(float("inf"),), alpha=(2.0,)), ("Ogden", "mu 1 is inf", "finite")),
+        (lambda: YeohN(coefficients=()), ("YeohN", "coefficients", "empty", "least one")),
+        (lambda: YeohN(coefficients=(1.0, float("nan"))), ("YeohN", "C20 is nan", "finite")),
+        (lambda: YeohN(coefficients=(-1.0, 2.0)), ("YeohN", "-2 Pa", "positive")),
+        (lambda: GeneralizedRivlin(coefficients=()), ("GeneralizedRivlin", "coefficients", "empty", "C10 or C01")),
+        (lambda: GeneralizedRivlin.from_names({"C1": 1.0}), ("GeneralizedRivlin", "'C1'", "C10")),
+        (lambda: GeneralizedRivlin.from_names({"C00": 1.0}), ("GeneralizedRivlin", "exponents 0, 0", "at least 0")),
+        (lambda: GeneralizedRivlin(coefficients=((1, 0),)), ("GeneralizedRivlin", "(1, 0)", "(i, j, Cij)")),  # type: ignore[arg-type]
+        (lambda: GeneralizedRivlin(coefficients=((1, 0, 1.0), (1, 0, 2.0))), ("GeneralizedRivlin", "C10 twice")),
+        (lambda: GeneralizedRivlin.from_names({"C20": 1.0}), ("GeneralizedRivlin", "0 Pa", "positive")),
+        (lambda: Gent(mu=1.0, Jm=0.0), ("Gent", "Jm is 0", "positive")),
+        (lambda: Gent(mu=-1.0, Jm=1.0), ("Gent", "-1 Pa", "positive")),
+        (lambda: ArrudaBoyce(mu=1.0, locking_stretch=1.0), ("ArrudaBoyce", "locking_stretch is 1", "more than 1")),
+        (lambda: ArrudaBoyce(mu=0.0, locking_stretch=2.0), ("ArrudaBoyce", "0 Pa", "positive")),
+        (lambda: Yeoh(C10=1.0, C20=float("nan")), ("Yeoh", "C20 is nan", "finite")),
     ],
 )
-def test_impossible_coefficients_are_refused(make: Callable[[], Law], words: str) -> None:
-    with pytest.raises(TurgorError, match=words):
+def test_impossible_coefficients_are_refused(make: Callable[[], Law], facts: tuple) -> None:
+    with refused(*facts):
         make()
 
 
@@ -210,11 +210,18 @@ def test_there_is_no_default_stiffness(law_type: type) -> None:
 @pytest.mark.parametrize("value", [0.0, -1.0, float("nan")])
 def test_shear_modulus_must_be_positive(law_type: type, value: float) -> None:
     names = [field.name for field in fields(law_type)]
-    with pytest.raises(TurgorError, match=f"{law_type.__name__} has an initial shear modulus"):
+    with refused(law_type.__name__, "positive"):
         law_type(**dict.fromkeys(names, value))
 
 
-@pytest.mark.parametrize(("E", "nu", "word"), [(0.0, 0.2, "E is"), (1e9, 0.5, "nu is"), (1e9, -1.0, "nu is")])
-def test_impossible_elastic_constants_are_refused(E: float, nu: float, word: str) -> None:
-    with pytest.raises(TurgorError, match=word):
+@pytest.mark.parametrize(
+    ("E", "nu", "facts"),
+    [
+        (0.0, 0.2, ("E", "0 Pa", "positive")),
+        (1e9, 0.5, ("nu is 0.5", "between -1 and 0.5")),
+        (1e9, -1.0, ("nu is -1", "between -1 and 0.5")),
+    ],
+)
+def test_impossible_elastic_constants_are_refused(E: float, nu: float, facts: tuple) -> None:
+    with refused(*facts):
         Hooke(E=E, nu=nu)

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
+from refused import refused
 from turgor.core.materials.laws.homogeneous import biaxial, cauchy_stress, equibiaxial, nominal_stress, planar, uniaxial
 from turgor.core.materials.laws.laws import GeneralizedRivlin, Gent, Law, MooneyRivlin, NeoHooke, Ogden, Yeoh
 from turgor.core.materials.laws.stability import MODES, _pull, first_instability
-from turgor.foundation.errors import TurgorError
 
 A = NeoHooke(C10=0.12e6)
 B = Yeoh(C10=0.11e6, C20=0.02e6)
@@ -120,14 +120,14 @@ def test_locking_is_no_instability() -> None:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "word"),
+    ("arguments", "facts"),
     [
-        ({"mode": "uniaxal"}, "did you mean 'uniaxial'"),
-        ({"mode": "uniaxial", "criterion": "druker"}, "did you mean 'drucker'"),
-        ({"mode": "uniaxial", "upper": 0.9}, "must hold stretch 1"),
-        ({"mode": "uniaxial", "lower": 0.0}, "must hold stretch 1"),
+        ({"mode": "uniaxal"}, ("mode 'uniaxal'", "'uniaxial'")),
+        ({"mode": "uniaxial", "criterion": "druker"}, ("criterion 'druker'", "'drucker'")),
+        ({"mode": "uniaxial", "upper": 0.9}, ("range 0.2 to 0.9", "stretch 1")),
+        ({"mode": "uniaxial", "lower": 0.0}, ("range 0 to 8", "stretch 1")),
     ],
 )
-def test_impossible_questions_are_refused(arguments: dict, word: str) -> None:
-    with pytest.raises(TurgorError, match=word):
+def test_impossible_questions_are_refused(arguments: dict, facts: tuple) -> None:
+    with refused(*facts):
         first_instability(A, **arguments)

@@ -8,6 +8,7 @@ from math import inf
 import numpy as np
 import pytest
 
+from refused import refused
 from turgor.core.materials.laws.conventions import ogden_moduli, ogden_terms
 from turgor.core.materials.laws.laws import GeneralizedRivlin, Hooke, MooneyRivlin, NeoHooke, Ogden, Yeoh
 from turgor.core.materials.library.record import FILE_KEYS, RECORD_KEYS
@@ -21,7 +22,6 @@ from turgor.core.materials.library.records import (
     library,
     records,
 )
-from turgor.foundation.errors import TurgorError
 
 #: Rows of Tables 2 and 3 of the review, converted by hand: number of the first reference, then the law in SI units.
 #: Ogden's constants of Abaqus are kept as they are there; `Ogden.to_abaqus` must give them back.
@@ -150,7 +150,7 @@ def test_bulk_modulus_is_two_over_d1() -> None:
 
 
 def test_a_record_without_a_law_quotes_its_doubt() -> None:
-    with pytest.raises(TurgorError, match="'mooney-rivlin-steck-2019' of 'ecoflex-00-30' has no law: M06 negative mod"):
+    with refused("mooney-rivlin-steck-2019", "ecoflex-00-30", "M06", "-208 kPa"):
         from_library("ecoflex-00-30", "mooney-rivlin-steck-2019")
     assert find_record("ecoflex-00-30", "mooney-rivlin-steck-2019").printed == "C1 = 48 kPa, C2 = -152 kPa"
 
@@ -203,28 +203,24 @@ def test_rubbers_have_the_hardness_of_the_review() -> None:
 
 
 def test_no_record_is_chosen_silently() -> None:
-    with pytest.raises(TurgorError, match="has 4 records; choose one with record: neo-hooke-polygerinos-2020") as error:
+    with refused("elastosil-m4601", "4 records", "neo-hooke-polygerinos-2020") as error:
         from_library("elastosil-m4601")
     assert all(record.name in str(error.value) for record in records("elastosil-m4601"))
     assert from_library("kevlar-fiber") == from_library("kevlar-fiber", "hooke-connolly-2015")
 
 
 @pytest.mark.parametrize(
-    ("name", "record", "sentence"),
+    ("name", "record", "facts"),
     [
-        ("elastosil", None, "unknown library material 'elastosil'; did you mean 'elastosil-m4601'?"),
-        ("Elastosil M4601", None, "unknown library material 'Elastosil M4601'; did you mean 'elastosil-m4601'?"),
-        ("Ecoflex 30", None, "unknown library material 'Ecoflex 30'; did you mean 'ecoflex-00-30'?"),
-        ("steel", None, "unknown library material 'steel'. Known: dragon-skin-10, dragon-skin-20, "),
-        (
-            "paper",
-            "hooke-yang",
-            "unknown record 'hooke-yang' of 'paper'; did you mean 'hooke-yang-2020'? Known: hooke-",
-        ),
+        ("elastosil", None, ("'elastosil'", "'elastosil-m4601'")),
+        ("Elastosil M4601", None, ("'Elastosil M4601'", "'elastosil-m4601'")),
+        ("Ecoflex 30", None, ("'Ecoflex 30'", "'ecoflex-00-30'")),
+        ("steel", None, ("'steel'", "dragon-skin-10", "smooth-sil-950")),
+        ("paper", "hooke-yang", ("'hooke-yang'", "'paper'", "'hooke-yang-2020'")),
     ],
 )
-def test_a_wrong_name_is_answered_with_the_near_match(name: str, record: str | None, sentence: str) -> None:
-    with pytest.raises(TurgorError, match=f"^{re.escape(sentence)}"):
+def test_a_wrong_name_is_answered_with_the_near_match(name: str, record: str | None, facts: tuple) -> None:
+    with refused(*facts):
         from_library(name, record=record)
 
 
@@ -243,23 +239,23 @@ def test_both_conventions_of_ogden() -> None:
     assert ogden_moduli(printed) == {"abaqus": 10e3, "mu/alpha": 20e3}
     for convention, modulus in ogden_moduli(printed).items():
         assert law_from_printed("ogden", convention, printed).shear_modulus == modulus
-    with pytest.raises(TurgorError, match="the constants of an Ogden law are mu_1, alpha_1"):
+    with refused("mu_1", "alpha_1", "mu_2", "alpha_2"):
         ogden_terms({"mu_1": 1.0, "alpha_2": 2.0})
 
 
 @pytest.mark.parametrize(
-    ("law", "convention", "printed", "sentence"),
+    ("law", "convention", "printed", "facts"),
     [
-        ("yeoh", "single", {"C1": 1.0}, "unknown convention 'single'; did you mean 'single_index'?"),
-        ("hooke", "shear_modulus", {"E": 1.0}, "unknown law for the convention shear_modulus 'hooke'"),
-        ("neo_hooke", "single_index", {"C2": 1.0}, "unknown constant of neo_hooke in the convention single_index 'C2'"),
-        ("yeoh", "single_index", {"C1": 1.0}, "the constant 'C2' of yeoh is missing; a law has no default constants."),
-        ("hooke", "elastic", {"E": 1.0}, "the constant 'nu' of hooke is missing; a law has no default constants."),
-        ("ogden", "abaqus", {}, "the constants of an Ogden law are mu_1, alpha_1, mu_2, alpha_2 and so on, not none."),
+        ("yeoh", "single", {"C1": 1.0}, ("'single'", "'single_index'")),
+        ("hooke", "shear_modulus", {"E": 1.0}, ("shear_modulus", "'hooke'", "'neo_hooke'")),
+        ("neo_hooke", "single_index", {"C2": 1.0}, ("neo_hooke", "single_index", "'C2'")),
+        ("yeoh", "single_index", {"C1": 1.0}, ("'C2'", "yeoh")),
+        ("hooke", "elastic", {"E": 1.0}, ("'nu'", "hooke")),
+        ("ogden", "abaqus", {}, ("Ogden", "mu_1, alpha_1, mu_2, alpha_2", "none")),
     ],
 )
-def test_a_wrong_convention_is_refused(law: str, convention: str, printed: dict[str, float], sentence: str) -> None:
-    with pytest.raises(TurgorError, match=f"^{re.escape(sentence)}"):
+def test_a_wrong_convention_is_refused(law: str, convention: str, printed: dict[str, float], facts: tuple) -> None:
+    with refused(*facts):
         law_from_printed(law, convention, printed)
 
 

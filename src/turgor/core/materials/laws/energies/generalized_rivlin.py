@@ -3,6 +3,7 @@
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 from turgor.core.materials.laws.common import require_finite, require_positive_shear_modulus
@@ -39,8 +40,9 @@ class GeneralizedRivlin:
         if not terms:
             raise TurgorError("GeneralizedRivlin: coefficients is empty; give at least C10 or C01.")
         terms.sort(key=lambda term: (term[0] + term[1], term[1]))
-        if len({term[:2] for term in terms}) < len(terms):
-            raise TurgorError("GeneralizedRivlin: coefficients gives a term twice; give each Cij once.")
+        for (i, j, _), following in pairwise(terms):
+            if (i, j) == following[:2]:
+                raise TurgorError(f"GeneralizedRivlin: coefficients gives C{i}{j} twice; give each Cij once.")
         object.__setattr__(self, "coefficients", tuple(terms))
         require_positive_shear_modulus(self)
         require_finite(self, ((f"C{i}{j}", value) for i, j, value in terms))

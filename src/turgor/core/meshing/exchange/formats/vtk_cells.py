@@ -117,6 +117,9 @@ def with_names(raw: RawMesh, regions: Sequence[str], faces: Mapping[str, Ints]) 
         replace(block, groups={n: block.groups[k] for n, k in keys.items() if k in block.groups} | dict(block.groups))
         for block in raw.blocks
     )
-    if any(((corners < -1) | (corners >= len(raw.points))).any() for corners in faces.values()):
-        raise TurgorError(f"'{raw.path}' is damaged: a face names a node outside 0..{len(raw.points) - 1}.")
+    for name, corners in faces.items():
+        outside = corners[(corners < -1) | (corners >= len(raw.points))]
+        if len(outside):
+            last = len(raw.points) - 1
+            raise TurgorError(f"'{raw.path}' is damaged: face '{name}' names node {outside[0]}, outside 0..{last}.")
     return replace(raw, blocks=blocks, surfaces=dict(faces), sections=tuple(regions), named=True)
