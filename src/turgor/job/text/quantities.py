@@ -222,7 +222,8 @@ def read_table(table: type[Table], values: object, key: Key, problems: Problems)
         return table.model_validate(dict(values))
     except ValidationError as error:
         for item in error.errors(include_url=False):
-            place = tuple(part for part in item["loc"] if isinstance(part, str))  # without indices of lists
+            # without indices of lists and names of the functions that read
+            place = tuple(part for part in item["loc"] if isinstance(part, str) and not part.startswith("function-"))
             problems.add((*key, *place), _sentence(table, place, item))
         return None
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 import turgor
+from refused import refused
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.meshing.generate import mesh_with
 from turgor.core.meshing.quality import checks, overlaps
@@ -53,7 +54,7 @@ def test_a_question_is_once_per_mesh_in_a_process(made, monkeypatch):
     first = check_mesh(mesh), may_meet(mesh), overlap_at_rest(mesh)
     forbid(monkeypatch)
     assert (check_mesh(mesh), may_meet(mesh), overlap_at_rest(mesh)) == first
-    with pytest.raises(AssertionError, match="asked again"):
+    with refused("asked again", error=AssertionError):
         check_mesh(mesh_with(made[0], SETTINGS))
 
 
@@ -79,7 +80,7 @@ def test_a_job_that_asks_for_more_adds_it(made, monkeypatch):
     forbid(monkeypatch)
     third = mesh_on_disk(FINGER, SETTINGS)
     assert (may_meet(third), check_mesh(third)) == (True, first)
-    with pytest.raises(AssertionError, match="asked again"):
+    with refused("asked again", error=AssertionError):
         overlap_at_rest(third)
 
 
@@ -100,7 +101,7 @@ def test_a_damaged_entry_is_asked_anew(made, folder):
     save_family(FINGER, geometry, SETTINGS, mesh)
     entries, key = family_cache._entries(FINGER), family_cache._key(FINGER, SETTINGS)
     entries.file(*key, family_cache.CHECKS).write_bytes(b"no archive")
-    with pytest.warns(UserWarning, match="a damaged entry in the cache of families was removed"):
+    with pytest.warns(UserWarning, match="cache of families"):
         found = mesh_on_disk(FINGER, SETTINGS)
     assert check_results(found).by_check == {}
     assert check_mesh(found) == first

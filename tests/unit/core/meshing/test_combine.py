@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from refused import refused
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.solids import Block, RoundBar
 from turgor.core.materials.laws.laws import NeoHooke
@@ -29,7 +30,6 @@ from turgor.core.results.files.mesh_vtu import write_mesh_vtu
 from turgor.core.results.measures.cavities import enclosed_volume
 from turgor.core.solvers.checks.supports import check_supports
 from turgor.core.solvers.solution import State
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import deg, kPa, mm
 from turgor.views.report.mesh_text import describe_mesh
@@ -140,24 +140,24 @@ def test_a_mirror_plane_is_renamed_when_it_is_another_coordinate_plane(finger: M
 
 @pytest.mark.parametrize("angle", [30 * deg, 0.01 * deg, 135 * deg])
 def test_a_mirror_plane_that_would_be_askew_is_refused(finger: Mesh, angle: float) -> None:
-    with pytest.raises(TurgorError, match="symmetry_y would not be a coordinate plane any more; turn it about y"):
+    with refused("symmetry_y", "about y"):
         placed(finger, axis=(1, 0, 0), angle=angle)
     assert placed(finger, axis=(0, 1, 0), angle=angle).symmetry_faces == ("symmetry_y",)
-    with pytest.raises(TurgorError, match="symmetry_y would not be a coordinate plane"):
+    with refused("symmetry_y", "about y"):
         mirrored(finger, (0, 1, 2))
 
 
 @pytest.mark.parametrize(
-    ("wrong", "message"),
+    ("wrong", "facts"),
     [
-        ({"angle": 90.0}, "angle is 5156.6 deg; allowed is -360 deg to 360 deg"),
-        ({"shift": (0, 0, 20)}, "shift along z is 20000 mm; allowed is -2000 mm to 2000 mm; is the unit right"),
-        ({"shift": (0, 0)}, "three lengths are needed"),
-        ({"axis": (0, 0, 0)}, "a direction such as .* is needed"),
+        ({"angle": 90.0}, ("angle", "5156.6 deg", "-360 deg to 360 deg")),
+        ({"shift": (0, 0, 20)}, ("shift along z", "20000 mm", "-2000 mm to 2000 mm", "unit")),
+        ({"shift": (0, 0)}, ("shift", "(0, 0)", "three lengths")),
+        ({"axis": (0, 0, 0)}, ("axis", "(0, 0, 0)", "(0, 0, 1)")),
     ],
 )
-def test_numbers_that_cannot_be_meant_are_refused(finger: Mesh, wrong: dict, message: str) -> None:
-    with pytest.raises(TurgorError, match=message):
+def test_numbers_that_cannot_be_meant_are_refused(finger: Mesh, wrong: dict, facts: tuple) -> None:
+    with refused(*facts):
         placed(finger, **wrong)
 
 
@@ -204,9 +204,9 @@ def test_a_body_beside_the_mirror_plane_has_a_twin(finger: Mesh) -> None:
     beside = together({"finger": finger, "block": placed(small, shift=(5 * mm, 5 * mm, -5 * mm))})
     assert beside.symmetry_faces == ("symmetry_y",)
     for y in (0.0, -5 * mm, 2 * mm):  # across the plane, on the other side, and touching its twin
-        with pytest.raises(TurgorError, match=r"'block' does not stay on the side of the mirror plane symmetry_y"):
+        with refused("'block'", "symmetry_y", "'finger'"):
             together({"finger": finger, "block": placed(small, shift=(5 * mm, y, -5 * mm))})
-    with pytest.raises(TurgorError, match=r"'other' does not stay on the side .* on which 'finger' is modeled"):
+    with refused("'other'", "symmetry_y", "'finger'"):
         together({"finger": finger, "other": placed(mirrored(finger, (0, 1, 0)), shift=(0, 0, 30 * mm))})
 
 
@@ -216,27 +216,27 @@ def test_either_side_of_the_mirror_plane_can_be_modeled(finger: Mesh) -> None:
 
 
 def test_mirror_planes_must_be_the_same(finger: Mesh) -> None:
-    with pytest.raises(TurgorError, match=r"symmetry_y of body 'b' is at y = 1 mm, that of 'a' at 0 mm"):
+    with refused("symmetry_y", "'b'", "y = 1 mm", "'a'", "0 mm"):
         together({"a": finger, "b": placed(finger, shift=(0, 1 * mm, 30 * mm))})
     renamed = replace(finger, faces={"symmetry_cut": finger.face("symmetry_y")})
     both = together({"a": finger, "b": placed(renamed, shift=(0, 0, 30 * mm))})
     assert both.symmetry_faces == ("symmetry_y",)  # one plane under two names would count twice
     quarter = mesh(Block(mirrors="z").build(), size=10 * mm)
     odd = placed(replace(quarter, faces={"symmetry_y": quarter.face("symmetry_z")}), shift=(0, 20 * mm, 0))
-    with pytest.raises(TurgorError, match="two different mirror planes have the same name"):
+    with refused("symmetry_y", "mirror planes"):
         together({"a": finger, "b": odd})
 
 
 def test_what_cannot_be_put_together_is_refused(finger: Mesh, meshes: dict[int, Mesh]) -> None:
     apart = placed(finger, shift=(0, 0, 30 * mm))
-    for bodies, message in (
-        ({"a": finger}, "1 body given; at least two are needed"),
-        ({"a b": finger, "c": apart}, "body 'a b': a name holds letters, digits and underscores only"),
-        ({"a": finger, "b": meshes[27]}, "body 'b' has 27-node hexahedra, 'a' has ten-node tetrahedra"),
-        ({"a": finger, "b": placed(finger, shift=(1 * mm, 0, 0))}, r"bodies 'a' and 'b' overlap, at \(.*\) mm"),
-        ({"b": replace(finger, regions={"body_a": np.arange(len(finger.cells))}), "a_b": apart}, "name 'body_a_b'"),
+    for bodies, facts in (
+        ({"a": finger}, ("1 body", "least two")),
+        ({"a b": finger, "c": apart}, ("body 'a b'", "underscores")),
+        ({"a": finger, "b": meshes[27]}, ("body 'b'", "27-node hexahedra", "'a'", "ten-node tetrahedra")),
+        ({"a": finger, "b": placed(finger, shift=(1 * mm, 0, 0))}, ("'a' and 'b'", "overlap", "mm")),
+        ({"b": replace(finger, regions={"body_a": np.arange(len(finger.cells))}), "a_b": apart}, ("'body_a_b'",)),
     ):
-        with pytest.raises(TurgorError, match=message):
+        with refused(*facts):
             together(bodies)
 
 
@@ -284,38 +284,34 @@ HELD = [Fixed("fixed_upper"), Fixed("fixed_lower"), Fixed("ends_bar")]
 )
 def test_every_body_needs_supports_of_its_own(pair: Mesh, missing: int, body: str, face: str) -> None:
     check_supports(model(pair, HELD))
-    with pytest.raises(TurgorError) as caught:
+    with refused("3 of 6", body, "B01", f"'{face}'", "Contact"):  # the mirror plane fixes the other motions
         check_supports(model(pair, [support for i, support in enumerate(HELD) if i != missing]))
-    said = str(caught.value)
-    assert f"leave 3 of 6 rigid motions of the body {body} free (B01)" in said  # the mirror plane holds the others
-    assert f"for example '{face}'" in said
-    assert "Contact with other bodies does not count" in said
 
 
 def test_a_face_that_is_meant_for_it_is_proposed_first(finger: Mesh) -> None:
     other = replace(finger, faces=dict(reversed(finger.faces.items())))
     both = together({"a": finger, "b": placed(other, shift=(0, 0, 30 * mm))})
-    with pytest.raises(TurgorError, match="for example 'fixed_b'"):
+    with refused("3 of 6", "'body_b' and 'base_b'", "'fixed_b'"):
         check_supports(model(both, [Fixed("fixed_a")]))
 
 
 def test_a_direction_is_enough_where_mirror_planes_hold_the_rest() -> None:
     quarter = mesh(RoundBar(radius=4 * mm, mirrors="yz").build(), size=4 * mm)
     check_supports(model(quarter, [Fixed("ends", "x")]))
-    with pytest.raises(TurgorError, match="leave 1 of 6 rigid motions free"):
+    with refused("1 of 6", "B01"):
         check_supports(model(quarter, []))
 
 
 def test_obstacles_are_no_supports(finger: Mesh) -> None:
     plate = Obstacle(name="plate", shape=Plane(point=(0, 0, -1 * mm), normal=(0, 0, 1)))
-    with pytest.raises(TurgorError, match=r"leave 3 of 6 .* Contact with 'plate' does not count"):
+    with refused("3 of 6", "B01", "'plate'"):
         check_supports(model(finger, [], Contact(obstacles=[plate])))
 
 
 def test_one_body_whose_whole_surface_is_held_is_refused() -> None:
     block = mesh(Block().build(), size=10 * mm)
     both = together({"a": block, "b": placed(block, shift=(50 * mm, 0, 0))})
-    with pytest.raises(TurgorError, match="prescribe the whole surface of an incompressible body"):
+    with refused("B01", "incompressible", "bulk_modulus"):
         check_supports(model(both, [Fixed("ends_a"), Fixed("ends_b"), Fixed("outside_b")]))
 
 

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from meshing_cases import filleted_pneunet, thin_tube
 from netgen.occ import Box, Cylinder, Glue, Pnt, X, Z
 
+from refused import refused
 from turgor.core.engine.faces.surfaces import area, enclosed_volume, vector_area
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.geometry import Geometry
@@ -17,7 +18,6 @@ from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, TRIANGLE_EDGES, Mesh
 from turgor.core.meshing.quality.cell_quality import cell_volumes
 from turgor.core.meshing.sizing.sizes import wall_size
 from turgor.core.meshing.surface import cell_sides, check_surface, corner_keys, outer_triangles
-from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 FINGER = FastPneuNet(chambers=3, length=30 * mm)
@@ -178,26 +178,26 @@ def test_any_finger_is_filled_and_its_cavity_closed(
 
 
 @pytest.mark.parametrize(
-    ("size", "message"),
+    ("size", "facts"),
     [
-        (0, r"mesh size is 0 mm; allowed is 0\.\d+ mm to 30 mm \(the whole part\)\."),
-        (-2 * mm, "mesh size is -2 mm; allowed is"),
-        (50 * mm, "mesh size is 50 mm, larger than the part; allowed is"),
-        (3, "mesh size is 3000 mm, larger than the part; .*is the unit right"),
-        (0.05 * mm, "mesh size is 0.05 mm, which makes about 850 million unknowns; allowed is"),
-        (float("nan"), "mesh size is nan; a finite number in m is needed"),
-        ("3 kPa", "mesh size: '3 kPa' is a pressure, but a length is needed"),
-        (True, "mesh size is True"),
+        (0, ("0 mm", "0.329 mm to 30 mm")),
+        (-2 * mm, ("-2 mm", "0.329 mm to 30 mm")),
+        (50 * mm, ("50 mm", "0.329 mm to 30 mm")),
+        (3, ("3000 mm", "0.329 mm to 30 mm", "unit")),
+        (0.05 * mm, ("0.05 mm", "850 million", "0.329 mm to 30 mm")),
+        (float("nan"), ("nan", "in m")),
+        ("3 kPa", ("3 kPa", "length")),
+        (True, ("True", "in m")),
     ],
 )
-def test_a_size_that_makes_no_sense_is_refused(size: object, message: str) -> None:
-    with pytest.raises(TurgorError, match=message):
+def test_a_size_that_makes_no_sense_is_refused(size: object, facts: tuple) -> None:
+    with refused("size", *facts):
         mesh(FINGER.build(), size=size)
 
 
 @pytest.mark.parametrize("grading", [0.0, 1.5, "fine"])
 def test_a_grading_out_of_range_is_refused(grading: object) -> None:
-    with pytest.raises(TurgorError, match=r"mesh grading is .*; allowed is 0.1 to 1"):
+    with refused("grading", f"{grading!r}", "0.1 to 1"):
         mesh(FINGER.build(), size=3 * mm, grading=grading)
 
 
@@ -226,11 +226,11 @@ def box_with(faces: tuple[str, ...], regions: tuple[str, ...], volume: float) ->
 
 def test_a_name_or_volume_lost_in_meshing_is_refused() -> None:
     assert sorted(mesh(box_with(("outside", "tip"), ("body",), 1000), size=6 * mm).faces) == ["outside", "tip"]
-    with pytest.raises(TurgorError, match="lost the face cavity"):
+    with refused("'box'", "face cavity"):
         mesh(box_with(("outside", "cavity"), ("body",), 1000), size=6 * mm)
-    with pytest.raises(TurgorError, match="lost the region base"):
+    with refused("'box'", "region base"):
         mesh(box_with(("outside",), ("body", "base"), 1000), size=6 * mm)
-    with pytest.raises(TurgorError, match="fills 1000 mm³ of 1100 mm³"):
+    with refused("'box'", "1000 mm³", "1100 mm³"):
         mesh(box_with(("outside",), ("body",), 1100), size=6 * mm)
 
 
@@ -242,9 +242,7 @@ def test_a_part_that_cannot_be_meshed_is_refused_with_the_cause_and_nothing_else
     shape.faces.name = "outside"
     names = {"regions": ("body",), "faces": ("outside",)}
     tube = Geometry(name="tube", smallest_wall=9 * mm, cavity_volumes={}, solid_volume=1e-6, _shape=shape, **names)
-    with pytest.raises(
-        TurgorError, match=r"'tube' could not be meshed at size 8 mm; use a smaller one\. .*overlapping"
-    ):
+    with refused("'tube'", "8 mm", "overlapping"):
         mesh(tube, size=8 * mm)  # cells so long that those inside and outside meet
     captured = capfd.readouterr()
     assert captured.out == ""
@@ -283,7 +281,7 @@ def test_a_cell_inside_out_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     original = generate.generated_cells
     monkeypatch.setattr(generate, "generated_cells", bent)
     monkeypatch.setattr(generate, "LOST_VOLUME", 1e9)
-    with pytest.raises(TurgorError, match="cells are turned inside out"):
+    with refused("of 28", "inside out"):
         mesh(box_with(("outside",), ("body",), 1000), size=6 * mm)
 
 

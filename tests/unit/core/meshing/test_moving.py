@@ -8,6 +8,7 @@ import pytest
 from netgen.occ import Box, Cylinder, Pnt, X, Y, Z
 
 import turgor as tg
+from refused import refused
 from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.wedge import HIGH, LOW, Wedge
@@ -112,14 +113,14 @@ def test_cuts_of_a_wedge_still_match():
 def test_what_cannot_follow_says_why(tube):
     finger = FastPneuNet(chambers=1, length=20 * mm).build()
     cases = {
-        "has other faces or edges there": lambda: tube.at(finger),
-        "do not lie on its CAD vertices": lambda: movable(tube.mesh, finger),
-        "given by facets or a mesh": lambda: movable(tube.mesh, replace(finger, _shape=object())),
+        "other faces": lambda: tube.at(finger),
+        "CAD vertices": lambda: movable(tube.mesh, finger),
+        "by facets": lambda: movable(tube.mesh, replace(finger, _shape=object())),
         "has hexahedra": lambda: movable(tg.mesh(finger, size=8 * mm, cells="hexahedra"), finger),
     }
-    for text, ask in cases.items():
-        with pytest.raises(tg.TurgorError, match=text):
-            ask()
+    for fact, move in cases.items():
+        with refused(fact):
+            move()
     bent = replace(tube.mesh, points=tube.mesh.points + 0.3 * mm * np.sin(400 * tube.mesh.points[:, [1, 2, 0]]))
-    with pytest.raises(tg.TurgorError, match="do not lie on its CAD"):
+    with refused("cylinder, quarter", "CAD vertices"):
         movable(bent, TUBE.build())

@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import turgor.job.job
+from refused import refused
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.shapes.solids import box, cut, face_names, name_plane, name_rest
 from turgor.core.meshing.generate import mesh
@@ -34,7 +35,6 @@ from turgor.core.solvers.continuation.step_control import StepControl
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.solution import Solution
 from turgor.core.solvers.solve import solve
-from turgor.foundation.errors import TurgorError
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
@@ -111,24 +111,24 @@ def test_a_history_passes_through_its_points_exactly(drawn: tuple[list[float], l
 
 
 @pytest.mark.parametrize(
-    ("history", "said"),
+    ("history", "facts"),
     [
-        ([], r"points \(load factor, share\) are needed"),
-        ([(0, 0)], "the load factors must rise from 0 to 1"),
-        ([(0, 0.5), (1, 1)], r"it must begin with \(0, 0\), because the actuator starts without load"),
-        ([(0, 0), (0.5, 1)], "the load factors must rise from 0 to 1"),
-        ([(0, 0), (0.5, 1), (0.5, 0), (1, 1)], "the load factors must rise from 0 to 1"),
-        ([(0, 0), (float("nan"), 1), (1, 1)], r"points \(load factor, share\) are needed"),
-        ([(0, 0), (1, 1.5)], "shares of the load lie between -1 and 1"),
-        ([(0, 0), (1, float("nan"))], r"points \(load factor, share\) are needed"),
-        ([0, 1], r"points \(load factor, share\) are needed, such as \[\[0, 0\], \[0.5, 1\], \[1, 0.5\]\]"),
-        ([(0, 0), (0.5, 1, 2), (1, 1)], r"points \(load factor, share\) are needed"),
-        ("ramp", r"pressure on 'cavity_1': history is 'ramp'; points"),
-        (None, r"points \(load factor, share\) are needed"),
+        ([], ("history is []", "load factor")),
+        ([(0, 0)], ("history is [(0, 0)]", "0 to 1")),
+        ([(0, 0.5), (1, 1)], ("history is [(0, 0.5), (1, 1)]", "(0, 0)")),
+        ([(0, 0), (0.5, 1)], ("history is [(0, 0), (0.5, 1)]", "0 to 1")),
+        ([(0, 0), (0.5, 1), (0.5, 0), (1, 1)], ("history is [(0, 0), (0.5, 1), (0.5, 0), (1, 1)]", "0 to 1")),
+        ([(0, 0), (float("nan"), 1), (1, 1)], ("history is [(0, 0), (nan, 1), (1, 1)]", "load factor")),
+        ([(0, 0), (1, 1.5)], ("history is [(0, 0), (1, 1.5)]", "-1 and 1")),
+        ([(0, 0), (1, float("nan"))], ("history is [(0, 0), (1, nan)]", "load factor")),
+        ([0, 1], ("history is [0, 1]", "[[0, 0], [0.5, 1], [1, 0.5]]")),
+        ([(0, 0), (0.5, 1, 2), (1, 1)], ("history is [(0, 0), (0.5, 1, 2), (1, 1)]", "load factor")),
+        ("ramp", ("history is 'ramp'", "'ramp'", "pi, s")),
+        (None, ("history is None", "load factor")),
     ],
 )
-def test_a_wrong_history_is_one_clear_sentence(history: Any, said: str) -> None:
-    with pytest.raises(TurgorError, match=said):
+def test_a_wrong_history_is_one_clear_sentence(history: Any, facts: tuple) -> None:
+    with refused(*facts):
         Pressure("cavity_1", 1e3, history)
 
 
@@ -206,9 +206,9 @@ def test_the_volume_of_one_cavity_is_a_measure_by_name(driven: Solution) -> None
     assert both.names.count("cavity_2_volume") == 1
     alone = measure(driven, find_measure("cavity_2_volume"))
     assert alone.names[-1] == "cavity_2_volume"
-    with pytest.raises(TurgorError, match="measure 'cavity_3_volume': unknown face 'cavity_3'; did you mean 'cavity_"):
+    with refused("cavity_3_volume", "cavity_3", "cavity_2"):
         measure(driven, find_measure("cavity_3_volume"))
-    with pytest.raises(TurgorError, match="unknown measure 'cavity_volum'; did you mean 'cavity_volume'"):
+    with refused("cavity_volum", "cavity_volume"):
         find_measure("cavity_volum")
 
 
@@ -375,35 +375,33 @@ def test_the_lock_file_gives_the_same_loads(tmp_path: Path, loads: str) -> None:
 
 
 MISTAKES = [
-    # (loads, at, problem)
-    ('[loads.cavty_1]\npressure = "1 kPa"', "0.1", "twin.toml:11: loads.cavty_1: unknown face 'cavty_1'; did you "
-     "mean 'cavity_1'? Known: cavity_1, cavity_2, fixed, outside, tip."),
-    ('[loads.cavity]\npressure = "1 kPa"', "0.1", "twin.toml:11: loads.cavity: the actuator has no cavity 'cavity';"),
-    ('cavity_2 = "20 kPa"', "0.1", "twin.toml:11: loads.cavity_2: '20 kPa' is not a table; write [loads.cavity_2] and"),
-    ('cavity_3 = "20 kPa"', "0.1", "twin.toml:11: loads.cavity_3: the actuator has no cavity 'cavity_3'; did you mean"),
-    ("[loads.cavity_1]", "0.1", "twin.toml:11: loads.cavity_1.pressure: 'pressure' is missing, and it has no default."),
-    ('[loads.cavity_1]\npressure = "1 kPa"\nhistroy = []', "0.1", "twin.toml:13: loads.cavity_1.histroy: unknown key "
-     "'histroy'; did you mean 'history'? Known keys: pressure, history, history_over_time."),
-    ('[loads.cavity_1]\npressure = "1 kPa"\nhistory = [[0, 0], [0.5, 1]]', "0.1", "twin.toml:13: loads.cavity_1."
-     "history: [[0, 0], [0.5, 1]]; the load factors must rise from 0 to 1."),
-    ('[loads.cavity_1]\npressure = "1 kPa"\nhistory = [[0], [1]]', "0.1", "twin.toml:13: loads.cavity_1.history: "),
-    ('[loads.cavity_1]\npressure = "1 kPa"\nhistory = "ramp"', "0.1", "twin.toml:13: loads.cavity_1.history: 'ramp'; "
-     "points (load factor, share) are needed, such as [[0, 0], [0.5, 1], [1, 0.5]], or an expression of"),
-    ('pressure = "1 kPa"\nhistory = [[0, 0], [1, 1]]', "0.1", "twin.toml:12: loads.history: a history belongs to one "
-     "cavity; write it below [loads.cavity_1]."),
-    (EACH.replace("gravity", 'pressure = "2 kPa"\ngravity'), "0.1", "twin.toml:11: loads.pressure: 2 kPa acts nowhere, "
-     "because every cavity has a pressure of its own."),
-    (EACH, '"5 kPa"', "twin.toml:21: procedure.at: a pressure does not say which state is meant, because the cavities "
-     "have different ones; request load factors, such as 0.5."),
-    ('[loads.cavity_1]\npressure = "20 kPa"\nhistory = [[0, 0], [0.5, 1], [1, 0.5]]', '"5 kPa"', "twin.toml:17: "
-     "procedure.at: a pressure does not say which state is meant, because it has a history of its own; request"),
+    # (loads, at, line, key, what else is stated)
+    ('[loads.cavty_1]\npressure = "1 kPa"', "0.1", 11, "loads.cavty_1", ("'cavty_1'", "'cavity_1'", "outside, tip")),
+    ('[loads.cavity]\npressure = "1 kPa"', "0.1", 11, "loads.cavity", ("'cavity'", "cavity_1, cavity_2")),
+    ('cavity_2 = "20 kPa"', "0.1", 11, "loads.cavity_2", ("'20 kPa'", "[loads.cavity_2]")),
+    ('cavity_3 = "20 kPa"', "0.1", 11, "loads.cavity_3", ("'cavity_3'", "cavity_1, cavity_2")),
+    ("[loads.cavity_1]", "0.1", 11, "loads.cavity_1.pressure", ("'pressure'", "missing")),
+    ('[loads.cavity_1]\npressure = "1 kPa"\nhistroy = []', "0.1", 13, "loads.cavity_1.histroy",
+     ("'histroy'", "'history'", "history_over_time")),
+    ('[loads.cavity_1]\npressure = "1 kPa"\nhistory = [[0, 0], [0.5, 1]]', "0.1", 13, "loads.cavity_1.history",
+     ("[[0, 0], [0.5, 1]]", "0 to 1")),
+    ('[loads.cavity_1]\npressure = "1 kPa"\nhistory = [[0], [1]]', "0.1", 13, "loads.cavity_1.history",
+     ("[[0], [1]]",)),
+    ('[loads.cavity_1]\npressure = "1 kPa"\nhistory = "ramp"', "0.1", 13, "loads.cavity_1.history",
+     ("'ramp'", "[[0, 0], [0.5, 1], [1, 0.5]]", "pi, s")),
+    ('pressure = "1 kPa"\nhistory = [[0, 0], [1, 1]]', "0.1", 12, "loads.history", ("[loads.cavity_1]",)),
+    (EACH.replace("gravity", 'pressure = "2 kPa"\ngravity'), "0.1", 11, "loads.pressure", ("2 kPa", "every cavity")),
+    (EACH, '"5 kPa"', 21, "procedure.at", ("cavities", "load factors", 0.5)),
+    ('[loads.cavity_1]\npressure = "20 kPa"\nhistory = [[0, 0], [0.5, 1], [1, 0.5]]', '"5 kPa"', 17, "procedure.at",
+     ("a history", "load factors")),
 ]  # fmt: skip
 
 
 @pytest.mark.usefixtures("family")
-@pytest.mark.parametrize(("loads", "at", "problem"), MISTAKES, ids=[said[11:60] for _, _, said in MISTAKES])
-def test_each_mistake_is_one_clear_sentence(tmp_path: Path, loads: str, at: str, problem: str) -> None:
-    with pytest.raises(JobError) as error:
+@pytest.mark.parametrize(("loads", "at", "line", "key", "facts"), MISTAKES)
+def test_each_mistake_is_one_clear_sentence(
+    tmp_path: Path, loads: str, at: str, line: int, key: str, facts: tuple
+) -> None:
+    with refused(f"twin.toml:{line}: {key}:", *facts, error=JobError) as error:
         read(tmp_path, loads, at)
-    (found,) = (line.removeprefix(f"{tmp_path}/") for line in error.value.problems)
-    assert found.startswith(problem), found
+    assert len(error.value.problems) == 1

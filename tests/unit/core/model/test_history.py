@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from refused import refused
 from turgor.core.model.drive import extremes, kinks
 from turgor.core.model.history import checked, over_time, peak_of, points_of, share_at, turns_of
 from turgor.core.model.loads import Gravity, Pressure
-from turgor.foundation.errors import TurgorError
 
 
 @pytest.mark.parametrize(
@@ -32,32 +32,34 @@ def test_an_expression_is_what_it_says(text: str, expected: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "facts"),
     [
-        ("__import__('os').system('true')", "is neither a number"),
-        ("().__class__", "is neither a number"),
-        ("open('x')", "unknown function 'open'"),
-        ("sin(s, key=1)", "is neither a number"),
-        ("[s for s in (1, 2)]", "is neither a number"),
-        ("lambda: 1", "is neither a number"),
-        ("'a'", "is neither a number"),
-        ("True", "is neither a number"),
-        ("s s", "this is no expression"),
-        ("t", "unknown name 't'"),
-        ("sine(s)", "unknown function 'sine'; did you mean 'sin'"),
-        ("cos(s)", "it must be 0 at s = 0"),
-        ("2*s", "shares of the load lie between -1 and 1"),
-        ("s / (s - 0.5)", "it has no value everywhere"),
-        ("sqrt(-s)", "it has no value everywhere"),
-        ("sin(s, s)", "it has no value everywhere"),
-        ("s**(-1)", "it has no value everywhere"),
-        ("(-s)**0.5", "it has no value everywhere"),
-        ("exp(1e4*s) - 1", "it has no value everywhere"),
+        ("__import__('os').system('true')", ("__import__('os').system('true')", "s, pi, + - * / **")),
+        ("().__class__", ("().__class__", "s, pi, + - * / **")),
+        ("open('x')", ("open('x')", "'open'", "abs, cos")),
+        ("sin(s, key=1)", ("sin(s, key=1)", "s, pi, + - * / **")),
+        ("[s for s in (1, 2)]", ("[s for s in (1, 2)]", "s, pi, + - * / **")),
+        ("lambda: 1", ("lambda: 1", "s, pi, + - * / **")),
+        ("'a'", ("'a'", "s, pi, + - * / **")),
+        ("True", ("True", "s, pi, + - * / **")),
+        ("s s", ("'s s'", "no expression")),
+        ("t", ("'t'", "pi, s")),
+        ("sine(s)", ("sine(s)", "'sine'", "'sin'")),
+        ("cos(s)", ("'cos(s)'", "0 at s = 0")),
+        ("2*s", ("'2*s'", "-1 and 1")),
+        ("s / (s - 0.5)", ("'s / (s - 0.5)'", "s = 0 and 1")),
+        ("sqrt(-s)", ("'sqrt(-s)'", "s = 0 and 1")),
+        ("sin(s, s)", ("'sin(s, s)'", "s = 0 and 1")),
+        ("s**(-1)", ("'s**(-1)'", "s = 0 and 1")),
+        ("(-s)**0.5", ("'(-s)**0.5'", "s = 0 and 1")),
+        ("exp(1e4*s) - 1", ("'exp(1e4*s) - 1'", "s = 0 and 1")),
     ],
 )
-def test_what_is_no_history_is_refused(text: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_no_history_is_refused(
+    text: str, facts: tuple, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(TurgorError, match=said):
+    with refused(*facts):
         checked(text, "pressure")
     assert list(tmp_path.iterdir()) == []
 
@@ -67,9 +69,9 @@ def test_times_become_load_factors() -> None:
     turned = over_time("sin(2*pi*t/0.3)", 1.5)
     for time in (0.0, 0.2, 1.1):
         assert share_at(turned, time / 1.5) == pytest.approx(np.sin(2 * np.pi * time / 0.3), abs=1e-12)
-    with pytest.raises(TurgorError, match="duration is 0 s"):
+    with refused("duration", "0 s", "more than 0"):
         over_time("t", 0.0)
-    with pytest.raises(TurgorError, match=r"this is no expression"):
+    with refused("history", "'t +'", "no expression"):
         over_time("t +", 1.0)
 
 
@@ -136,19 +138,19 @@ def test_paths_of_obstacles_have_kinks() -> None:
     [[1], [[0, 0], [1]], [[0, 0], "ab"], 5, None, [["a", "b"]], [[0, 0], [np.nan, 1]], [], [[0, 0], [1, False]]],
 )
 def test_malformed_points_are_told(points: Any) -> None:
-    with pytest.raises(TurgorError, match="points \\(time in seconds, share\\) are needed, such as"):
+    with refused(f"time is {points}", "in seconds"):
         over_time(points, 2.0)
-    with pytest.raises(TurgorError, match="points \\(load factor, share\\) are needed, such as"):
+    with refused(f"pressure: history is {points}", "load factor"):
         checked(points, "pressure")
 
 
 @pytest.mark.parametrize("text", ["(" * 5000 + "s" + ")" * 5000, "+".join(["s"] * 20000)])
 def test_an_endless_expression_is_refused(text: str) -> None:
-    with pytest.raises(TurgorError, match=r"this is no expression|this expression is too long"):
+    with refused("'cavity'", "expression"):
         Pressure("cavity", 2e3, text)
 
 
 @pytest.mark.parametrize("text", ["-" * 2000 + "t", "t" + " + t" * 2000])
 def test_an_expression_without_end_is_told(text):
-    with pytest.raises(TurgorError, match="expression"):
+    with refused("history", "expression"):
         checked(over_time(text, 1.0), "pressure")

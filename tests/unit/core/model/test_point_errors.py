@@ -8,77 +8,74 @@ from turgor.supports import Hinge, PlaneSection, ReferencePoint, Rotation
 
 import rig
 import turgor as tg
+from refused import refused
 from turgor.core.engine.points.motion import PointMotion
 from turgor.core.engine.system import System
 from turgor.core.model.write_inp import write_inp
 from turgor.core.results.measures.measures import find_measure
 from turgor.core.solvers.checks.supports import check_supports, free_motions
 from turgor.core.solvers.solution import State
-from turgor.foundation.errors import TurgorError
 from turgor.views.report import describe
 
 PLATE = ReferencePoint("plate", "x1")
 
 
 @pytest.mark.parametrize(
-    ("values", "said"),
+    ("values", "facts"),
     [
-        ({"name": "my plate"}, "letters, digits and underscores"),
-        ({"coupling": "rigd"}, "unknown coupling of the reference point 'plate' 'rigd'; did you mean 'rigid'?"),
-        ({"mass": -1.0}, "mass is -1.0; allowed is 0 or more"),
-        ({"spring": (1.0, -2.0, 0.0)}, "spring is"),
-        ({"inertia": (3.0, 1.0, 1.0)}, "none is larger than the sum of the other two"),
-        ({"at": (0.0, 1.0)}, "at is (0.0, 1.0); three numbers are needed"),
+        ({"name": "my plate"}, ("'my plate'", "underscores")),
+        ({"coupling": "rigd"}, ("coupling", "'plate'", "'rigd'", "'rigid'")),
+        ({"mass": -1.0}, ("'plate'", "mass is -1.0", "0 or more")),
+        ({"spring": (1.0, -2.0, 0.0)}, ("'plate'", "spring is (1.0, -2.0, 0.0)", "0 or more")),
+        ({"inertia": (3.0, 1.0, 1.0)}, ("'plate'", "inertia is (3.0, 1.0, 1.0)", "three moments")),
+        ({"at": (0.0, 1.0)}, ("'plate'", "at is (0.0, 1.0)", "three numbers")),
     ],
 )
-def test_a_point_out_of_range_is_refused(values, said):
-    with pytest.raises(TurgorError) as error:
+def test_a_point_out_of_range_is_refused(values, facts):
+    with refused(*facts):
         ReferencePoint(**{"name": "plate", "face": "x1", **values})
-    assert said in str(error.value)
 
 
 @pytest.mark.parametrize(
-    ("point", "supports", "loads", "said"),
+    ("point", "supports", "loads", "facts"),
     [
-        (ReferencePoint("plate", "x2"), (), (), "unknown face 'x2'"),
-        (ReferencePoint("y0", "x1"), (), (), "a face has this name"),
-        (PLATE, (PLATE,), (), "two reference points are called 'plate'"),
-        (PLATE, (Rotation("plat"),), (), "unknown reference point 'plat'; did you mean 'plate'?"),
-        (PLATE, (Rotation("plate"), Hinge("plate")), (), "prescribed twice"),
-        (PLATE, (tg.Fixed("plate", "xy"), tg.Fixed("plate", "y")), (), "two supports prescribe one direction"),
-        (PLATE, (), (Moment("plte", (0, 0, 1)),), "did you mean 'plate'?"),
-        (PLATE, (), (Hanging("x1", 1.0),), "unknown reference point of a hanging load 'x1'"),
-        (PLATE, (), (Force("x1", (0, 0, 1), follower=True),), "only a force on a reference point can follow"),
+        (ReferencePoint("plate", "x2"), (), (), ("x2", "x0, x1, y0, y1, z0, z1")),
+        (ReferencePoint("y0", "x1"), (), (), ("'y0'", "face")),
+        (PLATE, (PLATE,), (), ("reference points", "'plate'")),
+        (PLATE, (Rotation("plat"),), (), ("plat", "plate")),
+        (PLATE, (Rotation("plate"), Hinge("plate")), (), ("rotation", "'plate'", "Rotation or Hinge")),
+        (PLATE, (tg.Fixed("plate", "xy"), tg.Fixed("plate", "y")), (), ("two supports", "'plate'")),
+        (PLATE, (), (Moment("plte", (0, 0, 1)),), ("moment load", "'plte'", "'plate'")),
+        (PLATE, (), (Hanging("x1", 1.0),), ("hanging load", "'x1'", "plate")),
+        (PLATE, (), (Force("x1", (0, 0, 1), follower=True),), ("force on 'x1'", "ReferencePoint", "Pressure")),
     ],
 )
-def test_what_does_not_fit_the_model_is_refused(point, supports, loads, said):
-    with pytest.raises(TurgorError) as error:
+def test_what_does_not_fit_the_model_is_refused(point, supports, loads, facts):
+    with refused(*facts):
         rig.rig(point, supports, loads)
-    assert said in str(error.value)
 
 
 @pytest.mark.parametrize(
-    ("point", "supports", "said"),
+    ("point", "supports", "facts"),
     [
-        (PLATE, (tg.Fixed("y0"),), "nodes of its rigid face 'x1' are fixed by another support"),
-        (PLATE, (PlaneSection("x1"),), "nodes of its rigid face 'x1' are fixed by another support"),
-        (PLATE, (ReferencePoint("again", "x1"),), "their rigid faces share nodes"),
+        (PLATE, (tg.Fixed("y0"),), ("'plate'", "5 of the 25", "'x1'")),
+        (PLATE, (PlaneSection("x1"),), ("'plate'", "25 of the 25", "'x1'")),
+        (PLATE, (ReferencePoint("again", "x1"),), ("'plate' and 'again'", "rigid faces")),
     ],
 )
-def test_a_rigid_face_is_held_by_its_point_alone(point, supports, said):
-    with pytest.raises(TurgorError) as error:
+def test_a_rigid_face_is_held_by_its_point_alone(point, supports, facts):
+    with refused(*facts):
         System(rig.rig(point, supports))
-    assert said in str(error.value)
     System(rig.rig(ReferencePoint("plate", "x1", coupling="averaging"), supports))
 
 
 @pytest.mark.parametrize("load", [Moment("plate", (1.0, 0, 0)), Hanging("plate", 1.0, (0, 1, 0))])
 def test_what_has_no_mirror_image_is_refused(load):
-    with pytest.raises(TurgorError, match="symmetric = false"):
+    with refused("'plate'", "mirror image", "'symmetry_y'", "symmetric = false"):
         rig.rig(PLATE, loads=[load], mesh=rig.bar(half=True))
-    with pytest.raises(TurgorError, match="symmetric = false"):
+    with refused("rotation of 'plate'", "(1.0, 0.0, 0.0)", "about y", "symmetric = false"):
         System(rig.rig(PLATE, [Rotation("plate", 1.0, (1, 0, 0))], mesh=rig.bar(half=True)))
-    with pytest.raises(TurgorError, match="put the point there"):
+    with refused("'plate'", "1 mm along y", "0 mm"):
         System(rig.rig(ReferencePoint("plate", "x1", at=(0.04, 0.001, 0.0)), mesh=rig.bar(half=True)))
 
 
@@ -106,7 +103,7 @@ def test_a_point_holds_the_motions_that_it_holds(holds, free, coupling):
 
 @pytest.mark.parametrize("axis", ["w", (0, 0, 0), (1, 2)])
 def test_a_hinge_needs_an_axis(axis):
-    with pytest.raises(TurgorError, match="hinge of 'plate': axis is"):
+    with refused("hinge of 'plate'", "axis is"):
         Hinge("plate", axis)
 
 
@@ -116,7 +113,7 @@ def test_a_hinge_between_mirror_planes_turns_about_their_normal_or_not_at_all():
     )
     free = [int((~s.prescribed[3 * s.carriers[0].arrows[:, None] + np.arange(3)]).sum()) for s in (still, turns)]
     assert free == [0, 4]
-    with pytest.raises(TurgorError, match="it can turn about y only"):
+    with refused("rotation of 'plate'", "(1.0, 1.0, 0.0)", "about y"):
         System(rig.rig(PLATE, [Rotation("plate", 1.0, (1, 1, 0), tilts=True)], mesh=rig.bar(half=True)))
 
 
@@ -129,26 +126,25 @@ def test_it_is_described_and_measured():
     assert "Moment (0, 0.02, 0) N m on plate, its axis fixed in space." in said
     assert "Weight of 0.1 kg hanging from plate" in said
     assert find_measure("plate_reaction_moment_y").unit == "Nm"
-    with pytest.raises(TurgorError, match="unknown measure of a reference point 'rotaton'; did you mean 'rotation'"):
+    with refused("rotaton", "rotation"):
         of_point("plate", "rotaton", "x")
 
 
 @pytest.mark.parametrize(
-    ("point", "supports", "loads", "said"),
+    ("point", "supports", "loads", "facts"),
     [
-        (ReferencePoint("plate", "x1", coupling="averaging"), (), (), "cannot be fixed or moved"),
-        (ReferencePoint("plate", "x1", rotational_spring=1.0), (), (), "its rotational spring has no form"),
-        (ReferencePoint("plate", "x1", mass=1.0, center=(0, 0, 0)), (), (), "a center of mass away from the point"),
-        (PLATE, (Hinge("plate", (1, 1, 0)),), (), "its axis is (1.0, 1.0, 0.0); .inp files have hinges about"),
-        (PLATE, (Rotation("plate", 1.0, tilts=True),), (), "tilts, which .inp files cannot say"),
-        (PLATE, (), (Moment("plate", (0, 1, 0), follower=True),), "follows its point has no form"),
+        (ReferencePoint("plate", "x1", coupling="averaging"), (), (), ("'plate'", "CalculiX", "5 %")),
+        (ReferencePoint("plate", "x1", rotational_spring=1.0), (), (), ("'plate'", "rotational spring")),
+        (ReferencePoint("plate", "x1", mass=1.0, center=(0, 0, 0)), (), (), ("'plate'", "center")),
+        (PLATE, (Hinge("plate", (1, 1, 0)),), (), ("hinge of 'plate'", "(1.0, 1.0, 0.0)", "x, y and z")),
+        (PLATE, (Rotation("plate", 1.0, tilts=True),), (), ("'plate'", "tilts")),
+        (PLATE, (), (Moment("plate", (0, 1, 0), follower=True),), ("moment on 'plate'", "follows")),
     ],
 )
-def test_what_has_no_form_in_inp_files_is_refused(tmp_path, point, supports, loads, said):
+def test_what_has_no_form_in_inp_files_is_refused(tmp_path, point, supports, loads, facts):
     model = rig.rig(point, supports, loads, bulk_modulus=5e6)
-    with pytest.raises(TurgorError) as error:
+    with refused(*facts):
         write_inp(model, tmp_path / "model.inp")
-    assert said in str(error.value)
 
 
 def test_an_inp_file_of_abaqus_has_couplings(tmp_path):
@@ -183,5 +179,5 @@ def test_its_rotation_is_read_as_vector_and_twist():
     assert of_point("plate", "twist", "x")(state) == pytest.approx(0.0)
     assert of_point("plate", "reaction", "y")(state) == 2.0
     assert of_point("plate", "reaction_moment", "z")(state) == 3.0
-    with pytest.raises(TurgorError, match="did you mean 'plate'"):
+    with refused("plat_rotation_z", "plat", "plate"):
         of_point("plat", "rotation", "z")(state)

@@ -8,6 +8,7 @@ from turgor.loads import Force, Gravity, Moment, PointForce, Pressure, Traction
 
 import turgor as tg
 import wedge_cases
+from refused import refused
 from turgor.core.geometry.cad.read import read_here
 from turgor.core.geometry.cad.symmetry import sector
 from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
@@ -45,43 +46,43 @@ def model(mesh, supports=(FIXED,), loads=(), obstacles=(), **more):
 
 
 @pytest.mark.parametrize(
-    ("load", "said"),
+    ("load", "facts"),
     [
-        (Gravity((0, 0, -1)), "points across the axis x of the wedge; turned by 60° it points elsewhere"),
-        (Force("tip", (0.0, 1.0, 0.0)), "force on 'tip': 1 N along y points across the axis x"),
-        (Traction("tip", (0.0, 0.0, 1.0)), "traction on 'tip': 1 Pa along z"),
-        (PointForce((0.0, 8 * mm, 0.0), (1.0, 0.0, 0.0)), "a point force acts once on the whole"),
-        (Pressure("cyclic_low", 1.0), "Pressure on 'cyclic_low': this face is a cut through the whole part"),
+        (Gravity((0, 0, -1)), ("gravity", "-1 along z", "axis x", "60°")),
+        (Force("tip", (0.0, 1.0, 0.0)), ("force on 'tip'", "1 N along y", "axis x", "60°")),
+        (Traction("tip", (0.0, 0.0, 1.0)), ("traction on 'tip'", "1 Pa along z", "axis x", "60°")),
+        (PointForce((0.0, 8 * mm, 0.0), (1.0, 0.0, 0.0)), ("point force", "once", "every sector")),
+        (Pressure("cyclic_low", 1.0), ("Pressure", "'cyclic_low'")),
     ],
 )
-def test_loads_that_differ_from_sector_to_sector_are_refused(sixth, load, said):
-    with pytest.raises(tg.TurgorError, match=said):
+def test_loads_that_differ_from_sector_to_sector_are_refused(sixth, load, facts):
+    with refused(*facts):
         model(sixth, loads=[load])
 
 
 def test_a_shell_that_the_wedge_cuts_is_refused(sixth):
     film = tg.Material(name="film", law=tg.laws.Hooke(E=1e9, nu=0.3))
     materials = {"body": RUBBER, "outside": tg.Shell(film, 0.1 * mm)}
-    with pytest.raises(tg.TurgorError, match="the shell on 'outside' is cut by the wedge"):
+    with refused("shell", "'outside'", "wedge"):
         tg.Model(sixth, materials, [FIXED], [])
     tg.Model(sixth, {**materials, "outside": tg.Membrane(film, 0.1 * mm)}, [FIXED], [])
 
 
 def test_a_moment_across_the_axis_is_refused(sixth):
-    with pytest.raises(tg.TurgorError, match="moment on 'plate': 1 N m along y points across the axis x"):
+    with refused("moment on 'plate'", "1 N m along y", "axis x", "60°"):
         model(sixth, [Fixed("fixed"), ReferencePoint("plate", "tip")], [Moment("plate", (0.0, 1.0, 0.0))])
 
 
 @pytest.mark.parametrize(
-    ("support", "said"),
+    ("support", "facts"),
     [
-        (Fixed("tip", "y"), "holds a face along y or z alone"),
-        (Displacement("tip", Shift((0.0, 1 * mm, 0.0))), "is not the same after a turn about x by 1/6"),
-        (ReferencePoint("plate", "tip", at=(24 * mm, 1 * mm, 0.0)), "wedge whose axis is at 0 mm"),
+        (Fixed("tip", "y"), ("y or z", "about x")),
+        (Displacement("tip", Shift((0.0, 1 * mm, 0.0))), ("Displacement of 'tip'", "about x by 1/6")),
+        (ReferencePoint("plate", "tip", at=(24 * mm, 1 * mm, 0.0)), ("'plate'", "1 mm along y", "wedge", "0 mm")),
     ],
 )
-def test_supports_that_differ_are_refused(sixth, support, said):
-    with pytest.raises(tg.TurgorError, match=said):
+def test_supports_that_differ_are_refused(sixth, support, facts):
+    with refused(*facts):
         check_supports(model(sixth, [Fixed("fixed"), support]))
 
 
@@ -90,7 +91,7 @@ def test_what_keeps_the_symmetry_is_taken(sixth):
 
 
 def test_what_holds_no_turn_about_the_axis_is_not_enough(sixth):
-    with pytest.raises(tg.TurgorError, match="the supports leave 1 of 6 rigid motions free"):
+    with refused("1 of 6", "B01"):
         check_supports(model(sixth, [Fixed("fixed", "x")]))
 
 
@@ -99,7 +100,7 @@ def test_obstacles_stand_on_the_axis(sixth):
     model(sixth, obstacles=[Obstacle(name="wall", shape=wall)])
     model(sixth, obstacles=[Obstacle(name="ball", shape=Sphere(center=(40 * mm, 0, 0), radius=5 * mm))])
     floor = Plane(point=(0, 0, -9 * mm), normal=(0, 0, 1))
-    with pytest.raises(tg.TurgorError, match="obstacle 'floor': it is not the same after a turn by 60°"):
+    with refused("obstacle 'floor'", "60°", "axis x"):
         model(sixth, obstacles=[Obstacle(name="floor", shape=floor)])
 
 
@@ -107,7 +108,7 @@ def test_single_threads_are_refused(sixth):
     winding = Winding(angle_from_axis=60 * deg, spacing=2 * mm, hand="right")
     nylon = tg.Material(name="nylon", law=Hooke(E=1e9, nu=0.3))
     threads = Fibers(face="outside", material=nylon, diameter=0.2 * mm, winding=winding, form="discrete")
-    with pytest.raises(tg.TurgorError, match="single threads do not end at the cuts of a wedge as they begin"):
+    with refused("'outside'", "single threads", "wedge"):
         model(sixth, loads=[Pressure("cavity", 1 * kPa)], reinforcements=[threads])
 
 
@@ -126,7 +127,7 @@ def test_walls_that_meet_the_next_sector_are_said(tmp_path, monkeypatch):
 
 
 def test_a_sector_is_not_moved_or_combined(sixth):
-    with pytest.raises(tg.TurgorError, match="is a wedge of 1/6 about x, which cannot be moved"):
+    with refused("'tube'", "1/6 about x"):
         placed(sixth, shift=(1 * mm, 0, 0))
-    with pytest.raises(tg.TurgorError, match="is a wedge of 1/6 about x, which cannot be moved or combined"):
+    with refused("'tube'", "1/6 about x"):
         together({"one": sixth, "two": sixth})

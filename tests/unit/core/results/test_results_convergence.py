@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from refused import refused
 from turgor.core.results.convergence.study import Convergence
 from turgor.core.results.files.response_csv import read_response
 from turgor.core.results.measures.measures import cavity_volume, maximum_principal_stretch
-from turgor.foundation.errors import TurgorError
 from turgor.units import mL, mm
 from turgor.views.plots.convergence import plot_convergence, write_convergence_plot
 
@@ -77,13 +77,13 @@ def test_the_plot_marks_what_is_extrapolated(tmp_path: Path, values) -> None:
     assert axes.get_ylabel() == "cavity volume [mL]"
     write_convergence_plot(tmp_path / "plot.png", found, title="small")
     assert (tmp_path / "plot.png").read_bytes().startswith(b"\x89PNG")
-    with pytest.raises(TurgorError, match=r"ends in '\.jpg'; allowed is \.png or \.svg"):
+    with refused("plot.jpg", ".jpg", ".png or .svg"):
         write_convergence_plot(tmp_path / "plot.jpg", found)
 
 
 def test_meshes_that_do_not_get_finer_are_refused() -> None:
-    with pytest.raises(TurgorError, match="the meshes have 900, 1200, 1200 cells; each needs more than the one before"):
+    with refused("900, 1200, 1200 cells"):
         study([1.0, 1.1, 1.2], cells=np.array([900, 1200, 1200]))
     two = np.array([2e-3, 1e-3])
-    with pytest.raises(TurgorError, match="2 mesh sizes are given; at least three"):
+    with refused("2 mesh sizes", "least three"):
         Convergence(measure=cavity_volume, sizes=two, cells=CELLS[:2], unknowns=CELLS[:2], values=two)

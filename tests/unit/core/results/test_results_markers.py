@@ -7,6 +7,7 @@ import pytest
 
 import meshes
 import turgor as tg
+from refused import refused
 from turgor.core.engine.faces import attached
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.core.results.measures.markers import _attached, check_markers, marker
@@ -100,18 +101,18 @@ def test_sides_of_eight_nodes_bend_as_their_shape_functions_say():
 
 
 @pytest.mark.parametrize(
-    ("name", "point", "said"),
+    ("name", "point", "facts"),
     [
-        ("dot", (1.0, 2.0), "is no point; give three coordinates in meters"),
-        ("dot", (np.nan, 0, 0), "is no point"),
-        ("my dot", (0, 0, 0), "my dot_x"),
+        ("dot", (1.0, 2.0), ("'dot'", "(1.0, 2.0)", "three coordinates")),
+        ("dot", (np.nan, 0, 0), ("'dot'", "(nan, 0, 0)", "three coordinates")),
+        ("my dot", (0, 0, 0), ("'my dot_x'", "underscores")),
     ],
 )
-def test_what_is_no_marker(name, point, said):
-    with pytest.raises(tg.TurgorError, match=said):
+def test_what_is_no_marker(name, point, facts):
+    with refused(*facts):
         marker(name, point)
 
 
 def test_a_marker_far_away_is_a_mistake_of_units(rest):
-    with pytest.raises(tg.TurgorError, match=r"marker 'dot' at \(1e\+04, .* from the surface, whose nearest point is"):
+    with refused("dot_x", "'dot'", "(1e+04, 0, 0) mm", "9990 mm", "(10, 0, 0) mm", "3.75 mm"):
         at("dot", (10.0, 0.0, 0.0), rest)

@@ -7,6 +7,7 @@ import pytest
 import results_cases as cases
 
 import meshes
+from refused import refused
 from turgor.core.engine.faces import surfaces
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.loads import Traction
@@ -17,7 +18,6 @@ from turgor.core.results.measures import field_measures, measures
 from turgor.core.results.measures.measures import Measure, check_measures, find_measure, measure
 from turgor.core.solvers.solution import Status
 from turgor.core.solvers.solve import solve
-from turgor.foundation.errors import TurgorError
 from turgor.units import deg, kPa, mL, mm
 
 STRETCH = 1.3
@@ -83,7 +83,7 @@ def test_open_cavity_has_no_volume():
     mesh = cases.body(half=True)
     faces = {**mesh.faces, "cavity": mesh.faces["cavity"][1:]}
     state = cases.state(cases.model(Mesh(points=mesh.points, cells=mesh.cells, regions=mesh.regions, faces=faces)))
-    with pytest.raises(TurgorError, match=r"measure 'cavity_volume': cavity encloses no volume: \d edges lie open"):
+    with refused("cavity_volume", "3 edges", "inlet"):
         measures.cavity_volume(state)
 
 
@@ -136,7 +136,7 @@ def test_reaction_of_a_half_is_that_of_the_whole():
 def test_reaction_without_support_is_refused():
     mesh = cases.body()
     state = cases.state(Model(mesh, {"body": cases.RUBBER, "base": cases.RUBBER}, [], []))
-    with pytest.raises(TurgorError, match="measure 'reaction': the model has no support Fixed"):
+    with refused("reaction", "Fixed or Radial"):
         measures.reaction(state)
 
 
@@ -165,9 +165,9 @@ def test_measures_are_given_themselves_or_by_name():
     solution = cases.solution([cases.state(cases.model(cases.body()))])
     by_name, itself = measure(solution, "tip_displacement"), measure(solution, measures.tip_displacement)
     assert by_name.column("tip_displacement") == itself.column("tip_displacement")
-    with pytest.raises(TurgorError, match=r"unknown measure 'tip_displacment'; did you mean 'tip_displacement'?"):
+    with refused("tip_displacment", "tip_displacement"):
         measure(solution, "tip_displacment")
-    with pytest.raises(TurgorError, match=r"3 is no measure; give one of tg.measures"):
+    with refused(3, "tg.measures"):
         measure(solution, 3)
 
 
@@ -217,7 +217,7 @@ def test_missing_face_names_the_measure_before_the_solve(face, measured):
     faces = {("end" if name == face else name): triangles for name, triangles in mesh.faces.items()}
     other = Mesh(points=mesh.points, cells=mesh.cells, regions=mesh.regions, faces=faces)
     model = Model(other, {"body": cases.RUBBER, "base": cases.RUBBER}, [Fixed("outside")], [])
-    with pytest.raises(TurgorError, match=f"measure '{measured.name}': unknown face '{face}'.* Known: .*end"):
+    with refused(f"'{measured.name}'", f"'{face}'", "end"):
         check_measures(model, [measured])
 
 
@@ -233,9 +233,9 @@ def test_own_measure():
 
 
 def test_measure_refuses_an_unknown_unit_and_an_unknown_name():
-    with pytest.raises(TurgorError, match=r"unknown unit of column 'rise' 'mmm'; did you mean 'mm'\?"):
+    with refused("rise", "mmm", "mm"):
         Measure(name="rise", unit="mmm", function=lambda at: 0.0, definition="")
-    with pytest.raises(TurgorError, match=r"unknown measure 'bending_angel'; did you mean 'bending_angle'\?"):
+    with refused("bending_angel", "bending_angle"):
         find_measure("bending_angel")
 
 

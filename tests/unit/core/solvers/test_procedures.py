@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import results_cases as cases
 
+from refused import refused
 from turgor.core.model.contact import Contact
 from turgor.core.model.loads import Gravity, Pressure, Traction
 from turgor.core.model.model import Model
@@ -15,7 +16,6 @@ from turgor.core.setups.blocked_tip import NEAR_TIP, FixedTip, Plate, blocked_fo
 from turgor.core.setups.grasped_object import Grasped, grasp
 from turgor.core.setups.setup_values import HOLDS, BlockedForce, Grasp
 from turgor.core.setups.with_setup import with_setup
-from turgor.foundation.errors import TurgorError
 from turgor.units import kPa, mm
 
 BAR = Cylinder(center=(30 * mm, 0, -12 * mm), axis=(0, 1, 0), radius=6 * mm)
@@ -103,45 +103,45 @@ def test_the_directions_of_a_hold_have_one_order():
 
 
 def test_the_free_direction_needs_a_load():
-    with pytest.raises(TurgorError, match=r"'free', but the face 'tip' does not set out along x or y or z"):
+    with refused("blocked_force", "direction is 'free'", "'tip'"):
         blocked_force(model(loads=()))
 
 
 @pytest.mark.parametrize(
-    ("changes", "message"),
+    ("changes", "facts"),
     [
-        ({"hold": "plat"}, "unknown hold 'plat'; did you mean 'plate'?"),
-        ({"hold": "xx"}, "unknown hold 'xx'"),
-        ({"direction": "z"}, "unknown direction 'z'"),
-        ({"distance": -1 * mm}, "blocked_force: distance is -1 mm; the plate stands 0 mm or more before the tip"),
-        ({"hold": "z", "distance": 1 * mm}, "blocked_force: distance belongs to the plate; hold is 'z'"),
-        ({"hold": "z", "friction": 0.1}, "blocked_force: friction belongs to the plate; hold is 'z'"),
-        ({"hold": "z", "direction": "+x"}, "blocked_force: direction is '\\+x', but the tip is fixed along z only"),
-        ({"friction": 3.0}, "blocked_force: friction is 3"),
+        ({"hold": "plat"}, ("hold 'plat'", "'plate'")),
+        ({"hold": "xx"}, ("hold 'xx'", "'x'")),
+        ({"direction": "z"}, ("direction 'z'", "'-z'")),
+        ({"distance": -1 * mm}, ("blocked_force", "distance is -1 mm", "0 mm")),
+        ({"hold": "z", "distance": 1 * mm}, ("blocked_force", "distance", "hold is 'z'")),
+        ({"hold": "z", "friction": 0.1}, ("blocked_force", "friction", "hold is 'z'")),
+        ({"hold": "z", "direction": "+x"}, ("blocked_force", "direction is '+x'", "along z")),
+        ({"friction": 3.0}, ("blocked_force", "friction is 3", "between 0 and 2")),
     ],
 )
-def test_what_cannot_block_is_refused(changes, message):
-    with pytest.raises(TurgorError, match=message):
+def test_what_cannot_block_is_refused(changes, facts):
+    with refused(*facts):
         BlockedForce(**changes)
 
 
 @pytest.mark.parametrize(
-    ("changes", "half", "message"),
+    ("changes", "half", "facts"),
     [
-        ({"face": "tipp"}, False, "unknown face 'tipp'; did you mean 'tip'?"),
-        ({"direction": "-x"}, False, "the plate would stand behind the tip.*hold = 'x'"),
-        ({"direction": "+y"}, True, "blocked_force: direction is '\\+y', across the mirror plane of a half model"),
-        ({"face": "cavity", "direction": "-z"}, False, "the face 'cavity' looks nowhere"),
+        ({"face": "tipp"}, False, ("tipp", "tip")),
+        ({"direction": "-x"}, False, ("direction is '-x'", "hold = 'x'")),
+        ({"direction": "+y"}, True, ("direction is '+y'", "symmetric=False")),
+        ({"face": "cavity", "direction": "-z"}, False, ("face 'cavity'", "normals")),
     ],
 )
-def test_what_cannot_be_blocked_is_refused(changes, half, message):
-    with pytest.raises(TurgorError, match=message):
+def test_what_cannot_be_blocked_is_refused(changes, half, facts):
+    with refused(*facts):
         blocked_force(model(half=half), **changes)
 
 
 def test_a_model_with_a_plate_of_its_own_is_refused():
     own = Obstacle(name="plate", shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)))
-    with pytest.raises(TurgorError, match="blocked_force adds an obstacle 'plate', but the model has one"):
+    with refused("blocked_force", "'plate'"):
         blocked_force(model(own), direction="-z")
 
 
@@ -177,18 +177,18 @@ def test_three_fingers_stand_a_third_of_a_turn_apart(half):
 
 
 @pytest.mark.parametrize(
-    ("changes", "message"),
+    ("changes", "facts"),
     [
-        ({"pull_distance": 0.0}, "grasp: pull_distance is 0 mm; allowed is more than 0"),
-        ({"pull": "+z"}, "grasp: pull is '\\+z', towards a finger"),
-        ({"pull": "x"}, "unknown pull 'x'"),
-        ({"fingers": 1}, "grasp: fingers is 1; allowed is 2 to 12"),
-        ({"fingers": 3, "pull": "+y"}, "3 fingers stand around the line along x and would not be pulled alike"),
-        ({"closing": 1.0}, "grasp: closing is 1; it lies between 0 and 1"),
+        ({"pull_distance": 0.0}, ("pull_distance", "0 mm", "more than 0")),
+        ({"pull": "+z"}, ("pull is '+z'", "+x, -x, +y, -y")),
+        ({"pull": "x"}, ("pull 'x'", "'-x'")),
+        ({"fingers": 1}, ("fingers is 1", "2 to 12")),
+        ({"fingers": 3, "pull": "+y"}, ("pull is '+y'", "3 fingers", "along x", "'+x' or '-x'")),
+        ({"closing": 1.0}, ("closing is 1", "between 0 and 1")),
     ],
 )
-def test_what_cannot_grasp_is_refused(changes, message):
-    with pytest.raises(TurgorError, match=message):
+def test_what_cannot_grasp_is_refused(changes, facts):
+    with refused(*facts):
         Grasp(**{"pull_distance": 8 * mm} | changes)
 
 
@@ -197,24 +197,28 @@ LYING = RigidSurface(points=np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0.2]]), trian
 
 
 @pytest.mark.parametrize(
-    ("question", "changes", "message"),
+    ("question", "changes", "facts"),
     [
-        (model(), {}, "a grasp needs an obstacle 'object' to grasp; the model has no obstacles"),
-        (model(bar()), {"object": "objct"}, "unknown obstacle 'objct'; did you mean 'object'?"),
-        (model(bar(spring=10.0)), {}, "leave its spring out"),
-        (model(bar(path=((0, (0, 0, 0)), (1, (0, 0, 1 * mm))))), {}, "leave its path out"),
-        (model(bar(shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)))), {}, "it is a plane, which has no far side"),
-        (model(bar()), {"fingers": 3}, "3 fingers stand around the line along x, and so must the cylinder's axis"),
-        (model(bar(shape=replace(BAR, axis=(1, 0, 1)))), {}, "the cylinder is inclined to the mid-plane"),
-        (model(bar(), loads=()), {}, "a grasp needs a pressure that closes the finger"),
-        (model(bar(), loads=(RISEN,)), {}, "pressure on 'cavity' has a history of its own"),
-        (model(bar(), half=True), {"pull": "+y"}, "grasp: pull is '\\+y', across the mirror plane"),
-        (model(bar(shape=LYING)), {}, "the finger reaches 100 mm across the mirror plane"),
-        (model(bar(shape=Box(center=(0, 0, 4 * mm), size=(1, 1, 1)))), {}, "the finger reaches 4 mm across the mirror"),
+        (model(), {}, ("'object'", "no obstacles")),
+        (model(bar()), {"object": "objct"}, ("'objct'", "'object'")),
+        (model(bar(spring=10.0)), {}, ("'object'", "spring")),
+        (model(bar(path=((0, (0, 0, 0)), (1, (0, 0, 1 * mm))))), {}, ("'object'", "path")),
+        (model(bar(shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)))), {}, ("'object'", "plane")),
+        (model(bar()), {"fingers": 3}, ("'object'", "3 fingers", "along x", "cylinder's axis")),
+        (model(bar(shape=replace(BAR, axis=(1, 0, 1)))), {}, ("'object'", "cylinder", "mid-plane")),
+        (model(bar(), loads=()), {}, ("grasp", "pressure")),
+        (model(bar(), loads=(RISEN,)), {}, ("pressure on 'cavity'", "history", "load factor 0.5")),
+        (model(bar(), half=True), {"pull": "+y"}, ("pull is '+y'", "symmetric=False")),
+        (model(bar(shape=LYING)), {}, ("100 mm", "2 fingers", "(500, 500, 100) mm", "'object'")),
+        (
+            model(bar(shape=Box(center=(0, 0, 4 * mm), size=(1, 1, 1)))),
+            {},
+            ("4 mm", "2 fingers", "(0, 0, 4) mm", "'object'"),
+        ),
     ],
 )
-def test_what_cannot_be_grasped_is_refused(question, changes, message):
-    with pytest.raises(TurgorError, match=message):
+def test_what_cannot_be_grasped_is_refused(question, changes, facts):
+    with refused(*facts):
         grasp(question, **{"pull_distance": 8 * mm} | changes)
 
 
@@ -224,5 +228,5 @@ def test_weight_does_not_stop_growing_and_is_refused():
     contact = Contact(obstacles=[bar()])
     loads = [Pressure("cavity", 1e3), Gravity()]
     question = Model(cases.body(), materials, [Fixed("fixed")], loads, contact=contact)
-    with pytest.raises(TurgorError, match="a grasp cannot hold Gravity, which grows with the load factor"):
+    with refused("grasp", "Gravity"):
         grasp(question, pull_distance=8 * mm)

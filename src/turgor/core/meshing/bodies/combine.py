@@ -133,8 +133,10 @@ def _shared_mirrors(bodies: Mapping[str, Mesh]) -> dict[tuple[str, str], str]:
                     f"'{owner}' at {place / mm:.6g} mm; bodies that mirror planes cut must share them."
                 )
             names[body, face] = name
-    if len({name for name, _, _ in known.values()}) < len(known):
-        raise TurgorError("together: two different mirror planes have the same name; name each after its normal.")
+    used = [name for name, _, _ in known.values()]
+    twice = next((name for name in used if used.count(name) > 1), None)
+    if twice is not None:
+        raise TurgorError(f"together: two different mirror planes are called '{twice}'; name each after its normal.")
     _check_sides(bodies, known, near)
     return names
 

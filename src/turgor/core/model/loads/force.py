@@ -95,7 +95,7 @@ class Force(Load):
     def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
         """Return the rows of a force on a reference point."""
         if self.follower:
-            raise TurgorError("a force or moment that follows its point has no form in .inp files; leave it out.")
+            raise TurgorError(f"the force on '{self.face}' follows it; that has no form in .inp files; leave it out.")
         if self.face not in deck.masses:
             return Load.deck_rows(self, deck)
         return (DeckRows("*CLOAD", self.history, deck.force(self.face, self.vector)),)

@@ -97,5 +97,5 @@ class Moment(Load):
     def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
         """Return the rows of a moment on a reference point."""
         if self.follower:
-            raise TurgorError("a force or moment that follows its point has no form in .inp files; leave it out.")
+            raise TurgorError(f"the moment on '{self.point}' follows it; that has no form in .inp files; leave it out.")
         return (DeckRows("*CLOAD", self.history, deck.moment(self.point, self.vector)),)

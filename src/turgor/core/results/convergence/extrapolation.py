@@ -86,7 +86,10 @@ def extrapolate(sizes: ArrayLike, values: ArrayLike) -> Extrapolation:
     if h.ndim != 1 or h.shape != f.shape or len(h) < 3:
         raise TurgorError(f"{len(h)} meshes and {len(f)} values are given; at least three of each are needed.")
     if not (np.isfinite(h).all() and np.isfinite(f).all() and (h > 0).all() and (np.diff(h) < 0).all()):
-        raise TurgorError("the sizes of the meshes must be positive and get smaller, and every value finite.")
+        raise TurgorError(
+            f"mesh sizes are {h.tolist()} and values {f.tolist()}; sizes must be positive and get smaller, and every "
+            "value finite."
+        )
     h, f = h[-3:], f[-3:]
     first, last = f[1] - f[0], f[2] - f[1]
     finest, spread = float(f[2]), float(np.ptp(f))

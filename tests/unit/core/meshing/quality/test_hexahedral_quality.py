@@ -6,6 +6,7 @@ from itertools import product
 import numpy as np
 import pytest
 
+from refused import refused
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.core.meshing.generate import mesh
@@ -14,7 +15,6 @@ from turgor.core.meshing.quality.cell_quality import cell_volumes, jacobian_rang
 from turgor.core.meshing.quality.checks import check_mesh, crossings
 from turgor.core.meshing.quality.hexahedra_quality import gradients, node_places
 from turgor.core.meshing.quality.proximity import find_facing_walls, smallest_gap
-from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 
@@ -82,7 +82,7 @@ def test_a_cell_turned_inside_out_is_refused() -> None:
     turned = one_cell(move=lambda x: [x[0] + 1.2 * x[0] * (1 - x[0]), x[1], x[2]])
     assert jacobian_range(turned)[0][0] < 0
     assert quality(turned).inverted == 1
-    with pytest.raises(TurgorError, match="1 of 1 cells are turned inside out"):
+    with refused("1 of 1", "(600, 500, 500) mm"):
         refuse_inverted(turned)
 
 

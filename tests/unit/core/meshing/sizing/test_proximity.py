@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from netgen.occ import Box, Cylinder, Glue, Pnt, WorkPlane, Y
 
+from refused import refused
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.generate import mesh
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.facing_walls import first_hits
 from turgor.core.meshing.quality.proximity import FacingWalls, find_facing_walls, smallest_gap
-from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 
@@ -98,7 +98,7 @@ def test_walls_beyond_reach_are_left_out(plates: Mesh) -> None:
         assert len(find_facing_walls(plates, reach=reach).pairs) == count
     assert smallest_gap(find_facing_walls(plates, reach=2.9 * mm)) == inf
     for wrong in (0.0, -1.0, inf):
-        with pytest.raises(TurgorError, match=r"reach is .*; allowed is more than 0"):
+        with refused("reach", f"{wrong * 1e3:g} mm", "more than 0"):
             find_facing_walls(plates, reach=wrong)
 
 

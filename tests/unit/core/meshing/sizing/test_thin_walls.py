@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from meshing_cases import thin_roof, thin_tube
 
+from refused import refused
 from turgor.core.meshing.generate import mesh
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.core.meshing.quality.checks import check_mesh
@@ -13,7 +14,6 @@ from turgor.core.meshing.sizing import thin_walls
 from turgor.core.meshing.sizing import wall_sizes as fitted
 from turgor.core.meshing.sizing.thin_walls import ThinWalls, find_thin_walls, refuse_thin_walls
 from turgor.core.meshing.surface import outer_triangles
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Severity
 from turgor.units import mm
 
@@ -85,10 +85,10 @@ def test_a_face_with_a_size_keeps_it_where_its_wall_is_thin() -> None:
 def test_walls_too_thin_for_their_area_are_refused_before_they_fill_the_memory() -> None:
     walls = ThinWalls(points=np.array([[1.0, 2, 3]]) * mm, thickness=np.array([1e-6]), areas=np.array([1e-6]))
     refuse_thin_walls(walls, "roof")  # one million unknowns
-    with pytest.raises(TurgorError, match=r"'roof' has walls .* about 111 million .* at \(1, 2, 3\) mm"):
+    with refused("roof", "111 million", "0.0001 mm", "(1, 2, 3) mm", "face_sizes"):
         refuse_thin_walls(replace(walls, thickness=np.array([1e-7])), "roof")
 
 
 def test_no_size_is_larger_than_the_part() -> None:
-    with pytest.raises(TurgorError, match="mesh size is 100 mm, larger than the part"):
+    with refused("mesh size", "100 mm", "0.639 mm to 60 mm"):
         mesh(thin_roof(), size=100 * mm, wall_cells=2)

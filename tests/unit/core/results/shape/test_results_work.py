@@ -10,6 +10,7 @@ import pytest
 import results_cases as cases
 
 import turgor as tg
+from refused import refused
 from turgor.core.materials.laws.laws import NeoHooke
 from turgor.core.materials.material import Material
 from turgor.core.model.loads import Force, Pressure
@@ -82,9 +83,9 @@ def test_a_moved_face_is_worked_on():
 
 
 def test_without_an_outside_load_there_is_no_efficiency(pressed):
-    with pytest.raises(tg.TurgorError, match=r"measure 'efficiency': the model has no outside load"):
+    with refused("'efficiency'", "outside load"):
         measure(pressed, "efficiency")
-    with pytest.raises(tg.TurgorError, match=r"'fluid_work' is a sum along a path; read it with tg.measure"):
+    with refused("'fluid_work'", "tg.measure"):
         find_measure("fluid_work")(pressed.states[-1])
 
 
@@ -105,7 +106,7 @@ def test_a_half_has_the_stiffness_of_the_whole_within_its_plane(pressed):
     for name in ("tip_stiffness_x", "tip_stiffness_z"):
         assert find_measure(name)(half) == pytest.approx(find_measure(name)(pressed.states[-1]), rel=0.02)
     assert find_measure("tip_stiffness")(half) <= find_measure("tip_stiffness_z")(half)
-    with pytest.raises(tg.TurgorError, match="a force along y does not fit"):
+    with refused("'tip_stiffness_y'", "along y", "symmetric"):
         find_measure("tip_stiffness_y")(half)
 
 

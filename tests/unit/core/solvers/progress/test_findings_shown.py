@@ -3,11 +3,11 @@
 import warnings
 from dataclasses import replace
 
-import pytest
 import solver_cases
 from turgor.solutions import FindingWarning
 
 import turgor as tg
+from refused import refused
 from turgor.foundation.finding import Severity
 
 #: A rubber whose constant was meant in MPa, as in Abaqus.
@@ -20,9 +20,8 @@ def forgotten() -> tg.Model:
 
 
 def test_a_failed_solve_begins_with_the_finding_that_explains_it() -> None:
-    with pytest.raises(tg.SolveError) as error:
+    with refused("step_too_small: Material 'x'", "0.22 Pa", "3 kPa to 20 MPa", "P01", error=tg.SolveError) as error:
         tg.solve(forgotten())
-    assert str(error.value).startswith(f"step_too_small: {SAID}")
     solution = error.value.solution
     assert "(P01). No equilibrium was found beyond" in solution.message
     assert solution.advice.startswith("Check the unit of the coefficients")

@@ -9,11 +9,11 @@ import pytest
 import solver_cases
 
 import turgor as tg
+from refused import refused
 from turgor.core.solvers.progress import notebook_bar
 from turgor.core.solvers.progress.bar import Bar
 from turgor.core.solvers.progress.notebook_bar import NotebookBar
 from turgor.core.solvers.progress.watchers import watched
-from turgor.foundation.errors import TurgorError
 
 STEPS = tg.Static(first_step=0.5, max_step=0.5)
 
@@ -67,7 +67,7 @@ def test_a_short_solve_shows_no_bar(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_anything_else_is_refused() -> None:
-    with pytest.raises(TurgorError, match="progress is 'yes'; allowed are True, False, None and a function"):
+    with refused("progress", "'yes'", "True, False, None"):
         tg.solve(solver_cases.model(), progress="yes")
 
 
