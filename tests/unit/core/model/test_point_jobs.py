@@ -88,30 +88,38 @@ def test_the_keys_are_those_of_the_model(tmp_path):
 @pytest.mark.parametrize(
     ("more", "facts"),
     [
-        ('face = "tpi"\nmass = "1 g"', ("finger.toml:16", "points.plate.face", "'tpi'", "'tip'")),
-        ('face = "tip"\ncuopling = "rigid"', ("finger.toml:17", "points.plate.cuopling", "'cuopling'", "'coupling'")),
-        ('face = "tip"\ncoupling = "rigd"', ("finger.toml:15", "'plate'", "'rigd'", "'rigid'")),
-        ('face = "tip"\nmoment = [0, "2 N", 0]', ("finger.toml:17", "points.plate.moment", "'2 N'", "force", "moment")),
-        ('face = "tip"\nmoment = ["2 N mm", 0, 0]', ("finger.toml:15", "moment", "actuator.symmetric = false")),
-        ('face = "tip"\ndisplacement = [0, 0, "1 mm"]', ("finger.toml:15", "displacement", "held = 'z'")),
-        ('face = "tip"\nheld = "xw"', ("finger.toml:17", "points.plate.held", "'xw'", "x, y and z")),
-        ('face = "tip"\nrotation = "1 deg"\nhinge = "y"', ("finger.toml:15", "rotation", "hinge")),
-        ('face = "tip"\nhinge = "w"', ("finger.toml:17", "points.plate.hinge", "'w'", "+x, +y, +z, -x, -y, -z")),
-        ('face = "tip"\nforce = [0, 0, "1 mN"]\ntilts = true', ("finger.toml:15", "tilts", "no rotation")),
+        ('face = "tpi"\nmass = "1 g"', ("finger.toml:16: points.plate.face:", "'tpi'", "'tip'")),
+        ('face = "tip"\ncuopling = "rigid"', ("finger.toml:17: points.plate.cuopling:", "'cuopling'", "'coupling'")),
+        ('face = "tip"\ncoupling = "rigd"', ("finger.toml:15: points.plate:", "'plate'", "'rigd'", "'rigid'")),
+        ('face = "tip"\nmoment = [0, "2 N", 0]', ("finger.toml:17: points.plate.moment:", "'2 N'", "force", "moment")),
+        (
+            'face = "tip"\nmoment = ["2 N mm", 0, 0]',
+            ("finger.toml:15: points.plate:", "moment", "actuator.symmetric = false"),
+        ),
+        (
+            'face = "tip"\ndisplacement = [0, 0, "1 mm"]',
+            ("finger.toml:15: points.plate:", "displacement", "held = 'z'"),
+        ),
+        ('face = "tip"\nheld = "xw"', ("finger.toml:17: points.plate.held:", "'xw'", "x, y and z")),
+        ('face = "tip"\nrotation = "1 deg"\nhinge = "y"', ("finger.toml:15: points.plate:", "rotation", "hinge")),
+        ('face = "tip"\nhinge = "w"', ("finger.toml:17: points.plate.hinge:", "'w'", "+x, +y, +z, -x, -y, -z")),
+        (
+            'face = "tip"\nforce = [0, 0, "1 mN"]\ntilts = true',
+            ("finger.toml:15: points.plate:", "tilts", "no rotation"),
+        ),
         (
             'face = "tip"\nmass = "1 g"\nspring = ["1 N", 0, 0]',
-            ("finger.toml:18", "points.plate.spring:", "'1 N'", "spring stiffness"),
+            ("finger.toml:18: points.plate.spring:", "'1 N'", "spring stiffness"),
         ),
     ],
 )
 def test_what_cannot_be_is_refused(tmp_path, more, facts):
-    with refused(*facts) as error:
+    with refused(*facts):
         read(tmp_path, f'[loads]\npressure = "1 kPa"\n[points.plate]\n{more}\n')
-    assert "points.plate" in str(error.value)
 
 
 def test_a_point_needs_a_name_of_its_own(tmp_path):
-    with refused("finger.toml:13", "points.outside", "'outside'"):
+    with refused("finger.toml:13: points.outside:", "'outside'"):
         read(tmp_path, '[points.outside]\nface = "tip"\nhangs = "1 g"\n')
 
 

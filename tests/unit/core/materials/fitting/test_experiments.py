@@ -78,9 +78,8 @@ def test_the_same_strip_in_many_tables(file, text):
     ],
 )
 def test_bad_tables_are_answered_with_a_sentence(file, text, facts):
-    with refused(*facts) as error:
+    with refused("'strip_uniaxial", *facts):
         read_test(file(text))
-    assert "strip_uniaxial" in str(error.value)
 
 
 @pytest.mark.parametrize(

@@ -203,9 +203,8 @@ def test_rubbers_have_the_hardness_of_the_review() -> None:
 
 
 def test_no_record_is_chosen_silently() -> None:
-    with refused("elastosil-m4601", "4 records", "neo-hooke-polygerinos-2020") as error:
+    with refused("elastosil-m4601", "4 records", *(record.name for record in records("elastosil-m4601"))):
         from_library("elastosil-m4601")
-    assert all(record.name in str(error.value) for record in records("elastosil-m4601"))
     assert from_library("kevlar-fiber") == from_library("kevlar-fiber", "hooke-connolly-2015")
 
 
