@@ -80,7 +80,11 @@ class Mesh(Shown):
             )
         corners = self.cell_type.corners
         if self.cells.min() < 0 or self.cells.max() >= len(self.points):
-            raise TurgorError(f"mesh '{self.name}': a cell names a node outside 0..{len(self.points) - 1}.")
+            cell, place = np.argwhere((self.cells < 0) | (self.cells >= len(self.points)))[0]
+            raise TurgorError(
+                f"mesh '{self.name}': cell {cell} names node {self.cells[cell, place]}, outside "
+                f"0..{len(self.points) - 1}."
+            )
         if not np.isfinite(self.points).all():
             node = int(np.argmin(np.isfinite(self.points).all(axis=1)))
             raise TurgorError(

@@ -90,6 +90,7 @@ REFUSED = [
     (("'x'", "stretch_range is (2, 1)", "above 0"), lambda: ranged((2, 1))),
     (("'x'", "stretch_range is 'a'", "a finite number"), lambda: ranged((1, "a"))),
     (("node 2", "[nan, "), lost_node),
+    ((f"node {len(MESH.points)}", f"0..{len(MESH.points) - 1}"), lambda: replace(MESH, cells=MESH.cells + 1)),
     (("'x'", "law is 100000.0"), lambda: tg.Material(name="x", law=1e5)),
     (("membrane is 100000.0", "Material"), lambda: tg.Membrane(1e5, 0.1 * mm)),
     (("'fixed'", "directions is 'ab'"), lambda: tg.Fixed("fixed", "ab")),

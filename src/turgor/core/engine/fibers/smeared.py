@@ -129,7 +129,9 @@ def _spacing(winding: Winding, angle: float, perimeter: float) -> float:
         return winding.spacing
     assert winding.starts is not None
     if angle > pi / 2 - 1e-9:
-        raise TurgorError("a winding of hoops has starts; hoops do not start at an end, give their spacing.")
+        raise TurgorError(
+            f"winding starts is {winding.starts}, but hoops do not start at an end; give their spacing instead."
+        )
     return perimeter * cos(angle) / winding.starts
 
 

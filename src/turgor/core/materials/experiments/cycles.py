@@ -66,7 +66,7 @@ def select_cycle(test: MaterialTest, cycle: int = -1, *, part: str = "loading") 
     if part not in ("loading", "unloading"):
         raise unknown("part of a cycle", part, ("loading", "unloading"))
     if cycle == 0:
-        raise TurgorError("cycles are counted from 1: 1 is the first and -1 the last.")
+        raise TurgorError(f"cycle is 0; 1 is the first {part} curve of test '{test.name}' and -1 the last.")
     parts = half_cycles(test)
     loading = [s for s in parts if _loads(test, s)]
     chosen = loading if part == "loading" else [s for s in parts if s not in loading]

@@ -38,7 +38,11 @@ class Specimen:
                 unit = "m²" if key == "area" else "m"
                 raise TurgorError(f"specimen: {key} is {value:g} {unit}; it must be more than 0.")
         if (self.area is None) == (self.width is None or self.thickness is None):
-            raise TurgorError("specimen: give either its area, or its width and its thickness.")
+            given = [key for key in ("area", "width", "thickness") if getattr(self, key) is not None]
+            raise TurgorError(
+                f"specimen: its section is stated by {', '.join(given) or 'nothing'}; give either its area, or its "
+                "width and its thickness."
+            )
 
     @property
     def section(self) -> float:

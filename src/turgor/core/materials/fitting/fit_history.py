@@ -155,7 +155,8 @@ def _values(search: _Search, x: Array) -> dict[str, float]:
     scale = float(shares.sum())
     if not shares[0] > LEAST_LEFT * scale:
         raise TurgorError(
-            "the tests relax without limit: no long-term stress is left. Give a longer test, or fewer terms."
+            f"terms is {search.terms}, and the tests relax without limit: no long-term stress is left. Give a longer "
+            "test, or fewer terms."
         )
     kept = sorted((float(t), float(b)) for t, b in zip(tau, shares[1:], strict=True) if b > 1e-6 * scale)
     values = {"scale": scale}

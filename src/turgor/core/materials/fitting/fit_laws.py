@@ -175,8 +175,8 @@ class _Search:
         modulus = 2 * float(column @ self.points.target / (column @ column))
         if not modulus > 0:
             raise TurgorError(
-                "the stresses have the wrong sign: tension shows negative stress, or compression positive stress; "
-                "check the sign of the force."
+                f"the stresses of {self.points.names} have the wrong sign: tension shows negative stress, or "
+                "compression positive stress; check the sign of the force."
             )
         return modulus
 

@@ -54,10 +54,16 @@ class FitPoints:
         else:
             scale = np.full(len(self.measured), np.abs(self.measured).max())
         if not (scale > 0).all():
-            raise TurgorError("a test has no stress at all; nothing can be fitted to it.")
+            idle = next(test for test in tests if not np.any(test.measured))
+            raise TurgorError(f"test '{idle.name}' has no stress at all; nothing can be fitted to it.")
         self.weight = 1.0 / scale
         self.target = self.measured * self.weight
         self._known: dict[float, Array] = {}
+
+    @property
+    def names(self) -> str:
+        """The tests, as messages name them."""
+        return ", ".join(f"'{test.name}'" for _, test in self._rows)
 
     def stress(self, law: Any) -> Array:
         """Return the nominal stress of a law at every point, in the order of ``measured`` [Pa]."""

@@ -70,7 +70,10 @@ class Formulas:
     def __post_init__(self) -> None:
         known = self.inputs + len(self.constants)
         if not 0 <= self.inputs < MOST_OPERATIONS or len(self.operations) > MOST_OPERATIONS:
-            raise TurgorError("a formula has too many inputs or operations.")
+            raise TurgorError(
+                f"a formula has {self.inputs} inputs and {len(self.operations)} operations; allowed are "
+                f"{MOST_OPERATIONS} at most."
+            )
         for name, *operands in self.operations:
             if len(operands) != (1 if name in UNARY else 2) or name not in OPERATIONS:
                 raise TurgorError(f"a formula has no operation '{name}' with {len(operands)} operands.")

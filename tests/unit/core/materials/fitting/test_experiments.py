@@ -109,8 +109,8 @@ def test_forces_need_the_specimen(file):
         ({"length": 0.05, "area": 0.0}, ("area", "0 m²", "more than 0")),
         ({"length": 0.0, "area": 1e-5}, ("length", "0 m", "more than 0")),
         ({"length": 0.05, "width": -1e-3, "thickness": 1e-3}, ("width", "-0.001 m", "more than 0")),
-        ({"length": 0.05}, ("area", "width", "thickness")),
-        ({"length": 0.05, "area": 1e-5, "width": 1e-3, "thickness": 1e-3}, ("area", "width", "thickness")),
+        ({"length": 0.05}, ("by nothing", "area", "width", "thickness")),
+        ({"length": 0.05, "area": 1e-5, "width": 1e-3, "thickness": 1e-3}, ("by area", "width", "thickness")),
     ],
 )
 def test_specimens_without_a_section_are_refused(sizes, facts):

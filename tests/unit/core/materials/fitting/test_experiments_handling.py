@@ -56,7 +56,7 @@ def test_cycles_are_counted_from_one_as_on_the_command_line():
     assert [select_cycle(test, number).range[1] for number in (1, 2, 3)] == [1.5, 2.0, 3.0]
     assert [select_cycle(test, -number).range[1] for number in (1, 2, 3)] == [3.0, 2.0, 1.5]
     assert "cycle 1 of 3" in select_cycle(test, -3).edits[-1].text
-    with refused("cycles", 1, -1):
+    with refused("cycle is 0", "'strip'", 1, -1):
         select_cycle(test, 0)
 
 

@@ -171,7 +171,7 @@ def test_wrong_arguments_are_refused(change, facts):
 def test_a_force_of_the_wrong_sign_is_noticed(law):
     stretch = np.linspace(1.1, 2.0, 20)
     test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=-1e5 * (stretch - 1), name="pushed")
-    with refused("stresses", "wrong sign", "force"):
+    with refused(f"'{test.name}'", "wrong sign", "force"):
         fit(law, test)
 
 
@@ -180,7 +180,7 @@ def test_a_constant_stress_has_no_r2():
     test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=np.full(20, 1e5), name="flat")
     assert np.isnan(fit("neo-hooke", test).quality[0].r2)
     none = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=np.zeros(20), name="nothing")
-    with refused("no stress", "test"):
+    with refused(f"'{none.name}'", "no stress"):
         fit("neo-hooke", none)
 
 

@@ -41,9 +41,7 @@ class Ogden:
         object.__setattr__(self, "mu", numbers(self, "mu", self.mu, "pressure"))
         object.__setattr__(self, "alpha", numbers(self, "alpha", self.alpha))
         _require_same_length(self.mu, self.alpha)
-        for i, alpha in enumerate(self.alpha, 1):
-            if alpha == 0:
-                raise TurgorError(f"Ogden: alpha {i} is 0; an exponent may have any value but 0.")
+        _require_exponents(self.alpha)
         require_positive_shear_modulus(self)
         require_finite(self, ((f"mu {i}", value) for i, value in enumerate(self.mu, 1)))
         require_finite(self, ((f"alpha {i}", value) for i, value in enumerate(self.alpha, 1)))
@@ -58,8 +56,7 @@ class Ogden:
         Ogden(mu=(30200.0,), alpha=(5.0,))
         """
         _require_same_length(mu, alpha)
-        if any(a == 0 for a in alpha):
-            raise TurgorError("Ogden: an exponent alpha is 0; it may have any value but 0.")
+        _require_exponents(alpha)
         return cls(mu=tuple(2 * m / a for m, a in zip(mu, alpha, strict=True)), alpha=tuple(alpha))
 
     @classmethod
@@ -103,3 +100,9 @@ def _require_same_length(mu: Sequence[float], alpha: Sequence[float]) -> None:
         raise TurgorError(
             f"Ogden: {len(mu)} coefficients mu but {len(alpha)} exponents alpha; give one of each a term."
         )
+
+
+def _require_exponents(alpha: Sequence[float]) -> None:
+    for i, exponent in enumerate(alpha, 1):
+        if exponent == 0:
+            raise TurgorError(f"Ogden: alpha {i} is 0; an exponent may have any value but 0.")
