@@ -119,7 +119,7 @@ def test_specimens_without_a_section_are_refused(sizes, facts):
 
 
 def test_a_missing_file_is_a_sentence(tmp_path):
-    with refused(tmp_path / "nowhere_uniaxial.csv"):
+    with refused(tmp_path / "nowhere_uniaxial.csv", "No such file"):
         read_test(tmp_path / "nowhere_uniaxial.csv")
 
 

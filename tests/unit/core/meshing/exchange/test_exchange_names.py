@@ -117,7 +117,7 @@ def test_cavity_elsewhere_or_of_a_solid_mesh(cube, tmp_path):
         read_mesh(cube, cavities={"cavity": moved})
     points, cells, _ = cases.hollow_cube()
     full = np.vstack([cells, [[21, 37, 41, 25, 22, 38, 42, 26]]])
-    with refused(tmp_path / "missing.stl"):
+    with refused("no STL", tmp_path / "missing.stl"):
         read_mesh(cube, cavities={"cavity": tmp_path / "missing.stl"})
     solid = tmp_path / "solid.vtk"
     solid.write_bytes(cases.vtk_legacy(points, [(12, full)]))
