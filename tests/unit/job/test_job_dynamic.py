@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from refused import refused
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.core.model.history import over_time, share_at
@@ -53,7 +54,7 @@ def read(tmp_path: Path, text: str, name: str = "job") -> object:
 
 
 def test_a_table_is_no_duration(tmp_path: Path) -> None:
-    with pytest.raises(JobError, match=r"procedure\.duration: .* is not a time"):
+    with refused("procedure.duration", "'40 ms'", "'2 s'", error=JobError):
         read(tmp_path, MOTION.replace('duration = "40 ms"', 'duration = { duration = "40 ms" }'))
 
 

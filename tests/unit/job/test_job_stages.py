@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import results_cases as cases
 
+from refused import refused
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.core.model.history import over_time
@@ -24,7 +25,6 @@ from turgor.core.solvers.procedures.volume_control import VolumeControl
 from turgor.core.solvers.progress.progress import Course, describe
 from turgor.core.solvers.solution import Iteration
 from turgor.core.solvers.solve import solve
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.job.export import export_job
@@ -228,17 +228,19 @@ def test_lines_of_arrays_of_tables_are_numbered() -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "message"),
+    ("old", "new", "facts"),
     [
-        ('cavities = "cavity"', 'cavities = "cavty"', "stage 'press': unknown cavity in procedure.cavities 'cavty'"),
-        ('moves = {', 'loads.pressure = "1 kPa"\nmoves = {', "stage 'press': cavity has a pressure load"),
-        ('fixed = "xyz"', 'fixed = "xy"', "rigid motions free"),
+        ('cavities = "cavity"', 'cavities = "cavty"', ["'press'", "procedure.cavities", "'cavty'", "'cavity'"]),
+        ('moves = {', 'loads.pressure = "1 kPa"\nmoves = {', ["'press'", "cavity", "procedure.cavities"]),
+        ('fixed = "xyz"', 'fixed = "xy"', ["1 of 6", "B01", "'plate'"]),
     ],
 )  # fmt: skip
-def test_what_the_mesh_decides_is_refused_before_the_solve(tmp_path: Path, old: str, new: str, message: str) -> None:
+def test_what_the_mesh_decides_is_refused_before_the_solve(
+    tmp_path: Path, old: str, new: str, facts: list[str]
+) -> None:
     text = HEAD + STAGED
     assert old in text
-    with pytest.raises(TurgorError, match=message):
+    with refused(*facts):
         prepare(read(tmp_path, text.replace(old, new)))
 
 
@@ -290,7 +292,7 @@ def test_axes_and_titles_name_stages() -> None:
     assert axes.get_xticks().tolist() == [0, 1, 2]
     assert picture_title(response, -1, "tube") == "tube · press · 4 kPa"
     assert picture_title(response, 0, "tube") == "tube · 0 kPa"
-    with pytest.raises(TurgorError, match="1 stages are named for 5 rows"):
+    with refused("1 stages", "5 rows"):
         Response(columns=columns, source=Source(text="a gauge"), stages=("fill",))
 
 
@@ -313,7 +315,7 @@ def test_what_cannot_have_stages_says_so_and_check_lists_them(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     job = read(tmp_path, HEAD.replace('tip = "x"\n', "") + SWING)
-    with pytest.raises(TurgorError, match=r"stages have no form in an \.inp file"):
+    with refused("stages", ".inp"):
         export_job(job, tmp_path / "inp", ["inp"])
     assert main(["check", str(tmp_path / "job.toml")]) == DONE
     told = capsys.readouterr().out

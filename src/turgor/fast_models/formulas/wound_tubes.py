@@ -104,8 +104,12 @@ def wound_tube(
             "use inextensible=False, or fewer windings."
         )
     wanted = path_of("pressure", pressure)
-    if (np.diff(wanted) < 0).any():
-        raise TurgorError("the pressures must rise, as the path is followed from rest.")
+    if (falls := np.diff(wanted) < 0).any():
+        row = int(falls.argmax())
+        raise TurgorError(
+            f"pressure falls from {wanted[row] / 1e3:g} to {wanted[row + 1] / 1e3:g} kPa; it must rise, as the path is "
+            "followed from rest."
+        )
     return _answered(actuator, material, windings, body, wanted)
 
 

@@ -7,10 +7,9 @@ import sys
 from dataclasses import replace
 
 import numpy as np
-import pytest
 from study_cases import PICTURE, breaks, dies, line, refuses
 
-from turgor.foundation.errors import TurgorError
+from refused import refused
 from turgor.studies.runs.executors.run_outcome import compute
 from turgor.studies.runs.files.run_files import keep, kept
 from turgor.studies.runs.run import Computed, Run
@@ -62,9 +61,9 @@ def test_equal_questions_have_equal_keys_whatever_their_names():
 
 
 def test_runs_that_no_process_could_repeat_are_refused():
-    with pytest.raises(TurgorError, match=r"run 'a' calls .*lambda.*define the function at the top of a module"):
+    with refused("'a'", "<lambda>", "module"):
         Run(name="a", function=lambda: Computed(response=line(1.0).response))
-    with pytest.raises(TurgorError, match=r"run 'b' has a value that cannot be kept: .*set"):
+    with refused("'b'", "set", "JSON"):
         Run(name="b", function=line, values={"slope": {1}})
 
 
@@ -104,7 +103,7 @@ def test_a_worker_that_dies_is_told(tmp_path):
 
 
 def test_a_process_at_least():
-    with pytest.raises(TurgorError, match="processes is 0; allowed is 1 or more"):
+    with refused("processes", 0, "1 or more"):
         run_all((), None, processes=0)  # type: ignore[arg-type]
 
 

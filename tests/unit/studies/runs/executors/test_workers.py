@@ -8,11 +8,10 @@ import threading
 import time
 from pathlib import Path
 
-import pytest
 from study_cases import killed, refuses, slow
 
 import turgor as tg
-from turgor.foundation.errors import TurgorError
+from refused import refused
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.worker_processes import Workers
 from turgor.studies.runs.files.run_files import kept
@@ -163,5 +162,5 @@ def test_scripts_that_import_themselves_are_told(tmp_path):
 
 
 def test_a_process_at_least(tmp_path):
-    with pytest.raises(TurgorError, match="processes is 0; allowed is 1 or more"):
+    with refused("processes", 0, "1 or more"):
         tg.studies.kept_in(tmp_path, processes=0)
