@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from refused import refused
+from refused import refused, states
 from turgor.cli import main
 from turgor.core.results.files.response_csv import read_response
 from turgor.core.solvers.checkpoints.record import INDEX
@@ -141,7 +141,7 @@ def test_measure_replaces_no_file_without_force(file, tmp_path, capsys):
     (tmp_path / "thesis.csv").write_text("mine")
     command = ["measure", str(tmp_path / "out"), "--output", str(tmp_path / "thesis.csv")]
     assert main(command) == 1
-    assert "which exists; name another file, or replace it with --force" in capsys.readouterr().err
+    assert states(capsys.readouterr().err, "thesis.csv", "--force")
     assert (tmp_path / "thesis.csv").read_text() == "mine"
     assert main([*command, "--force"]) == 0
     assert (tmp_path / "thesis.csv").read_text() != "mine"

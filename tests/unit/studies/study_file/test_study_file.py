@@ -9,7 +9,7 @@ import pytest
 
 import turgor as tg
 from calibration_cases import JOB
-from refused import refused
+from refused import refused, states
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.studies.optimization.manufacture import Casting
@@ -116,7 +116,7 @@ def test_a_study_file_is_the_same_as_options(folder, capsys, kind):
     read, says = json.loads(said.out)["result"], {"calibrate": "parameters", "uncertainty": "sentences"}[kind]
     assert read[says] == stated[says]
     assert main([kind, "every.toml", *CALLS[kind]]) == BAD_INPUT
-    assert "goes with a job file; the study file 'every.toml' states it in its tables" in capsys.readouterr().err
+    assert states(capsys.readouterr().err, "job file", "'every.toml'")
 
 
 @pytest.mark.parametrize(
