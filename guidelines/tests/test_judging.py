@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-import turgor as tg
 from guideline_cases import a_guideline, line, refuses
+from refused import refused
 from turgor_guidelines.catalog import chosen, guidelines
 from turgor_guidelines.guideline import Judgement, Verdict, overall
 from turgor_guidelines.judge import judged, run_guidelines
@@ -80,9 +80,9 @@ def test_guidelines_are_chosen_by_key_or_section():
     assert everything == [each.key for each in chosen(())]
     assert all(each.key.startswith("7.4-") for each in chosen(["7.4"]))
     assert [each.key for each in chosen(["7.4-5", "7.4-5"])] == ["7.4-5"]
-    with pytest.raises(tg.TurgorError, match=r"guideline '7\.4-55'.*7\.4-5"):
+    with refused("'7.4-55'", "'7.4-5'"):
         chosen(["7.4-55"])
-    with pytest.raises(tg.TurgorError):
+    with refused("'7'", "7.4-5"):
         chosen(["7"])
 
 

@@ -375,7 +375,7 @@ def test_doubtful_constants_and_a_law_beyond_its_tests_are_said(
     assert main(["run", "finger.toml", "--quiet"]) == DONE
     err = capsys.readouterr().err
     assert err.count("are those of Elastosil M4601") == 1
-    assert states(err, "M01 warning:", "'mine'", "1.001")
+    assert states(err, "M01 warning:", "'mine'")
 
 
 def test_the_shell_completes_commands() -> None:

@@ -74,7 +74,7 @@ def test_nor_is_one_that_a_function_returns() -> None:
     [
         (2, ["2 mesh sizes", "3 to 6"]),
         (7, ["7 mesh sizes", "3 to 6"]),
-        (True, ["True mesh sizes", "3 to 6"]),
+        (True, ["True", "3 to 6"]),
         ([4 * mm, 2 * mm], ["2 mesh sizes", "3 to 6"]),
         ([4 * mm, 2 * mm, -1 * mm], ["-1 mm", 0]),
         ([4 * mm, 2 * mm, float("nan")], ["nan mm", 0]),
