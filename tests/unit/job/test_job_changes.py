@@ -58,7 +58,7 @@ def test_a_stage_is_named_by_its_name_or_number(stage):
         ("loads..pressure=1", ["changes: 'loads..pressure'", "loads.pressure"]),
         ("loads.pressure", ["changes is 'loads.pressure'", "'30 kPa'"]),
         ("=3", ["changes is '=3'", "'30 kPa'"]),
-        ("mesh.wall_cells=2\ngrading=1", ["changes: mesh.wall_cells:", "'2\ngrading=1'", "whole number"]),
+        ("mesh.wall_cells=2\ngrading=1", ["changes: mesh.wall_cells:", "'2\\ngrading=1'", "whole number"]),
     ],
 )
 def test_a_mistake_is_a_sentence_that_names_the_argument_or_on_the_command_line_the_option(text, facts):

@@ -196,7 +196,7 @@ def test_changed_stl_body_is_noticed(tmp_path):
     lock = lock_text(read(tmp_path, f'{BARE}[obstacles.block]\nshape = "stl"\nfile = "block.stl"\n'), {})
     block(file, side=11.0)
     (problem,) = problems(tmp_path, lock)
-    assert any_states([problem], ["obstacles.block.sha256:", file])
+    assert any_states([problem], ["obstacles.block.sha256:", "'block.stl'"])
 
 
 BAD_STL = [

@@ -215,7 +215,7 @@ def _volumes(section, solution, row):
     ("asked", "facts"),
     [
         ({"volume": {"cavty": 1e-4}}, ["'cavty'", "'cavity'"]),
-        ({"pressure": 1e3, "volume": {"cavity": 1e-4}}, ["pressure", "volume", "cavity"]),
+        ({"pressure": 1e3, "volume": {"cavity": 1e-4}}, ["pressure", "volume", "cavity", "name"]),
         ({"pressure": {"cavity": 1e3}, "volume": {"cavity": 1e-4}}, ["cavity", "pressure", "volume", "both"]),
         ({"volume": {"cavity": [1e-4, 2e-4]}, "held": {"stretch": [1.0, 1.1, 1.2]}}, ["volume cavity", "2 values", 3]),
     ],
