@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import turgor as tg
 from guideline_cases import a_guideline, line, refuses
 from turgor_guidelines.catalog import chosen, guidelines
 from turgor_guidelines.guideline import Judgement, Verdict, overall
