@@ -107,6 +107,7 @@ def test_the_lock_file_gives_an_equal_job(folder, tmp_path_factory):
         ('"2 mm"', '"2"', [":11: actuator.split.thickness:", "'2'", "m, cm, mm"]),
         ("{ normal =", "{ norm =", [":7: actuator.faces.fixed.norm:", "'norm'", "'normal'"]),
         ('"-x" }', '"-x", color = "red" }', [":7: actuator.faces.fixed:", "name, color, near, box, normal"]),
+        ('{ normal = "-x" }', '{ box = [[0, 0, 0]] }', [":7: actuator.faces.fixed:", "1 corners", "two"]),
         ('"-x" }', '"left" }', ["normal", "'left'", "'+x'"]),
         ('0, "1.5 mm"]', '0]', ["(0.038, 0.0)", "three"]),
         ('0, "1.5 mm"]', '1, "1.5 mm"]', [":8: actuator.faces.tip.near:", "1", "m, cm, mm"]),

@@ -164,7 +164,9 @@ def angle_and_spacing(fibers: Fibers, radius: float, length: float) -> tuple[flo
     if winding.spacing is not None:
         return angle, winding.spacing
     if angle > pi / 2 - ALONG:
-        raise TurgorError("a winding of hoops has starts; hoops do not start at an end, give their spacing.")
+        raise TurgorError(
+            f"winding starts is {winding.starts}, but hoops do not start at an end; give their spacing instead."
+        )
     return angle, 2 * pi * radius * cos(angle) / (winding.starts or 1)
 
 

@@ -115,6 +115,7 @@ def test_findings_where_assumptions_fail():
 def test_bad_input_names_field_and_value():
     tube, muscle = tg.actuators.ExtendingCylinder(), tg.actuators.ContractingTube()
     stiff = tg.Material(name="paper", law=tg.laws.Hooke(E=1e9, nu=0.3))
+    hoops = replace(threads(90), winding=tg.Winding(angle_from_axis=90 * deg, starts=3))
     cases = [
         (lambda: F.thick_tube(tube, RUBBER), ["pressure", "inner_stretch"]),
         (lambda: F.thick_tube(tube, RUBBER, -1.0), ["pressure", -1, "0 or more"]),
@@ -124,6 +125,7 @@ def test_bad_input_names_field_and_value():
         (lambda: F.wound_tube(tube, RUBBER, threads(60), [1e3], wall="thik"), ["wall", "'thik'", "'thick'"]),
         (lambda: F.wound_tube(tube, RUBBER, threads(60), [2e3, 1e3]), ["pressure", "2 to 1 kPa"]),
         (lambda: F.wound_tube(tube, RUBBER, [threads(90), threads(0)], [1e3], inextensible=True), ["2 directions"]),
+        (lambda: F.wound_tube(tube, RUBBER, [hoops], [1e3]), ["starts", 3, "spacing"]),
         (lambda: F.ideal_mckibben(muscle, threads(25), 1e3), ["hand", "'right'", "'both'"]),
         (lambda: F.ideal_mckibben(muscle, threads(25, "both"), 1e3, -0.2), ["contraction", -0.2, -0.1034]),
         (lambda: F.mckibben(muscle, RUBBER, threads(25, "both"), [1e3], [0.1, 0.2]), ["[0.1, 0.2]", "1 pressures"]),

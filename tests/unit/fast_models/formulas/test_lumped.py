@@ -94,5 +94,7 @@ def test_records_that_say_nothing_are_refused():
         identify_step(record(t[:5], t[:5]), "bending_angle")
     with refused("times", "1 to 0 s"):
         identify_step(record(t[::-1], t), "bending_angle")
-    with refused("2 values", "five"):
+    with refused("amplitude", 0, "drive", 2):
+        identify_sweep(np.arange(1.0, 7.0), np.zeros(6), drive=2.0)
+    with refused("2 frequencies", "2 amplitudes", "five"):
         identify_sweep([1.0, 2.0], [1.0, 1.0])

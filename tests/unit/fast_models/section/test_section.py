@@ -169,6 +169,8 @@ def test_cut_of_a_mesh_where_nothing_is_or_of_tetrahedra_is_refused():
     mesh = tg.mesh(actuator.build(), size=4 * mm, cells="hexahedra")
     with refused("x = 90 mm", "'extending cylinder", "0 mm to 40 mm"):
         tg.sections.cut(mesh, at=90 * mm)
+    with refused("size", "2 mm", "'extending cylinder"):
+        tg.Section(mesh, {"body": RUBBER}, size=2 * mm)
     cells = tg.mesh(actuator.build(), size=6 * mm, cells="tetrahedra")
     with refused("ten-node tetrahedrons", "27-node hexahedra"):
         tg.sections.cut(cells)

@@ -150,6 +150,12 @@ def test_long_choices_and_small_studies_are_refused(study):
         surrogate(Study(factors=(*study.factors, rubber), rows=study.rows, source=study.source))
     with refused("4 of 4 rows", 5):
         surrogate(Study(factors=study.factors, rows=study.rows[:4], source=study.source))
+    fixed = tuple(Factor(name=name, levels=(1.0,)) for name in ("wall", "gap"))
+    with refused("wall, gap", "factor"):
+        surrogate(Study(factors=fixed, rows=study.rows, source=study.source))
+    same = Study(factors=study.factors, rows=study.rows[:1] * 6, source=study.source)
+    with refused("measure", "pressure, bending_angle"):
+        surrogate(same)
     with refused("'bending_angel'", "'bending_angle'"):
         surrogate(study, ["bending_angel"])
     with refused("at", "('pressure', 10000.0)", "along", "'pressure'"):

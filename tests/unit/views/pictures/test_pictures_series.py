@@ -148,6 +148,8 @@ def test_bad_motions_are_refused(tmp_path, path):
         tg.pictures.write_motion(tmp_path / "m.mpg", path)
     with refused("one state"):
         tg.pictures.write_motion(tmp_path / "m.gif", cases.solution([path.states[0]]), motion=SHORT)
+    with refused("2 states"):
+        tg.pictures.write_motion(tmp_path / "m.gif", cases.solution([path.states[0]] * 2), motion=SHORT)
     with refused("rate", 500, "2 to 60"):
         tg.pictures.Motion(rate=500)
 
