@@ -99,7 +99,7 @@ def test_columns_must_fit_together():
         Response(columns=(Column("pressure", "kPa", [0.0]), Column("pressure", "Pa", [0.0])), source=SOURCE)
     with refused("'pressure'", "(1, 2)"):
         Column("pressure", "kPa", [[0.0, 1.0]])
-    with refused("column"):
+    with refused("response", "one column"):
         Response(columns=(), source=SOURCE)
 
 
