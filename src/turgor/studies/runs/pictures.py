@@ -244,8 +244,7 @@ def _grid(study: Study, count: int) -> Grid:
     grid = Grid.of(study)
     if grid is None or len(grid.factors) != count:
         found = "no full grid" if grid is None else f"a grid of {len(grid.factors)}"
-        names = ", ".join(each.name for each in study.factors)
-        raise TurgorError(f"this picture needs all combinations of {count} factors; the study of {names} has {found}.")
+        raise TurgorError(f"this picture needs all combinations of {count} factors; the study has {found}.")
     return grid
 
 
