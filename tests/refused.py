@@ -1,7 +1,7 @@
 """Expect an error by its facts, such as names, values and ranges: its sentences are free to improve."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 
 import pytest
@@ -38,8 +38,16 @@ def refused(*facts: object, error: type[Exception] = TurgorError) -> Iterator[py
     assert not missing, f"the message does not state {missing}: {caught.value}"
 
 
-def states(message: str, fact: str) -> bool:
-    """Whether a fact stands in a message as a whole: no letter or digit goes on before or after it."""
-    before = r"(?<![\w.])" if fact[:1].isalnum() else ""
-    after = r"(?![\w]|\.\d)" if fact[-1:].isalnum() else ""
-    return re.search(before + re.escape(fact) + after, message) is not None
+def states(message: str, *facts: str) -> bool:
+    """Whether each fact stands in a message as a whole: no letter or digit goes on before or after it."""
+    for fact in facts:
+        before = r"(?<![\w.])" if fact[:1].isalnum() else ""
+        after = r"(?![\w]|\.\d)" if fact[-1:].isalnum() else ""
+        if re.search(before + re.escape(fact) + after, message) is None:
+            return False
+    return True
+
+
+def any_states(messages: Iterable[str], facts: Sequence[str]) -> bool:
+    """Whether one of several messages states every fact."""
+    return any(states(message, *facts) for message in messages)

@@ -80,8 +80,9 @@ def test_guidelines_are_chosen_by_key_or_section():
     assert everything == [each.key for each in chosen(())]
     assert all(each.key.startswith("7.4-") for each in chosen(["7.4"]))
     assert [each.key for each in chosen(["7.4-5", "7.4-5"])] == ["7.4-5"]
-    with pytest.raises(tg.TurgorError, match=r"guideline '7\.4-55'.*7\.4-5"):
+    with pytest.raises(tg.TurgorError) as caught:
         chosen(["7.4-55"])
+    assert "'7.4-5'" in str(caught.value)
     with pytest.raises(tg.TurgorError):
         chosen(["7"])
 

@@ -10,6 +10,7 @@ import turgor.core.geometry.actuators
 import turgor.core.materials.laws.energies
 import turgor.core.results.measures
 import turgor.core.solvers.procedures
+from refused import refused
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.fitting.fit_laws import fit
 from turgor.core.materials.laws.laws import LAWS
@@ -153,5 +154,5 @@ def test_two_files_of_one_name_are_refused(tmp_path, monkeypatch):
     (tmp_path / "other.py").write_text(MEASURE.replace('"rise"', '"reaction"'), encoding="utf-8")
     package = turgor.core.results.measures
     monkeypatch.setattr(package, "__path__", [*package.__path__, str(tmp_path)])
-    with pytest.raises(ValueError, match=r"two files of turgor\.core\.results\.measures define 'reaction'"):
+    with refused("turgor.core.results.measures", "'reaction'", error=ValueError):
         list(MEASURES)

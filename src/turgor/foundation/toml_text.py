@@ -6,6 +6,7 @@ turgor.TurgorError: finger.toml:1: a text with a unit needs quotes; put quotes a
 """
 
 import re
+import sys
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -52,15 +53,19 @@ def read_toml(text: str, name: str) -> dict[str, Any]:
     Traceback (most recent call last):
     turgor.TurgorError: finger.toml:2: 'wall' stands twice, in lines 1 and 2; leave one out.
     """
+    nested = TurgorError(f"{name}: it is nested too deeply; allowed are {MOST_LEVELS} levels.")
     try:
         content = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _error(text, name, str(error)) from error
     except (RecursionError, ValueError) as error:  # brackets in brackets without end, a number of thousands of digits
-        why = "it is nested too deeply" if isinstance(error, RecursionError) else "a number has too many digits"
-        raise TurgorError(f"{name}: {why}.") from None
+        if isinstance(error, RecursionError):
+            raise nested from None
+        raise TurgorError(
+            f"{name}: a number has too many digits; allowed are {sys.get_int_max_str_digits()}."
+        ) from None
     if _depth(content) > MOST_LEVELS:
-        raise TurgorError(f"{name}: it is nested too deeply; allowed are {MOST_LEVELS} levels.")
+        raise nested
     for number, line in enumerate(text.splitlines(), start=1):
         path = _DRIVE.search(line)  # signs such as \n and \t are valid, but no part of a path
         if path is not None and _KEY.match(line):

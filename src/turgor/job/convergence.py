@@ -126,7 +126,10 @@ def study_sizes(question: Question, sizes: int | Sequence[float]) -> tuple[float
                 f"mesh size is {size / mm:.4g} mm; allowed for this job is {low:.3g} mm to {high:.4g} mm."
             )
     if len(set(sizes)) < len(sizes):
-        raise TurgorError("two of the mesh sizes are equal; sizes that differ by a factor of 1.3 or more compare well.")
+        listed = ", ".join(f"{size / mm:.4g}" for size in sizes)
+        raise TurgorError(
+            f"two of the mesh sizes {listed} mm are equal; sizes that differ by a factor of 1.3 or more compare well."
+        )
     return tuple(sorted(sizes, reverse=True))
 
 

@@ -139,7 +139,8 @@ def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
 
 def _write_mold(job: Job, folder: Path) -> None:
     if not isinstance(job.actuator, FastPneuNet | SlowPneuNet):
-        raise TurgorError("a mold can be made for the actuator types fast_pneunet and slow_pneunet only.")
+        name = type(job.actuator).__name__
+        raise TurgorError(f"there is no mold for {name}; the actuator types fast_pneunet and slow_pneunet have one.")
     for name, part in casting_mold(job.actuator).items():
         write_step(part, folder / f"{job.name}-mold-{name}.step")
         write_stl(part, folder / f"{job.name}-mold-{name}.stl")

@@ -15,6 +15,7 @@ from typer.main import get_command
 
 import turgor.job.prepare
 import turgor.job.run
+from refused import states
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
 from turgor.cli.start.commands import command_line
@@ -95,7 +96,7 @@ def test_debug_shows_the_traceback(folder: Path, capsys: pytest.CaptureFixture[s
     err = capsys.readouterr().err
     assert "Traceback" in err
     assert "JobError" in err
-    assert "did you mean 'gap'?" in err.splitlines()[-1]
+    assert states(err.splitlines()[-1], "'gab'", "'gap'")
 
 
 def test_a_folder_that_holds_something_is_not_touched(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -104,20 +105,17 @@ def test_a_folder_that_holds_something_is_not_touched(folder: Path, capsys: pyte
     (results / "thesis.tex").write_text("mine")
     assert main(["run", "finger.toml"]) == BAD_INPUT
     out, err = capsys.readouterr()
-    assert err == (
-        "the output folder 'finger-results' exists and is not empty. Name another with --output OTHER, or replace the "
-        "results in it with --force.\n"
-    )
+    assert states(err, "'finger-results'", "--output OTHER", "--force")
     assert "meshing" not in out, "it is refused before anything is computed"
     assert [file.name for file in results.iterdir()] == ["thesis.tex"]
     assert main(["run", "finger.toml", "--output", "finger.toml"]) == BAD_INPUT
-    assert "the output folder 'finger.toml' is a file" in capsys.readouterr().err
+    assert states(capsys.readouterr().err, "'finger.toml'", "a file")
 
 
 def test_a_folder_that_cannot_be_made_is_named(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "file").write_text("")
     assert main(["run", "finger.toml", "--output", "file/results"]) == BAD_INPUT
-    assert capsys.readouterr().err.startswith("the output folder 'file/results' cannot be written: Not a directory.")
+    assert states(capsys.readouterr().err, "'file/results'", "Not a directory")
 
 
 @pytest.mark.parametrize(
@@ -153,7 +151,7 @@ def test_what_nobody_expected_is_a_sentence_too(
     monkeypatch.setattr(turgor.job.prepare, "mesh_of", broken)
     assert main(["run", "finger.toml", "--quiet"]) == BAD_INPUT
     err = capsys.readouterr().err
-    assert err.startswith("turgor failed unexpectedly, ZeroDivisionError: by zero. Please report it")
+    assert states(err, "ZeroDivisionError: by zero")
     assert err.count("\n") == 1
     assert not (folder / "finger-results").exists(), "no empty folder is left behind"
 
@@ -166,7 +164,7 @@ def test_a_full_disk_is_a_sentence(
 
     monkeypatch.setattr(turgor.job.run, "prepare", full)
     assert main(["run", "finger.toml", "--quiet"]) == BAD_INPUT
-    assert capsys.readouterr().err == "'response.csv' cannot be read or written: No space left on device.\n"
+    assert states(capsys.readouterr().err, "'response.csv'", "No space")
 
 
 def test_version_actuators_and_materials(capsys: pytest.CaptureFixture[str]) -> None:
@@ -214,9 +212,7 @@ def test_a_model_that_nothing_holds_is_an_error_of_a_check(folder: Path, capsys:
     (folder / "finger.toml").write_text(JOB + '[supports]\nfixed = "z"\n')
     assert main(["check", "finger.toml"]) == FOUND_ERROR
     err = capsys.readouterr().err
-    assert "rigid motions free (B01); fix a face, for example 'fixed'; its faces are fixed, " in err, (
-        "no Python on the command line"
-    )
+    assert states(err, "B01", "'fixed'", "fixed, outside"), "no Python on the command line"
 
 
 def test_help_and_usage_errors_import_nothing_heavy() -> None:
@@ -234,7 +230,7 @@ def test_the_program_itself_answers_a_mistake(folder: Path) -> None:
     run = subprocess.run([sys.executable, "-m", "turgor.cli", "run", "finger.toml"], capture_output=True, text=True)
     assert run.returncode == BAD_INPUT
     assert run.stdout == ""
-    assert run.stderr.startswith("finger.toml:16: loads.pressure: unknown unit 'kP' in '60 kP'; did you mean 'kPa'?")
+    assert states(run.stderr, "finger.toml:16: loads.pressure:", "'kP'", "'60 kP'", "'kPa'")
     assert run.stderr.count("\n") == 1
 
 
@@ -313,7 +309,7 @@ def test_a_run_that_stops_early_writes_the_path_so_far(folder: Path, capsys: pyt
     (folder / "finger.toml").write_text(JOB + "max_steps = 1\n[output]\nmeasures = ['reaction']\n" + QUICK)
     assert main(["run", "finger.toml", "--force"]) == NOT_CONVERGED
     err = capsys.readouterr().err
-    assert "Stopped at 1 kPa (load factor 0.5) after 1 steps. Raise procedure.max_steps to go on." in err
+    assert states(err, "1 kPa", "load factor 0.5", "1 steps", "procedure.max_steps")
     assert [row["load_factor"] for row in rows(results / "response.csv")] == [0, 0.5]
     assert "step limit: Stopped" in (results / "run.log").read_text()
     assert (results / "notes.txt").read_text() == "old"
@@ -333,7 +329,7 @@ def test_an_interrupted_run_writes_the_path_so_far(
     monkeypatch.setattr(turgor.job.run, "follow_question", interrupted)
     (folder / "finger.toml").write_text(JOB + "[output]\n" + QUICK)
     assert main(["run", "finger.toml", "--quiet"]) == 128 + signal.SIGINT
-    assert "Interrupted at 1 kPa (load factor 0.5); the path so far is kept." in capsys.readouterr().err
+    assert states(capsys.readouterr().err, "1 kPa", "load factor 0.5")
     assert [row["load_factor"] for row in rows(folder / "finger-results" / "response.csv")] == [0, 0.5]
 
 
@@ -361,7 +357,7 @@ def test_walls_that_meet_are_an_error_after_everything_is_written(
     (folder / "finger.toml").write_text(job)
     assert main(["run", "finger.toml", "--quiet"]) == FOUND_ERROR
     err = capsys.readouterr().err
-    assert re.search(r"B02 error: Outer walls met at [\d.]+ kPa; beyond it they pass through each other", err)
+    assert states(err, "B02 error:", "kPa")
     assert rows(folder / "finger-results" / "response.csv")[-1]["load_factor"] == 1
 
 
@@ -379,7 +375,7 @@ def test_doubtful_constants_and_a_law_beyond_its_tests_are_said(
     assert main(["run", "finger.toml", "--quiet"]) == DONE
     err = capsys.readouterr().err
     assert err.count("are those of Elastosil M4601") == 1
-    assert re.search(r"M01 warning: The law of 'mine' is used up to stretch 1\.\d+, but its tests end at 1", err)
+    assert states(err, "M01 warning:", "'mine'")
 
 
 def test_the_shell_completes_commands() -> None:

@@ -7,6 +7,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+from refused import states
 from turgor.cli.fitting.fit import fit_command
 from turgor.core.materials.laws.laws import Yeoh
 from turgor.core.materials.library.record_files import read_records
@@ -119,7 +120,7 @@ def test_mistakes_are_sentences_and_exit_code_1(run, strip, arguments, sentence)
 
 
 def test_a_missing_file_and_an_unanswered_question(run, strip, tmp_path):
-    assert "cannot be read" in run(tmp_path / "no_uniaxial.csv").output
+    assert states(run(tmp_path / "no_uniaxial.csv").output, "no_uniaxial.csv")
     bare = tmp_path / "bare_uniaxial.csv"
     bare.write_text(strip.read_text().replace("nominal_stress_MPa", "stress (MPa)"))
     assert "--stress nominal" in run(bare).output

@@ -7,6 +7,7 @@ import results_cases as cases
 from PIL import Image
 
 import turgor as tg
+from refused import states
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
 
@@ -28,7 +29,7 @@ def test_motion_of_a_run_is_written(run, tmp_path, capsys):
     assert Image.open(gif).width == 400
     assert glb.read_bytes()[:4] == b"glTF"
     assert main(asked) == BAD_INPUT
-    assert "there already; choose another name, or --force" in capsys.readouterr().err
+    assert states(capsys.readouterr().err, "--force")
 
 
 @pytest.mark.parametrize(
@@ -47,4 +48,4 @@ def test_bad_wishes_are_sentences(run, tmp_path, monkeypatch, capsys, arguments,
 
 def test_a_job_has_no_motion(tmp_path, capsys):
     assert main(["export", str(tmp_path / "job.toml"), "--to", "m.gif"]) == BAD_INPUT
-    assert "is no folder of results" in capsys.readouterr().err
+    assert states(capsys.readouterr().err, "job.toml", "folder")

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from refused import refused
 from turgor.core.results.files.response_csv import read_response
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import COLUMN_UNITS, Column, Response
 from turgor.foundation.source import Source
 from turgor.units import deg, kPa
@@ -34,7 +34,7 @@ def test_values_cannot_be_changed():
     response = table(pressure=("kPa", given_values))
     given_values[0] = 7.0
     assert response.column("pressure")[0] == 0.0
-    with pytest.raises(ValueError, match="read-only"):
+    with refused("read-only", error=ValueError):
         response.column("pressure")[0] = 1.0
 
 
@@ -73,55 +73,55 @@ def test_infinite_and_missing_values_survive(tmp_path):
 
 
 def test_unknown_column_names_the_near_match():
-    with pytest.raises(TurgorError, match=r"unknown column 'presure'; did you mean 'pressure'\?"):
+    with refused("'presure'", "'pressure'"):
         table(pressure=("kPa", [0.0])).column("presure")
 
 
 def test_unknown_unit_names_the_near_match():
-    with pytest.raises(TurgorError, match=r"unknown unit of column 'pressure' 'kP'; did you mean 'kPa'\?"):
+    with refused("pressure", "'kP'", "'kPa'"):
         Column("pressure", "kP", [0.0])
 
 
 def test_pure_number_may_not_look_like_a_unit():
-    with pytest.raises(TurgorError, match="'tip_m' without unit would be read as 'tip' in m"):
+    with refused("'tip_m'", "'tip' in m"):
         Column("tip_m", "", [0.0])
 
 
 def test_names_are_words():
-    with pytest.raises(TurgorError, match="'a,b' may hold letters, digits and underscores only"):
+    with refused("'a,b'", "letters", "digits"):
         Column("a,b", "", [0.0])
 
 
 def test_columns_must_fit_together():
-    with pytest.raises(TurgorError, match=r"different lengths \(pressure 1, angle 2\)"):
+    with refused("pressure 1", "angle 2"):
         table(pressure=("kPa", [0.0]), angle=("deg", [0.0, 1.0]))
-    with pytest.raises(TurgorError, match="two columns are called 'pressure'"):
+    with refused("'pressure'", "unique"):
         Response(columns=(Column("pressure", "kPa", [0.0]), Column("pressure", "Pa", [0.0])), source=SOURCE)
-    with pytest.raises(TurgorError, match=r"shape \(1, 2\)"):
+    with refused("'pressure'", "(1, 2)"):
         Column("pressure", "kPa", [[0.0, 1.0]])
-    with pytest.raises(TurgorError, match="at least one column"):
+    with refused("response", "one column"):
         Response(columns=(), source=SOURCE)
 
 
 @pytest.mark.parametrize(
-    ("text", "message"),
+    ("text", "facts"),
     [
-        ("pressure_kPa\n", "holds no rows"),
-        ("", "is empty"),
-        ("pressure_kPa,angle_deg\n1\n", "line 2: 1 values, but the header names 2 columns"),
-        ("pressure_kPa\n1\n\nx\n", "line 4, column 'pressure_kPa': 'x' is not a number"),
+        ("pressure_kPa\n", ["no rows"]),
+        ("", ["empty"]),
+        ("pressure_kPa,angle_deg\n1\n", ["line 2", "1 values", "2 columns"]),
+        ("pressure_kPa\n1\n\nx\n", ["line 4", "column 'pressure_kPa'", "'x'"]),
     ],
 )
-def test_bad_files_are_explained(tmp_path, text, message):
+def test_bad_files_are_explained(tmp_path, text, facts):
     path = tmp_path / "r.csv"
     path.write_text(text)
-    with pytest.raises(TurgorError, match=message):
+    with refused(path.name, *facts):
         read_response(path)
 
 
 def test_missing_file_names_the_near_match(tmp_path):
     (tmp_path / "response.csv").write_text("x\n1\n")
-    with pytest.raises(TurgorError, match=r"does not exist; did you mean 'response.csv'\?"):
+    with refused("respnse.csv", "'response.csv'"):
         read_response(tmp_path / "respnse.csv")
 
 
@@ -149,19 +149,16 @@ def test_a_name_alone_gives_si_and_a_unit_behind_it_gives_this_unit():
 
 
 @pytest.mark.parametrize(
-    ("name", "message"),
+    ("name", "facts"),
     [
-        ("presure", "unknown column 'presure'; did you mean 'pressure'"),
-        ("pressure_mm", "column 'pressure' cannot be given in 'mm'; its units are Pa, kPa, MPa."),
-        (
-            "load_factor_mm",
-            "column 'load_factor' cannot be given in 'mm'; its units are none, for it is a pure",
-        ),
-        (0, "a column of a response is called by its name, not by 0: pressure, load_factor."),
+        ("presure", ["column 'presure'", "'pressure'", "load_factor, pressure"]),
+        ("pressure_mm", ["column 'pressure'", "'mm'", "Pa, kPa, MPa"]),
+        ("load_factor_mm", ["column 'load_factor'", "'mm'", "none"]),
+        (0, ["column", 0, "pressure, load_factor"]),
     ],
 )
-def test_a_wrong_name_or_unit_is_refused(name, message):
-    with pytest.raises(TurgorError, match=message):
+def test_a_wrong_name_or_unit_is_refused(name, facts):
+    with refused(*facts):
         table(pressure=("kPa", [0]), load_factor=("", [0]))[name]
 
 
@@ -187,7 +184,7 @@ def test_data_frame_names_the_unit_of_its_numbers():
 
 def test_without_pandas_the_error_says_how_to_install_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "pandas", None)
-    with pytest.raises(TurgorError, match="needs pandas, which is not installed; install it with: pip install pandas"):
+    with refused("to_dataframe", "install pandas"):
         table(pressure=("kPa", [0])).to_dataframe()
 
 
@@ -202,7 +199,7 @@ def test_a_table_is_replaced_whole_or_not_at_all(tmp_path, monkeypatch):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr("turgor.foundation.response._shortest", full)
-    with pytest.raises(OSError, match=r"response\.csv"):
+    with refused("response.csv", error=OSError):
         Response(columns=columns, source=Source(text="a ruler")).to_csv(path)
     assert path.read_text(encoding="utf-8") == before
     assert [each.name for each in tmp_path.iterdir()] == ["response.csv"]

@@ -1,11 +1,10 @@
 """Quantities with units: what is read, what is refused and how, and that written values read back exactly."""
 
-import re
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from refused import refused
 from turgor.foundation.errors import TurgorError
 from turgor.units import UNITS, format_quantity, kPa, mm, parse_quantity
 
@@ -55,42 +54,38 @@ def test_reads_what_the_constants_give() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "dimension", "sentence"),
+    ("text", "dimension", "facts"),
     [
-        (
-            "60 kP",
-            "pressure",
-            "unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, MPa, GPa, bar, mbar, hPa",
-        ),
-        ("60 kpa", "pressure", "unknown unit 'kpa' in '60 kpa'; did you mean 'kPa'?"),
-        ("60 MM", "length", "unknown unit 'MM' in '60 MM'; did you mean 'mm'?"),
-        ("2 m m", "length", "unknown unit 'm m' in '2 m m'; did you mean 'mm'? Known length units: m, cm, mm"),
-        ("5 xyz", "length", "unknown unit 'xyz' in '5 xyz'. Known length units"),
-        ("1.5", "length", "'1.5' needs a unit, for example '1.5 mm'. Known length units"),
-        (1.5, "length", "1.5 needs a unit, for example '1.5 mm'. Known length units"),
-        (3, "pressure", "3 needs a unit, for example '60 kPa'"),
-        ("30 mm", "pressure", "'30 mm' is a length, but a pressure is needed. Known pressure units"),
-        ("30 mL/min", "volume", "'30 mL/min' is a flow rate, but a volume is needed."),
-        ("30 kPa", "angle", "'30 kPa' is a pressure, but an angle is needed."),
-        ("30 deg", "length", "'30 deg' is an angle, but a length is needed."),
-        ("nan kPa", "pressure", "'nan kPa' is not a pressure"),
-        ("inf mm", "length", "'inf mm' is not a length"),
-        ("1e999 mm", "length", "'1e999 mm' is too large; a finite length is needed."),
-        ("1,5 mm", "length", "'1,5 mm' has a decimal comma; write a point, for example '1.5 mm'."),
-        ("", "length", "'' is not a length; write a number with its unit, for example '1.5 mm'."),
-        ("mm", "length", "'mm' is not a length"),
-        (True, "length", "true is not a length"),
-        (["1 mm"], "length", "['1 mm'] is not a length"),
-        (None, "length", "None is not a length"),
+        ("60 kP", "pressure", ["'kP'", "'60 kP'", "'kPa'", "Pa, kPa, MPa, GPa, bar, mbar, hPa"]),
+        ("60 kpa", "pressure", ["'kpa'", "'60 kpa'", "'kPa'"]),
+        ("60 MM", "length", ["'MM'", "'60 MM'", "'mm'"]),
+        ("2 m m", "length", ["'m m'", "'2 m m'", "'mm'", "m, cm, mm"]),
+        ("5 xyz", "length", ["'xyz'", "'5 xyz'", "m, cm, mm"]),
+        ("1.5", "length", ["'1.5'", "'1.5 mm'", "m, cm, mm"]),
+        (1.5, "length", ["1.5", "'1.5 mm'", "m, cm, mm"]),
+        (3, "pressure", ["3", "'60 kPa'"]),
+        ("30 mm", "pressure", ["'30 mm'", "a length", "a pressure", "Pa, kPa"]),
+        ("30 mL/min", "volume", ["'30 mL/min'", "a flow rate", "a volume"]),
+        ("30 kPa", "angle", ["'30 kPa'", "a pressure", "an angle"]),
+        ("30 deg", "length", ["'30 deg'", "an angle", "a length"]),
+        ("nan kPa", "pressure", ["'nan kPa'", "a pressure"]),
+        ("inf mm", "length", ["'inf mm'", "a length"]),
+        ("1e999 mm", "length", ["'1e999 mm'", "large", "finite length"]),
+        ("1,5 mm", "length", ["'1,5 mm'", "comma", "'1.5 mm'"]),
+        ("", "length", ["''", "a length", "'1.5 mm'"]),
+        ("mm", "length", ["'mm'", "a length"]),
+        (True, "length", ["true", "a length"]),
+        (["1 mm"], "length", ["['1 mm']", "a length"]),
+        (None, "length", ["None", "a length"]),
     ],
 )
-def test_refuses(text: object, dimension: str, sentence: str) -> None:
-    with pytest.raises(TurgorError, match=f"^{re.escape(sentence)}"):
+def test_refuses(text: object, dimension: str, facts: list[str]) -> None:
+    with refused(*facts):
         parse_quantity(text, dimension)
 
 
 def test_a_float_that_is_not_finite_is_refused() -> None:
-    with pytest.raises(TurgorError, match="needs a unit"):
+    with refused("nan", "'1.5 mm'", "m, cm, mm"):
         parse_quantity(float("nan"), "length")
 
 

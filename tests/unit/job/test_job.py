@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 import turgor
 import turgor.job.job
+from refused import any_states, refused
 from turgor.core.engine.warmup.needs import Needs
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.geometry import Geometry
@@ -29,7 +30,6 @@ from turgor.core.model.model import Model
 from turgor.core.model.sheets import Shell
 from turgor.core.model.supports import Fixed, Symmetry
 from turgor.core.solvers.procedures.static import Static
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.source import Source
 from turgor.job.job import Job
 from turgor.job.kernel_needs import kernel_needs
@@ -181,81 +181,83 @@ stretch_range = [0.5, 3.0], source = { text = "our own tests", doubts = ["one sp
 HOOKE = 'law = "hooke", E = "6.5 GPa", nu = 0.2'
 
 CHANGES = [
-    # (what stands in the file, what it is changed to, problem)
-    ('gap = "1 mm"', 'gab = "1 mm"', "small.toml:5: actuator.gab: unknown key 'gab'; did you mean 'gap'? Known keys: "),
-    ('gap = "1 mm"', 'gap = "1 m m"', "small.toml:5: actuator.gap: unknown unit 'm m' in '1 m m'; did you mean 'mm'?"),
-    ('gap = "1 mm"', "gap = 1.5", "small.toml:5: actuator.gap: 1.5 needs a unit, for example '1.5 mm'. Known length"),
-    ('gap = "1 mm"', 'gap = "1.5"', "small.toml:5: actuator.gap: '1.5' needs a unit, for example '1.5 mm'. Known"),
-    ('gap = "1 mm"', 'gap = "-1 mm"', "small.toml:5: actuator.gap: -1 mm; allowed is 0.01 mm to 19.94 mm"),
-    ('gap = "1 mm"', 'gap = "nan mm"', "small.toml:5: actuator.gap: 'nan mm' is not a length"),
-    ('gap = "1 mm"', 'side_wall = "11 mm"', "small.toml:5: actuator.side_wall: 11 mm; allowed is 0.01 mm to 9.995 mm"),
-    ("chambers = 2", "chambers = 2.5", "small.toml:3: actuator.chambers: 2.5 is not a whole number."),
-    ("chambers = 2", "chambers = true", "small.toml:3: actuator.chambers: true is not a whole number."),
-    ("chambers = 2", "chambers = 0", "small.toml:3: actuator.chambers: 0; allowed is a whole number from 1 to 100."),
-    ("chambers = 2", 'symmetric = "no"', "small.toml:3: actuator.symmetric: 'no' is not true or false."),
-    ('"fast_pneunet"', '"fast_pneumat"', "small.toml:2: actuator.type: unknown actuator type 'fast_pneumat'; did you "),
-    ('type = "fast_pneunet"', "", "small.toml:1: actuator.type: 'type' is missing; allowed: bellows_of_revolution, "),
-    ('size = "3 mm"', 'size = "0 mm"', "small.toml:8: mesh.size: 0 mm; allowed is 0."),
-    ('size = "3 mm"', 'size = "-3 mm"', "small.toml:8: mesh.size: -3 mm; allowed is 0."),
-    ('size = "3 mm"', 'size = "99 mm"', "small.toml:8: mesh.size: 99 mm, larger than the part; allowed is 0."),
-    ('size = "3 mm"', 'wall_cells = 5', "small.toml:8: mesh.wall_cells: 5; allowed is 1, which leaves the walls as "),
-    ('size = "3 mm"', 'cells = "hexa"', "small.toml:8: mesh.cells: unknown kind of cells 'hexa'"),
-    ('size = "3 mm"', 'cells = "hexahedra"\nface_sizes = { cavity = "4 mm" }', "small.toml:9: mesh.face_sizes: mesh "
-     "size of face 'cavity' is 4 mm; allowed is 0.067 mm to "),
-    ('size = "3 mm"', 'wall_cells = 1.5', "small.toml:8: mesh.wall_cells: 1.5 is not a whole number."),
-    ('size = "3 mm"', 'face_sizes = { cavty = "1 mm" }', "small.toml:8: mesh.face_sizes: unknown face 'cavty'; did "),
-    ('size = "3 mm"', 'face_sizes = { cavity = "3 mm" }', "small.toml:8: mesh.face_sizes: mesh size of face 'cavity' "
-     "is 3 mm; allowed is 0.067 mm to 2 mm, the size of the whole mesh."),
-    ('size = "3 mm"', 'face_sizes = "1 mm"', "small.toml:8: mesh.face_sizes: '1 mm' is not a table in braces."),
-    ('size = "3 mm"', 'face_sizes = { cavity = 2 }', "small.toml:8: mesh.face_sizes.cavity: 2 needs a unit, for exam"),
-    ('size = "3 mm"', 'size = "3 mm"\ngrading = 7.0', "small.toml:9: mesh.grading: 7.0; allowed is 0.1 to 1."),
-    ('body = { library = "elastosil-m4601"', 'body = { library = "elastosil"', "small.toml:11: materials.body.library: "
-     "unknown library material 'elastosil'; did you mean 'elastosil-m4601'? Known: dragon-skin-10, dragon-"),
-    ("hooke-polygerinos-2020", "hooke-2020", "small.toml:13: materials.strain_limiting_layer.record: unknown record "
-     "'hooke-2020' of 'paper'; did you mean 'hooke-yang-2020'? Known: hooke-polygerinos-2020, hooke-yang-2020."),
-    (', record = "hooke-polygerinos-2020"', "", "small.toml:13: materials.strain_limiting_layer.record: 'paper' has 2"),
-    ("\nbase = {", "\nbas = {", "small.toml:12: materials.bas: unknown region or face 'bas'; did you mean 'base'? Kno"),
-    ("\nbase = {", "\nbas = {", "small.toml:10: materials: no material for region base; give each region one."),
-    (', thickness = "0.1 mm"', "", "small.toml:13: materials.strain_limiting_layer.thickness: 'thickness' is missing;"),
-    ('"0.1 mm"', '"20 mm"', "small.toml:13: materials.strain_limiting_layer.thickness: 20 mm; allowed is more than 0"),
-    ('"0.1 mm"', '"5 kPa"', "small.toml:13: materials.strain_limiting_layer.thickness: '5 kPa' is a pressure, but"),
-    ('"20 kPa"', '"20 kP"', "small.toml:16: loads.pressure: unknown unit 'kP' in '20 kP'; did you mean 'kPa'? Known"),
-    ('"20 kPa"', '"30 mm"', "small.toml:16: loads.pressure: '30 mm' is a length, but a pressure is needed."),
-    ('pressure = "20 kPa"', "", "small.toml:15: loads: nothing drives the actuator; give pressure, gravity or both."),
-    ('"20 kPa"', '"20 kPa"\ngravity = "z"', "small.toml:17: loads.gravity: unknown direction 'z'; did you mean '-z'?"),
-    ('"20 kPa"', '"20 kPa"\ngravity = "-y"', "small.toml:17: loads.gravity: the gravity has no mirror image"),
-    ("[loads]", '[supports]\nfixt = "xyz"\n[loads]', "small.toml:16: supports.fixt: unknown face 'fixt'; did you mean"),
-    ("[loads]", '[supports]\ntip = "xw"\n[loads]', "small.toml:16: supports.tip: 'xw' is not allowed; name the fixed"),
-    ('"static"', '"static"\nfirst_step = 2', "small.toml:20: procedure.first_step: 2; allowed is more than 0 up to 1."),
-    ('"static"', '"static"\nfirst_step = nan', "small.toml:20: procedure.first_step: nan is not a finite number."),
-    ('"static"', '"static"\nat = ["30 kPa"]', "small.toml:20: procedure.at: 30 kPa does not lie between 0 and loads.p"),
-    ('"static"', '"static"\nat = [0.0]', "small.toml:20: procedure.at: 0; a load factor lies in (0, 1]."),
-    ('"static"', '"statik"', "small.toml:19: procedure.type: unknown procedure 'statik'; did you mean 'static'? Known"),
-    ('"bending_angle"', '"bending"', "small.toml:22: output.measures: unknown measure 'bending'; did you mean 'bendin"),
-    ('["bending_angle"]', '"bending_angle"', "small.toml:22: output.measures: 'bending_angle' is not a list in square"),
-    ("[output]", "[outptu]", "small.toml:21: outptu: unknown key 'outptu'; did you mean 'output'? Known keys: name, a"),
-    ("[actuator]", 'name = "a/b"\n[actuator]', "small.toml:1: name: 'a/b' is not a name; use letters, digits"),
-    ("[loads]\npressure", "pressure", "small.toml: loads: the table [loads] is missing."),
-    ("[output]", "[engine]\nthreads = 0\n[output]", "small.toml:22: engine.threads: 0; allowed is 1 or more."),
-    ("[mesh]\nsize", "mesh", "small.toml:7: actuator.mesh: unknown key 'mesh'"),
-    ('"static"', '"riks"', "small.toml:19: procedure.type: unknown procedure 'riks'; did you mean 'arc_length'? Known"),
-    ('"bending_angle"', '"angle"', "small.toml:22: output.measures: unknown measure 'angle'; did you mean 'bending_a"),
-    ('body = { library = "elastosil-m4601"', 'body = { library = "ecoflex"', "small.toml:11: materials.body.library: "
-     "unknown library material 'ecoflex'; did you mean 'ecoflex-00-10' or 'ecoflex-00-30' or 'ecoflex-00-50'? Known: "),
-    ('library = "paper", record = "hooke-polygerinos-2020"', 'E = "6.5 GPa", nu = 0.2', "small.toml:13: materials.strai"
-     "n_limiting_layer: 'law' is missing; E and nu are constants of law = \"hooke\"."),
-    ('pressure = "20 kPa"', '[loads.tipp]\npressure = "1 kPa"', "small.toml:16: loads.tipp: unknown face 'tipp'; did "),
-    ('pressure = "20 kPa"', 'tip = "1 kPa"', "small.toml:16: loads.tip: '1 kPa' is not a table; write [loads.tip] and"),
-    ('size = "3 mm"', "size = 3 mm", "small.toml:8: a text with a unit needs quotes; put quotes around it: \"3 mm\"."),
-    ("[loads]", "[loads", "small.toml:15: this is not valid TOML: Expected ']' at the end of a table declaration, at"),
+    # (what stands in the file, what it is changed to, what the problem states)
+    ('gap = "1 mm"', 'gab = "1 mm"', [":5: actuator.gab:", "'gab'", "'gap'"]),
+    ('gap = "1 mm"', 'gap = "1 m m"', [":5: actuator.gap:", "'m m'", "'1 m m'", "'mm'"]),
+    ('gap = "1 mm"', "gap = 1.5", [":5: actuator.gap:", "1.5", "'1.5 mm'"]),
+    ('gap = "1 mm"', 'gap = "1.5"', [":5: actuator.gap:", "'1.5'", "'1.5 mm'"]),
+    ('gap = "1 mm"', 'gap = "-1 mm"', [":5: actuator.gap:", "-1 mm", "0.01 mm to 19.94 mm"]),
+    ('gap = "1 mm"', 'gap = "nan mm"', [":5: actuator.gap:", "'nan mm'", "'1.5 mm'"]),
+    ('gap = "1 mm"', 'side_wall = "11 mm"', [":5: actuator.side_wall:", "11 mm", "0.01 mm to 9.995 mm"]),
+    ("chambers = 2", "chambers = 2.5", [":3: actuator.chambers:", "2.5", "whole number"]),
+    ("chambers = 2", "chambers = true", [":3: actuator.chambers:", "true", "whole number"]),
+    ("chambers = 2", "chambers = 0", [":3: actuator.chambers:", "0", "1 to 100", "whole number"]),
+    ("chambers = 2", 'symmetric = "no"', [":3: actuator.symmetric:", "'no'", "true", "false"]),
+    ('"fast_pneunet"', '"fast_pneumat"', [":2: actuator.type:", "'fast_pneumat'", "'fast_pneunet'"]),
+    ('type = "fast_pneunet"', "", [":1: actuator.type:", "'type'", "missing", "bidirectional_bender"]),
+    ('size = "3 mm"', 'size = "0 mm"', [":8: mesh.size:", "0 mm", "0.291 mm to 20 mm"]),
+    ('size = "3 mm"', 'size = "-3 mm"', [":8: mesh.size:", "-3 mm", "0.291 mm to 20 mm"]),
+    ('size = "3 mm"', 'size = "99 mm"', [":8: mesh.size:", "99 mm", "0.291 mm to 20 mm"]),
+    ('size = "3 mm"', 'wall_cells = 5', [":8: mesh.wall_cells:", "5", "1", "4"]),
+    ('size = "3 mm"', 'cells = "hexa"', [":8: mesh.cells:", "'hexa'", "'hexahedra'"]),
+    ('size = "3 mm"', 'cells = "hexahedra"\nface_sizes = { cavity = "4 mm" }',
+     [":9: mesh.face_sizes:", "'cavity'", "4 mm", "0.067 mm to 2.5 mm"]),
+    ('size = "3 mm"', 'wall_cells = 1.5', [":8: mesh.wall_cells:", "1.5", "whole number"]),
+    ('size = "3 mm"', 'face_sizes = { cavty = "1 mm" }', [":8: mesh.face_sizes:", "'cavty'", "'cavity'"]),
+    ('size = "3 mm"', 'face_sizes = { cavity = "3 mm" }',
+     [":8: mesh.face_sizes:", "'cavity'", "3 mm", "0.067 mm to 2 mm"]),
+    ('size = "3 mm"', 'face_sizes = "1 mm"', [":8: mesh.face_sizes:", "'1 mm'", "table"]),
+    ('size = "3 mm"', 'face_sizes = { cavity = 2 }', [":8: mesh.face_sizes.cavity:", "2", "'1.5 mm'"]),
+    ('size = "3 mm"', 'size = "3 mm"\ngrading = 7.0', [":9: mesh.grading:", "7.0", "0.1 to 1"]),
+    ('body = { library = "elastosil-m4601"', 'body = { library = "elastosil"',
+     [":11: materials.body.library:", "'elastosil'", "'elastosil-m4601'"]),
+    ("hooke-polygerinos-2020", "hooke-2020",
+     [":13: materials.strain_limiting_layer.record:", "'hooke-2020'", "'paper'", "'hooke-yang-2020'"]),
+    (', record = "hooke-polygerinos-2020"', "",
+     [":13: materials.strain_limiting_layer.record:", "'paper'", "2 records", "hooke-yang-2020"]),
+    ("\nbase = {", "\nbas = {", [":12: materials.bas:", "'bas'", "'base'"]),
+    ("\nbase = {", "\nbas = {", [":10: materials:", "base"]),
+    (', thickness = "0.1 mm"', "",
+     [":13: materials.strain_limiting_layer.thickness:", "'thickness'", "'strain_limiting_layer'", "missing"]),
+    ('"0.1 mm"', '"20 mm"', [":13: materials.strain_limiting_layer.thickness:", "20 mm", "more than 0 up to 10 mm"]),
+    ('"0.1 mm"', '"5 kPa"', [":13: materials.strain_limiting_layer.thickness:", "'5 kPa'", "length"]),
+    ('"20 kPa"', '"20 kP"', [":16: loads.pressure:", "'kP'", "'20 kP'", "'kPa'"]),
+    ('"20 kPa"', '"30 mm"', [":16: loads.pressure:", "'30 mm'", "pressure"]),
+    ('pressure = "20 kPa"', "", [":15: loads:", "pressure", "gravity"]),
+    ('"20 kPa"', '"20 kPa"\ngravity = "z"', [":17: loads.gravity:", "'z'", "'-z'"]),
+    ('"20 kPa"', '"20 kPa"\ngravity = "-y"', [":17: loads.gravity:", "gravity", "normal to y", "actuator.symmetric"]),
+    ("[loads]", '[supports]\nfixt = "xyz"\n[loads]', [":16: supports.fixt:", "'fixt'", "'fixed'"]),
+    ("[loads]", '[supports]\ntip = "xw"\n[loads]', [":16: supports.tip:", "'xw'", "'xyz'", "'radial'"]),
+    ('"static"', '"static"\nfirst_step = 2', [":20: procedure.first_step:", "2", "more than 0 up to 1"]),
+    ('"static"', '"static"\nfirst_step = nan', [":20: procedure.first_step:", "nan", "finite"]),
+    ('"static"', '"static"\nat = ["30 kPa"]', [":20: procedure.at:", "30 kPa", "0", "loads.pressure", "20 kPa"]),
+    ('"static"', '"static"\nat = [0.0]', [":20: procedure.at:", "0", "(0, 1]"]),
+    ('"static"', '"statik"', [":19: procedure.type:", "'statik'", "'static'"]),
+    ('"bending_angle"', '"bending"', [":22: output.measures:", "'bending'", "'bending_angle'"]),
+    ('["bending_angle"]', '"bending_angle"', [":22: output.measures:", "'bending_angle'", "list"]),
+    ("[output]", "[outptu]", [":21: outptu:", "'outptu'", "'output'"]),
+    ("[actuator]", 'name = "a/b"\n[actuator]', [":1: name:", "'a/b'", "letters", "'-'"]),
+    ("[loads]\npressure", "pressure", [": loads:", "[loads]", "missing"]),
+    ("[output]", "[engine]\nthreads = 0\n[output]", [":22: engine.threads:", "0", "1 or more"]),
+    ("[mesh]\nsize", "mesh", [":7: actuator.mesh:", "'mesh'", "gap, side_wall"]),
+    ('"static"', '"riks"', [":19: procedure.type:", "'riks'", "'arc_length'"]),
+    ('"bending_angle"', '"angle"', [":22: output.measures:", "'angle'", "'bending_angle'"]),
+    ('body = { library = "elastosil-m4601"', 'body = { library = "ecoflex"',
+     [":11: materials.body.library:", "'ecoflex'", "'ecoflex-00-10'", "'ecoflex-00-30'", "'ecoflex-00-50'"]),
+    ('library = "paper", record = "hooke-polygerinos-2020"', 'E = "6.5 GPa", nu = 0.2',
+     [":13: materials.strain_limiting_layer:", "'law'", "missing", "E and nu", '"hooke"']),
+    ('pressure = "20 kPa"', '[loads.tipp]\npressure = "1 kPa"', [":16: loads.tipp:", "'tipp'", "'tip'"]),
+    ('pressure = "20 kPa"', 'tip = "1 kPa"', [":16: loads.tip:", "'1 kPa'", "[loads.tip]"]),
+    ('size = "3 mm"', "size = 3 mm", [":8:", '"3 mm"']),
+    ("[loads]", "[loads", [":15:", "TOML", "']'"]),
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("old", "new", "problem"), CHANGES, ids=[f"{new}"[:40] for _, new, _ in CHANGES])
-def test_each_mistake_is_one_clear_sentence(tmp_path: Path, old: str, new: str, problem: str) -> None:
+@pytest.mark.parametrize(("old", "new", "facts"), CHANGES, ids=[f"{new}"[:40] for _, new, _ in CHANGES])
+def test_each_mistake_is_one_clear_sentence(tmp_path: Path, old: str, new: str, facts: list[str]) -> None:
     assert old in SMALL
     found = problems(tmp_path, SMALL.replace(old, new))
-    assert any(line.startswith(problem) for line in found), "\n".join(found)
+    assert any_states(found, facts), "\n".join(found)
     assert all(line.endswith((".", "?")) and "\n" not in line for line in found)
 
 
@@ -290,28 +292,27 @@ def test_stated_materials_are_checked(tmp_path: Path) -> None:
     text = re.sub("(?m)^base = .*", 'base = { law = "yeoh", C10 = "-0.1 MPa", C20 = "0 MPa", C03 = "1 MPa" }', text)
     text += "\n[materials.tip]\nlaw = 'hooke'\nE = '1 GPa'\nnu = 0.6\nthickness = '1 mm'\n"
     found = problems(tmp_path, text)
-    assert found[0].startswith("small.toml:11: materials.body.law: unknown law 'yoeh'; did you mean 'yeoh'?")
-    assert found[1].startswith("small.toml:12: materials.base.C03: unknown key 'C03'; did you mean 'C30'?")
-    assert found[2] == "small.toml:27: materials.tip.nu: 0.6; it must lie between -1 and 0.5."
+    assert any_states(found[:1], ["small.toml:11: materials.body.law:", "'yoeh'", "'yeoh'"])
+    assert any_states(found[1:2], ["small.toml:12: materials.base.C03:", "'C03'", "'C30'"])
+    assert any_states(found[2:3], ["small.toml:27: materials.tip.nu:", "0.6", "-1 and 0.5"])
     text = text.replace('C03 = "1 MPa"', "stretch_range = [2, 1]").replace("yoeh", "yeoh")
     found = problems(tmp_path, text)
-    assert found[0] == "small.toml:11: materials.body.C20: 'C20' is missing, and it has no default."
-    assert found[1].startswith("small.toml:12: materials.base.stretch_range: [2.0, 1.0] is not [smallest, largest]")
+    assert any_states(found[:1], ["small.toml:11: materials.body.C20:", "'C20'", "missing"])
+    assert any_states(found[1:2], ["small.toml:12: materials.base.stretch_range:", "[2.0, 1.0]", "[smallest, largest]"])
     found = problems(tmp_path, text.replace("stretch_range = [2, 1]", 'bulk_modulus = "-1 MPa"'))
-    assert found[1].startswith("small.toml:12: materials.base: Yeoh has an initial shear modulus of -200000 Pa")
+    assert any_states(found[1:2], ["small.toml:12: materials.base:", "Yeoh", "-200000 Pa"])
 
 
 def test_a_linear_elastic_region_and_a_rubber_sheet_are_refused(tmp_path: Path) -> None:
     text = SMALL.replace(
         ', record = "yeoh-mosadegh-2014" }\nbase', ', record = "yeoh-mosadegh-2014", thickness = "1 mm" }\nbase'
     )
-    (problem,) = problems(tmp_path, text)[:1]
-    assert problem.startswith("small.toml:11: materials.body.thickness: 'body' is a region")
-    assert 'form = "solid"' in problem and "one of cavity, " in problem
+    facts = ["small.toml:11: materials.body.thickness:", "'body'", 'form = "solid"', "cavity"]
+    assert any_states(problems(tmp_path, text)[:1], facts)
     text = re.sub("(?m)^body = .*", 'body = { law = "hooke", E = "1 GPa", nu = 0.3 }', SMALL)
-    assert problems(tmp_path, text)[0].startswith("small.toml:11: materials.body: 'body' is linear elastic, for sheets")
+    assert any_states(problems(tmp_path, text)[:1], ["small.toml:11: materials.body:", "'body'", "sheets"])
     text = SMALL.replace('library = "paper", record = "hooke-polygerinos-2020"', 'law = "neo_hooke", C10 = "1 MPa"')
-    assert "a shell needs Hooke" in problems(tmp_path, text)[0]
+    assert any_states(problems(tmp_path, text)[:1], ["shell", "Hooke"])
 
 
 def test_the_settings_of_the_mesh_reach_the_job_and_come_back_from_the_lock_file(tmp_path: Path) -> None:
@@ -331,9 +332,8 @@ def test_gravity_needs_a_density(tmp_path: Path) -> None:
     text = SMALL.replace('"20 kPa"', '"20 kPa"\ngravity = "-z"')
     assert read(tmp_path, text).loads[1] == Gravity((0.0, 0.0, -1.0))
     text = re.sub("(?m)^base = .*", 'base = { law = "neo_hooke", C10 = "0.12 MPa" }', text)
-    assert problems(tmp_path, text) == [
-        "small.toml:12: materials.base: has no density, and gravity needs it; add density, such as '1100 kg/m³'."
-    ]
+    (problem,) = problems(tmp_path, text)
+    assert any_states([problem], ["small.toml:12: materials.base:", "density", "gravity", "'1100 kg/m³'"])
 
 
 def test_all_problems_are_reported_together_in_the_order_of_the_file(tmp_path: Path) -> None:
@@ -349,12 +349,12 @@ def test_all_problems_are_reported_together_in_the_order_of_the_file(tmp_path: P
 
 def test_a_file_that_is_not_there_is_answered_with_the_near_match(tmp_path: Path) -> None:
     (tmp_path / "small.toml").write_text(SMALL)
-    with pytest.raises(TurgorError, match=r"no job file '.*smal.toml'; did you mean 'small.toml'"):
+    with refused(tmp_path / "smal.toml", "'small.toml'"):
         read_job(tmp_path / "smal.toml")
-    with pytest.raises(TurgorError, match="is a folder; name a job file"):
+    with refused(tmp_path, tmp_path / "job.toml"):
         read_job(tmp_path)
     (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(TurgorError, match="is not a text file in UTF-8"):
+    with refused(tmp_path / "binary.toml", "UTF-8"):
         read_job(tmp_path / "binary.toml")
 
 
@@ -405,7 +405,7 @@ def test_the_way_to_the_mesh_error_is_read_and_kept(tmp_path: Path) -> None:
     job = read(tmp_path, SMALL.replace(measures, f'{measures}\nmesh_error = "linear"'))
     assert job.output.mesh_error == "linear"
     assert tomllib.loads(lock(job))["output"]["mesh_error"] == "linear"
-    with pytest.raises(TurgorError, match=r"output.mesh_error: 'adjoint' is not true, false or 'linear'"):
+    with refused("small.toml:23", "output.mesh_error", "'adjoint'", "'linear'"):
         read(tmp_path, SMALL.replace(measures, f'{measures}\nmesh_error = "adjoint"'))
 
 
@@ -430,8 +430,8 @@ def test_a_new_family_needs_no_schema_code(tmp_path: Path, monkeypatch: pytest.M
     content = tomllib.loads(lock(job))["actuator"]
     assert (content["type"], content["tilt"], content["ratio"]) == ("tilted", "30 deg", 0.25)
     found = problems(tmp_path, SMALL.replace('"fast_pneunet"', '"tilted"\ntilt = "30 mm"\nratio = "1 mm"'))
-    assert "'30 mm' is a length, but an angle is needed" in found[0]
-    assert "'1 mm' is not a number without a unit" in found[1]
+    assert any_states(found[:1], ["'30 mm'", "an angle"])
+    assert any_states(found[1:2], ["'1 mm'", "a number"])
 
 
 # --- line numbers ------------------------------------------------------------------------------------------------
@@ -475,7 +475,7 @@ def test_hooke_has_no_bulk_modulus(tmp_path: Path) -> None:
     """A sheet is described by E and nu alone: a bulk modulus beside them could contradict them."""
     text = SMALL.replace('library = "paper", record = "hooke-polygerinos-2020"',
                          'law = "hooke", E = "1 GPa", nu = 0.2, bulk_modulus = "1 GPa"')  # fmt: skip
-    assert "unknown key 'bulk_modulus'" in problems(tmp_path, text)[0]
+    assert any_states(problems(tmp_path, text)[:1], ["'bulk_modulus'", "E, nu"])
     job = read(tmp_path, text.replace(', bulk_modulus = "1 GPa"', ""))
     assert job.materials["strain_limiting_layer"].material.law == Hooke(E=1e9, nu=0.2)
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from refused import any_states, refused
 from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.selectors import ByName, InBox, NearestTo, WithNormal
 from turgor.core.geometry.cad.split import SplitPlane
@@ -58,7 +59,7 @@ def problems(folder, old, new):
     assert old in JOB
     with pytest.raises(JobError) as caught:
         read(folder, JOB.replace(old, new))
-    return "\n".join(caught.value.problems)
+    return caught.value.problems
 
 
 def test_the_actuator_is_the_file_with_its_selectors(folder, monkeypatch):
@@ -93,30 +94,31 @@ def test_the_lock_file_gives_an_equal_job(folder, tmp_path_factory):
     assert job.actuator.sha256 in lock.read_text(encoding="utf-8")
     assert isinstance(again.actuator.faces["strain_limiting_layer"], InBox)
     cases.written(folder, cases.finger(), "finger.step")
-    with pytest.raises(JobError, match=r"actuator.sha256: .*the file has changed since"):
+    with refused("actuator.sha256", job.actuator.sha256[:12] + "…", folder / "finger.step", error=JobError):
         tg.jobs.read_job(lock)
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "expected"),
+    ("old", "new", "facts"),
     [
-        ('"finger.step"', '"finge.step"', "job.toml:4: actuator.file: there is no file"),
-        ('"finger.step"', '"finge.step"', "did you mean 'finger.step'?"),
-        ('"cad_file"', '"cad_fil"', "job.toml:3: actuator.type: unknown actuator type 'cad_fil'; did you mean 'cad_f"),
-        ("thickness", "thicknes", "job.toml:11: actuator.split.thicknes: unknown key 'thicknes'; did you mean 'thickn"),
-        ('"2 mm"', '"2"', "job.toml:11: actuator.split.thickness: '2' needs a unit"),
-        ("{ normal =", "{ norm =", "job.toml:7: actuator.faces.fixed.norm: unknown key 'norm'; did you mean 'normal'?"),
-        ('"-x" }', '"-x", color = "red" }', "a selector has one of the keys name, color, near, box, normal"),
-        ('"-x" }', '"left" }', "normal is 'left'; allowed is '+x'"),
-        ('0, "1.5 mm"]', '0]', "point of NearestTo is (0.038, 0.0); three finite numbers are needed"),
-        ('0, "1.5 mm"]', '1, "1.5 mm"]', "job.toml:8: actuator.faces.tip.near: 1 needs a unit"),
-        ('{ normal = "-x" }', '{ name = "clamp" }', "face 'fixed': name 'clamp' is not in the file; it has no names."),
-        ('"2 mm"', '"20 mm"', "thickness of the split is 20 mm; allowed is between 0 and 15 mm"),
-        ('base = {', 'bottom = {', "materials.bottom"),
+        ('"finger.step"', '"finge.step"', [":4: actuator.file:", "finge.step", "'finger.step'"]),
+        ('"cad_file"', '"cad_fil"', [":3: actuator.type:", "'cad_fil'", "'cad_file'"]),
+        ("thickness", "thicknes", [":11: actuator.split.thicknes:", "'thicknes'", "'thickness'"]),
+        ('"2 mm"', '"2"', [":11: actuator.split.thickness:", "'2'", "m, cm, mm"]),
+        ("{ normal =", "{ norm =", [":7: actuator.faces.fixed.norm:", "'norm'", "'normal'"]),
+        ('"-x" }', '"-x", color = "red" }', [":7: actuator.faces.fixed:", "name, color, near, box, normal"]),
+        ('{ normal = "-x" }', '{ box = [[0, 0, 0]] }', [":7: actuator.faces.fixed:", "1 corners", "two"]),
+        ('"-x" }', '"left" }', ["normal", "'left'", "'+x'"]),
+        ('0, "1.5 mm"]', '0]', ["(0.038, 0.0)", "three"]),
+        ('0, "1.5 mm"]', '1, "1.5 mm"]', [":8: actuator.faces.tip.near:", "1", "m, cm, mm"]),
+        ('{ normal = "-x" }', '{ name = "clamp" }', ["'fixed'", "'clamp'", "no names"]),
+        ('"2 mm"', '"20 mm"', ["thickness", "20 mm", "0 and 15 mm"]),
+        ('base = {', 'bottom = {', ["materials.bottom:", "'bottom'"]),
     ],
 )  # fmt: skip
-def test_a_mistake_is_told_with_its_key(folder, old, new, expected):
-    assert expected in problems(folder, old, new)
+def test_a_mistake_is_told_with_its_key(folder, old, new, facts):
+    found = problems(folder, old, new)
+    assert any_states(found, facts), "\n".join(found)
 
 
 def test_the_job_solves_and_bends_towards_its_stiffer_bottom(folder):

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from turgor.foundation.errors import TurgorError
+from refused import refused, states
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.text.overrides import parse_changes
@@ -47,44 +47,42 @@ def test_a_stage_is_named_by_its_name_or_number(stage):
 
 
 @pytest.mark.parametrize(
-    ("text", "expected"),
+    ("text", "facts"),
     [
-        ("loads.presure=30 kPa", "changes: loads.presure: unknown key 'presure'; did you mean 'pressure'? Known keys"),
-        ("load.pressure=30 kPa", "changes: load: unknown key 'load'; did you mean 'loads'?"),
-        ("loads.pressure=30", "changes: loads.pressure: 30 needs a unit, for example '60 kPa'."),
-        ("loads.pressure.x=1", "changes: loads.pressure.x: loads.pressure is '15 kPa', which has no key 'x'."),
-        ("mesh.size=[2", "changes: mesh.size: [2 is not valid TOML: Unclosed array."),
-        ("procedure={type='statik'}", "changes: procedure.type: unknown procedure 'statik'; did you mean 'static'?"),
-        ("loads..pressure=1", "changes: 'loads..pressure' is no key; write names with points between them"),
-        ("loads.pressure", "changes is 'loads.pressure'; write a key and its value, such as"),
-        ("=3", "changes is '=3'; write a key and its value, such as"),
-        ("mesh.wall_cells=2\ngrading=1", "changes: mesh.wall_cells: '2\\ngrading=1' is not a whole number."),
+        ("loads.presure=30 kPa", ["changes: loads.presure:", "'presure'", "'pressure'"]),
+        ("load.pressure=30 kPa", ["changes: load:", "'load'", "'loads'"]),
+        ("loads.pressure=30", ["changes: loads.pressure:", "30", "'60 kPa'"]),
+        ("loads.pressure.x=1", ["changes: loads.pressure.x:", "'15 kPa'", "'x'"]),
+        ("mesh.size=[2", ["changes: mesh.size:", "[2", "TOML"]),
+        ("procedure={type='statik'}", ["changes: procedure.type:", "'statik'", "'static'"]),
+        ("loads..pressure=1", ["changes: 'loads..pressure'", "loads.pressure"]),
+        ("loads.pressure", ["changes is 'loads.pressure'", "'30 kPa'"]),
+        ("=3", ["changes is '=3'", "'30 kPa'"]),
+        ("mesh.wall_cells=2\ngrading=1", ["changes: mesh.wall_cells:", "'2\\ngrading=1'", "whole number"]),
     ],
 )
-def test_a_mistake_is_a_sentence_that_names_the_argument_or_on_the_command_line_the_option(text, expected):
-    with pytest.raises(TurgorError) as caught:
+def test_a_mistake_is_a_sentence_that_names_the_argument_or_on_the_command_line_the_option(text, facts):
+    with refused(*facts) as caught:
         read_job(FINGER, parse_changes([text]))
-    assert expected in str(caught.value).replace("\n", "\\n")
-    assert expected.replace("changes", "--set", 1) in caught.value.on_command_line.replace("\n", "\\n")
+    assert all(states(caught.value.on_command_line, fact.replace("changes", "--set")) for fact in facts)
     assert "--set" not in str(caught.value)
 
 
 def test_a_mistake_in_the_file_keeps_its_line_beside_one_of_a_change(tmp_path):
     file = tmp_path / "job.toml"
     file.write_text(FINGER.read_text("utf-8").replace("[output]", "[output]\npicture = true"), encoding="utf-8")
-    with pytest.raises(TurgorError, match=r"job.toml:\d+: output.picture: (.|\n)*changes: mesh.siz: unknown"):
+    with refused("job.toml:20", "output.picture", "changes", "mesh.siz", "'size'"):
         read_job(file, {"mesh.siz": "2 mm"})
 
 
 @pytest.mark.parametrize(
-    ("text", "expected"),
+    ("text", "facts"),
     [
-        ("stages.pres.procedure.max_step=0.1", "there is no 'pres'; did you mean 'press'? Known: hang, fill, press."),
-        ("stages.name=x", "changes: stages.name: stages is a list of tables, which has no key 'name'."),
-        ("stages.press.procedure.max_stepp=0.1", "changes: stages.press.procedure.max_stepp: unknown key 'max_stepp'"),
+        ("stages.pres.procedure.max_step=0.1", ["stages.pres", "'pres'", "'press'", "fill, press"]),
+        ("stages.name=x", ["stages.name", "list", "'name'"]),
+        ("stages.press.procedure.max_stepp=0.1", ["stages.press.procedure.max_stepp", "'max_stepp'", "'max_step'"]),
     ],
 )
-def test_a_mistake_in_a_stage(text, expected):
-    with pytest.raises(TurgorError) as caught:
+def test_a_mistake_in_a_stage(text, facts):
+    with refused("changes", *facts):
         read_job(STAGES, parse_changes([text]))
-    assert expected in str(caught.value)

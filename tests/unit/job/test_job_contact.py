@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from refused import any_states, refused
 from turgor.cli import main
 from turgor.core.meshing.exchange.formats.stl import stl_bytes
 from turgor.core.model.contact import Contact
 from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, SelfContact, Sphere
 from turgor.core.model.write_inp import compressible, write_inp
-from turgor.foundation.errors import TurgorError
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
@@ -187,7 +187,7 @@ def test_stl_body_is_found_beside_the_job_file(tmp_path):
     assert back.rigid_files == job.rigid_files
     assert back.contact.obstacles[0].shape.points.tolist() == obstacle.shape.points.tolist()
     assert replace(back, contact=job.contact) == job  # triangles are compared by identity
-    with pytest.raises(TurgorError, match="obstacle 'block': triangles without a file have no form in a job file"):
+    with refused("'block'", "triangles", "STL file"):
         lock_text(replace(job, rigid_files={}), {})
 
 
@@ -196,107 +196,98 @@ def test_changed_stl_body_is_noticed(tmp_path):
     lock = lock_text(read(tmp_path, f'{BARE}[obstacles.block]\nshape = "stl"\nfile = "block.stl"\n'), {})
     block(file, side=11.0)
     (problem,) = problems(tmp_path, lock)
-    assert "obstacles.block.sha256: " in problem
-    assert "the file has changed since" in problem
+    assert any_states([problem], ["obstacles.block.sha256:", "'block.stl'"])
 
 
 BAD_STL = [
-    ('shape = "stl"', "19: obstacles.block.file: 'file' is missing, and it has no default."),
-    (
-        'shape = "stl"\nfile = "blok.stl"',
-        "21: obstacles.block.file: there is no STL file 'blok.stl'; did you mean 'block.stl'?",
-    ),
-    ('shape = "stl"\nfile = "block.stl"\nunit = "mmm"', "22: obstacles.block.unit: 'mmm'; did you mean 'mm'?"),
-    ('shape = "stl"\nfile = "open.stl"', "19: obstacles.block: 'open.stl' is no closed surface: 3 edges"),
+    ('shape = "stl"', [":19: obstacles.block.file:", "'file'", "missing"]),
+    ('shape = "stl"\nfile = "blok.stl"', [":21: obstacles.block.file:", "'blok.stl'", "'block.stl'"]),
+    ('shape = "stl"\nfile = "block.stl"\nunit = "mmm"', [":22: obstacles.block.unit:", "'mmm'", "'mm'"]),
+    ('shape = "stl"\nfile = "open.stl"', [":19: obstacles.block:", "'open.stl'", "3 edges"]),
     (
         'shape = "stl"\nfile = "block.stl"\nradius = "1 mm"',
-        "22: obstacles.block.radius: unknown key 'radius'. Known keys: shape, friction, path",
+        [":22: obstacles.block.radius:", "'radius'", "friction, path"],
     ),
 ]
 
 
-@pytest.mark.parametrize(("stated", "problem"), BAD_STL, ids=range(len(BAD_STL)))
-def test_each_mistake_with_a_file_is_one_clear_sentence(tmp_path, stated, problem):
+@pytest.mark.parametrize(("stated", "facts"), BAD_STL, ids=range(len(BAD_STL)))
+def test_each_mistake_with_a_file_is_one_clear_sentence(tmp_path, stated, facts):
     block(tmp_path / "block.stl")
     (tmp_path / "open.stl").write_bytes(stl_bytes(np.eye(3), np.array([[0, 1, 2]])))
     (found,) = problems(tmp_path, f"{BARE}[obstacles.block]\n{stated}\n")
-    assert found.startswith(f"finger.toml:{problem}")
+    assert any_states([found], facts), found
 
 
 PLATE = FINGER[FINGER.index("[obstacles") :]
 MISTAKES = [
-    # (what stands in the file, what it is changed to, problem)
-    ("[contact]", "[contcat]", "19: contcat: unknown key 'contcat'; did you mean 'contact'? Known keys: name"),
-    ("[obstacles.plate]", "[obstacle.plate]", "22: obstacle: unknown key 'obstacle'; did you mean 'obstacles'?"),
-    ("friction = 0.3", "frction = 0.3", "20: contact.frction: unknown key 'frction'; did you mean 'friction'? Known "
-     "keys: self_contact, friction, tolerance, stiffness, elastic_slip."),
-    ("friction = 0.3", "friction = 3", "20: contact.friction: 3; Coulomb's coefficient lies between 0 and 2."),
-    ("friction = 0.3", "friction = true", "20: contact.friction: true is not a number without a unit."),
-    ("friction = 0.3", "self_contact = 'yes'", "20: contact.self_contact: 'yes' is not allowed; write true, false"),
-    ("friction = 0.3", "self_contact = false\nfriction = 0.3", "21: contact.friction: that of self-contact, which "
-     "self_contact = false switches off."),
-    ("friction = 0.3", "tolerance = 0.5", "20: contact.tolerance: 0.5; allowed is 0.0001 to 0.1 of the wall."),
-    ("friction = 0.3", "stiffness = '5 MPa'", "20: contact.stiffness: '5 MPa' is a pressure, but a contact stiffness "
-     "is needed. Known contact stiffness units: Pa/m, kPa/mm, MPa/mm."),
-    ("friction = 0.3", "elastic_slip = '0 mm'", "20: contact.elastic_slip: 0 mm; allowed is more than 0."),
-    ("friction = 0.3", "stiffness = '-5 MPa/mm'", "20: contact.stiffness: -5e+09; allowed is more than 0."),
-    ("[obstacles.plate]", "[obstacles]", "23: obstacles.shape: an obstacle needs a name of its own; write"),
-    ("[obstacles.plate]", "[obstacles.self]", "22: obstacles.self: the name 'self' is that of the results of"),
-    ("[obstacles.plate]", "[obstacles.my-plate]", "22: obstacles.my-plate: obstacle 'my-plate': a name holds letters"),
-    ('shape = "plane"', "", "22: obstacles.plate.shape: 'shape' is missing; allowed: plane, sphere, cylinder, box, st"),
-    ('"plane"', '"plain"', "23: obstacles.plate.shape: unknown shape 'plain'; did you mean 'plane'?"),
-    ('"plane"', '"sphere"', "25: obstacles.plate.normal: unknown key 'normal'. Known keys: shape, friction, path, "
-     "spring, face, stiffness, elastic_slip, center, radius."),
-    ('"plane"', '"sphere"', "22: obstacles.plate.radius: 'radius' is missing, and it has no default."),
-    ("point =", "pint =", "24: obstacles.plate.pint: unknown key 'pint'; did you mean 'point'?"),
-    ('"-2 mm"', "-2", "24: obstacles.plate.point: -2 needs a unit, for example '1.5 mm'."),
-    ('"-2 mm"', '"-2 kPa"', "24: obstacles.plate.point: '-2 kPa' is a pressure, but a length is needed."),
-    ('[0, 0, "-2 mm"]', '"-2 mm"', "24: obstacles.plate.point: '-2 mm' is not three lengths along x, y and z, such"),
-    ('[0, 0, "-2 mm"]', "[0, 0]", "24: obstacles.plate.point: [0, 0] is not three lengths along x, y and z, such"),
-    ('"+z"', '"+w"', "25: obstacles.plate.normal: unknown direction '+w'. Known: +x, +y"),
-    ('"+z"', "[0, 1]", "25: obstacles.plate.normal: [0, 1] is not a direction; write '+z', or three numbers such as "),
-    ('"+z"', "[0, 0, '1 mm']", "25: obstacles.plate.normal: [0, 0, '1 mm'] is not a direction; write"),
-    ('"+z"', "[0, 0, 0]", "25: obstacles.plate.normal: a zero vector; give a direction such as (0, 0, 1)."),
-    ('"+z"', "[1e300, 1e300, 0]", "25: obstacles.plate.normal: (1e+300, 1e+300, 0.0), whose length cannot be computed; "
-     "give a direction such as (0, 0, 1)."),
-    ('"+z"', "[nan, 0, 1]", "25: obstacles.plate.normal: nan; a finite number is needed."),
-    ("friction = 0.2", "friction = -1", "26: obstacles.plate.friction: -1; Coulomb's coefficient lies between"),
-    ("friction = 0.2", 'face = "tipp"', "26: obstacles.plate.face: unknown face 'tipp'; did you mean 'tip'?"),
-    ("friction = 0.2", 'spring = "50 mm"', "26: obstacles.plate.spring: '50 mm' is a length, but a spring stiffness"),
-    ("friction = 0.2", 'spring = "0 N/m"', "26: obstacles.plate.spring: 0; allowed is more than 0."),
-    ("friction = 0.2", "path = [[0, 1]]", "26: obstacles.plate.path: 1 is not three lengths along x, y and z, such"),
-    ("friction = 0.2", "path = 3", "26: obstacles.plate.path: 3 is no point of a path; write [load factor, [x, y"),
-    ("friction = 0.2", "path = [[0, [0, 0, 0]], ['5 mm', [0, 0, 0]]]", "26: obstacles.plate.path: ['5 mm', [0, 0, 0]] "
-     "is no point of a path; write [load factor, [x, y, z]], such as"),
-    ("friction = 0.2", "path = [[0, [0, 0, 0]], [0.5, [0, 0, 0]]]", "26: obstacles.plate.path: ((0.0, (0.0, 0.0, "),
+    # (what stands in the file, what it is changed to, what the problem states)
+    ("[contact]", "[contcat]", [":19: contcat:", "'contcat'", "'contact'"]),
+    ("[obstacles.plate]", "[obstacle.plate]", [":22: obstacle:", "'obstacle'", "'obstacles'"]),
+    ("friction = 0.3", "frction = 0.3", [":20: contact.frction:", "'frction'", "'friction'"]),
+    ("friction = 0.3", "friction = 3", [":20: contact.friction:", "3", "0 and 2"]),
+    ("friction = 0.3", "friction = true", [":20: contact.friction:", "true", "number"]),
+    ("friction = 0.3", "self_contact = 'yes'", [":20: contact.self_contact:", "'yes'", "true", "'automatic'"]),
+    ("friction = 0.3", "self_contact = false\nfriction = 0.3", [":21: contact.friction:", "self_contact = false"]),
+    ("friction = 0.3", "tolerance = 0.5", [":20: contact.tolerance:", "0.5", "0.0001 to 0.1"]),
+    ("friction = 0.3", "stiffness = '5 MPa'", [":20: contact.stiffness:", "'5 MPa'", "contact stiffness"]),
+    ("friction = 0.3", "elastic_slip = '0 mm'", [":20: contact.elastic_slip:", "0 mm", "more than 0"]),
+    ("friction = 0.3", "stiffness = '-5 MPa/mm'", [":20: contact.stiffness:", "-5e+09", "more than 0"]),
+    ("[obstacles.plate]", "[obstacles]", [":23: obstacles.shape:", "[obstacles.plate]"]),
+    ("[obstacles.plate]", "[obstacles.self]", [":22: obstacles.self:", "'self'", "self-contact"]),
+    ("[obstacles.plate]", "[obstacles.my-plate]", [":22: obstacles.my-plate:", "'my-plate'", "letters", "underscores"]),
+    ('shape = "plane"', "", [":22: obstacles.plate.shape:", "'shape'", "plane, sphere"]),
+    ('"plane"', '"plain"', [":23: obstacles.plate.shape:", "'plain'", "'plane'"]),
+    ('"plane"', '"sphere"', [":25: obstacles.plate.normal:", "'normal'", "center, radius"]),
+    ('"plane"', '"sphere"', [":22: obstacles.plate.radius:", "'radius'", "missing"]),
+    ("point =", "pint =", [":24: obstacles.plate.pint:", "'pint'", "'point'"]),
+    ('"-2 mm"', "-2", [":24: obstacles.plate.point:", "-2", "'1.5 mm'"]),
+    ('"-2 mm"', '"-2 kPa"', [":24: obstacles.plate.point:", "'-2 kPa'", "length"]),
+    ('[0, 0, "-2 mm"]', '"-2 mm"', [":24: obstacles.plate.point:", "'-2 mm'", "three"]),
+    ('[0, 0, "-2 mm"]', "[0, 0]", [":24: obstacles.plate.point:", "[0, 0]", "three"]),
+    ('"+z"', '"+w"', [":25: obstacles.plate.normal:", "'+w'", "+x, +y"]),
+    ('"+z"', "[0, 1]", [":25: obstacles.plate.normal:", "[0, 1]", "'+z'"]),
+    ('"+z"', "[0, 0, '1 mm']", [":25: obstacles.plate.normal:", "[0, 0, '1 mm']", "'+z'"]),
+    ('"+z"', "[0, 0, 0]", [":25: obstacles.plate.normal:", "zero", "(0, 0, 1)"]),
+    ('"+z"', "[1e300, 1e300, 0]", [":25: obstacles.plate.normal:", "(1e+300, 1e+300, 0.0)", "(0, 0, 1)"]),
+    ('"+z"', "[nan, 0, 1]", [":25: obstacles.plate.normal:", "nan", "finite"]),
+    ("friction = 0.2", "friction = -1", [":26: obstacles.plate.friction:", "-1", "0 and 2"]),
+    ("friction = 0.2", 'face = "tipp"', [":26: obstacles.plate.face:", "'tipp'", "'tip'"]),
+    ("friction = 0.2", 'spring = "50 mm"', [":26: obstacles.plate.spring:", "'50 mm'", "spring stiffness"]),
+    ("friction = 0.2", 'spring = "0 N/m"', [":26: obstacles.plate.spring:", "0", "more than 0"]),
+    ("friction = 0.2", "path = [[0, 1]]", [":26: obstacles.plate.path:", "1", "three"]),
+    ("friction = 0.2", "path = 3", [":26: obstacles.plate.path:", "3", "[load factor, [x, y, z]]"]),
+    ("friction = 0.2", "path = [[0, [0, 0, 0]], ['5 mm', [0, 0, 0]]]",
+     [":26: obstacles.plate.path:", "['5 mm', [0, 0, 0]]", "[load factor, [x, y, z]]"]),
+    ("friction = 0.2", "path = [[0, [0, 0, 0]], [0.5, [0, 0, 0]]]",
+     [":26: obstacles.plate.path:", "(0.5, (0.0, 0.0, 0.0))", "0 to 1"]),
     (PLATE, '[obstacles.box]\nshape = "box"\ncenter = [0, 0, 0]\nsize = ["1 mm", "1 mm", "1 mm"]\nrounding = "2 mm"',
-     "26: obstacles.box.rounding: 2 mm; allowed is 0 to half the shortest length, 0.5 mm."),
+     [":26: obstacles.box.rounding:", "2 mm", "0.5 mm"]),
     (PLATE, '[obstacles.ball]\nshape = "sphere"\ncenter = [0, 0, 0]\nradius = "0 mm"',
-     "25: obstacles.ball.radius: 0 mm; allowed is more than 0."),
+     [":25: obstacles.ball.radius:", "0 mm", "more than 0"]),
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("old", "new", "problem"), MISTAKES, ids=[f"{new}"[:40] for _, new, _ in MISTAKES])
-def test_each_mistake_is_one_clear_sentence(tmp_path, old, new, problem):
+@pytest.mark.parametrize(("old", "new", "facts"), MISTAKES, ids=[f"{new}"[:40] for _, new, _ in MISTAKES])
+def test_each_mistake_is_one_clear_sentence(tmp_path, old, new, facts):
     assert old in FINGER
     found = problems(tmp_path, FINGER.replace(old, new, 1))
-    assert any(line.startswith(f"finger.toml:{problem}") for line in found), "\n".join(found)
+    assert any_states(found, facts), "\n".join(found)
     assert all(line.endswith((".", "?")) and "\n" not in line for line in found)
 
 
 def test_what_is_no_table(tmp_path):
     found = problems(tmp_path, f"contact = 3\nobstacles = 4\n{BARE}")
-    assert found == [
-        "finger.toml:1: contact: 3 is not a table; write [contact] and its keys below it.",
-        "finger.toml:2: obstacles: 4 is not a table; write [obstacles.plate] and the keys of a plate below it.",
-    ]
+    assert any_states(found[:1], ["finger.toml:1: contact:", "3", "[contact]"])
+    assert any_states(found[1:], ["finger.toml:2: obstacles:", "4", "[obstacles.plate]"])
 
 
 def test_moved_obstacle_drives_without_loads(tmp_path):
     loads = '[loads]\npressure = "10 kPa"\n'
     moved = "friction = 0.2\npath = [[0, [0, 0, 0]], [1, [0, 0, '1 mm']]]"
     assert read(tmp_path, FINGER.replace(loads, "").replace("friction = 0.2", moved)).loads == ()
-    assert problems(tmp_path, FINGER.replace(loads, "")) == ["finger.toml: loads: the table [loads] is missing."]
+    (problem,) = problems(tmp_path, FINGER.replace(loads, ""))
+    assert any_states([problem], ["finger.toml: loads:", "[loads]", "missing"])
 
 
 def test_contact_reaches_the_model_and_the_report(tmp_path):
@@ -334,16 +325,16 @@ def test_check_tells_what_may_touch_what(tmp_path, capsys):
 
 def test_a_face_that_nothing_can_touch_is_refused(tmp_path):
     text = FINGER.replace("friction = 0.2", 'face = "strain_limiting_layer"')
-    with pytest.raises(TurgorError, match="obstacle 'plate': face 'strain_limiting_layer' lies inside the actuator"):
+    with refused("'plate'", "'strain_limiting_layer'"):
         prepare(read(tmp_path, text))
     assert prepare(read(tmp_path, text.replace("strain_limiting_layer", "tip")))[0].contact.obstacles[0].face == "tip"
 
 
 def test_inp_files_have_no_contact(tmp_path):
     model, _ = prepare(read(tmp_path, FINGER))
-    with pytest.raises(TurgorError, match=r"the obstacle 'plate' has no form in \.inp files"):
+    with refused("'plate'", ".inp"):
         export_job(read(tmp_path, FINGER), tmp_path / "files", ["inp"], inp=InpOptions(poisson=0.45))
-    with pytest.raises(TurgorError, match=r"the obstacle 'plate' has no form in \.inp files"):
+    with refused("'plate'", ".inp"):
         write_inp(compressible(model, 0.45), tmp_path / "a.inp")
     file = tmp_path / "a.inp"
     for wanted, said in ((SelfContact(friction=0.3), True), (None, False)):

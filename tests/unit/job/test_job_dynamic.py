@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from refused import any_states, refused
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.core.model.history import over_time, share_at
@@ -53,7 +54,7 @@ def read(tmp_path: Path, text: str, name: str = "job") -> object:
 
 
 def test_a_table_is_no_duration(tmp_path: Path) -> None:
-    with pytest.raises(JobError, match=r"procedure\.duration: .* is not a time"):
+    with refused("procedure.duration", "'40 ms'", "'2 s'", error=JobError):
         read(tmp_path, MOTION.replace('duration = "40 ms"', 'duration = { duration = "40 ms" }'))
 
 
@@ -81,27 +82,31 @@ def test_stabilization_is_read_and_locked(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("before", "after", "said"),
+    ("before", "after", "facts"),
     [
-        ('"40 ms"', "0.04", "procedure.duration: 0.04 needs a unit, for example '2 s'"),
-        ('"40 ms"', '"-1 s"', "procedure.duration: -1 s; it must be more than 0"),
-        ('"0.5 1/s"', '"0.5 s"', "procedure.mass_damping: '0.5 s' is a time, but a rate is needed"),
-        ("accuracy = 0.01", "spectral_radius = 2.0", "procedure.spectral_radius: 2; allowed is 0 to 1"),
-        ("accuracy = 0.01", "velocity = 1.0", "procedure.velocity: unknown key 'velocity'"),
-        ('type = "dynamic"\nduration = "40 ms"', 'type = "static"', "history_over_time needs a procedure with a"),
-        ('"sin(2*pi*t/0.08)"', '"sin(2*pi*f)"', "loads.cavity.history: 'sin(2 * pi * f)'; points"),
-        ('"sin(2*pi*t/0.08)"', "3", "loads.cavity.history_over_time: 3 is not a list in square brackets, nor an"),
-        ('t/0.08)"', 't/0.08)"\nhistory = [[0, 0], [1, 1]]', "history and history_over_time are both given"),
-        ('"-z"', '"z"', "loads.gravity.direction: unknown direction 'z'; did you mean '-z'"),
-        ('direction = "-z"', "", "loads.gravity.direction: 'direction' is missing"),
-        ("[[0, 0], [0.2, 1], [1, 1]]", "[[0, 1], [1, 1]]", "loads.gravity.history: [[0, 1], [1, 1]]; it must begin"),
+        ('"40 ms"', "0.04", ["procedure.duration:", "0.04", "'2 s'"]),
+        ('"40 ms"', '"-1 s"', ["procedure.duration:", "-1 s", "0"]),
+        ('"0.5 1/s"', '"0.5 s"', ["procedure.mass_damping:", "'0.5 s'", "a rate"]),
+        ("accuracy = 0.01", "spectral_radius = 2.0", ["procedure.spectral_radius:", "2", "0 to 1"]),
+        ("accuracy = 0.01", "velocity = 1.0", ["procedure.velocity:", "'velocity'", "at, keep"]),
+        ('type = "dynamic"\nduration = "40 ms"', 'type = "static"', ["loads.cavity:", "history_over_time", "duration"]),
+        ('"sin(2*pi*t/0.08)"', '"sin(2*pi*f)"', ["loads.cavity.history:", "'sin(2 * pi * f)'", "'f'", "pi, s"]),
+        ('"sin(2*pi*t/0.08)"', "3", ["loads.cavity.history_over_time:", "3", "list", "expression"]),
+        (
+            't/0.08)"',
+            't/0.08)"\nhistory = [[0, 0], [1, 1]]',
+            ["loads.cavity:", "history and history_over_time", "both"],
+        ),
+        ('"-z"', '"z"', ["loads.gravity.direction:", "'z'", "'-z'"]),
+        ('direction = "-z"', "", ["loads.gravity.direction:", "'direction'", "missing"]),
+        ("[[0, 0], [0.2, 1], [1, 1]]", "[[0, 1], [1, 1]]", ["loads.gravity.history:", "[[0, 1], [1, 1]]", "(0, 0)"]),
     ],
 )
-def test_each_mistake_is_one_clear_sentence(tmp_path: Path, before: str, after: str, said: str) -> None:
+def test_each_mistake_is_one_clear_sentence(tmp_path: Path, before: str, after: str, facts: list[str]) -> None:
     assert before in MOTION
     with pytest.raises(JobError) as error:
         read(tmp_path, MOTION.replace(before, after))
-    assert any(said in line for line in error.value.problems), error.value.problems
+    assert any_states(error.value.problems, facts), error.value.problems
 
 
 def test_a_job_moves(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from refused import any_states, refused
 from turgor.core.materials.laws.laws import Hooke, NeoHooke
 from turgor.core.materials.library.records import from_library
 from turgor.core.model.fibers import Fibers, Winding
@@ -15,7 +16,6 @@ from turgor.core.model.model import Model
 from turgor.core.model.sheets import Membrane, Shell
 from turgor.core.model.supports import Fixed, PlaneSection, Radial
 from turgor.core.model.write_inp import write_inp
-from turgor.foundation.errors import TurgorError
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
@@ -129,69 +129,69 @@ spacing = "3 mm"
 
 
 MISTAKES = [
-    # (what stands in the file, what it is changed to, problem)
-    ("angle_from_axis", "angle", "15: fibers.braid.angle: '60 deg' does not say from where it is counted; write "
-     "angle_from_axis (0 deg runs along the axis) or angle_from_circumference (0 deg runs around it)."),
-    ("angle_from_axis", "angle_from_axes", "15: fibers.braid.angle_from_axes: unknown key 'angle_from_axes'; did "
-     "you mean 'angle_from_axis'? Known keys: face, library"),
-    ('"60 deg"', '"100 deg"', "15: fibers.braid.angle_from_axis: 100 deg; allowed is 0 deg to 90 deg."),
-    ('"60 deg"', '"60 mm"', "15: fibers.braid.angle_from_axis: '60 mm' is a length, but an angle is needed."),
-    ('"60 deg"', "60", "15: fibers.braid.angle_from_axis: 60 needs a unit, for example '90 deg'."),
-    ('angle_from_axis = "60 deg"', "", "12: fibers.braid: a winding has no direction; give exactly one of "),
-    ('"60 deg"', '"60 deg"\nturns = 3.0', "12: fibers.braid: a winding has angle_from_axis and turns; give"),
-    ('spacing = "2 mm"', "", "12: fibers.braid: a winding has no density; give exactly one of spacing, starts."),
-    ('spacing = "2 mm"', 'spacing = "-2 mm"', "16: fibers.braid.spacing: -2 mm; a positive value is needed."),
-    ('spacing = "2 mm"', "starts = 0", "16: fibers.braid.starts: 0; a positive value is needed."),
-    ('spacing = "2 mm"', "starts = 1.5", "16: fibers.braid.starts: 1.5 is not a whole number."),
-    ('angle_from_axis = "60 deg"', 'pitch = "0.1 mm"', "15: fibers.braid.pitch: 0.1 mm, less than the diameter"),
-    ('hand = "both"', 'hand = "bot"', "12: fibers.braid: unknown hand of a winding 'bot'; did you mean 'both'?"),
-    ('face = "outside"', 'face = ["tip", "tip"]', "13: fibers.braid.face: ('tip', 'tip'); 'tip' stands there twice"),
-    ('hand = "both"', 'hand = "left"', "17: fibers.braid.hand: the mirror plane symmetry_"),
-    ('hand = "both"', 'axis = "w"', "17: fibers.braid.axis: unknown axis of a winding 'w'. Known: x, y, z."),
-    ('hand = "both"', 'form = "smered"', "12: fibers.braid: unknown form of fibers 'smered'; did you mean 'smear"),
-    ('hand = "both"', 'compression = 2', "17: fibers.braid.compression: 2; allowed is 0 (slack) to 1"),
-    ('hand = "both"', 'diameter = "12 mm"', "17: fibers.braid.diameter: 12 mm; allowed is more than 0 up to 10"),
-    ('hand = "both"', 'within = { x_form = "1 mm" }', "17: fibers.braid.within.x_form: unknown key 'x_form'; did "
-     "you mean 'x_from'? Known keys: x_from, x_to"),
-    ('hand = "both"', 'within = { x_from = "3 mm", x_to = "1 mm" }', "17: fibers.braid.within: "),
-    ('face = "outside"', 'face = "outsid"', "13: fibers.braid.face: unknown face 'outsid'; did you mean 'outside'"),
-    ('face = "outside"', "face = []", "13: fibers.braid.face: the list is empty; name the face"),
-    ('face = "outside"', "", "12: fibers.braid.face: 'face' is missing, and it has no default."),
-    ('"kevlar-fiber"', '"kevlar-fibre"', "14: fibers.braid.library: unknown library material 'kevlar-fibre'; did "
-     "you mean 'kevlar-fiber'?"),
-    ('"kevlar-fiber"', '"kevlar-fiber"\nrecord = "connolly"', "15: fibers.braid.record: unknown record 'connolly'"),
-    ('"kevlar-fiber"', '"fiber-yarn"', "12: fibers.braid.diameter: 'diameter' of a thread is missing, and the rec"),
-    ('"kevlar-fiber"', '"kevlar-fiber"\nE = "1 GPa"', "12: fibers.braid: the threads have both library and E;"),
-    ('library = "kevlar-fiber"', "", "12: fibers.braid: the threads have neither library nor E; name a material"),
-    ('library = "kevlar-fiber"', 'E = "-1 GPa"\ndiameter = "1 mm"', "14: fibers.braid.E: "),
-    ('"kevlar-fiber"', '"ecoflex-00-30"\nrecord = "yeoh-elsayed-2014"', "12: fibers.braid.diameter: 'diameter' of a "
-     "thread is missing, and the record of 'ecoflex-00-30' states none."),
-    ('"kevlar-fiber"', '"ecoflex-00-30"\nrecord = "yeoh-elsayed-2014"\ndiameter = "1 mm"', "12: fibers.braid: fibers "
-     "on 'outside': the law of 'Ecoflex 00-30' is Yeoh; fibers need a material with the law Hooke"),
-    ("[fibers.braid]", "[fibers]", "13: fibers.face: a winding needs a name of its own; write [fibers.winding]"),
-    ("[fibers.braid]", "[fibres.braid]", "12: fibres: unknown key 'fibres'; did you mean 'fibers'?"),
-    ("[loads]", '[supports]\nfixed = "xyz"\noutside = "radal"\n[loads]', "21: supports.outside: 'radal' is not "
-     "allowed; name the fixed directions, such as 'xyz' or 'z', or one of 'radial', 'radial about y'"),
+    # (what stands in the file, what it is changed to, what the problem states)
+    ("angle_from_axis", "angle",
+     [":15: fibers.braid.angle:", "'60 deg'", "angle_from_axis", "angle_from_circumference"]),
+    ("angle_from_axis", "angle_from_axes",
+     [":15: fibers.braid.angle_from_axes:", "'angle_from_axes'", "'angle_from_axis'"]),
+    ('"60 deg"', '"100 deg"', [":15: fibers.braid.angle_from_axis:", "100 deg", "0 deg to 90 deg"]),
+    ('"60 deg"', '"60 mm"', [":15: fibers.braid.angle_from_axis:", "'60 mm'", "angle"]),
+    ('"60 deg"', "60", [":15: fibers.braid.angle_from_axis:", "60", "'90 deg'"]),
+    ('angle_from_axis = "60 deg"', "", [":12: fibers.braid:", "direction", "angle_from_axis", "turns, pitch"]),
+    ('"60 deg"', '"60 deg"\nturns = 3.0', [":12: fibers.braid:", "angle_from_axis and turns"]),
+    ('spacing = "2 mm"', "", [":12: fibers.braid:", "density", "spacing, starts"]),
+    ('spacing = "2 mm"', 'spacing = "-2 mm"', [":16: fibers.braid.spacing:", "-2 mm", "positive"]),
+    ('spacing = "2 mm"', "starts = 0", [":16: fibers.braid.starts:", "0", "positive"]),
+    ('spacing = "2 mm"', "starts = 1.5", [":16: fibers.braid.starts:", "1.5", "whole number"]),
+    ('angle_from_axis = "60 deg"', 'pitch = "0.1 mm"', [":15: fibers.braid.pitch:", "0.1 mm", "0.1778 mm"]),
+    ('hand = "both"', 'hand = "bot"', [":12: fibers.braid:", "'bot'", "'both'"]),
+    ('face = "outside"', 'face = ["tip", "tip"]', [":13: fibers.braid.face:", "('tip', 'tip')", "'tip'", "twice"]),
+    ('hand = "both"', 'hand = "left"', [":17: fibers.braid.hand:", "symmetry_y", "actuator.symmetric", '"both"']),
+    ('hand = "both"', 'axis = "w"', [":17: fibers.braid.axis:", "'w'", "x, y, z"]),
+    ('hand = "both"', 'form = "smered"', [":12: fibers.braid:", "'smered'", "'smeared'"]),
+    ('hand = "both"', 'compression = 2', [":17: fibers.braid.compression:", "2", "0 (slack) to 1"]),
+    ('hand = "both"', 'diameter = "12 mm"', [":17: fibers.braid.diameter:", "12 mm", "more than 0 up to 10 mm"]),
+    ('hand = "both"', 'within = { x_form = "1 mm" }', [":17: fibers.braid.within.x_form:", "'x_form'", "'x_from'"]),
+    ('hand = "both"', 'within = { x_from = "3 mm", x_to = "1 mm" }',
+     [":17: fibers.braid.within:", "((0.003, -inf, -inf), (0.001, inf, inf))", "two"]),
+    ('face = "outside"', 'face = "outsid"', [":13: fibers.braid.face:", "'outsid'", "'outside'"]),
+    ('face = "outside"', "face = []", [":13: fibers.braid.face:", "list", "empty"]),
+    ('face = "outside"', "", [":12: fibers.braid.face:", "'face'", "missing"]),
+    ('"kevlar-fiber"', '"kevlar-fibre"', [":14: fibers.braid.library:", "'kevlar-fibre'", "'kevlar-fiber'"]),
+    ('"kevlar-fiber"', '"kevlar-fiber"\nrecord = "connolly"',
+     [":15: fibers.braid.record:", "'connolly'", "'kevlar-fiber'", "hooke-connolly-2015"]),
+    ('"kevlar-fiber"', '"fiber-yarn"', [":12: fibers.braid.diameter:", "'diameter'", "'fiber-yarn'", "missing"]),
+    ('"kevlar-fiber"', '"kevlar-fiber"\nE = "1 GPa"', [":12: fibers.braid:", "both library and E"]),
+    ('library = "kevlar-fiber"', "", [":12: fibers.braid:", "neither library nor E"]),
+    ('library = "kevlar-fiber"', 'E = "-1 GPa"\ndiameter = "1 mm"', [":14: fibers.braid.E:", "-1e+09 Pa", "positive"]),
+    ('"kevlar-fiber"', '"ecoflex-00-30"\nrecord = "yeoh-elsayed-2014"',
+     [":12: fibers.braid.diameter:", "'diameter'", "'ecoflex-00-30'", "missing"]),
+    ('"kevlar-fiber"', '"ecoflex-00-30"\nrecord = "yeoh-elsayed-2014"\ndiameter = "1 mm"',
+     [":12: fibers.braid:", "'outside'", "'Ecoflex 00-30'", "Yeoh", "Hooke"]),
+    ("[fibers.braid]", "[fibers]", [":13: fibers.face:", "[fibers.winding]"]),
+    ("[fibers.braid]", "[fibres.braid]", [":12: fibres:", "'fibres'", "'fibers'"]),
+    ("[loads]", '[supports]\nfixed = "xyz"\noutside = "radal"\n[loads]',
+     [":21: supports.outside:", "'radal'", "'xyz'", "'radial'"]),
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("old", "new", "problem"), MISTAKES, ids=[f"{new}"[:40] for _, new, _ in MISTAKES])
-def test_each_mistake_is_one_clear_sentence(tmp_path, old, new, problem):
+@pytest.mark.parametrize(("old", "new", "facts"), MISTAKES, ids=[f"{new}"[:40] for _, new, _ in MISTAKES])
+def test_each_mistake_is_one_clear_sentence(tmp_path, old, new, facts):
     assert old in TUBE
     found = problems(tmp_path, TUBE.replace(old, new))
-    assert any(line.startswith(f"tube.toml:{problem}") for line in found), "\n".join(found)
+    assert any_states(found, facts), "\n".join(found)
     assert all(line.endswith((".", "?")) and "\n" not in line for line in found)
 
 
 def test_an_unknown_hand_is_told_once(tmp_path):
     (found,) = problems(tmp_path, TUBE.replace('hand = "both"', 'hand = "Both"'))
-    assert "unknown hand of a winding 'Both'; did you mean 'both'?" in found
+    assert any_states([found], ["'Both'", "'both'"])
 
 
 def test_windings_that_do_not_fit_the_face_are_found_before_solving(tmp_path):
-    with pytest.raises(TurgorError, match="fibers on 'tip': parts of this face look along the axis"):
+    with refused("'tip'", "axis (1.0, 0.0, 0.0)"):
         prepare(read(tmp_path, TUBE.replace('face = "outside"', 'face = "tip"')))
-    with pytest.raises(TurgorError, match="less than their diameter of 0"):
+    with refused("'outside'", "0.1 mm", "0.1778 mm"):
         prepare(read(tmp_path, TUBE.replace('"2 mm"', '"0.1 mm"')))
 
 
@@ -298,47 +298,49 @@ def test_a_solid_layer_has_the_moduli_of_its_material(tmp_path):
 
 
 FORMS = [
-    (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shel"'), ".form: unknown form 'shel'"),
-    (BENDER.replace(LAYER, COMBINED), "materials.base: the combined constants of strain_limiting_layer stand "),
+    (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shel"'),
+     [":12: materials.strain_limiting_layer.form:", "'shel'", "'shell'"]),
+    (BENDER.replace(LAYER, COMBINED), [":11: materials.base:", "strain_limiting_layer"]),
     (BENDER.replace(LAYER, COMBINED.replace("fiberglass", "paper\", record = \"hooke-yang-2020")),
-     "materials.strain_limiting_layer: 'Paper' is linear elastic; combined constants are those of a rubber's law."),
+     [":12: materials.strain_limiting_layer:", "'Paper'", "rubber"]),
     (BENDER.replace(LAYER, COMBINED.replace("form", 'thickness = "1 mm", form')),
-     'materials.strain_limiting_layer.thickness: form = "combined" takes the thickness of its region;'),
-    (BENDER.replace(LAYER, SOLID), "materials.strain_limiting_layer.form: 'strain_limiting_layer' is a face; "
-     "a solid layer "
-     "needs a thickness, actuator.layer."),
+     [":12: materials.strain_limiting_layer.thickness:", 'form = "combined"']),
+    (BENDER.replace(LAYER, SOLID),
+     [":12: materials.strain_limiting_layer.form:", "'strain_limiting_layer'", "thickness", "actuator.layer"]),
     (BENDER.replace('C10 = "0.12 MPa" }', 'C10 = "0.12 MPa", form = "shell" }'),
-     "materials.body.form: 'body' is a region; \"shell\" is for sheets on faces."),
+     [":10: materials.body.form:", "'body'", '"shell"']),
     (BENDER.replace('C10 = "0.12 MPa" }', 'C10 = "0.12 MPa", compression = 0 }'),
-     "materials.body.compression: only a membrane on a face has a compression; leave it out."),
+     [":10: materials.body.compression:", "membrane"]),
     (BENDER.replace('"0.1 mm"', '"0.1 mm", compression = 2'),
-     "materials.strain_limiting_layer.compression: 2; allowed is 0 (it wrinkles) to 1"),
+     [":12: materials.strain_limiting_layer.compression:", "2", "0 (it wrinkles)"]),
     (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shell", compression = 0'),
-     "materials.strain_limiting_layer.compression: 0, but a shell bears compression (1) and buckles by itself"),
+     [":12: materials.strain_limiting_layer.compression:", "0", "shell"]),
     (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "membrane", bending_stiffness = "10 µN m"'),
-     "materials.strain_limiting_layer.bending_stiffness: only a shell on a face has a bending stiffness; leave it out"),
+     [":12: materials.strain_limiting_layer.bending_stiffness:", "shell"]),
     (BENDER.replace('"0.1 mm"', '"0.1 mm", bending_stiffness = "0 µN m"'),
-     "materials.strain_limiting_layer.bending_stiffness: 0 N m; it must be positive."),
+     [":12: materials.strain_limiting_layer.bending_stiffness:", "0 N m", "positive"]),
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("text", "problem"), FORMS, ids=range(len(FORMS)))
-def test_mistakes_with_forms(tmp_path, text, problem):
+@pytest.mark.parametrize(("text", "facts"), FORMS, ids=range(len(FORMS)))
+def test_mistakes_with_forms(tmp_path, text, facts):
     found = problems(tmp_path, text)
-    assert any(problem in line for line in found), "\n".join(found)
+    assert any_states(found, facts), "\n".join(found)
 
 
 def test_what_inp_files_cannot_say_is_refused(tmp_path):
     model = prepare(read(tmp_path, TUBE))[0]
-    with pytest.raises(TurgorError, match="winding of fibers on 'outside' has no form"):
+    with refused("winding", "'outside'", ".inp"):
         export_job(read(tmp_path, TUBE), tmp_path / "files", ["inp"], inp=InpOptions(poisson=0.45))
-    with pytest.raises(TurgorError, match="winding of fibers on 'outside' has no form"):
+    with refused("winding", "'outside'", ".inp"):
         write_inp(model, tmp_path / "a.inp", program="abaqus")
+    with refused("FiberReinforcedCylinder", "fast_pneunet", "slow_pneunet"):
+        export_job(read(tmp_path, TUBE), tmp_path / "files", ["mold"])
     held = [Fixed("fixed"), Radial("outside")]
     plain = Model(model.mesh, model.materials, held, model.loads)
-    with pytest.raises(TurgorError, match="'outside' is fixed radially"):
+    with refused("'outside'", "fixed radially", ".inp"):
         write_inp(plain, tmp_path / "a.inp", program="abaqus")
     sheet = Shell(from_library("kevlar-fiber"), 0.1 * mm)
     bent = Model(model.mesh, {**model.materials, "outside": sheet}, [Fixed("fixed")], model.loads)
-    with pytest.raises(TurgorError, match="the shell on 'outside' has no form in"):
+    with refused("shell", "'outside'", ".inp"):
         write_inp(bent, tmp_path / "a.inp", program="abaqus")

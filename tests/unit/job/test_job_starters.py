@@ -6,7 +6,7 @@ from dataclasses import fields
 
 import pytest
 
-from turgor.foundation.errors import TurgorError
+from refused import refused
 from turgor.job.job import ACTUATORS
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
@@ -67,5 +67,5 @@ def test_a_family_without_an_example_gets_a_plain_job(tmp_path, monkeypatch):
 
 
 def test_an_unknown_family_is_answered_with_the_nearest_one():
-    with pytest.raises(TurgorError, match="unknown actuator family 'slow_pneunt'; did you mean 'slow_pneunet'"):
+    with refused("'slow_pneunt'", "'slow_pneunet'"):
         starter("slow_pneunt")

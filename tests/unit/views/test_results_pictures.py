@@ -9,8 +9,8 @@ import pytest
 import results_cases as cases
 from PIL import Image
 
+from refused import refused
 from turgor.core.results.fields.state_fields import StateFields
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.units import deg
@@ -277,9 +277,9 @@ def test_title_from_a_response():
 
 
 def test_bad_views_are_refused(rest):
-    with pytest.raises(TurgorError, match="picture width is 100 pixels; allowed is 400 or more"):
+    with refused("width", "100 pixels", "400 or more"):
         shared_view([rest], width=100)
-    with pytest.raises(TurgorError, match="at least one state"):
+    with refused("view", "state"):
         shared_view([])
 
 

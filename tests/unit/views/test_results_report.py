@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import results_cases as cases
 
+from refused import refused
 from turgor.core.materials.laws.laws import Hooke, NeoHooke, Yeoh
 from turgor.core.materials.material import Material
 from turgor.core.meshing.quality.cell_quality import quality
@@ -16,7 +17,6 @@ from turgor.core.model.sheets import Membrane
 from turgor.core.model.supports import Displacement, Fixed
 from turgor.core.results.measures.measures import bending_angle, find_measure, measure
 from turgor.core.solvers.solution import Status
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
@@ -175,7 +175,7 @@ def test_pictures_keep_one_scale(tmp_path, solution, png):
         tmp_path / "r.html", Report(title="T", solution=solution, response=measure(solution), pictures=pictures)
     )
     assert re.findall(r'<img width="(\d+)"', (tmp_path / "r.html").read_text()) == ["380", "380"]
-    with pytest.raises(TurgorError, match="picture 'c' is no PNG"):
+    with refused("picture 'c'", "PNG"):
         page(tmp_path, title="T", solution=solution, response=measure(solution),
              pictures=(Picture(caption="c", png=b"GIF89a"),))  # fmt: skip
 

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from refused import refused
 from turgor.units import MPa, kPa, mm
 
 AT = (0.25, 0.5, 0.75)
@@ -105,29 +106,26 @@ def test_a_guided_run_that_was_ended_goes_on_with_its_guide(similar: tg.Solution
     assert np.array_equal(moves(resumed), moves(whole))
 
 
-@pytest.mark.parametrize(
-    ("procedure", "said"),
-    [(tg.ArcLength(), "the procedure is ArcLength"), (tg.Static(duration=2.0), "without a duration")],
-)
-def test_procedures_that_no_guide_leads_are_refused(procedure: object, said: str, similar: tg.Solution) -> None:
-    with pytest.raises(tg.TurgorError, match=said):
+@pytest.mark.parametrize(("procedure", "fact"), [(tg.ArcLength(), "ArcLength"), (tg.Static(duration=2.0), "2 s")])
+def test_procedures_that_no_guide_leads_are_refused(procedure: object, fact: str, similar: tg.Solution) -> None:
+    with refused("Static", fact):
         tg.solve(cantilever(10 * mm), procedure, guide=similar)
 
 
 def test_guides_of_other_bodies_and_models_with_a_memory_are_refused(similar: tg.Solution) -> None:
     model = cantilever(10 * mm)
-    with pytest.raises(tg.TurgorError, match="guide is 'folder'; allowed is a Solution"):
+    with refused("guide", "'folder'", "Solution"):
         tg.solve(model, guide="folder")  # type: ignore[arg-type]
-    with pytest.raises(tg.TurgorError, match="guide has other elements: 36 instead of 998"):
+    with refused("guide", 36, 998):
         tg.solve(cantilever(6 * mm), guide=similar)
     large = replace(model, mesh=replace(model.mesh, points=2.0 * model.mesh.points))
-    with pytest.raises(tg.TurgorError, match="is the solution of another body: its corners are off by 25%"):
+    with refused("guide", "25%", "20%"):
         tg.solve(large, guide=similar)
     rubs = replace(
         model, contact=tg.Contact(obstacles=[tg.obstacles.Obstacle(name="floor", shape=FLOOR, friction=0.5)])
     )
-    with pytest.raises(tg.TurgorError, match="friction depends on them"):
+    with refused("guide", "friction 0.5"):
         tg.solve(rubs, guide=similar)
     smooth = replace(model, contact=tg.Contact(obstacles=[tg.obstacles.Obstacle(name="floor", shape=FLOOR)]))
-    with pytest.raises(tg.TurgorError, match="guide knows no obstacle"):
+    with refused("guide", "'floor'"):
         tg.solve(smooth, guide=similar)

@@ -17,6 +17,7 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM
+from refused import refused
 from turgor.core.engine.faces import surfaces
 from turgor.core.model.contact import Contact
 from turgor.core.model.continued_model import continued, with_loads
@@ -362,31 +363,37 @@ MOVE = tg.Displacement("x1", lambda points, s: np.zeros(3))
 
 
 @pytest.mark.parametrize(
-    ("make", "expected"),
+    ("make", "facts"),
     [
-        (lambda: tg.Stages([]), "there are no stages; at least one is needed"),
-        (lambda: tg.Stages([tg.Stage("a"), tg.Stage("a")]), "2 stages are called 'a'"),
-        (lambda: tg.Stage(" "), "a stage has no name"),
-        (lambda: in_turn(box([AIR]), tg.Stage("a"), tg.Stage("b", tg.ArcLength())), "stage 'b': .* here none does"),
+        (lambda: tg.Stages([]), ["no stages"]),
+        (lambda: tg.Stages([tg.Stage("a"), tg.Stage("a")]), ["2 stages", "'a'"]),
+        (lambda: tg.Stage(" "), ["stage", "name", "'fill'"]),
+        (lambda: in_turn(box([AIR]), tg.Stage("a"), tg.Stage("b", tg.ArcLength())), ["'b'", "ArcLength", "none"]),
         (
             lambda: in_turn(box(), tg.Stage("a", tg.ArcLength(), loads=[tg.Pressure("cavity", 1e3, "s**2")])),
-            "stage 'a': ArcLength needs loads that grow in proportion",
+            ["'a'", "ArcLength", "proportion", "histories"],
         ),
         (
             lambda: in_turn(box([AIR], 0.0), tg.Stage("a", tg.ArcLength(), moves={"plate": DOWN})),
-            "stage 'a': ArcLength needs obstacles that stay in place, and 'plate' moves",
+            ["'a'", "ArcLength", "'plate'"],
         ),
-        (lambda: tg.Stages([tg.Stage("a"), tg.Stage("b", tg.GasMass(mass_ratio=1.0, pressure=1e3))]), "leave it out"),
-        (lambda: in_turn(box(), tg.Stage("a", loads=[AIR, AIR])), "stage 'a': a stage states pressure on cavity twice"),
-        (lambda: in_turn(box(), tg.Stage("a", moves={"plte": DOWN})), "stage 'a': .*plte"),
-        (lambda: in_turn(box(), tg.Stage("a", displacements=[MOVE])), "the model does not hold this face"),
+        (
+            lambda: tg.Stages([tg.Stage("a"), tg.Stage("b", tg.GasMass(mass_ratio=1.0, pressure=1e3))]),
+            ["'b'", "procedure.pressure", "1000 Pa"],
+        ),
+        (lambda: in_turn(box(), tg.Stage("a", loads=[AIR, AIR])), ["'a'", "cavity", "twice"]),
+        (lambda: in_turn(box(), tg.Stage("a", moves={"plte": DOWN})), ["'a'", "'plte'"]),
+        (lambda: in_turn(box(), tg.Stage("a", displacements=[MOVE])), ["'a'", "'x1' in xyz", "Fixed"]),
         (
             lambda: in_turn(box(), tg.Stage("a", loads=[AIR]), tg.Stage("b", tg.Sealed(), loads=[AIR])),
-            "stage 'b': cavity has a pressure load",
+            ["'b'", "cavity", "pressure load", "procedure.cavities"],
         ),
-        (lambda: in_turn(box(), tg.Stage("a", tg.Sealed(cavities="cavety"))), "did you mean 'cavity'"),
+        (
+            lambda: in_turn(box(), tg.Stage("a", tg.Sealed(cavities="cavety"))),
+            ["'a'", "procedure.cavities", "'cavety'", "'cavity'"],
+        ),
     ],
 )
-def test_what_does_not_fit_is_said(make, expected):
-    with pytest.raises(tg.TurgorError, match=expected):
+def test_what_does_not_fit_is_said(make, facts):
+    with refused(*facts):
         make()

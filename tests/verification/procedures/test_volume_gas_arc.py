@@ -9,6 +9,7 @@ import pytest
 import meshes
 import turgor as tg
 from problems import solve
+from refused import refused
 from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.results.drive import drive_of
@@ -20,7 +21,6 @@ from turgor.core.solvers.procedures.arc_length import ArcLength
 from turgor.core.solvers.procedures.auto import Auto
 from turgor.core.solvers.procedures.gas_mass import GasMass
 from turgor.core.solvers.procedures.volume_control import VolumeControl
-from turgor.foundation.errors import TurgorError
 from turgor.units import kPa, mL
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))
@@ -64,44 +64,44 @@ def test_another_cavity_may_have_a_pressure_that_is_stated():
 
 
 @pytest.mark.parametrize(
-    ("model", "procedure", "expected"),
+    ("model", "procedure", "facts"),
     [
-        (bar(), VolumeControl(volume=1e-7), "the cavities are cavity_1, cavity_2; give one for each"),
+        (bar(), VolumeControl(volume=1e-7), ["procedure.volume", "cavity_1, cavity_2"]),
+        (bar(), VolumeControl(volume={"cavity_3": 1e-7}), ["procedure.volume", "'cavity_3'", "'cavity_2'"]),
         (
-            bar(),
-            VolumeControl(volume={"cavity_3": 1e-7}),
-            "unknown cavity in procedure.volume 'cavity_3'; did you mean",
+            sphere(tg.Pressure("cavity", 1.0)),
+            GasMass(mass_ratio=2.0),
+            ["cavity", "pressure load", "procedure.mass_ratio"],
         ),
-        (sphere(tg.Pressure("cavity", 1.0)), GasMass(mass_ratio=2.0), "cavity has a pressure load"),
-        (sphere(tg.Pressure("cavity", 1.0, history="s**2")), ArcLength(), "in proportion to the load factor"),
-        (sphere(tg.Pressure("cavity", 1.0, history="s**2")), Auto(), "in proportion to the load factor"),
+        (sphere(tg.Pressure("cavity", 1.0, history="s**2")), ArcLength(), ["ArcLength", "load factor"]),
+        (sphere(tg.Pressure("cavity", 1.0, history="s**2")), Auto(), ["auto", "load factor"]),
     ],
 )
-def test_what_cannot_be_driven_is_refused(model, procedure, expected):
-    with pytest.raises(TurgorError, match=expected):
+def test_what_cannot_be_driven_is_refused(model, procedure, facts):
+    with refused(*facts):
         solve(model, procedure)
 
 
 @pytest.mark.parametrize(
-    ("kind", "changes", "expected"),
+    ("kind", "changes", "facts"),
     [
-        (VolumeControl, {"volume": 0.0}, "procedure.volume is 0 m³"),
-        (VolumeControl, {"volume": {}}, "procedure.volume names no cavity"),
-        (VolumeControl, {"volume": {"cavity": 0.0}}, "procedure.volume.cavity is 0 m³"),
-        (VolumeControl, {"volume": 1e-6, "first_step": 2.0}, "first_step is 2"),
-        (GasMass, {"mass_ratio": 0.0}, "mass_ratio is 0"),
-        (GasMass, {"exponent": 2.0}, "exponent is 2; allowed is 1 to 1.7"),
-        (GasMass, {"ambient": -1.0}, "ambient is -1 Pa"),
-        (GasMass, {"at": (0.0,)}, "at holds 0"),
-        (ArcLength, {"max_stretch": 1.0}, "max_stretch is 1"),
-        (ArcLength, {"max_displacement": 0.0}, "max_displacement is 0"),
-        (ArcLength, {"min_step": 0.5}, "min_step is 0.5; it must not exceed first_step"),
-        (Auto, {"past": 1.0}, "past is 1"),
-        (Auto, {"tolerance": 1.0}, "tolerance is 1"),
+        (VolumeControl, {"volume": 0.0}, ["procedure.volume", "0 m³"]),
+        (VolumeControl, {"volume": {}}, ["procedure.volume", "no cavity"]),
+        (VolumeControl, {"volume": {"cavity": 0.0}}, ["procedure.volume.cavity", "0 m³"]),
+        (VolumeControl, {"volume": 1e-6, "first_step": 2.0}, ["procedure.first_step", 2, 1]),
+        (GasMass, {"mass_ratio": 0.0}, ["procedure.mass_ratio", 0, 1000]),
+        (GasMass, {"exponent": 2.0}, ["procedure.exponent", 2, "1 to 1.7"]),
+        (GasMass, {"ambient": -1.0}, ["procedure.ambient", "-1 Pa", "1e8 Pa"]),
+        (GasMass, {"at": (0.0,)}, ["procedure.at", 0, "(0, 1]"]),
+        (ArcLength, {"max_stretch": 1.0}, ["procedure.max_stretch", 1]),
+        (ArcLength, {"max_displacement": 0.0}, ["procedure.max_displacement", "0 m"]),
+        (ArcLength, {"min_step": 0.5}, ["procedure.min_step", 0.5, "first_step", 0.05]),
+        (Auto, {"past": 1.0}, ["procedure.past", 1, 1000]),
+        (Auto, {"tolerance": 1.0}, ["procedure.tolerance", 1, "1e-12 to 0.01"]),
     ],
 )
-def test_bad_procedure_names_field_value_and_range(kind, changes, expected):
-    with pytest.raises(TurgorError, match=expected):
+def test_bad_procedure_names_field_value_and_range(kind, changes, facts):
+    with refused(*facts):
         kind(**changes)
 
 
@@ -117,7 +117,7 @@ def test_stop_progress_and_limit_of_steps():
     assert f"{solution.states[-1].pressures['cavity'] / kPa:.4g} kPa" in solution.message
     assert [state for _, state in seen if state is not None] == list(solution.states[1:])
     assert sum(step.iterations for step in solution.steps) == sum(state is None for _, state in seen)
-    with pytest.raises(tg.solutions.SolveError, match="step_limit"):
+    with refused("step_limit", "47.95 kPa", "3 steps", error=tg.solutions.SolveError):
         solve(sphere(), VolumeControl(volume=20 * mL, max_step=0.02, max_steps=3))
 
 

@@ -213,10 +213,12 @@ def identify_sweep(frequency: ArrayLike, amplitude: ArrayLike, *, drive: float =
     """
     f, moved = np.asarray(frequency, dtype=np.float64), np.asarray(amplitude)
     if f.ndim != 1 or f.shape != moved.shape or len(f) < 5 or not (f > 0).all():
-        raise TurgorError("a sweep needs at least five positive frequencies, and an amplitude for each of them.")
+        given = f"{f.size} frequencies and {moved.size} amplitudes"
+        raise TurgorError(f"a sweep has {given}; five positive frequencies or more, with amplitudes, are needed.")
     size = float(np.abs(moved).max())
     if not np.isfinite(moved).all() or not size > 0 or drive == 0:
-        raise TurgorError("the amplitudes of a sweep must be finite and not all zero, and its drive not zero.")
+        given = f"amplitude goes up to {size:.4g} and drive is {drive:.4g}"
+        raise TurgorError(f"{given}; finite numbers other than zero are needed.")
     known = bool(np.iscomplexobj(moved))
 
     def residual(p: Array) -> Array:
@@ -249,9 +251,9 @@ def _check(t: Array, x: Array, measure: str, drive: float) -> None:
     if len(t) < 8:
         raise TurgorError(f"a step needs at least eight rows; this response has {len(t)}.")
     if not np.isfinite(x).all() or not np.ptp(x) > 0 or drive == 0:
-        raise TurgorError(f"'{measure}' does not move, or the drive is zero; a step that moves it is needed.")
+        raise TurgorError(f"'{measure}' is {x.min():.4g} to {x.max():.4g} at a drive of {drive:.4g}; it must move.")
     if not (np.diff(t) > 0).all() or t[-1] <= 0:
-        raise TurgorError("the times of a step must rise and go beyond 0, when the drive rises.")
+        raise TurgorError(f"times are {t[0]:.4g} to {t[-1]:.4g} s; they must rise beyond 0, when the drive rises.")
 
 
 def _frequencies(t: Array, x: Array) -> list[float]:

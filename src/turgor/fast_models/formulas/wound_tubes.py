@@ -104,8 +104,12 @@ def wound_tube(
             "use inextensible=False, or fewer windings."
         )
     wanted = path_of("pressure", pressure)
-    if (np.diff(wanted) < 0).any():
-        raise TurgorError("the pressures must rise, as the path is followed from rest.")
+    if (falls := np.diff(wanted) < 0).any():
+        row = int(falls.argmax())
+        raise TurgorError(
+            f"pressure falls from {wanted[row] / 1e3:g} to {wanted[row + 1] / 1e3:g} kPa; it must rise, as the path is "
+            "followed from rest."
+        )
     return _answered(actuator, material, windings, body, wanted)
 
 
@@ -160,7 +164,9 @@ def angle_and_spacing(fibers: Fibers, radius: float, length: float) -> tuple[flo
     if winding.spacing is not None:
         return angle, winding.spacing
     if angle > pi / 2 - ALONG:
-        raise TurgorError("a winding of hoops has starts; hoops do not start at an end, give their spacing.")
+        raise TurgorError(
+            f"winding starts is {winding.starts}, but hoops do not start at an end; give their spacing instead."
+        )
     return angle, 2 * pi * radius * cos(angle) / (winding.starts or 1)
 
 

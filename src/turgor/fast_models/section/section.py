@@ -204,7 +204,9 @@ def _slice_of(shape: object, size: float | None) -> Mesh:
     """The slice of whatever has a section."""
     if isinstance(shape, Mesh):
         if size is not None:
-            raise TurgorError("size is given, but a mesh brings its own cells; leave size out.")
+            raise TurgorError(
+                f"size is {size * 1e3:.4g} mm, but mesh '{shape.name}' brings its own cells; leave size out."
+            )
         return slice_of_mesh(shape, None)
     if isinstance(shape, Sketch):
         return slice_of_geometry(shape.geometry, size)

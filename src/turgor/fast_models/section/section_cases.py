@@ -77,7 +77,9 @@ def _pressures_of(
     """Pressures of the cavities whose volume is free."""
     if not isinstance(pressure, Mapping):
         if np.any(pressure) and volume:
-            raise TurgorError("a pressure is given for all cavities and a volume for some; give pressures by name.")
+            raise TurgorError(
+                f"a pressure is given for all cavities and a volume for {', '.join(volume)}; give pressures by name."
+            )
         return {name: pressure for name in cavities if name not in volume}
     _check_names("cavity", pressure, cavities)
     for name in pressure:

@@ -68,7 +68,9 @@ class SelectorTable(Table):
             return NearestTo(tuple(self.near))  # type: ignore[arg-type]
         if self.box is not None:
             if len(self.box) != 2:
-                raise TurgorError("box needs two corners, such as [[0, 0, 0], ['10 mm', '10 mm', '2 mm']].")
+                raise TurgorError(
+                    f"box has {len(self.box)} corners; two are needed, such as [[0, 0, 0], ['10 mm', '10 mm', '2 mm']]."
+                )
             return InBox(*(tuple(corner) for corner in self.box))  # type: ignore[arg-type]
         normal = self.normal
         return WithNormal(tuple(normal) if isinstance(normal, list) else normal)  # type: ignore[arg-type]

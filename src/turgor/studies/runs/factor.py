@@ -65,10 +65,9 @@ class Factor:
             raise TurgorError(f"'{self.name}' is a choice, which has no range; leave out low and high.")
         if not self.levels and (self.low is None or self.high is None):
             raise TurgorError(f"'{self.name}' needs low and high, or levels.")
-        if not all(
-            isinstance(each, str) or each is None or isfinite(each) for each in (*self.levels, self.low, self.high)
-        ):
-            raise TurgorError(f"'{self.name}' has a value that is not finite.")
+        for each in (*self.levels, self.low, self.high):
+            if not (isinstance(each, str) or each is None or isfinite(each)):
+                raise TurgorError(f"'{self.name}' has the value {each:g}; a finite number is needed.")
         if not texts:
             low, high = self.bounds
             if not low < high and len(self.levels) != 1:

@@ -205,7 +205,7 @@ def _combinations(model: Job | Function, pressures: Mapping[str, Sequence[float]
     if isinstance(model, Job):
         combinations = tuple(each for each in combinations if _is_loaded(model, each))
         if not combinations:
-            raise TurgorError("nothing drives the job: all pressures are zero.")
+            raise TurgorError(f"nothing drives the job: all pressures of {', '.join(pressures)} are zero.")
     return combinations
 
 

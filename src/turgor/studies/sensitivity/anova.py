@@ -173,7 +173,8 @@ def anova(study: Study, measure: str, *, at: tuple[str, float] | None = None, in
     factors = [each for each in study.factors if len({row[each.name] for row in rows}) > 1]
     codes = {each.name: _codes(each, rows) for each in factors}
     if not factors:
-        raise TurgorError("every factor of the study has one level only; there is nothing to compare.")
+        fixed = ", ".join(each.name for each in study.factors)
+        raise TurgorError(f"every factor of the study ({fixed}) has one level only; there is nothing to compare.")
     names = [(each.name,) for each in factors]
     pairs = list(combinations([each.name for each in factors], 2)) if interactions and len(factors) > 1 else []
     squares, freedom, rest = _divided([*names, *pairs], codes, y)

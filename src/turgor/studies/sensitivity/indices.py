@@ -277,7 +277,7 @@ def _names(predictor: Predictor, measures: Sequence[str] | None) -> tuple[str, .
 
 def _check_varies(name: str, values: Array) -> None:
     if np.ptp(values) <= 1e-12 * max(float(np.abs(values).max()), 1e-300):
-        raise TurgorError(f"'{name}' does not vary over these ranges; there is no variance to divide.")
+        raise TurgorError(f"'{name}' is {values.flat[0]:.4g} all over these ranges; there is no variance to divide.")
 
 
 def _unexplained(problem: Problem, name: str) -> float:

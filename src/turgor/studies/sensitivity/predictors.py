@@ -197,7 +197,8 @@ def problem_of(predictor: Predictor, fixed: Mapping[str, Value] | None, spreads:
                 f"the factor '{each.name}' is a choice; samples take numbers only. Hold it at one, or take `anova`."
             )
     if len(varied) < 2:
-        raise TurgorError(f"{len(varied)} factors vary; sensitivities compare two or more.")
+        names = ", ".join(each.name for each in predictor.factors)
+        raise TurgorError(f"{len(varied)} factors of {names} vary; sensitivities compare two or more.")
     for spread in spreads:
         _check_spread(spread, varied)
     twice = next((each.name for n, each in enumerate(spreads) if each.name in [one.name for one in spreads[:n]]), "")

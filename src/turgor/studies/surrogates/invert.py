@@ -273,7 +273,8 @@ def _searches(
         )
     free = [n for n, each in enumerate(surrogate.factors) if not each.is_choice and each.name not in fixed]
     if not free and not choices:
-        raise TurgorError("all factors are fixed; there is nothing to seek.")
+        names = ", ".join(each.name for each in surrogate.factors)
+        raise TurgorError(f"all factors are fixed ({names}); there is nothing to search.")
     wished = {each.name: each.levels[int(each.number(prefer[each.name]))] for each in choices if each.name in prefer}
     found = []
     for levels in product(*(each.levels for each in choices)):

@@ -99,7 +99,8 @@ def training(
     """
     varied = tuple(each for each in study.factors if _moves(each))
     if not varied:
-        raise TurgorError("no factor of the study varies; a surrogate needs one that does.")
+        fixed = ", ".join(each.name for each in study.factors)
+        raise TurgorError(f"no factor of the study ({fixed}) varies; a surrogate needs one that does.")
     check_levels(varied)
     if at is not None and along:
         raise TurgorError(f"at is {at} and along is '{along}'; give one of them.")
@@ -170,7 +171,8 @@ def measures_that_vary(study: Study, at: tuple[str, float] | None = None, inputs
     left = {*WITHOUT, *inputs, *((at[0],) if at else ())}
     names = [name for name in study.measures if name not in left and _varies(study, name)]
     if not names:
-        raise TurgorError("no measure of the study varies; there is nothing to compare or to fit.")
+        given = ", ".join(study.measures)
+        raise TurgorError(f"no measure of the study ({given}) varies; there is nothing to compare or to fit.")
     return names
 
 

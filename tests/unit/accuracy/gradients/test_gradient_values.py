@@ -9,6 +9,7 @@ import solver_cases
 from solver_cases import RUBBER, bar
 
 import turgor as tg
+from refused import refused
 from turgor.accuracy.gradients import moved_mesh as carried
 from turgor.accuracy.gradients.equilibrium import equilibrium_of
 from turgor.accuracy.gradients.neighbor_models import CENTRAL, neighbors_of
@@ -82,25 +83,25 @@ def test_gradient_is_written_in_units(gradient, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("measures", "wrt", "text"),
+    ("measures", "wrt", "facts"),
     [
-        ([], ["materials.body.C10"], "a gradient needs a measure"),
-        (RISE, [], "a gradient needs a number"),
-        (RISE, ["materials.body.C01"], "did you mean 'materials.body.C10'"),
-        (RISE, ["loads.top.vector.1"], "'loads.top.vector.1' is 0, so no small step follows from it"),
-        (RISE, ["materials.body.C10,loads.top.vector.3"], "has the numbers 100000 and 1000; one is needed"),
-        ("bending", ["materials.body.C10"], "unknown measure 'bending'"),
-        ("outside_work", ["materials.body.C10"], "is a sum along the path"),
-        ([RISE, RISE], ["materials.body.C10"], "the measure 'rise' is named twice"),
+        ([], ["materials.body.C10"], ["measure", "'bending_angle'"]),
+        (RISE, [], ["gradient", "number"]),
+        (RISE, ["materials.body.C01"], ["'materials.body.C01'", "'materials.body.C10'"]),
+        (RISE, ["loads.top.vector.1"], ["'loads.top.vector.1'", 0, "scales"]),
+        (RISE, ["materials.body.C10,loads.top.vector.3"], ["materials.body.C10,loads.top.vector.3", 100000, 1000]),
+        ("bending", ["materials.body.C10"], ["measure 'bending'", "'bending_angle'"]),
+        ("outside_work", ["materials.body.C10"], ["'outside_work'", "sum"]),
+        ([RISE, RISE], ["materials.body.C10"], ["'rise'", "twice"]),
     ],
 )
-def test_what_is_asked_for_must_exist(solution, measures, wrt, text):
-    with pytest.raises(tg.TurgorError, match=text):
+def test_what_is_asked_for_must_exist(solution, measures, wrt, facts):
+    with refused(*facts):
         tg.gradient(solution, measures, wrt, options=OPTIONS)
 
 
 def test_states_are_numbered(solution):
-    with pytest.raises(tg.TurgorError, match=r"state is 99; the path has the states 0 to \d"):
+    with refused("state", 99, "0 to 6"):
         tg.gradient(solution, RISE, ["materials.body.C10"], state=99, options=OPTIONS)
 
 
@@ -114,15 +115,15 @@ def test_states_that_depend_on_all_before_are_refused(solution):
     relaxing = replace(RUBBER, viscoelasticity=Prony(g=(0.2,), tau=(1.0,), moduli="instantaneous"))
     floor = Obstacle(name="floor", shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)), friction=0.3)
     cases = {
-        "relaxes during the procedure's duration": replace(
+        ("relaxes", "duration"): replace(
             _with(solution, materials={"body": relaxing}), procedure=tg.Static(duration=1.0)
         ),
-        "something rubs": _with(solution, contact=tg.Contact(obstacles=[floor])),
-        "the actuator moves": replace(solution, procedure=tg.Dynamic(duration=1.0)),
-        "artificial viscosity": replace(solution, procedure=tg.Stabilized()),
+        ("friction", 0): _with(solution, contact=tg.Contact(obstacles=[floor])),
+        ("moves", "Static"): replace(solution, procedure=tg.Dynamic(duration=1.0)),
+        ("artificial viscosity", "Stabilized"): replace(solution, procedure=tg.Stabilized()),
     }
-    for text, path in cases.items():
-        with pytest.raises(tg.TurgorError, match=text):
+    for facts, path in cases.items():
+        with refused("gradient", *facts):
             tg.gradient(path, RISE, ["materials.body.C10"], options=OPTIONS)
 
 
@@ -131,7 +132,7 @@ def test_other_cells_are_refused(solution):
         mesh = bar()
         return replace(solution.model, mesh=replace(mesh, cells=mesh.cells[::-1].copy()))
 
-    with pytest.raises(tg.TurgorError, match="the mesh has other cells where 'length' changes by little"):
+    with refused("'length'", "hexahedra"):
         tg.gradient(solution, RISE, tg.studies.Variation(model_of, {"length": 0.01}), options=OPTIONS)
 
 
@@ -205,14 +206,14 @@ def test_tetrahedra_that_cannot_follow_have_other_gradients(monkeypatch):
     path = tg.solve(variation.model(variation.values), options=OPTIONS)
     material = replace(variation, values={"C10": 0.1e6}, model=lambda v: variation.model({"length": 20 * mm, **v}))
     assert tg.gradient(path, "cavity_volume", material, options=OPTIONS)["cavity_volume", "C10"] < 0
-    with pytest.raises(tg.TurgorError, match="'length' cannot change by little: it has no CAD faces"):
+    with refused("'length'", "CAD faces"):
         tg.gradient(path, "cavity_volume", variation, options=OPTIONS)
 
 
 def test_a_shape_of_other_faces_is_refused():
     variation = _generating(lambda length: _tube(length) if length == 20 * mm else FINGER)
     path = tg.solve(variation.model(variation.values), options=OPTIONS)
-    with pytest.raises(tg.TurgorError, match=r"'length' cannot change by little: the CAD shape of .* has other faces"):
+    with refused("'length'", "'fast PneuNet, 1 chamber, half'"):
         tg.gradient(path, "cavity_volume", variation, options=OPTIONS)
 
 
@@ -226,5 +227,5 @@ def test_a_mesh_that_is_changed_after_it_was_made_is_refused():
 
     variation = replace(plain, model=changed)
     path = tg.solve(variation.model(variation.values), options=OPTIONS)
-    with pytest.raises(tg.TurgorError, match="the mesh has other cells where 'length' changes by little"):
+    with refused("'length'", "hexahedra"):
         tg.gradient(path, "cavity_volume", variation, options=OPTIONS)

@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 
+from refused import states
 from turgor.cli.app import main
 from turgor.job.postprocess import report_folder
 from turgor.job.read import read_job
@@ -115,7 +116,7 @@ def test_bad_input_is_a_sentence(run, experiment, capsys, change, more, sentence
 
 def test_a_folder_without_a_run(tmp_path, experiment, capsys):
     assert main(["compare", str(tmp_path), str(experiment)]) == 1
-    assert "holds no response.csv" in capsys.readouterr().err
+    assert states(capsys.readouterr().err, "response.csv")
 
 
 def test_a_straight_tube_keeps_its_chord(run):

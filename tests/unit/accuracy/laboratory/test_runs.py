@@ -1,10 +1,9 @@
 """Branches of a drive, and the mean and spread of repeated runs."""
 
 import numpy as np
-import pytest
 
+from refused import refused
 from turgor.accuracy.laboratory.runs import average_runs, branches, interpolated, loading, unloading
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 
@@ -27,7 +26,7 @@ def test_loading_and_unloading_share_no_row_but_the_turn() -> None:
     cycle = run(pressure, range(9))
     np.testing.assert_allclose(loading(cycle)["angle"], [0, 1, 2, 3, 6, 7, 8])
     np.testing.assert_allclose(unloading(cycle)["angle"], [3, 4, 5, 6])
-    with pytest.raises(TurgorError, match="never falls"):
+    with refused("'pressure'", "falls"):
         unloading(run([0, 1, 2], [0, 1, 2]))
 
 
@@ -45,11 +44,11 @@ def test_mean_and_spread_of_lines() -> None:
 
 
 def test_runs_that_cannot_be_averaged() -> None:
-    with pytest.raises(TurgorError, match="two runs or more"):
+    with refused("average_runs", "two", 1):
         average_runs([run([0, 1], [0, 1])])
-    with pytest.raises(TurgorError, match="share no range"):
+    with refused("'pressure'", 2, 1):
         average_runs([run([0, 1], [0, 1]), run([2, 3], [0, 1])])
-    with pytest.raises(TurgorError, match="goes up and down; take loading"):
+    with refused("'pressure'", "loading(...)", "unloading(...)"):
         average_runs([run([0, 2, 0], [0, 1, 0]), run([0, 1], [0, 1])])
 
 

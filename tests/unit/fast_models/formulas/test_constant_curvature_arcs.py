@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from refused import refused
 from turgor.fast_models.formulas import Arc, arc_to, backbone, pose, poses, reach
 from turgor.units import mm
 
@@ -53,7 +54,7 @@ def test_arc_to_a_position_is_exact():
         assert np.cos(found.plane - arc.plane) == pytest.approx(1.0, abs=1e-12)
     straight = arc_to([0.1, 0, 0])
     assert (straight.curvature, straight.length) == (0.0, pytest.approx(0.1))
-    with pytest.raises(tg.TurgorError, match="straight behind"):
+    with refused("(-100, 0, 0) mm", "base"):
         arc_to([-0.1, 0, 0])
 
 
@@ -73,11 +74,11 @@ def test_several_segments_reach_what_segments_can_reach(count):
 
 
 def test_out_of_reach_is_said_and_the_nearest_is_returned():
-    with pytest.raises(tg.TurgorError, match="stays 100 mm and 0 deg away"):
+    with refused("100 mm", "0 deg", "200 mm", "largest_angle"):
         reach([0.3, 0, 0], [0.1, 0.1])
     near = reach([0.3, 0, 0], [0.1, 0.1], throw=False)
     assert near.position_error == pytest.approx(0.1, rel=1e-3)
-    with pytest.raises(tg.TurgorError, match="positive length"):
+    with refused("lengths", "[0.1, -0.1]", "positive"):
         reach([0.1, 0, 0], [0.1, -0.1])
 
 
@@ -92,16 +93,16 @@ def test_lengths_of_three_chambers_and_back():
     root = np.sqrt(l1**2 + l2**2 + l3**2 - l1 * l2 - l1 * l3 - l2 * l3)
     arc = tg.formulas.arc_of_lengths(part, [l1, l2, l3])
     assert arc.curvature == pytest.approx(2 * root / (d * (l1 + l2 + l3)), rel=1e-12)
-    with pytest.raises(tg.TurgorError, match="three chambers"):
+    with refused("lengths", "0.05", "three chambers"):
         tg.formulas.arc_of_lengths(part, [l1, l2])
-    with pytest.raises(tg.TurgorError, match="ThreeExtenders"):
+    with refused("ExtendingCylinder", "ThreeExtenders"):
         tg.formulas.arc_of_lengths(tg.actuators.ExtendingCylinder(), [l1, l2, l3])
 
 
 def test_bad_arcs_are_refused():
-    with pytest.raises(tg.TurgorError, match="length of an arc is -1 mm"):
+    with refused("length", "-1 mm", "positive"):
         Arc(curvature=1.0, plane=0.0, length=-1 * mm)
-    with pytest.raises(tg.TurgorError, match="curvature of an arc is nan"):
+    with refused("curvature", "nan", "finite"):
         Arc(curvature=float("nan"), plane=0.0, length=1.0)
-    with pytest.raises(tg.TurgorError, match="did you mean 'geometry'"):
+    with refused("'geometri'", "'geometry'"):
         pose(ARCS[0], "geometri")

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from refused import refused
 from turgor.fast_models.formulas.catalog import FORMULAS
 from turgor.foundation.response import Column
 from turgor.units import deg, kPa, mm
@@ -58,7 +59,7 @@ def test_every_formula_takes_its_families_and_no_other():
             assert isinstance(response, tg.Response)
             assert name in response.source.text
             assert about in F.formulas_for(part)
-        with pytest.raises(tg.TurgorError, match=f"{name} is for .*FastPneuNet is none of them"):
+        with refused(name, *about.families, "FastPneuNet"):
             call(tg.FastPneuNet())
 
 
@@ -114,27 +115,32 @@ def test_findings_where_assumptions_fail():
 def test_bad_input_names_field_and_value():
     tube, muscle = tg.actuators.ExtendingCylinder(), tg.actuators.ContractingTube()
     stiff = tg.Material(name="paper", law=tg.laws.Hooke(E=1e9, nu=0.3))
+    hoops = replace(threads(90), winding=tg.Winding(angle_from_axis=90 * deg, starts=3))
     cases = [
-        (lambda: F.thick_tube(tube, RUBBER), "either pressure or inner_stretch"),
-        (lambda: F.thick_tube(tube, RUBBER, -1.0), "pressure is -1; allowed is 0 or more"),
-        (lambda: F.thick_tube(tube, RUBBER, inner_stretch=0.9), "inner_stretch is 0.9; allowed is 1 or more"),
-        (lambda: F.thick_tube(tube, RUBBER, 1e3, ends="clsed"), "did you mean 'closed'"),
-        (lambda: F.thick_tube(tube, stiff, 1e3), "'paper' is linear elastic"),
-        (lambda: F.wound_tube(tube, RUBBER, threads(60), [1e3], wall="thik"), "did you mean 'thick'"),
-        (lambda: F.wound_tube(tube, RUBBER, threads(60), [2e3, 1e3]), "must rise"),
-        (lambda: F.wound_tube(tube, RUBBER, [threads(90), threads(0)], [1e3], inextensible=True), "no way to move"),
-        (lambda: F.ideal_mckibben(muscle, threads(25), 1e3), "hand = 'both'"),
-        (lambda: F.ideal_mckibben(muscle, threads(25, "both"), 1e3, -0.2), "along the axis at -0.1034"),
-        (lambda: F.mckibben(muscle, RUBBER, threads(25, "both"), [1e3], [0.1, 0.2]), "one for each of the 1 pressures"),
-        (lambda: F.mckibben(muscle, RUBBER, threads(25, "both"), [1e3], -0.2), "leaves the bladder no cavity"),
-        (lambda: F.euler_bernoulli(FINGER, {"skin": RUBBER}, 1e3), "region 'body' has no material; given are skin"),
-        (lambda: F.fiber_reinforced_bender(FINGER, RUBBER, 1e8), "the formula is not followed further"),
-        (lambda: F.castigliano_bellows(tg.actuators.ParallelBellows(), RUBBER, 1.0, shares=(1, 0)), "three numbers"),
-        (lambda: F.HollowSphere(inner_radius=-1 * mm, wall=1 * mm), "inner_radius is -1 mm"),
-        (lambda: F.about("thick_tub"), "did you mean 'thick_tube'"),
+        (lambda: F.thick_tube(tube, RUBBER), ["pressure", "inner_stretch"]),
+        (lambda: F.thick_tube(tube, RUBBER, -1.0), ["pressure", -1, "0 or more"]),
+        (lambda: F.thick_tube(tube, RUBBER, inner_stretch=0.9), ["inner_stretch", 0.9, "1 or more"]),
+        (lambda: F.thick_tube(tube, RUBBER, 1e3, ends="clsed"), ["ends", "'clsed'", "'closed'"]),
+        (lambda: F.thick_tube(tube, stiff, 1e3), ["'paper'", "Hooke", "NeoHooke"]),
+        (lambda: F.wound_tube(tube, RUBBER, threads(60), [1e3], wall="thik"), ["wall", "'thik'", "'thick'"]),
+        (lambda: F.wound_tube(tube, RUBBER, threads(60), [2e3, 1e3]), ["pressure", "2 to 1 kPa"]),
+        (lambda: F.wound_tube(tube, RUBBER, [threads(90), threads(0)], [1e3], inextensible=True), ["2 directions"]),
+        (lambda: F.wound_tube(tube, RUBBER, [hoops], [1e3]), ["starts", 3, "spacing"]),
+        (lambda: F.ideal_mckibben(muscle, threads(25), 1e3), ["hand", "'right'", "'both'"]),
+        (lambda: F.ideal_mckibben(muscle, threads(25, "both"), 1e3, -0.2), ["contraction", -0.2, -0.1034]),
+        (lambda: F.mckibben(muscle, RUBBER, threads(25, "both"), [1e3], [0.1, 0.2]), ["[0.1, 0.2]", "1 pressures"]),
+        (lambda: F.mckibben(muscle, RUBBER, threads(25, "both"), [1e3], -0.2), ["contraction", -0.2, "25 deg"]),
+        (lambda: F.euler_bernoulli(FINGER, {"skin": RUBBER}, 1e3), ["'body'", "skin"]),
+        (lambda: F.fiber_reinforced_bender(FINGER, RUBBER, 1e8), ["pressure", "100000 kPa", "1959 kPa", "8 times"]),
+        (
+            lambda: F.castigliano_bellows(tg.actuators.ParallelBellows(), RUBBER, 1.0, shares=(1, 0)),
+            ["(1, 0)", "three"],
+        ),
+        (lambda: F.HollowSphere(inner_radius=-1 * mm, wall=1 * mm), ["inner_radius", "-1 mm", "0.01 mm to 1000 mm"]),
+        (lambda: F.about("thick_tub"), ["formula", "'thick_tub'", "'thick_tube'"]),
     ]
-    for call, words in cases:
-        with pytest.raises(tg.TurgorError, match=words):
+    for call, facts in cases:
+        with refused(*facts):
             call()
 
 
@@ -143,7 +149,7 @@ def test_a_law_that_locks_is_followed_until_there():
     sphere = F.HollowSphere(inner_radius=10 * mm, wall=5 * mm)
     path = F.thick_sphere(sphere, gent, inner_stretch=1.5)
     assert np.isfinite(path["pressure"]).all()
-    with pytest.raises(tg.TurgorError, match="not followed further"):
+    with refused("pressure", "50000 kPa", "345.3 kPa", "1.35 times"):
         F.thick_sphere(sphere, tg.Material(name="Gent", law=tg.laws.Gent(mu=0.24e6, Jm=1.0)), 50e6)
 
 

@@ -19,6 +19,7 @@ from turgor.rods import (
 )
 
 import turgor as tg
+from refused import refused
 from turgor import rods
 
 SECTION = RodSection.from_moduli(EA=100.0, GA=30.0, EI=1e-3, GJ=1e-3)
@@ -26,49 +27,49 @@ ROD = rods.Rod(section=SECTION, length=0.1)
 
 
 @pytest.mark.parametrize(
-    ("make", "message"),
+    ("make", "facts"),
     [
-        (lambda: RodSection(stiffness=np.eye(5)), r"shape \(5, 5\); 6 x 6 finite"),
-        (lambda: RodSection(stiffness=np.triu(np.ones((6, 6)))), "not symmetric"),
-        (lambda: RodSection.from_moduli(EA=100, GA=30, EI=-1, GJ=1), "not positive definite"),
-        (lambda: RodSection.from_moduli(EA=100, GA=(1, 2, 3), EI=1, GJ=1), r"GA is \(1, 2, 3\); one number or two"),
-        (lambda: RodSection(stiffness=np.eye(6), mass_per_length=0), "mass_per_length is 0 kg/m; it must be"),
-        (lambda: RodSection(stiffness=np.eye(6), damping_time=-1), "damping_time is -1 s; it must be 0 or more"),
-        (lambda: RodSection(stiffness=np.eye(6), rotary_inertia=(1, 2)), "three numbers"),
-        (lambda: RodSection.from_uniform(np.eye(3), 1.0), "4 x 4 numbers"),
-        (lambda: RodChamber(), "area is 0 m² and a table is not given; exactly one"),
-        (lambda: RodChamber(area=-1), "area is -1 m²"),
-        (lambda: PressureTable(pressure=[1, 2], strain=np.zeros((2, 6))), "two or more rising pressures with 0"),
-        (lambda: PressureTable(pressure=[0, 2], strain=np.ones((2, 6))), "strain at no pressure must be zero"),
-        (lambda: PressureTable(pressure=[0, 2], strain=np.zeros((3, 6))), r"shape \(3, 6\); 2 x 6"),
-        (lambda: PressureTable(pressure=[0, 2], strain=np.zeros((2, 6))).strain_at(3), "the table holds 0 to 2"),
-        (lambda: Round(radius=0), "radius is 0 m; it must be more than 0"),
-        (lambda: Tube(outer_radius=1, inner_radius=2), "inner_radius is 2 m; it must be more than 0 and less than 1 m"),
-        (lambda: rods.Rod(section=SECTION, length=-1), "length is -1 m; it must be more than 0"),
-        (lambda: rods.Rod(section=SECTION, length=1, elements=0), "elements is 0; a whole number from 1"),
-        (lambda: rods.Rod(section=SECTION, length=1, end="base"), "start and end are both 'base'"),
-        (lambda: rods.Rod(section=SECTION, length=1, rest_strain=(1, 2)), "six finite numbers"),
-        (lambda: Place(turn=(1, 2)), r"turn is \(1, 2\); three finite numbers"),
-        (lambda: Plate(name="tip", held="pined"), "'pined'; did you mean 'pinned'?"),
-        (lambda: Plate(name="tip", mass=-1), "mass is -1 kg"),
-        (lambda: RodModel(rods=[]), "none is given"),
-        (lambda: RodModel(rods=[ROD, ROD]), "every name must be unique"),
-        (lambda: RodModel(rods=[ROD], plates=[Plate(name="tipp")]), "'tipp'; did you mean 'tip'?"),
-        (lambda: RodModel(rods=[ROD], plates=[Plate(name="base")]), "no plate is fixed; fix one of base, tip"),
-        (lambda: RodModel(rods=[ROD], loads=[LineLoad(force=(0, 0, 1), rod="rodd")]), "did you mean 'rod'"),
-        (lambda: RodModel(rods=[ROD], loads=[ChamberPressure(pressure=1)]), "have no chambers; give them a RodChamber"),
-        (lambda: RodModel(rods=[ROD], loads=[tg.Gravity()]), "gravity needs the mass of rod 'rod'"),
-        (lambda: RodModel(rods=[ROD], loads=[tg.Pressure("cavity", 1.0)]), "is none of a rod"),
-        (lambda: rods.static(RodModel(rods=[ROD]), at=0), "at is 0; at least 1 step"),
-        (lambda: rods.static(RodModel(rods=[ROD]), at=[0.5, 0.5]), "must rise"),
-        (lambda: rods.dynamic(RodModel(rods=[ROD]), duration=1, step=0.1), "a motion needs the mass"),
-        (lambda: rods.dynamic(RodModel(rods=[ROD]), duration=1, step=2), "0 < step <= duration"),
-        (lambda: rods.natural_frequencies(RodModel(rods=[ROD]), count=0), "count is 0"),
-        (lambda: rods.plot_rods(rods.static(RodModel(rods=[ROD])), view="xx"), "two different letters"),
+        (lambda: RodSection(stiffness=np.eye(5)), ["stiffness", "(5, 5)", "6 x 6"]),
+        (lambda: RodSection(stiffness=np.triu(np.ones((6, 6)))), ["stiffness", "symmetric", "[0, 1] is 1", "[1, 0] 0"]),
+        (lambda: RodSection.from_moduli(EA=100, GA=30, EI=-1, GJ=1), ["stiffness", "-1.0", "positive definite"]),
+        (lambda: RodSection.from_moduli(EA=100, GA=(1, 2, 3), EI=1, GJ=1), ["GA", "(1, 2, 3)", "two"]),
+        (lambda: RodSection(stiffness=np.eye(6), mass_per_length=0), ["mass_per_length", "0 kg/m"]),
+        (lambda: RodSection(stiffness=np.eye(6), damping_time=-1), ["damping_time", "-1 s", "0 or more"]),
+        (lambda: RodSection(stiffness=np.eye(6), rotary_inertia=(1, 2)), ["rotary_inertia", "(1, 2)", "three"]),
+        (lambda: RodSection.from_uniform(np.eye(3), 1.0), ["stiffness", "(3, 3)", "4 x 4"]),
+        (lambda: RodChamber(), ["'cavity'", "area", "0 m²", "table"]),
+        (lambda: RodChamber(area=-1), ["'cavity'", "area", "-1 m²"]),
+        (lambda: PressureTable(pressure=[1, 2], strain=np.zeros((2, 6))), ["pressure", "[1, 2]", "rising", 0]),
+        (lambda: PressureTable(pressure=[0, 2], strain=np.ones((2, 6))), ["strain", "pressure 0", "[1.0, 1.0,"]),
+        (lambda: PressureTable(pressure=[0, 2], strain=np.zeros((3, 6))), ["strain", "(3, 6)", "2 x 6"]),
+        (lambda: PressureTable(pressure=[0, 2], strain=np.zeros((2, 6))).strain_at(3), ["3 Pa", "0 to 2 Pa"]),
+        (lambda: Round(radius=0), ["radius", "0 m"]),
+        (lambda: Tube(outer_radius=1, inner_radius=2), ["inner_radius", "2 m", "1 m"]),
+        (lambda: rods.Rod(section=SECTION, length=-1), ["'rod'", "length", "-1 m", 0]),
+        (lambda: rods.Rod(section=SECTION, length=1, elements=0), ["'rod'", "elements", 0, "1 to 10000"]),
+        (lambda: rods.Rod(section=SECTION, length=1, end="base"), ["'rod'", "start", "end", "'base'"]),
+        (lambda: rods.Rod(section=SECTION, length=1, rest_strain=(1, 2)), ["'rod'", "rest_strain", "(1, 2)", "six"]),
+        (lambda: Place(turn=(1, 2)), ["turn", "(1, 2)", "three"]),
+        (lambda: Plate(name="tip", held="pined"), ["'tip'", "'pined'", "'pinned'"]),
+        (lambda: Plate(name="tip", mass=-1), ["'tip'", "mass", "-1 kg"]),
+        (lambda: RodModel(rods=[]), ["rods", "none"]),
+        (lambda: RodModel(rods=[ROD, ROD]), ["rods", "rod, rod", "unique"]),
+        (lambda: RodModel(rods=[ROD], plates=[Plate(name="tipp")]), ["'tipp'", "'tip'", "base, tip"]),
+        (lambda: RodModel(rods=[ROD], plates=[Plate(name="base")]), ["plate", "base, tip", "'fixed'"]),
+        (lambda: RodModel(rods=[ROD], loads=[LineLoad(force=(0, 0, 1), rod="rodd")]), ["'rodd'", "'rod'"]),
+        (lambda: RodModel(rods=[ROD], loads=[ChamberPressure(pressure=1)]), ["'cavity'", "RodChamber"]),
+        (lambda: RodModel(rods=[ROD], loads=[tg.Gravity()]), ["gravity", "'rod'", "mass_per_length"]),
+        (lambda: RodModel(rods=[ROD], loads=[tg.Pressure("cavity", 1.0)]), ["Pressure", "ChamberPressure"]),
+        (lambda: rods.static(RodModel(rods=[ROD]), at=0), ["at", 0, 1]),
+        (lambda: rods.static(RodModel(rods=[ROD]), at=[0.5, 0.5]), ["at", "[0.5, 0.5]"]),
+        (lambda: rods.dynamic(RodModel(rods=[ROD]), duration=1, step=0.1), ["motion", "'rod'", "mass_per_length"]),
+        (lambda: rods.dynamic(RodModel(rods=[ROD]), duration=1, step=2), ["step", "2 s", "duration", "1 s"]),
+        (lambda: rods.natural_frequencies(RodModel(rods=[ROD]), count=0), ["count", 0, 1]),
+        (lambda: rods.plot_rods(rods.static(RodModel(rods=[ROD])), view="xx"), ["view", "'xx'", "'xz'"]),
     ],
 )  # fmt: skip
-def test_bad_input_is_told(make, message):
-    with pytest.raises(tg.TurgorError, match=message):
+def test_bad_input_is_told(make, facts):
+    with refused(*facts):
         make()
 
 
@@ -125,7 +126,7 @@ def test_a_response_is_that_of_any_actuator():
 def test_a_rod_that_coils_too_much_for_its_elements_is_told():
     coiled = rods.Rod(section=SECTION, length=0.1, elements=2)
     pushed = RodModel(rods=[coiled], loads=[PlateForce(moment=(0, 4 * np.pi * 1e-3 / 0.1, 0))])
-    with pytest.raises(rods.RodError, match="No equilibrium was found beyond the load factor") as caught:
+    with refused("load factor 0.4137", "arc_length", error=rods.RodError) as caught:
         rods.static(pushed)
     assert caught.value.solution.status == "not_converged"
     assert caught.value.solution.load_factors[-1] > 0.2

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from refused import refused
 from turgor.units import kPa, mm
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))
@@ -28,56 +29,54 @@ def test_sketch_actuator_and_mesh_give_the_same_section():
 
 
 @pytest.mark.parametrize(
-    ("made", "text"),
+    ("made", "facts"),
     [
-        (lambda: tg.Section(tg.FastPneuNet(), {}), "has no uniform cross-section: the longest piece of one is"),
-        (lambda: tg.Section(tg.actuators.BellowsOfRevolution(), {}), "is not built as a cross-section along x"),
-        (lambda: tg.Section(tg.actuators.ThreeExtenders(), {"body": RUBBER}), "falls into 3 pieces"),
-        (lambda: tg.Section("tube", {}), "give an actuator, a Geometry, a Mesh or a Sketch"),
-        (lambda: tg.Section(TUBE, {"body": RUBBER}, ends="shut"), "unknown ends of a section 'shut'"),
-        (lambda: tg.Section(TUBE, {"bdy": RUBBER}), "unknown region for a material 'bdy'; did you mean 'body'"),
+        (lambda: tg.Section(tg.FastPneuNet(), {}), ["'fast PneuNet, 11 chambers, half'", "7.091 mm", "110 mm"]),
+        (lambda: tg.Section(tg.actuators.BellowsOfRevolution(), {}), ["4 folds, quarter", "along x"]),
+        (lambda: tg.Section(tg.actuators.ThreeExtenders(), {"body": RUBBER}), ["three extenders", "3 pieces"]),
+        (lambda: tg.Section("tube", {}), ["'tube'", "Geometry", "Mesh", "Sketch"]),
+        (lambda: tg.Section(TUBE, {"body": RUBBER}, ends="shut"), ["ends", "'shut'", "closed, open"]),
+        (lambda: tg.Section(TUBE, {"bdy": RUBBER}), ["region", "'bdy'", "'body'"]),
         (
             lambda: tg.Section(TUBE, {"body": RUBBER}, reinforcements=[wound(turns=10)]),
-            "turns is 10, but a section has no length",
+            ["'outside'", "turns", 10, "pitch", "angle"],
         ),
-        (lambda: tg.Section(TUBE, {"body": RUBBER}, supports=[tg.Fixed("outside")]), "is no support of a section"),
-        (lambda: tg.sections.Sketch(areas={"cavity": tg.sections.disc(1 * mm)}), "a sketch needs a region"),
+        (lambda: tg.Section(TUBE, {"body": RUBBER}, supports=[tg.Fixed("outside")]), ["Fixed", "'outside'", "Radial"]),
+        (lambda: tg.sections.Sketch(areas={"cavity": tg.sections.disc(1 * mm)}), ["sketch", "region", "cavity"]),
     ],
 )
-def test_what_has_no_section_is_refused_with_advice(made, text):
-    with pytest.raises(tg.TurgorError) as caught:
+def test_what_has_no_section_is_refused_with_advice(made, facts):
+    with refused(*facts):
         made()
-    assert text in str(caught.value)
 
 
 @pytest.mark.parametrize(
-    ("asked", "text"),
+    ("asked", "facts"),
     [
-        ({"pressure": {"cavty": 1e3}}, "unknown cavity 'cavty'; did you mean 'cavity'"),
-        ({"held": {"curvature": 1.0}}, "unknown strain of a section 'curvature'"),
-        ({"forces": {"moment": 1.0}}, "unknown force on a section 'moment'"),
-        ({"held": {"twist": 1.0}, "forces": {"torque": 1.0}}, "twist is prescribed, and torque is given"),
-        ({"pressure": [1e3, 2e3], "held": {"twist": [1.0, 2.0, 3.0]}}, "give one finite value for each row"),
-        ({"pressure": np.nan}, "give one finite value for each row"),
+        ({"pressure": {"cavty": 1e3}}, ["'cavty'", "'cavity'"]),
+        ({"held": {"curvature": 1.0}}, ["'curvature'", "'curvature_z'"]),
+        ({"forces": {"moment": 1.0}}, ["'moment'", "'moment_z'"]),
+        ({"held": {"twist": 1.0}, "forces": {"torque": 1.0}}, ["twist", "torque"]),
+        ({"pressure": [1e3, 2e3], "held": {"twist": [1.0, 2.0, 3.0]}}, ["pressure cavity", "2 values", 3]),
+        ({"pressure": np.nan}, ["pressure cavity", "1 values", "finite"]),
     ],
 )
-def test_wrong_questions_are_answered_in_sentences(asked, text):
+def test_wrong_questions_are_answered_in_sentences(asked, facts):
     section = tg.Section(TUBE, {"body": RUBBER}, size=4 * mm)
-    with pytest.raises(tg.TurgorError) as caught:
+    with refused(*facts):
         section.solve(**asked)
-    assert text in str(caught.value)
 
 
 def test_mirror_planes_hold_what_they_must():
     half = tg.Section(tg.actuators.EccentricBender(), {"body": RUBBER}, size=4 * mm)
-    with pytest.raises(tg.TurgorError, match="twist is zero in a section that a mirror plane cuts"):
+    with refused("twist", "mirror plane", "symmetric = false"):
         half.solve(held={"twist": 1.0})
 
 
 def test_path_beyond_the_limit_point_says_so_and_keeps_what_it_has():
     """A closed tube of neo-Hookean rubber has a limit point; this one bursts below 60 kPa."""
     section = tg.Section(TUBE, {"body": RUBBER}, size=3 * mm)
-    with pytest.raises(tg.sections.SectionError, match="No equilibrium of the section was found beyond") as caught:
+    with refused("51.72 kPa", "row 3", error=tg.sections.SectionError) as caught:
         section.solve([20 * kPa, 40 * kPa, 200 * kPa])
     reached = caught.value.solution
     assert reached.response["pressure"] == pytest.approx([20e3, 40e3])
@@ -143,7 +142,7 @@ def test_what_a_section_and_its_solution_say():
     assert np.linalg.norm(solution.outline()[..., 1:], axis=-1).max() == pytest.approx(
         8 * mm * solution.response["outside_ballooning"][-1], rel=1e-5
     )
-    with pytest.raises(tg.TurgorError, match="row is 2; the section has 2 states"):
+    with refused("row", 2, "0 to 1"):
         solution.stiffness(2)
 
 
@@ -161,19 +160,19 @@ def test_cut_of_a_cad_part_is_the_section_of_its_family(tmp_path):
     a, b = (tg.Section(each, parts, reinforcements=[hoops], size=2 * mm).solve(5 * kPa) for each in (actuator, cut))
     for name in ("curvature_y", "stretch", "cavity_volume_per_length"):
         assert a.response[name] == pytest.approx(b.response[name], rel=2e-2)
-    with pytest.raises(tg.TurgorError, match="a section at x = 70 mm misses"):
+    with refused("x = 70 mm", "bender, half", "60 mm"):
         tg.sections.cut(geometry, at=70 * mm)
 
 
 def test_cut_of_a_mesh_where_nothing_is_or_of_tetrahedra_is_refused():
     actuator = tg.actuators.ExtendingCylinder(length=40 * mm)
     mesh = tg.mesh(actuator.build(), size=4 * mm, cells="hexahedra")
-    with pytest.raises(
-        tg.TurgorError, match=r"a section at x = 90 mm; mesh 'extending cylinder.* reaches from 0 mm to"
-    ):
+    with refused("x = 90 mm", "'extending cylinder", "0 mm to 40 mm"):
         tg.sections.cut(mesh, at=90 * mm)
+    with refused("size", "2 mm", "'extending cylinder"):
+        tg.Section(mesh, {"body": RUBBER}, size=2 * mm)
     cells = tg.mesh(actuator.build(), size=6 * mm, cells="tetrahedra")
-    with pytest.raises(tg.TurgorError, match="a section is read from 27-node hexahedra"):
+    with refused("ten-node tetrahedrons", "27-node hexahedra"):
         tg.sections.cut(cells)
 
 
@@ -215,15 +214,15 @@ def _volumes(section, solution, row):
 
 
 @pytest.mark.parametrize(
-    ("asked", "said"),
+    ("asked", "facts"),
     [
-        ({"volume": {"cavty": 1e-4}}, "did you mean 'cavity'"),
-        ({"pressure": 1e3, "volume": {"cavity": 1e-4}}, "give pressures by name"),
-        ({"pressure": {"cavity": 1e3}, "volume": {"cavity": 1e-4}}, "takes one of both"),
-        ({"volume": {"cavity": [1e-4, 2e-4]}, "held": {"stretch": [1.0, 1.1, 1.2]}}, "one finite value for each row"),
+        ({"volume": {"cavty": 1e-4}}, ["'cavty'", "'cavity'"]),
+        ({"pressure": 1e3, "volume": {"cavity": 1e-4}}, ["pressure", "volume", "cavity", "name"]),
+        ({"pressure": {"cavity": 1e3}, "volume": {"cavity": 1e-4}}, ["cavity", "pressure", "volume", "both"]),
+        ({"volume": {"cavity": [1e-4, 2e-4]}, "held": {"stretch": [1.0, 1.1, 1.2]}}, ["volume cavity", "2 values", 3]),
     ],
 )
-def test_volumes_that_cannot_be_held_are_refused(asked, said):
+def test_volumes_that_cannot_be_held_are_refused(asked, facts):
     section = tg.Section(tg.actuators.ExtendingCylinder(), {"body": RUBBER}, size=4 * mm)
-    with pytest.raises(tg.TurgorError, match=said):
+    with refused(*facts):
         section.solve(**asked)

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from refused import refused
 from turgor.core.geometry.cad.files import reading
 from turgor.core.geometry.cad.read import read_here
 from turgor.core.geometry.cad.stl import read_stl
@@ -70,14 +71,14 @@ def test_damaged_bytes_are_told_or_harmless(file, saved):
 @pytest.mark.parametrize("nested", [900, 100_000])
 def test_nested_content_is_told(file, nested):
     archive(file, json.dumps(HEAD)[:-1] + f', "content": {"[" * nested}{"]" * nested}}}')
-    with pytest.raises(TurgorError, match="is damaged"):
+    with refused(file, "damaged"):
         tg.load(file)
 
 
 def test_what_unpacks_to_gigabytes_is_refused(file, monkeypatch):
     archive(file, json.dumps(HEAD | {"content": " " * 300_000_000}), compressed=True)
     assert file.stat().st_size < 1_000_000
-    with pytest.raises(TurgorError, match="at most 200 MB are read; set the environment variable TURGOR_UNPACKED_MB"):
+    with refused(file, "300 MB", "200 MB", "TURGOR_UNPACKED_MB"):
         tg.load(file)
 
 
@@ -85,14 +86,14 @@ def test_a_header_that_asks_for_more_than_follows_is_refused(file):
     header = io.BytesIO()
     np.lib.format.write_array_header_1_0(header, {"descr": "<f8", "fortran_order": False, "shape": (10**15,)})
     archive(file, json.dumps(HEAD | {"content": {"array": "a0"}}), header.getvalue() + bytes(80))
-    with pytest.raises(TurgorError, match="needs 8000000000000000 bytes, and 80 are there"):
+    with refused("arrays/a0.npy", "8000000000000000 bytes", 80):
         tg.load(file)
 
 
 def test_another_limit_can_be_stated(file, monkeypatch):
     archive(file, json.dumps(HEAD | {"content": " " * 3_000_000}), compressed=True)
     monkeypatch.setenv("TURGOR_UNPACKED_MB", "2")
-    with pytest.raises(TurgorError, match="at most 2 MB are read"):
+    with refused(file, "3 MB", "2 MB", "TURGOR_UNPACKED_MB"):
         tg.load(file)
 
 
@@ -138,17 +139,20 @@ def test_a_damaged_header_of_an_array_is_told(file):
     np.lib.format.write_array_header_1_0(header, {"descr": "<f8", "fortran_order": False, "shape": (2,)})
     damaged = header.getvalue().replace(b"}", b"(")
     archive(file, json.dumps(HEAD | {"content": {"array": "a0"}}), damaged + bytes(16))
-    with pytest.raises(TurgorError, match="is damaged"):
+    with refused(file, "damaged"):
         tg.load(file)
 
 
-@pytest.mark.parametrize(("old", "new"), [('"kPa"', '["kPa"]'), ('"kPa"', '"kPx"'), ('{"array": "a0"}', '"a0"')])
-def test_values_of_another_kind_are_told(file, saved, old, new):
+@pytest.mark.parametrize(
+    ("old", "new", "fact"),
+    [('"kPa"', '["kPa"]', "Column"), ('"kPa"', '"kPx"', "'kPx'"), ('{"array": "a0"}', '"a0"', "Column")],
+)
+def test_values_of_another_kind_are_told(file, saved, old, new, fact):
     with ZipFile(file) as made:
         content, array = made.read("content.json").decode(), made.read("arrays/a0.npy")
     assert old in content
     archive(file, content.replace(old, new), array)
-    with pytest.raises(TurgorError, match=r"cannot be loaded: .* another kind|is damaged"):
+    with refused(file, fact):
         tg.load(file)
 
 
@@ -160,15 +164,14 @@ def test_an_encrypted_file_is_told(file, saved):
         elif marked[place : place + 4] == b"PK\x01\x02":
             marked[place + 8] |= 1
     file.write_bytes(bytes(marked))
-    with pytest.raises(TurgorError, match="encrypted"):
+    with refused(file, "content.json", "encrypted"):
         tg.load(file)
 
 
 def test_a_newer_version_is_told_once(file):
     archive(file, json.dumps(HEAD | {"version": 2, "written_by": "turgor 9.0", "content": None}))
-    with pytest.raises(TurgorError) as raised:
+    with refused(f"'{file}'", "turgor 9.0", "version 2", "version 1"):
         tg.load(file)
-    assert str(raised.value).startswith(f"'{file}' was written by turgor 9.0 in version 2 of the format")
 
 
 def test_a_vtu_file_that_unpacks_to_gigabytes_is_refused(tmp_path):
@@ -184,13 +187,13 @@ def test_a_vtu_file_that_unpacks_to_gigabytes_is_refused(tmp_path):
         '<DataArray type="UInt8" Name="types" format="ascii">10</DataArray></Cells>'
         "</Piece></UnstructuredGrid></VTKFile>"
     )
-    with pytest.raises(TurgorError, match=r"bomb\.vtu' unpacks from .* to 4\.5e\+03 MB"):
+    with refused("bomb.vtu", "4.5e+03 MB", "200 MB"):
         read_vtu(tmp_path / "bomb.vtu")
 
 
 def test_a_soup_of_triangles_is_refused():
     """It took minutes, because each shell was compared with each other one."""
-    with pytest.raises(TurgorError, match="has 300 shells that are not joined to each other; at most 200 can be read"):
+    with refused("soup.stl", "300 shells", 200):
         repaired(np.random.default_rng(0).random((300, 3, 3)), "soup.stl")
 
 
@@ -200,7 +203,7 @@ def test_a_surface_around_nothing_is_refused(tmp_path):
     header = bytes(80) + struct.pack("<I", 3)
     facets = b"".join(np.concatenate([np.zeros(3), c.ravel()]).astype("<f4").tobytes() + bytes(2) for c in corners)
     (tmp_path / "soup.stl").write_bytes(header + facets)
-    with pytest.raises(TurgorError, match="encloses no volume"):
+    with refused("soup.stl", "volume", "mm³"):
         read_here(tmp_path / "soup.stl")
 
 
@@ -213,12 +216,11 @@ def test_reading_of_a_small_shape_ends_within_a_minute(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "said"),
-    [("/dev/zero", "'/dev/zero', which is no file"), ("deck.inp", "'deck.inp', which includes 'deck.inp' in turn")],
+    ("name", "facts"), [("/dev/zero", ["'/dev/zero'", "file"]), ("deck.inp", ["'deck.inp'", "includes 'deck.inp'"])]
 )
-def test_what_a_mesh_file_includes_is_a_file_and_not_itself(tmp_path, name, said):
+def test_what_a_mesh_file_includes_is_a_file_and_not_itself(tmp_path, name, facts):
     (tmp_path / "deck.inp").write_text(f"*INCLUDE, INPUT={name}\n")
-    with pytest.raises(TurgorError, match=said):
+    with refused("deck.inp", *facts):
         read_abaqus(tmp_path / "deck.inp")
 
 
@@ -227,7 +229,7 @@ def test_a_text_stl_with_no_number_is_told(tmp_path):
     lost = facet.replace("vertex 0 0 0", "vertex nan 0 0").replace("vertex 1 0 0", "vertex nan 0 0")
     lost = lost.replace("vertex 0 1 0", "vertex 0 nan 0")
     (tmp_path / "part.stl").write_text(f"solid part\n{facet}{lost}endsolid\n")
-    with pytest.raises(TurgorError, match="has corners that are not finite numbers"):
+    with refused("part.stl", "finite"):
         read_stl(tmp_path / "part.stl")
 
 
@@ -236,5 +238,5 @@ def test_a_binary_stl_with_no_number_is_refused(tmp_path, number):
     facet = np.zeros(1, dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
     facet["corners"][0, 1, 2] = number
     (tmp_path / "part.stl").write_bytes(bytes(80) + (1).to_bytes(4, "little") + facet.tobytes())
-    with pytest.raises(TurgorError, match="has corners that are not finite numbers"):
+    with refused("part.stl", "finite"):
         read_stl(tmp_path / "part.stl")

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import calibration_cases as cases
-from turgor.foundation.errors import TurgorError
+from refused import refused
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.studies.calibration.calibrate import calibrate
@@ -156,7 +156,7 @@ def test_runs_that_fail_are_avoided_and_told():
     assert found.failures
     assert "ended at its first step" in found.failures[0]
     assert found.values["C10"] == pytest.approx(0.1e6, rel=0.05)
-    with pytest.raises(TurgorError, match=r"the run at the start failed \(rig: C10 90000\): the path ended"):
+    with refused("rig: C10 90000", "path"):
         calibrate(Trial(measured=measured, function=cases.breaks_when_soft), [Parameter(name="C10", start=0.09e6)])
 
 
@@ -176,36 +176,34 @@ def test_all_runs_used_up():
 
 
 def test_mistakes_are_answered():
-    with pytest.raises(TurgorError, match="unknown parameter 'C11'; did you mean 'C10'"):
+    with refused("'C11'", "'C10'"):
         calibrate(sphere(), [Parameter(name="C11", start=1.0)])
-    with pytest.raises(
-        TurgorError, match="unknown parameter of the rig 'presure_offset'; did you mean 'pressure_offset'"
-    ):
+    with refused("rig", "'presure_offset'", "'pressure_offset'"):
         calibrate(sphere(), [C10], rig=["presure_offset"])
-    with pytest.raises(TurgorError, match="two parameters are called 'C10'"):
+    with refused("parameters", "'C10'", "two"):
         calibrate(sphere(), [C10, C10])
-    with pytest.raises(TurgorError, match="a calibration needs a parameter"):
+    with refused("calibration", "parameter"):
         calibrate(sphere(), [])
-    with pytest.raises(TurgorError, match="a calibration needs a trial"):
+    with refused("calibration", "trial"):
         calibrate([], [C10])
-    with pytest.raises(TurgorError, match=r"starts at 0.2 MPa; allowed is 0.3 MPa to 2 MPa, its bounds"):
+    with refused("'C10'", "0.2 MPa", "0.3 MPa to 2 MPa"):
         Parameter(name="C10", start=0.2e6, lower=0.3e6, unit="MPa")
-    with pytest.raises(TurgorError, match=r"starts at 0 MPa, which is not positive; give lower and upper bounds"):
+    with refused("'C20'", "0 MPa", "lower", "upper"):
         Parameter(name="C20", start=0.0, unit="MPa")
-    with pytest.raises(TurgorError, match="the lower one must be the smaller one"):
+    with refused("'C10'", "2 and 1"):
         Parameter(name="C10", start=1.0, lower=2.0, upper=1.0)
-    with pytest.raises(TurgorError, match="its standard deviation must be above 0"):
+    with refused("'C10'", "(1.0, 0.0)", "standard deviation"):
         Parameter(name="C10", start=1.0, prior=(1.0, 0.0))
-    with pytest.raises(TurgorError, match=r"step is|step 2; allowed is between 0 and 1"):
+    with refused("'C10'", "step 2", "0 and 1"):
         Parameter(name="C10", start=1.0, step=2.0)
-    with pytest.raises(TurgorError, match="spread is -1; allowed is above 0"):
+    with refused("'rig'", "spread", -1, "above 0"):
         sphere(spread=-1.0)
-    with pytest.raises(TurgorError, match="most_solves is 2; allowed is 4 or more"):
+    with refused("most_solves", 2, "4 or more"):
         calibrate(sphere(), [C10, C20], most_solves=2)
     flat = Response(
         columns=(Column("pressure", "kPa", [0, 1e3, 2e3]), Column("stretch", "", [1, 1, 1])), source=Source(text="flat")
     )
-    with pytest.raises(TurgorError, match="all measured values of 'stretch' are equal"):
+    with refused("'flat'", "'stretch'", 1):
         calibrate(sphere(flat), [C10])
 
 

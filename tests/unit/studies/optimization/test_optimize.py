@@ -8,7 +8,7 @@ import pytest
 
 import optimization_cases as cases
 import turgor as tg
-from turgor.foundation.errors import TurgorError
+from refused import refused
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.studies.runs.evaluations import Evaluations
@@ -141,15 +141,15 @@ def test_starts_end_where_all_targets_are_met_and_share_the_runs():
 
 
 @pytest.mark.parametrize(
-    ("goals", "search", "sentence"),
+    ("goals", "search", "facts"),
     [
-        (["height"], {"starts": 0}, "starts is 0; allowed is 1 to 12, half of most_solves, 25"),
-        (["height"], {"starts": 5, "most_solves": 8}, "starts is 5; allowed is 1 to 4"),
-        (["height", "x"], {"starts": 2}, "starts is 2; a search for a front begins all over the ranges"),
+        (["height"], {"starts": 0}, ["starts", 0, "1 to 12", "most_solves", 25]),
+        (["height"], {"starts": 5, "most_solves": 8}, ["starts", 5, "1 to 4", "most_solves", 8]),
+        (["height", "x"], {"starts": 2}, ["starts", 2, "front"]),
     ],
 )
-def test_starts_that_do_not_fit_are_refused(goals, search, sentence):
-    with pytest.raises(TurgorError, match=sentence):
+def test_starts_that_do_not_fit_are_refused(goals, search, facts):
+    with refused(*facts):
         tg.optimize(cases.two_valleys, cases.factors("x", "y"), [studies.Minimize(each) for each in goals],
                     search=studies.Search(**search))  # fmt: skip
 
@@ -190,7 +190,7 @@ def test_no_run_is_spent_on_what_breaks_a_rule(tmp_path):
 
 def test_a_start_that_breaks_a_rule_is_refused():
     rule = studies.Rule("b above a", lambda values: values["b"] - values["a"])
-    with pytest.raises(TurgorError, match=r"the start \(a 0.5, b 0\) breaks the rule 'b above a'"):
+    with refused("a 0.5, b 0", "'b above a'"):
         tg.optimize(cases.bowl, AB, [studies.Minimize("height"), rule], start={"a": 0.5, "b": 0.0})
 
 
@@ -261,55 +261,51 @@ def with_mesh_error(a, b, mesh_error=False):
 
 
 @pytest.mark.parametrize(
-    ("goals", "more", "told"),
+    ("goals", "more", "facts"),
     [
-        ([], {}, "goals has neither a target nor an objective"),
-        ([studies.Minimize("hight")], {}, "unknown measure 'hight'; did you mean 'height'?"),
-        ([studies.Minimize("height")], {"start": {"c": 0.0}}, "unknown factor in start 'c'"),
-        ([studies.Minimize("height")], {"start": {"a": 3.0}}, "the start of 'a' is 3; allowed is -1 to 1, its range."),
-        (
-            [studies.Minimize("height")],
-            {"search": search(9, method="pareto")},
-            "pareto searches for several",
-        ),
+        ([], {}, ["goals", "Target", "TipPath", "Minimize"]),
+        ([studies.Minimize("hight")], {}, ["'hight'", "'height'"]),
+        ([studies.Minimize("height")], {"start": {"c": 0.0}}, ["start", "'c'", "a, b"]),
+        ([studies.Minimize("height")], {"start": {"a": 3.0}}, ["start", "'a'", 3, "-1 to 1"]),
+        ([studies.Minimize("height")], {"search": search(9, method="pareto")}, ["pareto", 1, "'trust_region'"]),
         (
             [studies.Minimize("height"), studies.Maximize("total")],
             {"search": search(9, method="trust_region")},
-            "trust_region searches for one objective, and goals has 2",
+            ["trust_region", 2, "'pareto'"],
         ),
-        ([studies.Minimize(lambda response: "much")], {}, "returned 'much'; it must return a number"),
+        ([studies.Minimize(lambda response: "much")], {}, ["objective", "'much'", "a number"]),
     ],
 )
-def test_what_cannot_be_asked_is_said(goals, more, told):
-    with pytest.raises(TurgorError, match=re.escape(told)):
+def test_what_cannot_be_asked_is_said(goals, more, facts):
+    with refused(*facts):
         tg.optimize(cases.bowl, AB, goals, **more)
 
 
 def test_choices_and_unknown_factors_are_refused():
-    with pytest.raises(TurgorError, match="'a' is a choice \\(soft, hard\\); a search needs numbers"):
+    with refused("'a'", "soft, hard"):
         tg.optimize(cases.bowl, [studies.Factor(name="a", levels=("soft", "hard"))], [studies.Minimize("height")])
-    with pytest.raises(TurgorError, match="unknown factor 'heigth'"):
+    with refused("'heigth'", "a, b, log"):
         tg.optimize(cases.bowl, cases.factors("heigth"), [studies.Minimize("height")])
-    with pytest.raises(TurgorError, match="'a' has one value, 1; a search needs a range"):
+    with refused("'a'", "one value", 1):
         tg.optimize(cases.bowl, [studies.Factor(name="a", levels=(1.0,))], [studies.Minimize("height")])
 
 
 @pytest.mark.parametrize(
-    ("make", "told"),
+    ("make", "facts"),
     [
-        (lambda: studies.Target("height", 0.0), "height has the value 0; give a scale above 0"),
-        (lambda: studies.Target("height", 1.0, tolerance=2.0), "tolerance of height is 2; allowed is between 0 and 1"),
-        (lambda: studies.Limit("height"), "the limit of height needs most or least"),
-        (lambda: studies.Limit("height", most=1.0, least=2.0), "has least 2 above most 1"),
-        (lambda: studies.TipPath([(0.0, 0.0)]), "a path needs two points or more"),
-        (lambda: studies.TipPath([(0, 0), (1, 1)], at=("pressure", [1.0])), "a path has 2 points and 1 values"),
-        (lambda: studies.Search(method="newton"), "unknown method 'newton'"),
-        (lambda: studies.Search(most_solves=1), "most_solves is 1; allowed is 2 or more"),
-        (lambda: studies.Search(precision=0.5), "precision is 0.5; allowed is between 0 and 0.1"),
+        (lambda: studies.Target("height", 0.0), ["height", 0, "scale"]),
+        (lambda: studies.Target("height", 1.0, tolerance=2.0), ["tolerance", "height", 2, "0 and 1"]),
+        (lambda: studies.Limit("height"), ["height", "most", "least"]),
+        (lambda: studies.Limit("height", most=1.0, least=2.0), ["height", "least 2", "most 1"]),
+        (lambda: studies.TipPath([(0.0, 0.0)]), ["two", "(1, 2)", "tip_displacement_x"]),
+        (lambda: studies.TipPath([(0, 0), (1, 1)], at=("pressure", [1.0])), ["2 points", "1 values", "'pressure'"]),
+        (lambda: studies.Search(method="newton"), ["'newton'", "trust_region"]),
+        (lambda: studies.Search(most_solves=1), ["most_solves", 1, "2 or more"]),
+        (lambda: studies.Search(precision=0.5), ["precision", 0.5, "0 and 0.1"]),
     ],
 )
-def test_numbers_out_of_range_are_refused(make, told):
-    with pytest.raises(TurgorError, match=re.escape(told)):
+def test_numbers_out_of_range_are_refused(make, facts):
+    with refused(*facts):
         make()
 
 
@@ -377,5 +373,5 @@ def test_slopes_at_a_value_of_a_drive_that_moves_as_well():
 
 
 def test_slopes_of_the_wrong_length_are_refused():
-    with pytest.raises(TurgorError, match=r"slopes of 'height' by 'a' have the shape \(2,\); give one number, or 1"):
+    with refused("'height'", "'a'", "(2,)", 1):
         studies.with_slopes(cases.bowl(0.0, 0.0), {"height": {"a": [1.0, 2.0]}})

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from turgor.foundation.errors import TurgorError
+from refused import refused
 from turgor.studies.runs.optional_parts import needed
 
 
@@ -17,5 +17,5 @@ def test_a_module_that_is_there():
 def test_a_missing_package_is_told_with_how_to_install_it(module, name, monkeypatch):
     monkeypatch.setitem(sys.modules, module, None)  # an import of it fails
     monkeypatch.setitem(sys.modules, module.split(".")[0], None)
-    with pytest.raises(TurgorError, match=rf'^a test needs {name}, .*pip install "turgor\[studies\]"$'):
+    with refused("a test", name, '"turgor[studies]"'):
         needed(module, "a test")

@@ -5,7 +5,7 @@ import pytest
 from study_cases import Beam, deflection
 
 import turgor as tg
-from turgor.foundation.errors import TurgorError
+from refused import refused
 from turgor.units import mm
 
 AT = ("force", 0.005)
@@ -39,16 +39,16 @@ def test_a_table_has_a_state_of_each_row(study, tmp_path):
 
 def test_runs_that_were_read_cannot_be_called(study, tmp_path):
     tg.studies.write_study(study, tmp_path)
-    with pytest.raises(TurgorError, match="does not hold its function"):
+    with refused("file", "function"):
         tg.studies.load_study(tmp_path).rows[0].ended.run.function()
 
 
 def test_mistakes_are_answered(study, tmp_path):
-    with pytest.raises(TurgorError, match=r"holds no study\.json"):
+    with refused(tmp_path, "study.json"):
         tg.studies.load_study(tmp_path)
     (tmp_path / "study.json").write_text("{}", encoding="utf-8")
-    with pytest.raises(TurgorError, match="is damaged"):
+    with refused(tmp_path / "study.json", "'factors'"):
         tg.studies.load_study(tmp_path)
     (tmp_path / "a.csv").write_text("wall,angle\n1,2\n", encoding="utf-8")
-    with pytest.raises(TurgorError, match="is no table of a study"):
+    with refused(tmp_path / "a.csv", "status, problem", "cpu_seconds"):
         tg.studies.load_study(tmp_path / "a.csv")

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from refused import refused
 from turgor.core.results.measures.shape.workspaces import COLUMNS
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
@@ -59,15 +60,15 @@ def test_runs_are_kept(tmp_path):
 
 
 def test_mistakes_are_answered():
-    with pytest.raises(TurgorError, match="pressures is empty"):
+    with refused("pressures", "empty"):
         tg.studies.workspace_of(beam, {})
-    with pytest.raises(TurgorError, match="pressures of 'cavity_1' are \\[\\]"):
+    with refused("'cavity_1'", "[]", "Pa"):
         tg.studies.workspace_of(beam, {"cavity_1": []})
-    with pytest.raises(TurgorError, match="pressures of 'cavity_1' are \\[nan\\]"):
+    with refused("'cavity_1'", "[nan]", "Pa"):
         tg.studies.workspace_of(beam, {"cavity_1": [float("nan")], "cavity_2": [0.0]})
-    with pytest.raises(TurgorError, match="all 1 runs failed; the first one: the beam bursts"):
+    with refused("1 runs", "beam bursts"):
         tg.studies.workspace_of(beam, {"cavity_1": [60 * kPa], "cavity_2": [0.0]})
-    with pytest.raises(TurgorError, match="on a line"):
+    with refused("line", "pressure"):
         tg.studies.workspace_of(beam, {"cavity_1": [0, 10 * kPa], "cavity_2": [0]})
 
 
@@ -126,16 +127,14 @@ def test_numbers_of_a_job_have_other_values(bender, monkeypatch):
     asked = {"cavity_1": [0, 20 * kPa], "cavity_2": [0, 20 * kPa]}
     found = tg.studies.workspace_of(bender, asked, values={"actuator.outer_wall": 2 * mm})
     assert found.reached.area == pytest.approx(1 * mm**2)
-    with pytest.raises(
-        TurgorError, match=r"unknown number of the job 'actuator\.outer_wal'; did you mean 'actuator\.outer_wall'"
-    ):
+    with refused("'actuator.outer_wal'", "'actuator.outer_wall'"):
         tg.studies.workspace_of(bender, asked, values={"actuator.outer_wal": 2 * mm})
 
 
 def test_a_cavity_that_the_job_lacks(bender):
-    with pytest.raises(TurgorError, match="unknown cavity with a pressure 'cavity_3'"):
+    with refused("'cavity_3'", "'cavity_2'", "cavity_1, cavity_2"):
         tg.studies.workspace_of(bender, {"cavity_3": [1e3]})
-    with pytest.raises(TurgorError, match="nothing drives the job"):
+    with refused("job", "cavity_1, cavity_2", "zero"):
         tg.studies.workspace_of(bender, {"cavity_1": [0.0], "cavity_2": [0.0]})
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import f_oneway
 
-from turgor.foundation.errors import TurgorError
+from refused import refused
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.studies.runs.executors.run_outcome import Ended
@@ -77,7 +77,7 @@ def test_missing_rows_make_no_term_larger():
     assert found.remainder.squares == pytest.approx(0, abs=1e-12)
     # a alone: the two levels differ by 3 at x and y, 4 rows; z has one row
     assert found.term("a").squares == pytest.approx(9)
-    with pytest.raises(TurgorError, match="5 rows cannot tell 5 effects apart; compute the missing designs"):
+    with refused("5 rows", "5 effects"):
         anova(study_of(holed), "angle")
 
 
@@ -95,13 +95,13 @@ def test_without_replicates_the_mesh_error_is_the_error_term():
 
 def test_what_cannot_be_analyzed_is_a_sentence():
     c = Factor(name="c", low=0.0, high=1.0)
-    with pytest.raises(TurgorError, match=r"'c' has 20 values; .* Sobol indices"):
+    with refused("'c'", "20 values", "12 levels"):
         anova(study_of([((n / 20,), n) for n in range(20)], (c,)), "angle")
-    with pytest.raises(TurgorError, match="one level only"):
+    with refused("a, b", "level"):
         anova(study_of([((1.0, "x"), 1), ((1.0, "x"), 2)]), "angle")
-    with pytest.raises(TurgorError, match="no term a × c; it has a, b, a × b"):
+    with refused("a × c", "a, b, a × b"):
         anova(study_of(every()), "angle").term("a", "c")
-    with pytest.raises(TurgorError, match="did you mean 'angle'"):
+    with refused("'angl'", "'angle'"):
         anova(study_of(every()), "angl")
 
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import surrogate_cases as cases
+from refused import refused, states
 from turgor.cli import main
-from turgor.foundation.errors import TurgorError
 from turgor.studies.runs.factor import Factor
 from turgor.studies.sensitivity.indices import sobol_indices
 from turgor.studies.surrogates.fit import surrogate
@@ -47,11 +47,11 @@ def test_its_file_knows_the_choices(fitted, tmp_path):
     asked = {"wall": 1.3 * mm, "rubber": "firm"}
     assert again.predict(asked).values == fitted.predict(asked).values
     assert "rubber soft or firm or stiff" in repr(again)
-    with pytest.raises(TurgorError, match="unknown choice of 'rubber' 'stif'; did you mean 'stiff'"):
+    with refused("'rubber'", "'stif'", "'stiff'"):
         again.predict({"wall": 1.3 * mm, "rubber": "stif"})
-    with pytest.raises(TurgorError, match="'wall' is 'thin'; a number is needed"):
+    with refused("'wall'", "'thin'", "a number"):
         again.predict({"wall": "thin", "rubber": "stiff"})
-    with pytest.raises(TurgorError, match="'rubber' is a choice: points have its place, 0 to 2"):
+    with refused("'rubber'", "0 to 2"):
         again.means(np.array([[1.3 * mm, 0.5]]))
 
 
@@ -79,7 +79,7 @@ def test_a_choice_alone_is_sought(fitted):
     found = invert(fitted, {ANGLE: wanted}, held={"wall": 1.5 * mm})
     assert (found.values["rubber"], found.deviations) == ("stiff", {})
     assert found.prediction[ANGLE] == pytest.approx(wanted, abs=0.3 * deg)
-    with pytest.raises(TurgorError, match="all factors are fixed"):
+    with refused("wall, rubber"):
         invert(fitted, {ANGLE: wanted}, held={"wall": 1.5 * mm, "rubber": "soft"})
 
 
@@ -92,7 +92,7 @@ def test_choices_are_learned(fitted):
 
 def test_a_choice_is_held_for_indices(fitted):
     gap = Factor(name="gap", low=0.0, high=1.0)
-    with pytest.raises(TurgorError, match=r"'rubber' is a choice; samples take numbers only\. Hold"):
+    with refused("'rubber'", "choice", "`anova`"):
         sobol_indices(fitted)
     study = cases.study_of(three, [cases.WALL, gap, cases.RUBBER], 32)
     (found,) = sobol_indices(surrogate(study, [ANGLE]), held={"rubber": "soft"}, samples=64)
@@ -114,4 +114,4 @@ def test_the_command_takes_names(fitted, tmp_path, capsys):
     assert main(["predict", file, "--want", "bending_angle=28 deg", "--prefer", "rubber=stiff"]) == 0
     assert "rubber stiff give bending angle 28" in capsys.readouterr().out
     assert main(["predict", file, "--at", "rubber=sof", "--at", "wall=1.5 mm"]) == 1
-    assert "did you mean 'soft'" in capsys.readouterr().err
+    assert states(capsys.readouterr().err, "'sof'", "'soft'")

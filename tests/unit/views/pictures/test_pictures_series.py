@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import turgor as tg
+from refused import refused
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
@@ -44,9 +45,9 @@ def test_small_multiples_and_two_designs_share_scale_and_colors(tmp_path, path):
     parts = np.flatnonzero((two[100:-120] < 250).any(axis=(0, 2)))
     gap = np.diff(parts).max()
     assert gap > 20  # two actuators, and white between them
-    with pytest.raises(tg.TurgorError, match="1 captions were given for 2 states"):
+    with refused("1 captions", "2 states"):
         tg.pictures.write_sheet(tmp_path / "a.png", path.states[:2], ["rest"])
-    with pytest.raises(tg.TurgorError, match="count is 1"):
+    with refused("count", 1, 2):
         tg.pictures.small_multiples(path, tmp_path / "a.png", count=1)
 
 
@@ -92,7 +93,7 @@ def test_mp4_is_read_again(tmp_path, path):
 
 def test_mp4_without_opencv_says_what_to_install(tmp_path, path, monkeypatch):
     monkeypatch.setitem(sys.modules, "cv2", None)
-    with pytest.raises(tg.TurgorError, match=r"pip install 'turgor\[motion\]'"):
+    with refused("MP4", "OpenCV", "turgor[motion]"):
         tg.pictures.write_motion(tmp_path / "m.mp4", path, motion=SHORT)
 
 
@@ -143,11 +144,13 @@ def test_glb_is_read_by_vtk(tmp_path, path):
 
 
 def test_bad_motions_are_refused(tmp_path, path):
-    with pytest.raises(tg.TurgorError, match=r"ending of a file with motion '.mpg'; did you mean '.mp4'"):
+    with refused("'.mpg'", "'.mp4'", ".gif, .glb"):
         tg.pictures.write_motion(tmp_path / "m.mpg", path)
-    with pytest.raises(tg.TurgorError, match="one state, which does not move"):
+    with refused("one state"):
         tg.pictures.write_motion(tmp_path / "m.gif", cases.solution([path.states[0]]), motion=SHORT)
-    with pytest.raises(tg.TurgorError, match="rate of a motion is 500; allowed is 2 to 60"):
+    with refused("2 states"):
+        tg.pictures.write_motion(tmp_path / "m.gif", cases.solution([path.states[0]] * 2), motion=SHORT)
+    with refused("rate", 500, "2 to 60"):
         tg.pictures.Motion(rate=500)
 
 
@@ -163,9 +166,9 @@ def test_curves_have_the_size_of_the_preset_and_text_that_is_text(tmp_path):
         tmp_path / "a.png", response, "bending_angle", size=tg.pictures.Preset(width=85, height=40)
     )
     assert Image.open(png).size == (1003, 472)
-    with pytest.raises(tg.TurgorError, match="unknown preset 'singel'; did you mean 'single'"):
+    with refused("preset 'singel'", "'single'"):
         tg.pictures.write_curves(tmp_path / "a.svg", response, "bending_angle", size="singel")
-    with pytest.raises(tg.TurgorError, match=r"ending of a figure '.jpg'"):
+    with refused("'.jpg'", "'.png'", ".pdf, .png, .svg"):
         tg.pictures.write_curves(tmp_path / "a.jpg", response, "bending_angle")
 
 
@@ -181,9 +184,9 @@ def test_a_workspace_is_plotted_with_its_hull():
     assert len(axes.patches) == 2
     assert axes.get_xlabel() == "tip displacement x [mm]"
     assert len(tg.pictures.plot_workspace(Figure().add_subplot(), reached, "x", "y").patches) == 0
-    with pytest.raises(tg.TurgorError, match="two of x, y and z"):
+    with refused("'x' and 'x'", "x, y and z"):
         tg.pictures.plot_workspace(Figure().add_subplot(), reached, "x", "x")
-    with pytest.raises(tg.TurgorError, match="on a line, so they enclose nothing"):
+    with refused("line", "pressure"):
         tg.measures.workspace([to(30, 0, 0)])
-    with pytest.raises(tg.TurgorError, match="no column 'tip_displacement_z'"):
+    with refused("'tip_displacement_z'"):
         tg.measures.workspace([Response(columns=to(1, 1, 1).columns[:2], source=Source(text="a ruler"))])

@@ -10,6 +10,7 @@ import results_cases as cases
 from matplotlib.figure import Figure
 
 import turgor as tg
+from refused import refused
 from turgor.core.engine.cells.internal_variables import Memory
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
@@ -17,7 +18,6 @@ from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measures import measure
 from turgor.core.solvers.solution import LimitPoint, Status, Touch
 from turgor.foundation.display import brief, listed
-from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import kPa, mm
 from turgor.views.notebook.markup import card, facts, numbers
@@ -180,7 +180,7 @@ def test_a_response_plots_itself(values):
     shared = Figure().add_subplot()
     assert response.plot("bending_angle", axes=shared) is shared.figure
     assert shared.lines[0].get_ydata()[-1] == pytest.approx(57.2958)
-    with pytest.raises(TurgorError, match="x and axes belong to one column"):
+    with refused("x and axes", "plot('bending_angle')"):
         response.plot(axes=shared)
-    with pytest.raises(TurgorError, match="did you mean 'bending_angle'"):
+    with refused("'bending_angel'", "'bending_angle'"):
         response.plot("bending_angel")

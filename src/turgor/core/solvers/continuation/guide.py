@@ -88,12 +88,13 @@ def _check_guided(model: Model, procedure: Procedure) -> None:
     """Refuse a guide where the path depends on more than the load."""
     if not isinstance(procedure, Static) or procedure.duration is not None:
         name = type(procedure).__name__
+        name += f" with a duration of {procedure.duration:g} s" if isinstance(procedure, Static) else ""
         raise TurgorError(f"guide leads the steps of Static without a duration; the procedure is {name}.")
     for name, each in model.region_materials.items():
         if each.viscoelasticity is not None or each.stress_softening is not None:
             raise TurgorError(f"guide leaves out states, and the rubber of '{name}' remembers them; solve without it.")
-    if any(coefficient > 0 for coefficient in _friction(model)):
-        raise TurgorError("guide leaves out states, and friction depends on them; solve without it.")
+    if (friction := max(_friction(model))) > 0:
+        raise TurgorError(f"guide leaves out states, and friction {friction:g} depends on them; solve without it.")
 
 
 def _check_same_elements(model: Model, guide: Model) -> None:

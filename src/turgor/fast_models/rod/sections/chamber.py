@@ -50,7 +50,10 @@ class PressureTable:
         if strain.shape != (len(pressure), 6) or not np.isfinite(strain).all():
             raise TurgorError(f"table: strain has shape {strain.shape}; {len(pressure)} x 6 finite numbers are needed.")
         if strain[pressure == 0].any():
-            raise TurgorError("table: strain at no pressure must be zero; a bent shape at rest is that of the rod.")
+            raise TurgorError(
+                f"table: strain at pressure 0 is {strain[pressure == 0][0].tolist()}; it must be zero, as a bent shape "
+                "at rest is that of the rod."
+            )
         object.__setattr__(self, "pressure", pressure)
         object.__setattr__(self, "strain", strain)
         if self.stiffness is not None:

@@ -245,8 +245,12 @@ def checked_stiffness(what: str, stiffness: ArrayLike) -> Array:
     if found.shape != (6, 6) or not np.isfinite(found).all():
         raise TurgorError(f"{what} has shape {found.shape}; 6 x 6 finite numbers are needed, of {', '.join(STRAINS)}.")
     scale = np.sqrt(np.outer(np.abs(found.diagonal()), np.abs(found.diagonal())))
-    if not (np.abs(found - found.T) <= 1e-9 * scale).all():
-        raise TurgorError(f"{what} is not symmetric; forces by strains must be.")
+    if (uneven := np.abs(found - found.T) > 1e-9 * scale).any():
+        i, j = np.argwhere(uneven)[0]
+        raise TurgorError(
+            f"{what} is not symmetric: [{i}, {j}] is {found[i, j]:g} and [{j}, {i}] {found[j, i]:g}; forces by "
+            "strains must be."
+        )
     scale = np.where(scale > 0, scale, 1.0)
     least = float(np.linalg.eigvalsh(found / scale).min())
     if not (found.diagonal() > 0).all() or least <= 0:

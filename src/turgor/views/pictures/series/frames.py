@@ -35,7 +35,7 @@ def frame_times(solution: Solution, count: int) -> tuple[Array, Array]:
         ways = [float(np.linalg.norm(b.displacement - a.displacement)) for a, b in pairwise(states)]
         place = np.concatenate([[0.0], np.cumsum(ways)])
     if not place[-1] > 0:
-        raise TurgorError("nothing moves along the path.")
+        raise TurgorError(f"nothing moves along the {len(states)} states of the path.")
     return place, np.linspace(0.0, place[-1], count)
 
 

@@ -6,6 +6,7 @@ import subprocess
 import pytest
 
 from calibration_cases import JOB
+from refused import states
 from slurm_cluster import missing, slurm_cluster
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
@@ -87,7 +88,7 @@ def test_a_study_cannot_leave_its_folder(call, tmp_path, name):
     (tmp_path / "walls.toml").write_text(f"name = {name}\n{STUDY}", encoding="utf-8")
     code, _, error = call("--dry-run")
     assert code == BAD_INPUT
-    assert "is not a name; use letters, digits" in error
+    assert states(error, "letters", "digits")
 
 
 @pytest.mark.skipif(bool(missing()), reason=missing())

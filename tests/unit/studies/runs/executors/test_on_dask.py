@@ -4,12 +4,11 @@ import os
 import signal
 import time
 
-import pytest
 from study_cases import refuses, slow
 
 import turgor as tg
 from dask_cluster import dask_cluster
-from turgor.foundation.errors import TurgorError
+from refused import refused
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.dask_workers import OnDask
 from turgor.studies.runs.files.run_files import kept
@@ -65,11 +64,11 @@ def test_a_run_that_fails_on_a_worker_is_a_row_with_its_sentence(tmp_path):
 
 def test_what_a_cluster_lacks_is_said():
     study = Evaluations(executor=OnDask(scheduler="tcp://127.0.0.1:9"))
-    with pytest.raises(TurgorError, match=r"scheduler at 'tcp://127.0.0.1:9' does not answer.*dask scheduler"):
+    with refused("'tcp://127.0.0.1:9'", "OSError", "'dask scheduler'"):
         study.of([Run(name="one", function=refuses)])
-    told = {(0, 1): "has no worker; start some with 'dask worker", (1, 3): "has 3 threads; a process computes one run"}
-    for (workers, threads), problem in told.items():
-        with dask_cluster(workers, threads) as (address, _), pytest.raises(TurgorError, match=problem):
+    told = {(0, 1): ["no worker", "--nworkers 4"], (1, 3): ["3 threads", "'--nthreads 1'"]}
+    for (workers, threads), facts in told.items():
+        with dask_cluster(workers, threads) as (address, _), refused(*facts):
             Evaluations(executor=OnDask(scheduler=address)).of([Run(name="one", function=refuses)])
 
 
