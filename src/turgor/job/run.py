@@ -202,7 +202,7 @@ def _with_errors(
     """Add the mesh errors to a response if the job requests them, and a finding where these are unknown."""
     if not job.output.mesh_error or len(solution.states) < 2:
         return response, ()
-    from turgor.accuracy.adaptivity.measure import (  # here: not needed before a solve
+    from turgor.accuracy.measure import (  # here: not needed before a solve
         LINEAR,
         mesh_error_of,
         with_mesh_error,
