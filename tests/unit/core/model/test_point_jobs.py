@@ -52,11 +52,11 @@ def read(tmp_path, more):
     "more",
     [
         FULL,
-        '[points.plate]\nface = "tip"\nheld = "xz"\ndisplacement = [0, 0, "1 mm"]\nrotation = "20 deg"\naxis = "+y"\n',
-        '[points.plate]\nface = "tip"\nheld = "x"\nhinge = "y"\nforce = [0, 0, "1 mN"]\n',
+        '[points.plate]\nface = "tip"\nprescribed = "xz"\ndisplacement = [0, 0, "1 mm"]\nrotation = "20 deg"\naxis = "+y"\n',
+        '[points.plate]\nface = "tip"\nprescribed = "x"\nhinge = "y"\nforce = [0, 0, "1 mN"]\n',
         '[points.plate]\nface = "tip"\nhinge = [1, 1, 0]\nspring = ["2 N/m", 0, "1 N/m"]\nforce = [0, 0, "1 mN"]\n',
         '[points.plate]\nface = "tip"\nrotation = "20 deg"\ntilts = true\n',
-        '[points.plate]\nface = "tip"\nheld = "z"\ndisplacement = [0, 0, "1 mm"]\n'
+        '[points.plate]\nface = "tip"\nprescribed = "z"\ndisplacement = [0, 0, "1 mm"]\n'
         "history = [[0, 0], [0.5, 1], [1, 0]]\n",
     ],
 )
@@ -93,8 +93,8 @@ def test_the_keys_are_those_of_the_model(tmp_path):
         ('face = "tip"\ncoupling = "rigd"', "did you mean 'rigid'?"),
         ('face = "tip"\nmoment = [0, "2 N", 0]', "'2 N' is a force, but a moment is needed"),
         ('face = "tip"\nmoment = ["2 N mm", 0, 0]', "set actuator.symmetric = false"),
-        ('face = "tip"\ndisplacement = [0, 0, "1 mm"]', "name its directions with held"),
-        ('face = "tip"\nheld = "xw"', "allowed are the letters x, y and z"),
+        ('face = "tip"\ndisplacement = [0, 0, "1 mm"]', "name its directions with prescribed"),
+        ('face = "tip"\nprescribed = "xw"', "allowed are the letters x, y and z"),
         ('face = "tip"\nrotation = "1 deg"\nhinge = "y"', "rotation and hinge are both given"),
         ('face = "tip"\nhinge = "w"', "unknown direction 'w'"),
         ('face = "tip"\nforce = [0, 0, "1 mN"]\ntilts = true', "the point has no rotation"),
@@ -126,7 +126,7 @@ def test_a_history_moves_the_point_there_and_back(tmp_path):
     model, _ = prepare(
         read(
             tmp_path,
-            '[points.plate]\nface = "tip"\nheld = "z"\ndisplacement = [0, 0, "-1 mm"]\n'
+            '[points.plate]\nface = "tip"\nprescribed = "z"\ndisplacement = [0, 0, "-1 mm"]\n'
             "history = [[0, 0], [0.5, 1], [1, 0]]\n",
         )
     )

@@ -49,7 +49,7 @@ ROD = rods.Rod(section=SECTION, length=0.1)
         (lambda: rods.Rod(section=SECTION, length=1, end="base"), "start and end are both 'base'"),
         (lambda: rods.Rod(section=SECTION, length=1, rest_strain=(1, 2)), "six finite numbers"),
         (lambda: Place(turn=(1, 2)), r"turn is \(1, 2\); three finite numbers"),
-        (lambda: Plate(name="tip", held="pined"), "'pined'; did you mean 'pinned'?"),
+        (lambda: Plate(name="tip", support="pined"), "'pined'; did you mean 'pinned'?"),
         (lambda: Plate(name="tip", mass=-1), "mass is -1 kg"),
         (lambda: RodModel(rods=[]), "none is given"),
         (lambda: RodModel(rods=[ROD, ROD]), "every name must be unique"),
@@ -142,7 +142,7 @@ def test_a_straight_column_is_unstable_past_its_buckling_load():
 def test_rods_between_held_plates_fit():
     """A rod that is too long for its plates is bent or compressed from the beginning."""
     near = Place(position=(0.09, 0, 0))
-    plates = [Plate(name="base", held="fixed", place=Place()), Plate(name="tip", held="fixed", place=near)]
+    plates = [Plate(name="base", support="fixed", place=Place()), Plate(name="tip", support="fixed", place=near)]
     solution = rods.static(RodModel(rods=[ROD], plates=plates))
     assert solution.shape().strain[:, 0] == pytest.approx(np.full(16, 0.9))
     assert solution.reaction("tip")[0] == pytest.approx(-10.0)
