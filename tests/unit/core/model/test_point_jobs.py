@@ -52,7 +52,8 @@ def read(tmp_path, more):
     "more",
     [
         FULL,
-        '[points.plate]\nface = "tip"\nprescribed = "xz"\ndisplacement = [0, 0, "1 mm"]\nrotation = "20 deg"\naxis = "+y"\n',
+        '[points.plate]\nface = "tip"\nprescribed = "xz"\ndisplacement = [0, 0, "1 mm"]\n'
+        'rotation = "20 deg"\naxis = "+y"\n',
         '[points.plate]\nface = "tip"\nprescribed = "x"\nhinge = "y"\nforce = [0, 0, "1 mN"]\n',
         '[points.plate]\nface = "tip"\nhinge = [1, 1, 0]\nspring = ["2 N/m", 0, "1 N/m"]\nforce = [0, 0, "1 mN"]\n',
         '[points.plate]\nface = "tip"\nrotation = "20 deg"\ntilts = true\n',

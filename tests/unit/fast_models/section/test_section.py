@@ -221,7 +221,7 @@ def _volumes(section, solution, row):
         ({"pressure": 1e3, "volume": {"cavity": 1e-4}}, "give pressures by name"),
         ({"pressure": {"cavity": 1e3}, "volume": {"cavity": 1e-4}}, "takes one of both"),
         (
-            {"volume": {"cavity": [1e-4, 2e-4]}, "prescribed": {"stretch": [1.0, 1.1, 1.2]}},
+            {"volume": {"cavity": [1e-4, 2e-4]}, "prescribed": {"stretch": [1, 1.1, 1]}},
             "one finite value for each row",
         ),
     ],
