@@ -20,7 +20,7 @@ arm = tg.rods.RodModel(
         tg.rods.Rod(name="lower", section=section, length=100 * mm, start="joint", end="tip"),
     ],
     plates=[
-        tg.rods.Plate(name="base", held="fixed", place=tg.rods.Place(turn=(0, np.pi / 2, 0))),  # x points down
+        tg.rods.Plate(name="base", support="fixed", place=tg.rods.Place(turn=(0, np.pi / 2, 0))),  # x points down
         tg.rods.Plate(name="tip", mass=20 * g),
     ],
     loads=[

@@ -57,7 +57,7 @@ def rows() -> tuple[tuple[str, float, Callable[[], object]], ...]:
         (
             "thick tube, held, 20 stretches",
             closed,
-            lambda: F.thick_tube(tube, rubber, inner_stretch=stretches, ends="held"),
+            lambda: F.thick_tube(tube, rubber, inner_stretch=stretches, ends="fixed"),
         ),
         ("thick tube, free, 20 pressures", searched, lambda: F.thick_tube(tube, rubber, twenty)),
         ("fiber-reinforced bender, 20 pressures", searched, lambda: F.fiber_reinforced_bender(bender, rubber, twenty)),

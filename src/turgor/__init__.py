@@ -17,10 +17,10 @@ from turgor.foundation.lazy_names import public
 if TYPE_CHECKING:
     from turgor import studies as studies
     from turgor import units as units
-    from turgor.accuracy.adaptivity.measure import measure as measure
     from turgor.accuracy.adaptivity.mesh_to import mesh_to as mesh_to
     from turgor.accuracy.gradients.gradient import gradient as gradient
     from turgor.accuracy.laboratory.compare import compare as compare
+    from turgor.accuracy.measure import measure as measure
     from turgor.core import setups as setups
     from turgor.core.engine.runtime import EngineOptions as EngineOptions
     from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet as FastPneuNet

@@ -17,6 +17,11 @@ from types import MappingProxyType
 
 from turgor.foundation.errors import TurgorError
 
+__all__ = [
+    *("m", "cm", "mm", "um", "inch", "rad", "deg", "Pa", "kPa", "MPa", "GPa", "bar", "mbar", "psi", "mmHg", "cmH2O"),
+    *("N", "mN", "gf", "lbf", "kg", "g", "s", "ms", "mL", "uL", "L", "UNITS", "format_quantity", "parse_quantity"),
+]
+
 m = 1.0
 cm = 1e-2
 mm = 1e-3

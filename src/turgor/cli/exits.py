@@ -18,7 +18,14 @@ from turgor.foundation.errors import CheckError, NotSolved, TurgorError
 if TYPE_CHECKING:
     from turgor.foundation.finding import Finding
 
-DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED = 0, 1, 2, 3
+#: Exit code: all went well.
+DONE = 0
+#: Exit code: something given was wrong, and nothing was computed.
+BAD_INPUT = 1
+#: Exit code: a check found an error.
+FOUND_ERROR = 2
+#: Exit code: a computation ended before it was complete.
+NOT_CONVERGED = 3
 
 #: What shells report for a program whose reader went away, as in ``turgor actuators | head``: 128 + SIGPIPE.
 BROKEN_PIPE = 141

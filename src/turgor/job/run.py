@@ -202,7 +202,7 @@ def _with_errors(
     """Add the mesh errors to a response if the job requests them, and a finding where these are unknown."""
     if not job.output.mesh_error or len(solution.states) < 2:
         return response, ()
-    from turgor.accuracy.adaptivity.measure import (  # here: not needed before a solve
+    from turgor.accuracy.measure import (  # here: not needed before a solve
         LINEAR,
         mesh_error_of,
         with_mesh_error,
@@ -214,7 +214,7 @@ def _with_errors(
     estimate = mesh_error_of(solution, measures, options, refined, job.output.mesh_error == LINEAR)
     if options.notify is not None and estimate.states:
         options.notify(
-            f"mesh error: {len(estimate.states)} states found again on {estimate.unknowns} unknowns, "
-            f"{estimate.seconds:.1f} s"
+            f"mesh error from a second mesh of {estimate.unknowns} unknowns in {estimate.seconds:.1f} s; "
+            f"states solved on it: {len(estimate.states)}"
         )
     return with_mesh_error(response, estimate), () if estimate.finding is None else (estimate.finding,)

@@ -9,15 +9,8 @@ SOURCE = ROOT / "src" / "turgor"
 #: Private verbs. A word that is also a term of the field stays: held-out data, a held lock.
 PRIVATE = re.compile(r"(?<![a-z])(held(?![- _]?out)|told|asked|sought|beside(?!s)|anew|astray)(?![a-z])", re.IGNORECASE)
 
-#: Files in which a public name, a key of a file or a user's column header is such a word.
-PUBLIC = {
-    "cli/analyses/sensitivity.py", "cli/analyses/surrogate.py", "cli/answers/optimization.py",
-    "cli/answers/surrogates.py", "core/materials/experiments/columns.py",
-    "fast_models/formulas/fiber_reinforced.py",
-    "fast_models/formulas/thick_walled.py", "fast_models/rod/layout.py", "fast_models/rod/model.py",
-    "fast_models/section/section.py", "job/tables/points.py", "studies/sensitivity/indices.py",
-    "studies/surrogates/invert.py",
-}  # fmt: skip
+#: A file that reads the column headers of others.
+PUBLIC = {"core/materials/experiments/columns.py"}
 
 
 def private_words(text: str) -> list[str]:

@@ -49,8 +49,8 @@ def test_frame_snaps(record_verification):
         Rod(name="beam", section=section, length=96, elements=7, start="loaded", end="right"),
     ]
     plates = [
-        Plate(name="base", held="hinge_y", place=Place(turn=(0, -np.pi / 2, 0))),
-        Plate(name="right", held="hinge_y"),
+        Plate(name="base", support="hinge_y", place=Place(turn=(0, -np.pi / 2, 0))),
+        Plate(name="right", support="hinge_y"),
     ]
     load = PlateForce(plate="loaded", force=(0, 0, -30_000.0))
     solution = arc_length(RodModel(rods=rods, plates=plates, loads=[load]), step=0.01)

@@ -97,7 +97,7 @@ def test_rigid_rotation_changes_nothing(record_verification):
         R = Rotation.from_rotvec(turn).as_matrix()
         rod = Rod(section=RodSection.from_moduli(EA=200, GA=80, EI=[1.0, 2.0], GJ=0.8), length=1.0)
         loads = [PlateForce(force=R @ [0.5, 2, 3], moment=R @ [0.5, 0.2, 0.1])]
-        plate = Plate(name="base", held="fixed", place=Place(position=(0.3, 0.1, -2), turn=turn))
+        plate = Plate(name="base", support="fixed", place=Place(position=(0.3, 0.1, -2), turn=turn))
         solution = static(RodModel(rods=[rod], loads=loads, plates=[plate]))
         shape = solution.shape()
         found.append((shape.strain, shape.force, (shape.position[-1] - shape.position[0]) @ R))

@@ -32,7 +32,7 @@ def flexure(law, size):
         mirrors="y",
     )
     section = tg.Section(strip, {"body": problems.rubber(law)}, size=size)
-    solution = section.solve(held={"curvature_y": TURNS / LENGTH})
+    solution = section.solve(prescribed={"curvature_y": TURNS / LENGTH})
     assert all(solution.stable)
     return solution.response["moment_y"] / (4 * size)  # a mirror plane doubles what is modeled
 
@@ -68,7 +68,7 @@ def test_torsion(record_verification):
     for law in LAWS.values():
         C10, C01 = law.C10, getattr(law, "C01", 0.0)
         section = tg.Section(bar, {"body": problems.rubber(law)}, size=2 * mm)
-        response = section.solve(held={"twist": twist, "stretch": 1.0}).response
+        response = section.solve(prescribed={"twist": twist, "stretch": 1.0}).response
         found += [response["torque"][0] * 1e3, response["axial_force"][0]]
         expected += [np.pi * twist * A**4 * (C10 + C01) * 1e3, -0.5 * np.pi * A**4 * twist**2 * (C10 + 2 * C01)]
     record_verification(

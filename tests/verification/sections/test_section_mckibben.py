@@ -32,7 +32,7 @@ def pulls(angle, shear_modulus, stiffness):
     rubber = problems.rubber(tg.laws.NeoHooke(C10=shear_modulus / 2))
     section = tg.Section(tube, {"body": rubber}, reinforcements=[threads])
     response = section.solve(
-        PRESSURE * np.array([0.25, 0.5, 1, 1, 1]), held={"stretch": [1.0, 1.0, 1.0, *STRETCHES[1:]]}
+        PRESSURE * np.array([0.25, 0.5, 1, 1, 1]), prescribed={"stretch": [1.0, 1.0, 1.0, *STRETCHES[1:]]}
     ).response
     return response["axial_force"][2:] / UNIT
 

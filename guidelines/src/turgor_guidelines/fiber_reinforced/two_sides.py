@@ -34,9 +34,9 @@ def bend(upper: float, lower: float, size: float) -> Computed:
             size=cell,
         )
         pressures = np.linspace(0, PRESSURE * kPa, 7)
-        free = section.solve(pressures, held={"twist": 0.0, "curvature_z": 0.0}, throw=False, mesh_error=False)
+        free = section.solve(pressures, prescribed={"twist": 0.0, "curvature_z": 0.0}, throw=False, mesh_error=False)
         still = section.solve(
-            pressures, held={"twist": 0.0, "curvature_z": 0.0, "curvature_y": 0.0}, throw=False, mesh_error=False
+            pressures, prescribed={"twist": 0.0, "curvature_z": 0.0, "curvature_y": 0.0}, throw=False, mesh_error=False
         )
         rows = min(len(free.response), len(still.response))
         columns = [tg.experiments.Column(each.name, each.unit, each.values[:rows]) for each in free.response.columns]

@@ -47,7 +47,7 @@ def arm(rubber: str, pressure: float, slenderness: float, gravity: bool) -> Comp
     ]
     if gravity:
         loads.append(tg.Gravity((0, 0, -1), history=((0, 0), (0.2, 1), (1, 1))))
-    plates = [tg.rods.Plate(name="base", held="fixed"), *(tg.rods.Plate(name=name) for name in joints[1:])]
+    plates = [tg.rods.Plate(name="base", support="fixed"), *(tg.rods.Plate(name=name) for name in joints[1:])]
     response = tg.rods.static(tg.rods.RodModel(rods=pieces, plates=plates, loads=loads), at=10).response()
     whole = SEGMENTS * length
     columns = [response.find("load_factor")]

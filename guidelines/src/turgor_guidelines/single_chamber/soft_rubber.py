@@ -58,7 +58,7 @@ def bend(rubber: str, size: float) -> Computed:
         shape = tg.actuators.FiberReinforcedBender(skin=0.0)
         section = tg.Section(shape, {"body": material}, reinforcements=wound, size=cell)
         free = section.solve(pressures, throw=False, mesh_error=False)
-        still = section.solve(pressures, held={"curvature_y": 0.0}, throw=False, mesh_error=False).response
+        still = section.solve(pressures, prescribed={"curvature_y": 0.0}, throw=False, mesh_error=False).response
         rows = min(len(free.response), len(still))
         columns = [tg.experiments.Column(each.name, each.unit, each.values[:rows]) for each in free.response.columns]
         columns.append(tg.experiments.Column("blocked_moment", "Nm", -still["moment_y"][:rows]))

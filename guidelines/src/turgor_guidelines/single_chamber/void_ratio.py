@@ -36,7 +36,7 @@ def push(width: float, hooped: bool, size: float) -> Computed:
     def solve(cell: float) -> tuple[tg.Response, tg.sections.SectionSolution]:
         section = tg.Section(shape, {"body": elastosil()}, reinforcements=[*fabric(), *hoops], size=cell)
         still = section.solve(
-            np.linspace(0, PRESSURE * kPa, 13), held={"curvature_y": 0.0}, throw=False, mesh_error=False
+            np.linspace(0, PRESSURE * kPa, 13), prescribed={"curvature_y": 0.0}, throw=False, mesh_error=False
         )
         response = still.response
         columns = [*response.columns, tg.experiments.Column("blocked_moment", "Nm", -response["moment_y"])]

@@ -140,6 +140,6 @@ def _sobol(
     fitted = surrogate(study, names, at=at)
     fixed = values_given([f"{name}={text}" for name, text in wanted.fixed.items()], fitted.factors, "--hold")
     spreads = spreads_given([f"{name}={text}" for name, text in wanted.spread.items()], fitted.factors)
-    found = sobol_indices(fitted, spreads=spreads, held=fixed, samples=wanted.samples)
+    found = sobol_indices(fitted, spreads=spreads, fixed=fixed, samples=wanted.samples)
     text = "\n".join([*(each.sentence() for each in found), *fitted.notes])
     return text, [term for each in found for term in index_terms(each)], indices_figure(found)

@@ -145,7 +145,7 @@ def _invert(found: "Surrogate", fixed: "dict[str, Value]", options: _PredictOpti
 
     prefer = values_given(options.prefer, found.factors, "--prefer")
     wanted = numbers_given(options.want, found.units, "--want")
-    inverse = invert(found, wanted, held=fixed, prefer=prefer)
+    inverse = invert(found, wanted, fixed=fixed, prefer=prefer)
     typer.echo(inverse.sentence())
     for each in found.factors:
         if each.name in inverse.deviations:

@@ -28,7 +28,7 @@ class OptimizationResult:
     factors : list of tables
         ``name``, ``unit``, ``low``, ``high``, ``start`` and ``value``, null where no run gave a response.
     goals : list of tables
-        ``name``, ``asked``, ``value``, ``mesh_error`` (null where none was estimated) and ``start``.
+        ``name``, ``requested``, ``value``, ``mesh_error`` (null where none was estimated) and ``start``.
     best : int or null
         Row of the best design, from 0.
     descents : list of tables
@@ -77,7 +77,7 @@ def optimization_result(found: "Optimization", files: Sequence[Path]) -> Optimiz
         ],
         goals=[
             {
-                "name": read.name, "asked": read.request,
+                "name": read.name, "requested": read.request,
                 "value": _known(read.value),
                 "mesh_error": _known(read.mesh_error), "start": _known(before.value),
             }

@@ -73,7 +73,7 @@ class PredictionResult:
         Of each measure.
     reached : bool or None
         Whether the wanted measures are reached; null where none was wanted.
-    sought : table
+    factor_deviations : table
         Standard deviation of each unknown factor; null where a measure does not depend on it.
     others : list of tables
         Further solutions.
@@ -85,7 +85,7 @@ class PredictionResult:
     values: Mapping[str, float]
     deviations: Mapping[str, float]
     reached: bool | None
-    sought: Mapping[str, float | None]
+    factor_deviations: Mapping[str, float | None]
     others: Sequence[Mapping[str, float | int | str]]
     sentence: str
 
@@ -100,7 +100,7 @@ def prediction_result(said: "Prediction", at: Mapping[str, float | int | str]) -
         reached=None,
         others=[],
         sentence=sentence,
-        sought={},
+        factor_deviations={},
     )
 
 
@@ -112,7 +112,7 @@ def inverse_result(found: "Inverse") -> PredictionResult:
         values=found.prediction.values,
         deviations=found.prediction.deviations,
         reached=found.reached,
-        sought=unknown,
+        factor_deviations=unknown,
         others=found.others,
         sentence=found.sentence(),
     )

@@ -47,7 +47,7 @@ def fiber_reinforced_bender(
     material: Material,
     pressure: ArrayLike,
     *,
-    held_angle: float = 0.0,
+    prescribed_angle: float = 0.0,
 ) -> Response:
     """Bend a half-round bender with fibers, and push with its tip: the torque balance about the layer.
 
@@ -67,7 +67,7 @@ def fiber_reinforced_bender(
         The rubber of the wall and of the skin.
     pressure : float or (n,) array [Pa]
         The largest pressure, or several.
-    held_angle : float [rad]
+    prescribed_angle : float [rad]
         Angle at which ``blocked_force`` is taken; 0 is straight.
 
     Returns
@@ -107,7 +107,7 @@ def fiber_reinforced_bender(
             f"{1 + rise.x[-1] * top:.3g} times already, and the formula is not followed further."
         )
     curvature = inverted(balanced, rise, wanted)
-    blocked_curvature = held_angle / length
+    blocked_curvature = prescribed_angle / length
     wall_moment = _moment(law, z, weights, np.array([blocked_curvature]))[0]
     columns = [
         Column("pressure", "kPa", wanted),

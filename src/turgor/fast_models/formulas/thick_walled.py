@@ -107,7 +107,7 @@ def thick_tube(
     inner_stretch : float or (n,) array [-], optional
         The largest stretch of the inner wall, or several, instead of the pressure: this passes limit points.
     ends : str
-        ``"closed"``: caps that are free to move; ``"held"``: the length is fixed.
+        ``"closed"``: caps that are free to move; ``"fixed"``: the length is fixed.
 
     Returns
     -------
@@ -254,7 +254,7 @@ class _Path:
 
 def _axial_of(wall: Wall, ends: str) -> Callable[[Array], tuple[Array, Array]]:
     """Pressure and axial stretch by inner stretch."""
-    known = "closed", "held"
+    known = "closed", "fixed"
     if ends not in known:
         raise unknown("ends of a tube", str(ends), known)
     if ends == "closed":

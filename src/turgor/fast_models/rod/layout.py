@@ -64,7 +64,7 @@ def layout_of(model: RodModel) -> Layout:
         end_turn[first, 0], end_position[first, 0] = _frame(rod.start_at)
         end_turn[after - 1, 1], end_position[after - 1, 1] = _frame(rod.end_at)
     free = np.ones((count, 6), dtype=bool)
-    free[: len(names)] = [FREE_MOTIONS[model.plate(name).held] for name in names]
+    free[: len(names)] = [FREE_MOTIONS[model.plate(name).support] for name in names]
     return Layout(
         nodes=tuple(nodes),
         ends=ends,

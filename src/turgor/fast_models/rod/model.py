@@ -64,7 +64,7 @@ class Plate:
     Parameters
     ----------
     name : str
-    held : str
+    support : str
         One of `FREE_MOTIONS`: what holds the plate. A hinge turns about an axis of the plate.
     mass : float [kg]
     inertia : (3,) floats [kg m²]
@@ -75,23 +75,23 @@ class Plate:
     Raises
     ------
     TurgorError
-        If `held` is unknown, or a number is out of its range.
+        If `support` is unknown, or a number is out of its range.
 
     Examples
     --------
-    >>> Plate(name="tip", held="clamped")
+    >>> Plate(name="tip", support="clamped")
     Traceback (most recent call last):
     turgor.TurgorError: unknown support of plate 'tip' 'clamped'. Known: fixed, free, hinge_x, ...
     """
 
     name: str
-    held: str = "free"
+    support: str = "free"
     mass: float = 0.0
     inertia: Vector = (0.0, 0.0, 0.0)
     place: Place | None = None
 
     def __post_init__(self) -> None:
-        support = self.held
+        support = self.support
         if support not in FREE_MOTIONS:
             raise unknown(f"support of plate '{self.name}'", support, FREE_MOTIONS)
         if not 0 <= self.mass < np.inf:
@@ -202,8 +202,8 @@ class RodModel:
         for plate in self.plates:
             if plate.name not in known:
                 raise unknown("plate", plate.name, known)
-        if all(self.plate(name).held == "free" for name in known):
-            way = "Plate(name=..., held='fixed')"
+        if all(self.plate(name).support == "free" for name in known):
+            way = "Plate(name=..., support='fixed')"
             raise TurgorError(f"no plate is fixed; fix one of {', '.join(known)} by {way}.")
         for load in self.loads:
             self._check(load)
@@ -221,7 +221,7 @@ class RodModel:
         if name not in self.plate_names:
             raise unknown("plate", name, self.plate_names)
         if name == BASE:
-            return Plate(name=name, held="fixed", place=Place())
+            return Plate(name=name, support="fixed", place=Place())
         return Plate(name=name)
 
     def rod(self, name: str) -> Rod:

@@ -131,7 +131,7 @@ class Section(Shown):
         pressure: float | Sequence[float] | Array | Rows = 0.0,
         *,
         volume: Rows = MappingProxyType({}),
-        held: Rows = MappingProxyType({}),
+        prescribed: Rows = MappingProxyType({}),
         forces: Rows = MappingProxyType({}),
         throw: bool = True,
         mesh_error: bool = True,
@@ -145,7 +145,7 @@ class Section(Shown):
         volume : mapping of str to float or sequence of float [m²]
             Prescribed volume of cavities for each length at rest, by their names, whose pressure is then found: this
             passes limit points. `volume_at_rest` is where it begins.
-        held : mapping of str to float or sequence of float
+        prescribed : mapping of str to float or sequence of float
             Prescribed strains: ``stretch`` [-], ``twist``, ``curvature_y``, ``curvature_z`` [1/m]. The others are free.
         forces : mapping of str to float or sequence of float
             ``axial_force`` [N] in the tangent of the line through the centroid of the solids, ``torque``,
@@ -167,7 +167,7 @@ class Section(Shown):
         TurgorError
             If a name is unknown, a strain has a force too, or the numbers of rows differ.
         """
-        questions = questions_of(self._equations, pressure, volume, held, forces)
+        questions = questions_of(self._equations, pressure, volume, prescribed, forces)
         with use_threads(1):
             path = follow(self._equations, questions)
             outcome = (str(Status.CONVERGED), "")

@@ -53,7 +53,7 @@ class PointTable(Table):
         Whether force and moment turn with the point; they are fixed in space otherwise.
     hangs : float [kg], optional
         Mass that hangs from the point: its weight pulls in the direction of gravity, ``"-z"`` where none is stated.
-    held : str
+    prescribed : str
         Directions in which the point is fixed, or moved by its displacement: some of x, y and z.
     displacement : (3,) floats [m], optional
         How far the point is moved at the end along these directions.
@@ -84,7 +84,7 @@ class PointTable(Table):
     moment: Moments = None
     follower: bool = False
     hangs: Mass | None = None
-    held: str = Field(default="", examples=['"yz"'])
+    prescribed: str = Field(default="", examples=['"yz"'])
     displacement: Lengths | None = None
     rotation: Angle | None = None
     axis: Direction = (1.0, 0.0, 0.0)
@@ -144,7 +144,7 @@ def read_points(
         if geometry is not None and table.face not in geometry.faces:
             problems.add((*key, "face"), str(unknown("face", table.face, geometry.faces)))
             continue
-        motions = "held", "displacement", "rotation", "hinge", "axis"
+        motions = "prescribed", "displacement", "rotation", "hinge", "axis"
         fields = ("coupling", "inertia", *motions, "history")
         made = problems.attempt(key, partial(_rig, name, table, gravity, duration), fields=fields)
         if made is not None:
@@ -172,12 +172,12 @@ def _rig(name: str, table: PointTable, gravity: Gravity, duration: float | None)
 
 def _holds(name: str, table: PointTable, history: Any) -> tuple[Support, ...]:
     holds: list[Support] = []
-    directions = table.held
+    directions = table.prescribed
     if not set(directions) <= set("xyz"):
-        raise TurgorError(f"held is '{directions}'; allowed are the letters x, y and z.")
+        raise TurgorError(f"prescribed is '{directions}'; allowed are the letters x, y and z.")
     if table.displacement is not None:
         if not directions:
-            raise TurgorError("displacement: name its directions with held, such as held = 'z'.")
+            raise TurgorError("displacement: name its directions with prescribed, such as prescribed = 'z'.")
         holds.append(Displacement(name, Shift(table.displacement, history), directions))
     elif directions:
         holds.append(Fixed(name, directions))
@@ -245,9 +245,9 @@ def _support_values(rig: Rig) -> dict[str, Any]:
     for each in rig.holds:
         match each:
             case Fixed(_, directions):
-                values["held"] = directions
+                values["prescribed"] = directions
             case Displacement(_, Shift(vector), directions):
-                values["held"] = directions
+                values["prescribed"] = directions
                 values["displacement"] = [format_quantity(part, "mm") for part in vector]
             case Rotation(_, angle, axis, _, tilts):
                 values |= {"rotation": format_quantity(angle, "deg"), "axis": list(axis)}

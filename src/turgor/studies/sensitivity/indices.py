@@ -38,7 +38,7 @@ class Indices:
         Standard deviation of the measure over the ranges.
     unexplained : float
         Share of the variance that a surrogate leaves unexplained in held-out rows, 1 − R²; 0 where runs were computed.
-    held : mapping of str to float or str [SI]
+    fixed : mapping of str to float or str [SI]
         Factors that were fixed, with their values.
     count : int
         Number of points.
@@ -55,7 +55,7 @@ class Indices:
     total_error: Array
     deviation: float
     unexplained: float
-    held: Mapping[str, Value]
+    fixed: Mapping[str, Value]
     count: int
     normal: tuple[str, ...] = ()
 
@@ -129,11 +129,11 @@ class Screening:
 
 
 def sobol_indices(
-    asked: Predictor,
+    predictor: Predictor,
     measures: Sequence[str] | None = None,
     *,
     spreads: Sequence[Spread] = (),
-    held: Mapping[str, Value] | None = None,
+    fixed: Mapping[str, Value] | None = None,
     samples: int = 1024,
     seed: int = 0,
 ) -> tuple[Indices, ...]:
@@ -147,13 +147,13 @@ def sobol_indices(
 
     Parameters
     ----------
-    asked : Predictor
+    predictor : Predictor
         A `Surrogate`, or `Direct` for a function that is quick itself.
     measures : sequence of str, optional
         By default all of them.
     spreads : sequence of Spread
         Factors that are normal, as `turgor.studies.propagate` takes them: mean and standard deviation.
-    held : mapping of str to float or str, optional [SI]
+    fixed : mapping of str to float or str, optional [SI]
         Factors that do not vary, such as ``{"pressure": 40e3}``.
     samples : int
         A power of two. The function is computed at samples·(factors + 2) points.
@@ -188,7 +188,6 @@ def sobol_indices(
     """
     if samples < 2 or samples & (samples - 1):
         raise TurgorError(f"samples is {samples}; allowed are powers of two, such as 1024.")
-    predictor, fixed = asked, held
     problem, names = problem_of(predictor, fixed, spreads), _names(predictor, measures)
     drawn: Any = needed("SALib.sample.sobol", "a sensitivity")
     values = problem.values(drawn.sample(problem.salib, samples, calc_second_order=False, seed=seed))
@@ -206,17 +205,17 @@ def _indices(problem: Problem, name: str, values: Array, seed: int) -> Indices:
         measure=name, unit=problem.predictor.units[name], factors=tuple(problem.names), first=np.asarray(found["S1"]),
         total=np.asarray(found["ST"]), first_error=np.asarray(found["S1_conf"]),
         total_error=np.asarray(found["ST_conf"]), deviation=float(values.std()),
-        unexplained=_unexplained(problem, name), held=problem.fixed,
+        unexplained=_unexplained(problem, name), fixed=problem.fixed,
         count=len(values),
         normal=tuple(each.name for each in problem.spreads),
     )  # fmt: skip
 
 
 def screening(
-    asked: Predictor,
+    predictor: Predictor,
     measures: Sequence[str] | None = None,
     *,
-    held: Mapping[str, Value] | None = None,
+    fixed: Mapping[str, Value] | None = None,
     trajectories: int = 10,
     seed: int = 0,
 ) -> tuple[Screening, ...]:
@@ -224,11 +223,11 @@ def screening(
 
     Parameters
     ----------
-    asked : Predictor
+    predictor : Predictor
         `Direct` for runs, or a `Surrogate`.
     measures : sequence of str, optional
         By default all of them.
-    held : mapping of str to float or str, optional [SI]
+    fixed : mapping of str to float or str, optional [SI]
         Factors that do not vary.
     trajectories : int
         The function is computed at trajectories·(factors + 1) points, on four levels of each factor.
@@ -247,7 +246,6 @@ def screening(
     """
     if trajectories < 2:
         raise TurgorError(f"trajectories is {trajectories}; allowed is 2 or more.")
-    predictor, fixed = asked, held
     problem, names = problem_of(predictor, fixed), _names(predictor, measures)
     sample = needed("SALib.sample.morris", "a sensitivity").sample(problem.salib, trajectories, num_levels=4, seed=seed)
     values, units = problem.values(sample), predictor.units

@@ -84,7 +84,7 @@ def invert(
     surrogate: Surrogate,
     wanted: Mapping[str, float],
     *,
-    held: Mapping[str, Value] | None = None,
+    fixed: Mapping[str, Value] | None = None,
     prefer: Mapping[str, Value] | None = None,
 ) -> Inverse:
     """Find inputs within the range that give wanted outputs: from shape to pressures.
@@ -99,7 +99,7 @@ def invert(
     surrogate : Surrogate
     wanted : mapping of str to float [SI]
         By the name of the measure.
-    held : mapping of str to float or str, optional [SI]
+    fixed : mapping of str to float or str, optional [SI]
         Factors that are given, such as the dimensions of the actuator at hand.
     prefer : mapping of str to float or str, optional [SI]
         Factors with their preferred values; by default the middle of each range, and no choice.
@@ -114,7 +114,7 @@ def invert(
     TurgorError
         If a name is unknown, a fixed or preferred value lies beyond the range, or nothing is left to seek.
     """
-    fixed = held or {}
+    fixed = fixed or {}
     ends = [(each, end) for each in _searches(surrogate, wanted, fixed, prefer or {}) for end in each.ends()]
     best = min(search.distance(end) for search, end in ends)
     good = [(each, end) for each, end in ends if each.distance(end) <= max(REACHED, best * (1 + 1e-3))]

@@ -10,9 +10,9 @@ import turgor as tg
 from refused import refused
 from turgor.accuracy.adaptivity.findings import mesh_error_findings
 from turgor.accuracy.adaptivity.indicator import error_indicator
-from turgor.accuracy.adaptivity.measure import mesh_error_of
 from turgor.accuracy.adaptivity.mesh_error import path_length
 from turgor.accuracy.adaptivity.refine import refined
+from turgor.accuracy.measure import mesh_error_of
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.results.error_text import with_error
 from turgor.foundation.finding import Severity

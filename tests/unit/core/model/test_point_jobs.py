@@ -52,11 +52,12 @@ def read(tmp_path, more):
     "more",
     [
         FULL,
-        '[points.plate]\nface = "tip"\nheld = "xz"\ndisplacement = [0, 0, "1 mm"]\nrotation = "20 deg"\naxis = "+y"\n',
-        '[points.plate]\nface = "tip"\nheld = "x"\nhinge = "y"\nforce = [0, 0, "1 mN"]\n',
+        '[points.plate]\nface = "tip"\nprescribed = "xz"\ndisplacement = [0, 0, "1 mm"]\n'
+        'rotation = "20 deg"\naxis = "+y"\n',
+        '[points.plate]\nface = "tip"\nprescribed = "x"\nhinge = "y"\nforce = [0, 0, "1 mN"]\n',
         '[points.plate]\nface = "tip"\nhinge = [1, 1, 0]\nspring = ["2 N/m", 0, "1 N/m"]\nforce = [0, 0, "1 mN"]\n',
         '[points.plate]\nface = "tip"\nrotation = "20 deg"\ntilts = true\n',
-        '[points.plate]\nface = "tip"\nheld = "z"\ndisplacement = [0, 0, "1 mm"]\n'
+        '[points.plate]\nface = "tip"\nprescribed = "z"\ndisplacement = [0, 0, "1 mm"]\n'
         "history = [[0, 0], [0.5, 1], [1, 0]]\n",
     ],
 )
@@ -98,9 +99,9 @@ def test_the_keys_are_those_of_the_model(tmp_path):
         ),
         (
             'face = "tip"\ndisplacement = [0, 0, "1 mm"]',
-            ("finger.toml:15: points.plate:", "displacement", "held = 'z'"),
+            ("finger.toml:15: points.plate:", "displacement", "prescribed = 'z'"),
         ),
-        ('face = "tip"\nheld = "xw"', ("finger.toml:17: points.plate.held:", "'xw'", "x, y and z")),
+        ('face = "tip"\nprescribed = "xw"', ("finger.toml:17: points.plate.prescribed:", "'xw'", "x, y and z")),
         ('face = "tip"\nrotation = "1 deg"\nhinge = "y"', ("finger.toml:15: points.plate:", "rotation", "hinge")),
         ('face = "tip"\nhinge = "w"', ("finger.toml:17: points.plate.hinge:", "'w'", "+x, +y, +z, -x, -y, -z")),
         (
@@ -136,7 +137,7 @@ def test_a_history_moves_the_point_there_and_back(tmp_path):
     model, _ = prepare(
         read(
             tmp_path,
-            '[points.plate]\nface = "tip"\nheld = "z"\ndisplacement = [0, 0, "-1 mm"]\n'
+            '[points.plate]\nface = "tip"\nprescribed = "z"\ndisplacement = [0, 0, "-1 mm"]\n'
             "history = [[0, 0], [0.5, 1], [1, 0]]\n",
         )
     )

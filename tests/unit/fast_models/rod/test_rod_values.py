@@ -50,7 +50,7 @@ ROD = rods.Rod(section=SECTION, length=0.1)
         (lambda: rods.Rod(section=SECTION, length=1, end="base"), ["'rod'", "start", "end", "'base'"]),
         (lambda: rods.Rod(section=SECTION, length=1, rest_strain=(1, 2)), ["'rod'", "rest_strain", "(1, 2)", "six"]),
         (lambda: Place(turn=(1, 2)), ["turn", "(1, 2)", "three"]),
-        (lambda: Plate(name="tip", held="pined"), ["'tip'", "'pined'", "'pinned'"]),
+        (lambda: Plate(name="tip", support="pined"), ["'tip'", "'pined'", "'pinned'"]),
         (lambda: Plate(name="tip", mass=-1), ["'tip'", "mass", "-1 kg"]),
         (lambda: RodModel(rods=[]), ["rods", "none"]),
         (lambda: RodModel(rods=[ROD, ROD]), ["rods", "rod, rod", "unique"]),
@@ -143,7 +143,7 @@ def test_a_straight_column_is_unstable_past_its_buckling_load():
 def test_rods_between_held_plates_fit():
     """A rod that is too long for its plates is bent or compressed from the beginning."""
     near = Place(position=(0.09, 0, 0))
-    plates = [Plate(name="base", held="fixed", place=Place()), Plate(name="tip", held="fixed", place=near)]
+    plates = [Plate(name="base", support="fixed", place=Place()), Plate(name="tip", support="fixed", place=near)]
     solution = rods.static(RodModel(rods=[ROD], plates=plates))
     assert solution.shape().strain[:, 0] == pytest.approx(np.full(16, 0.9))
     assert solution.reaction("tip")[0] == pytest.approx(-10.0)

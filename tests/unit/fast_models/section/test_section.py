@@ -54,10 +54,10 @@ def test_what_has_no_section_is_refused_with_advice(made, facts):
     ("asked", "facts"),
     [
         ({"pressure": {"cavty": 1e3}}, ["'cavty'", "'cavity'"]),
-        ({"held": {"curvature": 1.0}}, ["'curvature'", "'curvature_z'"]),
+        ({"prescribed": {"curvature": 1.0}}, ["'curvature'", "'curvature_z'"]),
         ({"forces": {"moment": 1.0}}, ["'moment'", "'moment_z'"]),
-        ({"held": {"twist": 1.0}, "forces": {"torque": 1.0}}, ["twist", "torque"]),
-        ({"pressure": [1e3, 2e3], "held": {"twist": [1.0, 2.0, 3.0]}}, ["pressure cavity", "2 values", 3]),
+        ({"prescribed": {"twist": 1.0}, "forces": {"torque": 1.0}}, ["twist", "torque"]),
+        ({"pressure": [1e3, 2e3], "prescribed": {"twist": [1.0, 2.0, 3.0]}}, ["pressure cavity", "2 values", 3]),
         ({"pressure": np.nan}, ["pressure cavity", "1 values", "finite"]),
     ],
 )
@@ -70,7 +70,7 @@ def test_wrong_questions_are_answered_in_sentences(asked, facts):
 def test_mirror_planes_hold_what_they_must():
     half = tg.Section(tg.actuators.EccentricBender(), {"body": RUBBER}, size=4 * mm)
     with refused("twist", "mirror plane", "symmetric = false"):
-        half.solve(held={"twist": 1.0})
+        half.solve(prescribed={"twist": 1.0})
 
 
 def test_path_beyond_the_limit_point_says_so_and_keeps_what_it_has():
@@ -91,14 +91,14 @@ def test_stiffness_is_the_derivative_of_the_forces():
     names = ("stretch", "twist", "curvature_y", "curvature_z")
     forces = ("axial_force", "torque", "moment_y", "moment_z")
     at = dict(zip(names, (1.05, 8.0, 5.0, -3.0), strict=True))
-    stiffness = section.solve(20 * kPa, held=at).stiffness()
-    found = section.solve(20 * kPa, held=at).response
+    stiffness = section.solve(20 * kPa, prescribed=at).stiffness()
+    found = section.solve(20 * kPa, prescribed=at).response
     assert [found[name][0] for name in forces] == pytest.approx(stiffness.forces, rel=1e-12)
     for i, (name, step) in enumerate(zip(names, (1e-4, 1e-2, 1e-2, 1e-2), strict=True)):
-        two = [section.solve(20 * kPa, held=at | {name: at[name] + sign * step}).response for sign in (1, -1)]
+        two = [section.solve(20 * kPa, prescribed=at | {name: at[name] + sign * step}).response for sign in (1, -1)]
         slope = [(two[0][force][0] - two[1][force][0]) / (2 * step) for force in forces]
         assert slope == pytest.approx(stiffness.matrix[:, i], rel=1e-4, abs=1e-5 * np.abs(stiffness.matrix[:, i]).max())
-    two = [section.solve(p, held=at).response for p in (20.1 * kPa, 19.9 * kPa)]
+    two = [section.solve(p, prescribed=at).response for p in (20.1 * kPa, 19.9 * kPa)]
     slope = [(two[0][force][0] - two[1][force][0]) / 200 for force in forces]
     assert slope == pytest.approx(stiffness.by_pressure[:, 0], rel=1e-4)
     assert pytest.approx(stiffness.matrix.T, rel=1e-9, abs=1e-12) == stiffness.matrix
@@ -107,7 +107,7 @@ def test_stiffness_is_the_derivative_of_the_forces():
 def test_ends_open_leaves_out_the_thrust():
     held = {"stretch": 1.0}
     closed, opened = (tg.Section(TUBE, {"body": RUBBER}, ends=ends, size=2 * mm) for ends in ("closed", "open"))
-    a, b = (each.solve(20 * kPa, held=held).response for each in (closed, opened))
+    a, b = (each.solve(20 * kPa, prescribed=held).response for each in (closed, opened))
     area = a["cavity_volume_per_length"][0]
     assert b["axial_force"][0] - a["axial_force"][0] == pytest.approx(20e3 * area, rel=1e-9)
     assert closed.solve(20 * kPa).response["stretch"][0] > 1 > opened.solve(20 * kPa).response["stretch"][0]
@@ -115,7 +115,7 @@ def test_ends_open_leaves_out_the_thrust():
 
 def test_a_given_moment_is_met_by_the_curvature_that_it_holds():
     section = tg.Section(tg.sections.Sketch(areas={"body": tg.sections.disc(5 * mm)}), {"body": RUBBER}, size=3 * mm)
-    held = section.solve(held={"curvature_y": 20.0}).response
+    held = section.solve(prescribed={"curvature_y": 20.0}).response
     free = section.solve(forces={"moment_y": held["moment_y"][0]}).response
     assert free["curvature_y"] == pytest.approx(held["curvature_y"], rel=1e-9)
     assert held["axial_force"] == pytest.approx(0.0, abs=1e-9)
@@ -196,11 +196,11 @@ def test_a_volume_is_held_by_the_pressure_that_gives_it(ends):
         tg.actuators.OmnidirectionalActuator(symmetric=False), {"body": RUBBER}, ends=ends, size=4 * mm
     )
     given = {"cavity_1": [2 * kPa, 4 * kPa], "cavity_2": [1 * kPa, 1 * kPa]}
-    by_pressure = section.solve(given, held={"twist": 0.0})
+    by_pressure = section.solve(given, prescribed={"twist": 0.0})
     rest = section.volume_at_rest
     sizes = [_volumes(section, by_pressure, row)["cavity_1"] for row in (0, 1)]
     assert rest["cavity_1"] < sizes[0] < sizes[1]
-    again = section.solve({"cavity_2": 1 * kPa}, volume={"cavity_1": sizes}, held={"twist": 0.0}).response
+    again = section.solve({"cavity_2": 1 * kPa}, volume={"cavity_1": sizes}, prescribed={"twist": 0.0}).response
     assert again["cavity_1_pressure"] == pytest.approx(given["cavity_1"], rel=1e-6)
     for name in ("curvature_y", "curvature_z", "stretch"):
         assert again[name] == pytest.approx(by_pressure.response[name], rel=1e-6)
@@ -219,7 +219,10 @@ def _volumes(section, solution, row):
         ({"volume": {"cavty": 1e-4}}, ["'cavty'", "'cavity'"]),
         ({"pressure": 1e3, "volume": {"cavity": 1e-4}}, ["pressure", "volume", "cavity", "name"]),
         ({"pressure": {"cavity": 1e3}, "volume": {"cavity": 1e-4}}, ["cavity", "pressure", "volume", "both"]),
-        ({"volume": {"cavity": [1e-4, 2e-4]}, "held": {"stretch": [1.0, 1.1, 1.2]}}, ["volume cavity", "2 values", 3]),
+        (
+            {"volume": {"cavity": [1e-4, 2e-4]}, "prescribed": {"stretch": [1.0, 1.1, 1.2]}},
+            ["volume cavity", "2 values", 3],
+        ),
     ],
 )
 def test_volumes_that_cannot_be_held_are_refused(asked, facts):

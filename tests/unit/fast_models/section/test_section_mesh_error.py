@@ -49,7 +49,7 @@ def test_smooth_sections_have_a_small_error_all_along():
 
 def test_what_was_prescribed_has_no_error_and_what_holds_it_has():
     section = tg.Section(tg.actuators.RectangularBender(), {"body": RUBBER, "base": RUBBER})
-    fixed = section.solve(10 * kPa, held={"curvature_y": 2.0}).response
+    fixed = section.solve(10 * kPa, prescribed={"curvature_y": 2.0}).response
     assert fixed.mesh_error("curvature_y") is None
     assert 0 < fixed.mesh_error("moment_y")[0] < 0.02 * abs(fixed["moment_y"][0])
     start = section.volume_at_rest["cavity"]

@@ -39,7 +39,7 @@ def test_shares_of_a_plane():
     assert found.unexplained == 0
     assert found.deviation == pytest.approx(np.sqrt(21 / 12), rel=0.02)
     assert found.sentence().startswith("force varies by 1.3")
-    (held,) = sobol_indices(asked, held={"x": 0.5}, samples=256)
+    (held,) = sobol_indices(asked, fixed={"x": 0.5}, samples=256)
     assert held.factors == ("y", "z")
     assert held.total == pytest.approx([0.8, 0.2], abs=0.01)
 
@@ -77,7 +77,7 @@ def test_a_normal_factor_is_cut_off_at_the_ends_of_its_range():
 def test_spreads_that_do_not_fit_are_refused(spread, held, facts):
     asked = Direct(function=plane, factors=(X, Y, Z), measures=("force",))
     with refused(*facts):
-        sobol_indices(asked, spreads=[Spread(**spread, deviation=0.1)], held=held)
+        sobol_indices(asked, spreads=[Spread(**spread, deviation=0.1)], fixed=held)
 
 
 def test_what_a_surrogate_leaves_widens_the_intervals():
@@ -107,9 +107,9 @@ def test_what_is_refused():
     with refused("'forc'", "'force'"):
         sobol_indices(asked, ["forc"])
     with refused("'w'", "x, y"):
-        sobol_indices(asked, held={"w": 1.0})
+        sobol_indices(asked, fixed={"w": 1.0})
     with refused("1 factors", "x, y", "two"):
-        sobol_indices(asked, held={"x": 1.0})
+        sobol_indices(asked, fixed={"x": 1.0})
     with refused("'force'", "variance"):
         sobol_indices(Direct(function=constant, factors=(X, Y), measures=("force",)), samples=8)
     thin = Factor(name="wall", low=0.5 * mm, high=2 * mm, unit="mm")

@@ -70,17 +70,17 @@ def test_the_inverse_goes_through_all_choices(fitted):
         assert angle(**each) == pytest.approx(28 * deg, abs=0.3 * deg)
     for rubber in ("firm", "stiff"):
         assert invert(fitted, {ANGLE: 28 * deg}, prefer={"rubber": rubber}).values["rubber"] == rubber
-        held = invert(fitted, {ANGLE: 28 * deg}, held={"rubber": rubber})
+        held = invert(fitted, {ANGLE: 28 * deg}, fixed={"rubber": rubber})
         assert (held.values["rubber"], held.others) == (rubber, ())
 
 
 def test_a_choice_alone_is_sought(fitted):
     wanted = angle(1.5 * mm, "stiff")
-    found = invert(fitted, {ANGLE: wanted}, held={"wall": 1.5 * mm})
+    found = invert(fitted, {ANGLE: wanted}, fixed={"wall": 1.5 * mm})
     assert (found.values["rubber"], found.deviations) == ("stiff", {})
     assert found.prediction[ANGLE] == pytest.approx(wanted, abs=0.3 * deg)
     with refused("wall, rubber"):
-        invert(fitted, {ANGLE: wanted}, held={"wall": 1.5 * mm, "rubber": "soft"})
+        invert(fitted, {ANGLE: wanted}, fixed={"wall": 1.5 * mm, "rubber": "soft"})
 
 
 def test_choices_are_learned(fitted):
@@ -95,7 +95,7 @@ def test_a_choice_is_held_for_indices(fitted):
     with refused("'rubber'", "choice", "`anova`"):
         sobol_indices(fitted)
     study = cases.study_of(three, [cases.WALL, gap, cases.RUBBER], 32)
-    (found,) = sobol_indices(surrogate(study, [ANGLE]), held={"rubber": "soft"}, samples=64)
+    (found,) = sobol_indices(surrogate(study, [ANGLE]), fixed={"rubber": "soft"}, samples=64)
     assert found.factors == ("wall", "gap")
     assert found.total[0] > 0.95
 

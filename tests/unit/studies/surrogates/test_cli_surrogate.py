@@ -49,7 +49,7 @@ def test_it_is_asked_backward(folder, capsys):
     told = json.loads(capsys.readouterr().out)["result"]
     exact = cases.finger(told["at"]["wall"], told["at"]["C10"], told["at"]["pressure"])["bending_angle"][-1]
     assert exact == pytest.approx(20 * deg, rel=0.01)
-    assert list(told["sought"]) == ["pressure"]
+    assert list(told["factor_deviations"]) == ["pressure"]
     assert main(["predict", file, *held, "--want", "bending_angle=80 deg"]) == 3
     assert "Nothing in the range gives that" in capsys.readouterr().out
 

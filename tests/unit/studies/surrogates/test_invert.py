@@ -52,7 +52,7 @@ def test_redundant_inputs_are_those_nearest_to_the_preferred_ones(redundant):
 
 
 def test_held_factors_stay(redundant):
-    found = invert(redundant, {"tip_y": 30 * mm, "tip_z": 30 * mm}, held={"third": 10 * kPa})
+    found = invert(redundant, {"tip_y": 30 * mm, "tip_z": 30 * mm}, fixed={"third": 10 * kPa})
     assert found.values["third"] == pytest.approx(10 * kPa)
     assert set(found.deviations) == {"first", "second"}
     exact = cases.two_chambers(**found.values)
@@ -61,7 +61,7 @@ def test_held_factors_stay(redundant):
 
 def test_deviations_are_those_of_the_output_over_the_slope():
     fitted = surrogate(cases.study_of(cases.finger, [cases.WALL, cases.C10], 16), ["bending_angle"], along="pressure")
-    found = invert(fitted, {"bending_angle": 20 * deg}, held={"wall": 1.5 * mm, "C10": 75 * kPa})
+    found = invert(fitted, {"bending_angle": 20 * deg}, fixed={"wall": 1.5 * mm, "C10": 75 * kPa})
     slope = fitted.slopes(found.values)["bending_angle"]["pressure"]
     deviation = found.prediction.deviations["bending_angle"]
     assert found.deviations["pressure"] == pytest.approx(deviation / abs(slope), rel=1e-3)
@@ -72,11 +72,11 @@ def test_names_and_values_are_checked(fitted):
     with refused("'tipy'", "'tip_y'"):
         invert(fitted, {"tipy": 1.0})
     with refused("'third'", "first, second"):
-        invert(fitted, {"tip_y": 1 * mm}, held={"third": 0.0})
+        invert(fitted, {"tip_y": 1 * mm}, fixed={"third": 0.0})
     with refused("first, second", "fixed"):
-        invert(fitted, {"tip_y": 1 * mm}, held={"first": 0.0, "second": 0.0})
+        invert(fitted, {"tip_y": 1 * mm}, fixed={"first": 0.0, "second": 0.0})
     with refused("first", "50 kPa", "0 kPa to 40 kPa"):
-        invert(fitted, {"tip_y": 1 * mm}, held={"first": 50 * kPa})
+        invert(fitted, {"tip_y": 1 * mm}, fixed={"first": 50 * kPa})
     with refused("measure", "value"):
         invert(fitted, {})
     with refused("'tip_y'", "nan", "finite"):

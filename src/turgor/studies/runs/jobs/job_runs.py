@@ -12,7 +12,7 @@ from socket import gethostname
 
 import numpy as np
 
-from turgor.accuracy.adaptivity.measure import measure
+from turgor.accuracy.measure import measure
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.solvers.solution import Solution, Status
 from turgor.core.solvers.solve import resume, solve
