@@ -15,6 +15,9 @@ SMALLEST_LENGTH = 0.01 * mm
 #: A larger length is more likely a number of millimeters without its unit.
 SUSPICIOUS_LENGTH = 100 * mm
 
+#: Most chambers, folds or ribs of a part: a typing error has more, and the shape takes minutes to build.
+MOST_REPEATED = 100
+
 
 def in_mm(length: float) -> str:
     """Write a length in millimeters.

@@ -9,15 +9,10 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from turgor.core.geometry.cad.facets import Facets, edge_pairs, flux
+from turgor.core.geometry.tolerances import TOLERANCE
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A pocket smaller than this share of the bounding box of the part does not count.
-DENT = 1e-6
-
-#: Two pockets whose volumes differ by less than this share differ by flat faces only.
-SAME_VOLUME = 1e-5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -112,7 +107,7 @@ def find_hollows(facets: Facets) -> tuple[list[Hollow], list[Hollow], list[Hollo
         Holes with two openings or more.
     """
     patches = _patches(facets)
-    dent = DENT * float(np.prod(np.ptp(facets.points, axis=0)))
+    dent = TOLERANCE.round_off * float(np.prod(np.ptp(facets.points, axis=0)))
     none = np.zeros(len(patches.pairs), dtype=bool)
     count, piece = patches.components(none)
     voids: list[Ints] = []
@@ -230,7 +225,7 @@ def _outermost(pockets: list[tuple[Ints, Hollow]]) -> tuple[list[tuple[Ints, Hol
     nested: list[tuple[Ints, Hollow]] = []
     for members, hollow in sorted(pockets, key=lambda item: len(item[0])):
         within = [i for i, (other, _) in enumerate(kept) if np.isin(other, members).any()]
-        if sum(kept[i][1].volume for i in within) >= (1 - SAME_VOLUME) * hollow.volume:
+        if sum(kept[i][1].volume for i in within) >= (1 - TOLERANCE.volume) * hollow.volume:
             continue
         nested += [kept[i] for i in within]
         kept = [item for i, item in enumerate(kept) if i not in within]

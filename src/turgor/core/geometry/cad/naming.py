@@ -11,6 +11,7 @@ from turgor.core.geometry.cad.part import Part
 from turgor.core.geometry.cad.selectors import NearestTo, Selector
 from turgor.core.geometry.cad.volumes import measured
 from turgor.core.geometry.names import no_cavity
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
@@ -20,9 +21,6 @@ STANDARD = ("fixed", "tip", "strain_limiting_layer", "symmetry_x", "symmetry_y",
 
 #: A pocket smaller than this share of the largest cavity is a hole for a screw or a mark, and no cavity.
 SMALL = 0.01
-
-#: Faces enclose a cavity if it holds more than this share of their area to the power 3/2; a plane holds nothing.
-SHARE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -101,7 +99,7 @@ def called_cavities(part: Part, names: Sequence[str], mirrors: Sequence[Mirror])
         if not faces:
             continue
         hollow = measured(Hollow(faces=faces, volume=0.0, openings=()), part.facets, part.faces, mirrors)
-        if hollow.volume > SHARE * sum(float(part.faces[i].mass) for i in faces) ** 1.5:
+        if hollow.volume > TOLERANCE.round_off * sum(float(part.faces[i].mass) for i in faces) ** 1.5:
             made[name] = hollow
         else:
             flat.append(name)

@@ -7,16 +7,16 @@ from typing import Any
 
 from turgor.core.geometry import occ
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.core.geometry.shapes.arcs import Point as Point  # part of this module's names
+from turgor.core.geometry.shapes.arcs import edge_middle as edge_middle
 from turgor.core.geometry.shapes.arcs import (
-    SAME_POINT,
     edge_radius,
     segment_area,
     segment_centroid,
     split_edge,
 )
-from turgor.core.geometry.shapes.arcs import Point as Point  # part of this module's names
-from turgor.core.geometry.shapes.arcs import edge_middle as edge_middle
 from turgor.core.geometry.shapes.solids import Range
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 
@@ -101,7 +101,7 @@ class Outline:
         return self.turned(pi).cut_z(-at).turned(-pi)
 
     def _cut(self, axis: int, at: float) -> "Outline":
-        tolerance = SAME_POINT * max(hypot(*corner) for corner in self.corners)
+        tolerance = TOLERANCE.round_off * max(hypot(*corner) for corner in self.corners)
         kept = []
         for start, end, arc in self.edges:
             kept += [

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from turgor.core.geometry.cad_unit import unit_in_doubt
+from turgor.core.geometry.cad_unit import LARGEST_EXTENT, SMALLEST_EXTENT, unit_in_doubt
 from turgor.core.geometry.directions import FileAxes
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.exchange.boundary import Sides, sides_of
@@ -34,9 +34,6 @@ READERS: Mapping[str, Callable[[Path], RawMesh]] = {
 
 #: Unit of length of files that state none.
 DEFAULT_UNIT = "mm"
-
-#: Range of the longest side of an actuator; outside it the unit is wrong.
-SMALLEST_EXTENT, LARGEST_EXTENT = 1e-3, 2.0
 
 #: Nodes of a mirror plane lie on it up to the first share of its size; those further off than the second are no slips.
 FLAT, MOST_OFF = 1e-6, 0.02
