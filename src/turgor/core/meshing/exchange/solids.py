@@ -8,10 +8,8 @@ from numpy.typing import NDArray
 from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType
 from turgor.core.meshing.exchange.formats.raw import Array, Ints, RawMesh
 from turgor.core.meshing.exchange.frame import Frame
+from turgor.core.meshing.exchange.settings import MESH_FILE
 from turgor.foundation.errors import TurgorError
-
-#: Nodes nearer to each other than this share of the shortest cell edge are one node written twice.
-SAME_NODE = 1e-3
 
 #: The same cell seen in a mirror.
 _MIRRORED = {
@@ -142,7 +140,9 @@ def _merge_nodes(solids: Solids, raw: RawMesh) -> None:
     used = np.unique(solids.cells)
     tree = cKDTree(solids.points[used])
     number = np.arange(len(solids.points))
-    for a, b in sorted(map(tuple, tree.query_pairs(SAME_NODE * float(length.min()), output_type="ndarray").tolist())):
+    for a, b in sorted(
+        map(tuple, tree.query_pairs(MESH_FILE.same_node * float(length.min()), output_type="ndarray").tolist())
+    ):
         number[used[b]] = number[used[a]]
     kept = np.unique(number[used])
     if len(kept) < len(used):

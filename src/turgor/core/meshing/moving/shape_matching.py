@@ -7,15 +7,16 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from turgor.core.meshing.moving.curves import SAMPLES, Curve
+from turgor.core.meshing.moving.curves import Curve
 from turgor.core.meshing.moving.parts import Parts
+from turgor.core.meshing.moving.settings import MOVING
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: A sample of a closed curve by which its direction is determined.
-QUARTER = SAMPLES // 4
+QUARTER = MOVING.samples // 4
 
 
 def matched(known: Parts, parts: Parts, name: str) -> Parts:
@@ -63,7 +64,9 @@ def _reordered(known: Parts, parts: Parts, vertices: Ints) -> Parts | None:
     edges = _paired(
         [frozenset(each) for each in known.ends],
         [frozenset(each) for each in ends],
-        lambda one, other: _away(known.curves[one].samples[SAMPLES // 2], parts.curves[other].samples[SAMPLES // 2]),
+        lambda one, other: _away(
+            known.curves[one].samples[MOVING.samples // 2], parts.curves[other].samples[MOVING.samples // 2]
+        ),
     )
     if edges is None:
         return None
@@ -106,7 +109,7 @@ def _directed(known: Curve, own: tuple[int, ...], curve: Curve, ends: tuple[int,
     turned = own != ends
     if len(ends) == 1:
         turned = _away(known.samples[QUARTER], curve.samples[QUARTER]) > _away(
-            known.samples[QUARTER], curve.samples[SAMPLES - 1 - QUARTER]
+            known.samples[QUARTER], curve.samples[MOVING.samples - 1 - QUARTER]
         )
     return Curve(curve.edge, curve.high, curve.low, curve.scale) if turned else curve
 

@@ -9,22 +9,11 @@ from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.core.meshing.quality.facing_walls import edge_keys, unit_normals
 from turgor.core.meshing.quality.quality_cache import once_per_mesh
+from turgor.core.meshing.quality.settings import CHUNK, OVERLAPS
 from turgor.core.meshing.surface import outer_triangles
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Depth below both surfaces, as a share of the edge, of the point where the winding number is evaluated.
-DEEP = 0.1
-
-#: Smallest length of the sum of the two normals at a crossing that counts; walls in contact cross at flat angles.
-STEEP = 0.7
-
-#: Edges evaluated together, to bound the memory.
-CHUNK = 20_000
-
-#: Largest number of crossings, and of points all over the surface, where the winding number is evaluated.
-MOST, SAMPLES = 150, 150
 
 #: Four flat triangles that replace a curved one, so that plugs of round holes do not seem to overlap their walls.
 QUARTERS = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])
@@ -71,15 +60,13 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
         part = slice(start, start + CHUNK)
         edge, triangle, place = _crossings(x, edges[part], triangles, normals)
         inward = normals[triangle] + at_edges[part][edge]
-        leaning = np.linalg.norm(inward, axis=1) > STEEP  # walls in contact cross each other at flat angles
-        edge, triangle, place, inward = edge[leaning], triangle[leaning], place[leaning], inward[leaning]
         length = np.maximum(longest[triangle], np.linalg.norm(np.diff(x[edges[part][edge]], axis=1)[:, 0], axis=1))
         crossings.append(place)
-        below.append(place - DEEP * length[:, None] * inward)
-    chosen = _spread(sum(map(len, crossings)), MOST)
+        below.append(place - OVERLAPS.depth * length[:, None] * inward)
+    chosen = _spread(sum(map(len, crossings)), OVERLAPS.points)
     found, looked = np.concatenate(crossings)[chosen], np.concatenate(below)[chosen]
     several = len(find_bodies(mesh)) > 1
-    middle, inner = _samples(x, triangles, normals, SAMPLES if several else 0)
+    middle, inner = _samples(x, triangles, normals, OVERLAPS.points if several else 0)
     fine = x[curved[:, QUARTERS].reshape(-1, 3)]
     inside = np.array([winding(each, fine) > 1.95 for each in (*looked, *inner)], dtype=bool)  # 2 in two walls
     return np.concatenate([found, middle])[inside]
@@ -110,7 +97,7 @@ def _samples(x: Array, triangles: Ints, normals: Array, most: int) -> tuple[Arra
     corners = x[triangles[some]]
     length = np.linalg.norm(corners[:, 1] - corners[:, 0], axis=1, keepdims=True)
     middle = corners.mean(axis=1)
-    return middle, middle - DEEP * length * normals[some]
+    return middle, middle - OVERLAPS.depth * length * normals[some]
 
 
 def _spread(count: int, most: int) -> Ints:

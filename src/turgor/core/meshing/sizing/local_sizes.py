@@ -16,12 +16,9 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.thin_corners import find_thin_corners
+from turgor.core.meshing.sizing.settings import SIZING
 
 Array = NDArray[np.float64]
-
-#: Sizes along these corners, and on curved walls that end there, as shares of the mesh size. Shares of the size and
-#: not of the wall, so that a study of mesh sizes refines all of a mesh alike.
-CORNER_SHARE, CURVED_SHARE = 1 / 3, 0.7
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -72,7 +69,7 @@ def local_sizes(geometry: Geometry, size: float, face_sizes: Mapping[str, float]
     named = {i: face_sizes[face.name] for i, face in enumerate(geometry._cad.faces) if face.name in face_sizes}
     lines = [found.lines for found in corners]
     return LocalSizes(
-        faces=named | {i: CURVED_SHARE * size for found in corners for i in found.curved},
+        faces=named | {i: SIZING.curved * size for found in corners for i in found.curved},
         lines=np.concatenate(lines) if lines else np.zeros((0, 2, 3)),
-        line_size=CORNER_SHARE * size,
+        line_size=SIZING.short * size,
     )

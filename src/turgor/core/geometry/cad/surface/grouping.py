@@ -29,7 +29,7 @@ def grouped(points: Array, triangles: Ints) -> Ints:
     areas = vector_areas(points, triangles)
     area = np.linalg.norm(areas, axis=1)
     normal = areas / np.where(area > 0, area, 1.0)[:, None]
-    pairs, edges, _ = edge_pairs(triangles)
+    pairs, _, _ = edge_pairs(triangles)
     planes = _grown(points, triangles, normal, area, pairs)
     flat = _truly_plane(planes, normal, area, pairs)
     label = np.where(flat, planes, -1)
@@ -38,8 +38,7 @@ def grouped(points: Array, triangles: Ints) -> Ints:
     both = (label[pairs] == -1).all(axis=1) & smooth
     same = both | ((label[pairs[:, 0]] == label[pairs[:, 1]]) & (label[pairs[:, 0]] >= 0))
     label = _components(len(triangles), pairs[same])
-    length = np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
-    return _by_area(_without_specks(label, area, pairs, length), area)
+    return _by_area(label, area)
 
 
 def vector_areas(points: Array, triangles: Ints) -> Array:
@@ -83,8 +82,7 @@ def _truly_plane(region: Ints, normal: Array, area: Array, pairs: Ints) -> NDArr
     adjacent = np.unique(np.concatenate([np.stack([a, b], axis=1)[smooth], np.stack([b, a], axis=1)[smooth]]), axis=0)
     one, other = adjacent.T
     together = np.bincount(one, weights=total[other], minlength=len(total))
-    least = np.where(together > 0, SURFACE.least_plane * float(area.sum()), 0.0)
-    return np.asarray((total >= np.maximum(SURFACE.larger * together, least))[region])
+    return np.asarray((total >= SURFACE.larger * together)[region])
 
 
 def _components(count: int, links: Ints) -> Ints:
@@ -92,30 +90,6 @@ def _components(count: int, links: Ints) -> Ints:
 
     graph = coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(count, count))
     return np.asarray(connected_components(graph, directed=False)[1]).astype(np.int64)
-
-
-def _without_specks(label: Ints, area: Array, pairs: Ints, length: Array) -> Ints:
-    """Join the smallest groups to their neighbors."""
-    least = SURFACE.speck * float(area.sum())
-    for _ in range(8):
-        total = np.bincount(label, weights=area)
-        a, b = label[pairs].T
-        outward = np.concatenate([np.stack([a, b], axis=1), np.stack([b, a], axis=1)])
-        outward, weight = outward[outward[:, 0] != outward[:, 1]], np.tile(length, 2)[np.tile(a != b, 2)]
-        small = total[outward[:, 0]] < least
-        if not small.any():
-            break
-        border = coo_array((weight[small], outward[small].T), shape=(len(total), len(total))).tocsr()
-        into = np.arange(len(total))
-        specks = np.unique(outward[small, 0])
-        longest = np.asarray(border.argmax(axis=1)).ravel()
-        # a speck joins a larger neighbor only, so that two specks do not swap
-        into[specks] = np.where(total[longest[specks]] > total[specks], longest[specks], specks)
-        if (into == np.arange(len(total))).all():
-            break
-        label = into[label]
-        label = np.asarray(np.unique(label, return_inverse=True)[1]).ravel()
-    return label
 
 
 def _by_area(label: Ints, area: Array) -> Ints:

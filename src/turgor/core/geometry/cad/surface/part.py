@@ -46,7 +46,7 @@ def _item(shape: SurfaceShape, place: int) -> Item:
     return Item(
         name="",
         color=None,
-        normal=_vector(mean / length) if length > SURFACE.plane_cosine else None,
+        normal=_vector(mean / length) if length > SURFACE.plane_group else None,
         center=_vector(weight @ triangles.mean(axis=1) / weight.sum()),
         low=_vector(triangles.min(axis=(0, 1))),
         high=_vector(triangles.max(axis=(0, 1))),

@@ -25,14 +25,14 @@ class SurfaceSettings:
     plane_cosine, plane_distance : float
         Normals of a plane differ by less than this cosine (2°) from that of its largest facet, and its corners lie
         within this share of the size.
+    plane_group : float
+        A group of facets is plane where the mean of its normals is longer than this: they are within about 8°, as on
+        prints with rough walls.
     smooth_cosine : float
         Facets whose normals differ by less (30°) belong to one curved face.
-    larger, least_plane : float
+    larger : float
         A strip of a curved face has a neighbor of similar area, which continues it smoothly. A plane is so many times
-        larger than all regions together that continue it, and has at least this share of the surface: a patch of a
-        rough wall that is plane by chance has less.
-    speck : float
-        A group with a smaller share of the surface joins the neighbor with which it has the longest border.
+        larger than all regions together that continue it.
     flat_rim, small_hole : float
         A hole is closed where its rim leaves its plane by at most this share of its size, or where its size is at most
         this share of the part.
@@ -49,10 +49,9 @@ class SurfaceSettings:
     sewn_share: float = 0.999
     plane_cosine: float = cos(2 * deg)
     plane_distance: float = 1e-3
+    plane_group: float = 0.99
     smooth_cosine: float = cos(30 * deg)
     larger: float = 1.5
-    least_plane: float = 2e-3
-    speck: float = 1e-4
     flat_rim: float = 0.02
     small_hole: float = 0.05
     probes: int = 12
