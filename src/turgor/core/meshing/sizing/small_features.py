@@ -141,8 +141,8 @@ def edges_left(limit: float, spared: float, filled: float) -> Finding:
         code="G11",
         severity=Severity.NOTE,
         message=f"The faces have edges shorter than {FEATURES.coarse_radius * limit / mm:.3g} mm, which cells need not "
-        f"keep: the part was filled within an envelope of its facets, with {spared:.0%} fewer unknowns. The cells fill {_off(filled)} "
-        "than the part.",
+        f"keep: the part was filled within an envelope of its facets, with {spared:.0%} fewer unknowns. The cells fill "
+        f"{_off(filled)} than the part.",
         advice="Leave ignore_features_below out to keep all edges.",
     )
 
