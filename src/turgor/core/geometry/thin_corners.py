@@ -85,7 +85,7 @@ def find_thin_corners(geometry: Geometry) -> tuple[ThinCorners, ...]:
     ()
     """
     faces, scale = list(geometry._cad.faces), geometry.length_scale
-    thin, found = THIN_CORNERS.thin * geometry.smallest_wall / scale, []
+    thin, thin_corners = THIN_CORNERS.thin * geometry.smallest_wall / scale, []
     for name in geometry.cavity_volumes:
         walls = _Walls(faces=faces, name=name, thin=thin)
         corners = walls.corners()
@@ -98,8 +98,8 @@ def find_thin_corners(geometry: Geometry) -> tuple[ThinCorners, ...]:
         chosen += [edge for edge, pair in corners.items() if edge not in chosen and set(pair) & flat]
         if chosen:
             lines = np.array([[_xyz(edge.start), _xyz(edge.end)] for edge in chosen]) * scale
-            found.append(ThinCorners(name=name, curved=curved, lines=lines))
-    return tuple(found)
+            thin_corners.append(ThinCorners(name=name, curved=curved, lines=lines))
+    return tuple(thin_corners)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

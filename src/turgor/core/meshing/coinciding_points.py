@@ -17,13 +17,13 @@ def same_places(points: Array) -> tuple[Ints, Ints]:
     -------
     number : (p,) int array
         New number of each point.
-    kept : (n,) int array
+    first : (n,) int array
         The point that stands for each number.
 
     Examples
     --------
-    >>> number, kept = same_places(np.array([[0.0, 1.0], [2.0, 1.0], [0.0, 1.0 + 1e-15]]))
-    >>> number.tolist(), kept.tolist()
+    >>> number, first = same_places(np.array([[0.0, 1.0], [2.0, 1.0], [0.0, 1.0 + 1e-15]]))
+    >>> number.tolist(), first.tolist()
     ([0, 1, 0], [0, 1])
     """
     from scipy.spatial import cKDTree  # slow to load, and the engine imports this file
@@ -32,5 +32,5 @@ def same_places(points: Array) -> tuple[Ints, Ints]:
         TOLERANCE.round_off * float(np.ptp(points, axis=0).max()), output_type="ndarray"
     )
     label = groups_of(len(points), pairs[:, 0], pairs[:, 1])
-    _, kept, number = np.unique(label, return_index=True, return_inverse=True)
-    return number, kept
+    _, first, number = np.unique(label, return_index=True, return_inverse=True)
+    return number, first

@@ -214,8 +214,8 @@ def _with_fewer_cells(result: Mesh, geometry: Geometry, chosen: MeshSettings) ->
     if coarse.unknown_count > FEATURES.fewer * result.unknown_count:
         return result
     filled = float(cell_volumes(coarse).sum()) / geometry.solid_volume
-    found = edges_left(chosen.ignore_features_below or 0.0, 1 - coarse.unknown_count / result.unknown_count, filled)
-    return _noting(coarse, found)
+    finding = edges_left(chosen.ignore_features_below or 0.0, 1 - coarse.unknown_count / result.unknown_count, filled)
+    return _noting(coarse, finding)
 
 
 def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
@@ -238,8 +238,8 @@ def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
             if sizes.features is not None:
                 filled = float(cell_volumes(result).sum()) / geometry.solid_volume
                 stated = chosen.ignore_features_below is not None
-                found = features_left(sizes.features, stated, filled, is_revolved(geometry))
-                result = _noting(result, found)
+                finding = features_left(sizes.features, stated, filled, is_revolved(geometry))
+                result = _noting(result, finding)
             return result if first is None else _noting(result, _meshed_finer(first))
     assert first is not None
     raise first from None
@@ -258,8 +258,8 @@ def _enveloped(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
     return _noting(result, thin_walls_left(walls)) if len(walls.points) else result
 
 
-def _noting(result: Mesh, found: Finding) -> Mesh:
-    return replace(result, findings=(*result.findings, found))
+def _noting(result: Mesh, finding: Finding) -> Mesh:
+    return replace(result, findings=(*result.findings, finding))
 
 
 def _sound(geometry: Geometry, generate: Callable[[], Raw]) -> Mesh:
@@ -283,11 +283,11 @@ def _meshed_finer(error: TurgorError) -> Finding:
 
 def _check_result(result: Mesh, geometry: Geometry) -> None:
     """Refuse a mesh that lost names or volume on the way."""
-    for kind, wanted, found in (
+    for kind, wanted, faces in (
         ("region", geometry.regions, result.regions),
         ("face", geometry.faces, result.faces),
     ):
-        lost = [name for name in wanted if name not in found or not len(found[name])]
+        lost = [name for name in wanted if name not in faces or not len(faces[name])]
         if lost:
             raise TurgorError(f"the mesh of '{geometry.name}' lost the {kind} {', '.join(lost)}; try a smaller size.")
     volume = float(cell_volumes(result).sum())

@@ -123,10 +123,10 @@ def find_hollows(facets: Facets) -> tuple[list[Hollow], list[Hollow], list[Hollo
         pocket = _pocket(patches, owner, cut)
         if pocket is not None and pocket[1].volume > dent:
             pockets.append(pocket)
-    kept, nested = _outermost(pockets)
-    taken = np.concatenate([np.zeros(0, dtype=np.int64), *[members for members, _ in kept]])
+    outermost, nested = _outermost(pockets)
+    taken = np.concatenate([np.zeros(0, dtype=np.int64), *[members for members, _ in outermost]])
     passages = [p for p in _passages(patches, rims, np.setdiff1d(outside, taken), dent) if p.volume > dent]
-    hollows = [_hollow(patches, members, []) for members in voids] + [hollow for _, hollow in kept]
+    hollows = [_hollow(patches, members, []) for members in voids] + [hollow for _, hollow in outermost]
     return sorted(hollows, key=lambda hollow: -hollow.volume), [hollow for _, hollow in nested], passages
 
 
@@ -221,16 +221,16 @@ def _outermost(pockets: list[tuple[Ints, Hollow]]) -> tuple[list[tuple[Ints, Hol
     A pocket that adds only flat faces to those within it does not count, such as the plane end in which several of
     them open.
     """
-    kept: list[tuple[Ints, Hollow]] = []
+    outermost: list[tuple[Ints, Hollow]] = []
     nested: list[tuple[Ints, Hollow]] = []
     for members, hollow in sorted(pockets, key=lambda item: len(item[0])):
-        within = [i for i, (other, _) in enumerate(kept) if np.isin(other, members).any()]
-        if sum(kept[i][1].volume for i in within) >= (1 - TOLERANCE.volume) * hollow.volume:
+        within = [i for i, (other, _) in enumerate(outermost) if np.isin(other, members).any()]
+        if sum(outermost[i][1].volume for i in within) >= (1 - TOLERANCE.volume) * hollow.volume:
             continue
-        nested += [kept[i] for i in within]
-        kept = [item for i, item in enumerate(kept) if i not in within]
-        kept.append((members, hollow))
-    return kept, sorted(nested, key=lambda item: -item[1].volume)
+        nested += [outermost[i] for i in within]
+        outermost = [item for i, item in enumerate(outermost) if i not in within]
+        outermost.append((members, hollow))
+    return outermost, sorted(nested, key=lambda item: -item[1].volume)
 
 
 def _passages(patches: _Patches, rims: list[tuple[int, Ints]], among: Ints, dent: float) -> list[Hollow]:

@@ -68,7 +68,7 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
     names = [item.name if _standard(item.name) else "" for item in part.items]
     picked = {name: pick(part, name, selector) for name, selector in selected.items()}
     mirrors, cuts = mirrors_of(part, names, picked)
-    hollows, nested, passages = (_once(found) for found in find_hollows(mirrored(part.facets, mirrors, cuts)))
+    hollows, nested, passages = (_once(group) for group in find_hollows(mirrored(part.facets, mirrors, cuts)))
     for name, selector in selected.items():
         if name.startswith("cavity") and isinstance(selector, NearestTo):
             around = [h for h in (*hollows, *passages) if picked[name][0] in h.faces]
@@ -228,14 +228,14 @@ def _pockets(small: Sequence[Hollow], largest: float) -> Finding:
     )
 
 
-def _leaks(passages: Sequence[Hollow], found: bool) -> Finding:
+def _leaks(passages: Sequence[Hollow], has_cavities: bool) -> Finding:
     listed = "; ".join(
         f"{p.volume:.4g} mm³, open at {' and at '.join(_place(o.center, o.area) for o in p.openings[:3])}"
         for p in passages[:3]
     )
     return Finding(
         code="D03",
-        severity=Severity.NOTE if found else Severity.WARNING,
+        severity=Severity.NOTE if has_cavities else Severity.WARNING,
         message=f"{len(passages)} of the part's hollows ({listed}) lead from one opening to another: pressure would "
         "leak, so they are no cavities.",
         advice="Close all openings but one in the CAD program; or, if they are plugged in reality, name the hollow "

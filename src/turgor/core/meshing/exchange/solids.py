@@ -144,16 +144,16 @@ def _merge_nodes(solids: Solids, raw: RawMesh) -> None:
         map(tuple, tree.query_pairs(MESH_FILE.same_node * float(length.min()), output_type="ndarray").tolist())
     ):
         number[used[b]] = number[used[a]]
-    kept = np.unique(number[used])
-    if len(kept) < len(used):
-        solids.done.append(f"{len(used) - len(kept)} nodes at the place of another one were merged with it")
+    unique = np.unique(number[used])
+    if len(unique) < len(used):
+        solids.done.append(f"{len(used) - len(unique)} nodes at the place of another one were merged with it")
     new = np.full(len(solids.points), -1, dtype=np.int64)
-    new[kept] = np.arange(len(kept))
+    new[unique] = np.arange(len(unique))
     free = len(solids.points) - len(used)
     if free:
         solids.done.append(f"{free} nodes that belong to no solid cell were left out")
-    solids.renumbered = np.where(np.isin(number, kept), new[number], -1)
-    solids.cells, solids.points = new[number[solids.cells]], solids.points[kept]
+    solids.renumbered = np.where(np.isin(number, unique), new[number], -1)
+    solids.cells, solids.points = new[number[solids.cells]], solids.points[unique]
 
 
 def _raise_order(solids: Solids) -> None:

@@ -88,11 +88,11 @@ def _reordered(known: Parts, parts: Parts, vertices: Ints) -> Parts | None:
 
 
 def _paired(
-    known: Sequence[Hashable], found: Sequence[Hashable], away: Callable[[int, int], float]
+    known: Sequence[Hashable], others: Sequence[Hashable], away: Callable[[int, int], float]
 ) -> list[int] | None:
     """Place of the partner of each known key, the nearest one of those that are equal; None where one has no own."""
     places: dict[Hashable, list[int]] = {}
-    for place, key in enumerate(found):
+    for place, key in enumerate(others):
         places.setdefault(key, []).append(place)
     partners = []
     for number, key in enumerate(known):

@@ -68,8 +68,8 @@ def first_hits(points: Array, triangles: Ints, reach: float, rays: NDArray[np.bo
             close = _passing(origin, normal, radii, ray, target)
             ray, target = ray[close], target[close]
             distance = _ray_distances(origin[ray], normal[ray], corners[target])
-            kept = np.flatnonzero((ray != target) & (distance <= min((k + 1) * stride, reach)))
-            order = kept[np.lexsort((target[kept], distance[kept], ray[kept]))]
+            within = np.flatnonzero((ray != target) & (distance <= min((k + 1) * stride, reach)))
+            order = within[np.lexsort((target[within], distance[within], ray[within]))]
             first = order[np.flatnonzero(np.diff(ray[order], prepend=-1))]
             hit[ray[first]] = target[first]
         active = active[hit[active] < 0]

@@ -64,12 +64,12 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
         crossings.append(place)
         below.append(place - OVERLAPS.depth * length[:, None] * inward)
     chosen = _spread(sum(map(len, crossings)), OVERLAPS.points)
-    found, looked = np.concatenate(crossings)[chosen], np.concatenate(below)[chosen]
+    crossed, tested = np.concatenate(crossings)[chosen], np.concatenate(below)[chosen]
     several = len(find_bodies(mesh)) > 1
     middle, inner = _samples(x, triangles, normals, OVERLAPS.points if several else 0)
     fine = x[curved[:, QUARTERS].reshape(-1, 3)]
-    inside = np.array([winding(each, fine) > 1.95 for each in (*looked, *inner)], dtype=bool)  # 2 in two walls
-    return np.concatenate([found, middle])[inside]
+    inside = np.array([winding(each, fine) > 1.95 for each in (*tested, *inner)], dtype=bool)  # 2 in two walls
+    return np.concatenate([crossed, middle])[inside]
 
 
 @once_per_mesh  # a run checks before it solves, and `solve` itself does

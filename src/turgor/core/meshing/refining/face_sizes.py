@@ -70,15 +70,15 @@ def with_face_sizes(mesh: Mesh, face_sizes: Mapping[str, float]) -> Mesh:
 
 def _long_edges(mesh: Mesh, face_sizes: Mapping[str, float]) -> tuple[Ints, str]:
     """Edges on the faces that are too long (e, 2), and the face whose edges are too long by the largest factor."""
-    found, factors = [np.zeros((0, 2), dtype=np.int64)], {}
+    long_edges, factors = [np.zeros((0, 2), dtype=np.int64)], {}
     for name, size in face_sizes.items():
         sides = mesh.face(name)
         edges = np.concatenate([sides[:, list(edge)] for group in SIDE_EDGES for edge in group])
         edges = edges[~_around(mesh, edges)]
         length = np.linalg.norm(mesh.points[edges[:, 1]] - mesh.points[edges[:, 0]], axis=1)
-        found.append(edges[length > (1 + TOLERANCE.round_off) * size])
+        long_edges.append(edges[length > (1 + TOLERANCE.round_off) * size])
         factors[name] = float(length.max(initial=0.0)) / size
-    return np.unique(np.sort(np.concatenate(found), axis=1), axis=0), max(factors, key=factors.__getitem__)
+    return np.unique(np.sort(np.concatenate(long_edges), axis=1), axis=0), max(factors, key=factors.__getitem__)
 
 
 def _around(mesh: Mesh, edges: Ints) -> NDArray[np.bool_]:
@@ -95,9 +95,9 @@ def _crossing(mesh: Mesh, of_cell: Ints, edges: Ints) -> Ints:
     """Numbers of the sheets that these edges cross."""
     count = len(mesh.points)
     wanted = edges[:, 0] * count + edges[:, 1]
-    found = [np.zeros(0, dtype=np.int64)]
+    directions = [np.zeros(0, dtype=np.int64)]
     for direction, group in enumerate(CELL_EDGES):
         ends = np.sort(mesh.cells[:, np.array(group)], axis=2)
         hit = np.isin(ends[..., 0] * count + ends[..., 1], wanted).any(axis=1)
-        found.append(of_cell[hit, direction])
-    return np.unique(np.concatenate(found))
+        directions.append(of_cell[hit, direction])
+    return np.unique(np.concatenate(directions))

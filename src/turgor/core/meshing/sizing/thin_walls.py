@@ -78,11 +78,11 @@ def find_thin_walls(mesh: Mesh, size: float, stated: Collection[str] = ()) -> Th
     """
     surface = outer_triangles(mesh)
     surface = surface[~_on_faces(mesh, surface, mesh.cut_faces)]
-    corners, inward, kept = mesh.points[surface[:, :3]], surface[:, [0, 2, 1]], _on_faces(mesh, surface, stated)
+    corners, inward, on_stated = mesh.points[surface[:, :3]], surface[:, [0, 2, 1]], _on_faces(mesh, surface, stated)
     normal, middle = unit_normals(mesh.points, inward), corners.mean(axis=1)
     hit = first_hits(mesh.points, inward, size / SIZING.largest_per_wall)
     facing = np.einsum("ti,ti->t", normal, normal[hit])
-    seen = np.flatnonzero((hit >= 0) & (facing < -FACING.opposed) & ~kept & ~kept[hit])
+    seen = np.flatnonzero((hit >= 0) & (facing < -FACING.opposed) & ~on_stated & ~on_stated[hit])
     depth = np.einsum("ti,ti->t", middle[hit[seen]] - middle[seen], normal[hit[seen]]) / facing[seen]
     longest = np.max([np.linalg.norm(corners[seen, a] - corners[seen, b], axis=1) for a, b in TRIANGLE_EDGES], axis=0)
     thin = longest > THIN_WALLS.longest_per_wall * depth
@@ -131,12 +131,12 @@ def thin_walls_finer(size: float, wall: float) -> Finding:
     )
 
 
-def section_finer(size: float, kept: float, wall: float) -> Finding:
-    """Say that cells of a section have a smaller size than the stated one, ``kept`` [m]."""
+def section_finer(size: float, smallest: float, wall: float) -> Finding:
+    """Say that cells of a section have a smaller size than the stated one, ``smallest`` [m]."""
     return Finding(
         code="G09",
         severity=Severity.NOTE,
         message=f"The mesh size of {size / mm:.4g} mm is more than four times the thinnest wall, {wall / mm:.4g} mm: "
-        f"cells in the section stay below {kept / mm:.4g} mm, and only those along its path may be longer.",
-        advice=f"Use {kept / mm:.4g} mm or less where walls bend along the path too.",
+        f"cells in the section stay below {smallest / mm:.4g} mm, and only those along its path may be longer.",
+        advice=f"Use {smallest / mm:.4g} mm or less where walls bend along the path too.",
     )

@@ -55,9 +55,9 @@ def with_core(filling: Filling, sweep: Sweep, section: SectionMesh, radius: floa
     cells = np.stack([n.ravel() for n in nodes], axis=1) + len(filling.points)
     names = np.repeat(names_at(sweep.layers, section.centers[owner])[0], len(disc.quads))
     everything = np.concatenate([filling.points, points])
-    number, kept = same_places(everything)
+    number, first = same_places(everything)
     return Filling(
-        points=everything[kept],
+        points=everything[first],
         cells=number[np.concatenate([filling.cells, cells])],
         names=np.concatenate([filling.names, names]),
     )

@@ -51,11 +51,11 @@ def general_section(outlines: Sequence[Outline], fine: Fineness) -> SectionMesh:
     TurgorError
         If the mesh generator fails.
     """
-    found = _quadrilaterals(outlines, fine, close=False)
-    if corner_sines(found.points, found.quads[:, :4]).min() >= SECTION.flat_corner:
-        return found
+    coarse = _quadrilaterals(outlines, fine, close=False)
+    if corner_sines(coarse.points, coarse.quads[:, :4]).min() >= SECTION.flat_corner:
+        return coarse
     finer = _quadrilaterals(outlines, fine, close=True)
-    return max(found, finer, key=lambda section: float(corner_sines(section.points, section.quads[:, :4]).min()))
+    return max(coarse, finer, key=lambda section: float(corner_sines(section.points, section.quads[:, :4]).min()))
 
 
 def _quadrilaterals(outlines: Sequence[Outline], fine: Fineness, close: bool) -> SectionMesh:
@@ -165,8 +165,8 @@ def _projected(point: Array, center: Array, radius: float) -> Array:
 def _cut(nodes: Array, N: Array) -> SectionMesh:
     """Evaluate curved cells (c, a, 2) at the nodes of the quadrilaterals in them, by shape functions (9 k, a)."""
     points = np.einsum("pa,cad->cpd", N, nodes).reshape(-1, 2)
-    number, kept = same_places(points)
-    return SectionMesh(points=points[kept], quads=number.reshape(-1, 9))
+    number, first = same_places(points)
+    return SectionMesh(points=points[first], quads=number.reshape(-1, 9))
 
 
 def _triangle_shapes(L: Array) -> Array:
@@ -184,13 +184,13 @@ def _quadrilateral_shapes(at: Array) -> Array:
     return np.concatenate([corners, *mids], axis=1)
 
 
-def _on_arcs(found: Array, points: Array, bends: Bends) -> Array:
+def _on_arcs(mids: Array, points: Array, bends: Bends) -> Array:
     """Move the nodes halfway between corners and mid-side nodes of curved segments onto their arcs."""
-    moved = found.copy()
+    moved = mids.copy()
     for (i, j), bend in bends.items():
         a, b, middle = points[i], points[j], _projected((points[i] + points[j]) / 2, *bend)
         for t in (0.25, 0.75):
             place = a * (1 - t) * (1 - 2 * t) + b * t * (2 * t - 1) + middle * 4 * t * (1 - t)
-            nearest = np.hypot(*(found - place).T).argmin()
+            nearest = np.hypot(*(mids - place).T).argmin()
             moved[nearest] = _projected(place, *bend)
     return moved

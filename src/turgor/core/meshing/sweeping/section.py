@@ -91,9 +91,9 @@ def joined(meshes: Sequence[SectionMesh]) -> SectionMesh:
     """Join meshes that share nodes along their rims, found from where these are."""
     points = np.concatenate([mesh.points for mesh in meshes])
     starts = np.cumsum([0, *(len(mesh.points) for mesh in meshes)])
-    number, kept = same_places(points)
+    number, first = same_places(points)
     quads = np.concatenate([mesh.quads + start for mesh, start in zip(meshes, starts, strict=False)])
-    return SectionMesh(points=points[kept], quads=number[quads])
+    return SectionMesh(points=points[first], quads=number[quads])
 
 
 def circle_of(start: Point, end: Point, arc: float) -> tuple[Point, float]:
@@ -125,16 +125,16 @@ def inside(outline: Outline, points: Array) -> NDArray[np.bool_]:
     [True, False, True]
     """
     x, y = points.T + OFF_LINES[:, None] * float(np.ptp(np.array(outline.corners), axis=0).max())
-    found = np.zeros(len(points), dtype=bool)
+    inside = np.zeros(len(points), dtype=bool)
     for a, b, arc in outline.edges:
         crosses = (a[1] > y) != (b[1] > y)
         rise = b[1] - a[1] if a[1] != b[1] else 1.0
-        found ^= crosses & (x < a[0] + (y - a[1]) / rise * (b[0] - a[0]))
+        inside ^= crosses & (x < a[0] + (y - a[1]) / rise * (b[0] - a[0]))
         if arc:
             center, radius = circle_of(a, b, arc)
             beyond = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])
-            found ^= (np.hypot(x - center[0], y - center[1]) < radius) & (beyond * arc < 0)
-    return found
+            inside ^= (np.hypot(x - center[0], y - center[1]) < radius) & (beyond * arc < 0)
+    return inside
 
 
 def names_at(layers: Sequence[Layer], points: Array) -> NDArray[np.object_]:
@@ -204,12 +204,12 @@ def _short_cells(room: float, lines: int, fine: Fineness) -> list[float]:
     short = SIZING.short * fine.size
     if fine.edge is None:
         return [short] if room * lines > (1 + lines) * short * (1 + 1e-6) else []
-    found: list[float] = []
+    lengths: list[float] = []
     short = fine.edge
-    while short < fine.size and sum(found) + short * (1 + 1 / lines) <= room * (1 + 1e-6):
-        found.append(short)
+    while short < fine.size and sum(lengths) + short * (1 + 1 / lines) <= room * (1 + 1e-6):
+        lengths.append(short)
         short *= SIZING.growth
-    return found
+    return lengths
 
 
 def divided_turn(lines: Array, radius: float, fine: Fineness, multiple: int = 1) -> Array:

@@ -113,8 +113,8 @@ def _whole(points: Array, cells: Ints) -> tuple[Array, Ints]:
     count = len(cells)
     links = coo_array((np.ones(4 * count), (np.repeat(np.arange(count), 4), cells.ravel())), shape=(count, len(points)))
     piece = connected_components((links.tocsr() @ links.tocsr().T), directed=False)[1]
-    kept = np.bincount(piece)[piece] >= TETWILD.crumb * count
-    nodes, places = np.unique(cells[kept], return_inverse=True)
+    large = np.bincount(piece)[piece] >= TETWILD.crumb * count
+    nodes, places = np.unique(cells[large], return_inverse=True)
     return points[nodes], places.reshape(-1, 4).astype(np.int64)
 
 

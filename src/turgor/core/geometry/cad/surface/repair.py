@@ -112,8 +112,8 @@ def _single(triangles: Ints) -> tuple[Ints, int]:
     group = np.asarray(group).ravel()
     even = np.array([1, -1])[(_parity(triangles) == 1).astype(int)]
     sense = np.bincount(group, weights=even)
-    kept = first[(count == 1) | (sense != 0)]
-    return triangles[np.sort(kept)], len(triangles) - len(kept)
+    single = first[(count == 1) | (sense != 0)]
+    return triangles[np.sort(single)], len(triangles) - len(single)
 
 
 def _parity(triangles: Ints) -> Ints:

@@ -109,10 +109,10 @@ def _half(part: Part, names: Sequence[str], plane: MirrorPlane) -> tuple[Part, t
     below = occ.HalfSpace(occ.Pnt(*map(float, point)), occ.Vec(*map(float, normal)))
     pieces: list[Any] = []
     for solid in part.shape.solids:
-        kept = list((solid - below).solids)
-        for piece in kept:
+        halves = list((solid - below).solids)
+        for piece in halves:
             piece.name = str(solid.name)
-        pieces += kept
+        pieces += halves
     before, after = (sum(float(solid.mass) for solid in each) for each in (part.shape.solids, pieces))
     if abs(2 * after - before) > TOLERANCE.volume * before:
         raise TurgorError(

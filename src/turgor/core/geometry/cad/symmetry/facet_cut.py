@@ -78,8 +78,8 @@ def facet_half(part: Part, names: Sequence[str], plane: MirrorPlane) -> tuple[Pa
     cap = _cap(points, triangles, axis, str(part.path))
     numbers, face = np.unique(np.append(face, np.full(len(cap), len(names))), return_inverse=True)
     triangles = np.concatenate([triangles, cap])
-    kept = [*names, f"symmetry_{plane.normal}"]
-    own = tuple(kept[number] for number in numbers)
+    named = [*names, f"symmetry_{plane.normal}"]
+    own = tuple(named[number] for number in numbers)
     used, places = np.unique(triangles, return_inverse=True)
     half = SurfaceShape(points=points[used], triangles=places.reshape(-1, 3).astype(np.int64), face=face, faces=())
     areas = np.bincount(face, weights=np.linalg.norm(half.vector_areas, axis=1))

@@ -47,10 +47,10 @@ def sector(part: Part, names: Sequence[str], wedge: Wedge) -> tuple[Part, tuple[
     outside = _half_spaces(wedge, center, start)
     pieces: list[Any] = []
     for solid in part.shape.solids:
-        kept = solid
+        remaining = solid
         for beyond in outside:
-            kept = kept - beyond
-        for piece in list(kept.solids):
+            remaining = remaining - beyond
+        for piece in list(remaining.solids):
             piece.name = str(solid.name)
             pieces.append(piece)
     whole, own = (sum(float(solid.mass) for solid in each) for each in (part.shape.solids, pieces))

@@ -154,5 +154,5 @@ def _mirrored(surface: _Surface, triangles: Ints, mirrors: Iterable[str]) -> Tri
     )
     number = np.arange(len(points))
     np.minimum.at(number, pairs[:, 1], pairs[:, 0])
-    kept, place = np.unique(number, return_inverse=True)
-    return Triangles(points=points[kept], triangles=np.asarray(place).reshape(-1, 3))
+    unique, place = np.unique(number, return_inverse=True)
+    return Triangles(points=points[unique], triangles=np.asarray(place).reshape(-1, 3))
