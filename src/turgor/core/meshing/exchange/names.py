@@ -85,18 +85,18 @@ def _regions_of_file(raw: RawMesh, solids: Solids) -> tuple[dict[str, Ints], lis
     """Groups of cells that do not overlap: those with a material, otherwise all except groups of all cells."""
     if not raw.named or not solids.groups:
         return {}, []
-    regions = {name: solids.groups[name] for name in raw.sections if name in solids.groups}
-    if not regions:
+    named = {name: solids.groups[name] for name in raw.sections if name in solids.groups}
+    if not named:
         parts = {name: rows for name, rows in solids.groups.items() if len(rows) < len(solids.cells)}
-        regions = parts or dict(list(solids.groups.items())[:1])
+        named = parts or dict(list(solids.groups.items())[:1])
     count = np.zeros(len(solids.cells), dtype=np.int64)
-    for rows in regions.values():
+    for rows in named.values():
         count[rows] += 1
     if count.max(initial=0) <= 1:
-        return regions, []
+        return named, []
     return {}, [
         _note(
-            f"The groups {_listed(regions)} of '{raw.path.name}' overlap, so they are no regions; all cells are 'body'.",
+            f"The groups {_listed(named)} of '{raw.path.name}' overlap, so they are not regions; all cells are 'body'.",
             "Say which ones are regions, for example regions={'base': 'NAME'}.",
         )
     ]

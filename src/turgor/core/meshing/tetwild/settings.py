@@ -20,8 +20,8 @@ class TetwildSettings:
         A lone group of cells smaller than this share of the part is dropped.
     reach : float
         A node moves by at most this many times the width of the envelope; what is further away is another part.
-    least_volume, rounds : float, int
-        A cell keeps at least this share of its volume when its corners move; else they go back, and again, so often.
+    least_volume : float
+        A cell keeps at least this share of its volume when its corners move; else they go back.
     candidates : int
         Samples of the surface that are looked at around a point, so many that the nearest triangle is among theirs.
     """
@@ -33,7 +33,6 @@ class TetwildSettings:
     crumb: float = 0.01
     reach: float = 3.0
     least_volume: float = 0.3
-    rounds: int = 10
     candidates: int = 24
 
 

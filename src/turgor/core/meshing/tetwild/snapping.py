@@ -56,13 +56,11 @@ def snapped(
 def unspoiled(before: Array, after: Array, cells: Ints) -> Array:
     """Send the corners of cells back that would lose most of their volume, and return the positions."""
     out, size = after.copy(), volumes(before, cells)
-    for _ in range(TETWILD.rounds):
-        spoiled = volumes(out, cells) < TETWILD.least_volume * size
-        if not spoiled.any():
-            break
-        back = np.unique(cells[spoiled])
+    while True:
+        back = np.unique(cells[volumes(out, cells) < TETWILD.least_volume * size])
+        if (out[back] == before[back]).all():
+            return out
         out[back] = before[back]
-    return out
 
 
 def on_mirrors(points: Array, nodes: Ints, face: Ints, shape: SurfaceShape) -> Array:
