@@ -15,9 +15,6 @@ from turgor.foundation.errors import TurgorError
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: A sample of a closed curve by which its direction is determined.
-QUARTER = MOVING.samples // 4
-
 
 def matched(known: Parts, parts: Parts, name: str) -> Parts:
     """Bring the parts of a shape into the order of those of a similar one.
@@ -108,9 +105,9 @@ def _directed(known: Curve, own: tuple[int, ...], curve: Curve, ends: tuple[int,
     """A curve in the direction of a known one."""
     turned = own != ends
     if len(ends) == 1:
-        turned = _away(known.samples[QUARTER], curve.samples[QUARTER]) > _away(
-            known.samples[QUARTER], curve.samples[MOVING.samples - 1 - QUARTER]
-        )
+        quarter = MOVING.samples // 4  # a sample by which the direction of a closed curve is determined
+        forward, backward = curve.samples[quarter], curve.samples[MOVING.samples - 1 - quarter]
+        turned = _away(known.samples[quarter], forward) > _away(known.samples[quarter], backward)
     return Curve(curve.edge, curve.high, curve.low, curve.scale) if turned else curve
 
 

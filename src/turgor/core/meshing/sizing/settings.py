@@ -107,9 +107,8 @@ class FeatureSettings:
         than the rest of the part.
     turned : float
         A round that turns by less than this angle (cosine of 120°) is a fillet, which one cell reaches over; what turns
-        further is a hole or a boss. Two edges that meet at more than this angle lead to the two sides of a wall.
-    cells_per_radius : float
-        Cells along an arc as long as its radius, of holes and bosses: six around them.
+        further is a hole or a boss, which gets six cells around it. Two edges that meet at more than this angle lead to
+        the two sides of a wall.
     fewer : float
         A mesh that does not keep their edges is taken if it has at most this share of the unknowns of one that does:
         its cells are less regular.
@@ -118,7 +117,6 @@ class FeatureSettings:
     coarse_radius: float = 0.5
     unknowns: float = 2e4
     turned: float = -0.5
-    cells_per_radius: float = 1.0
     fewer: float = 0.7
 
 

@@ -95,7 +95,7 @@ def small_features(geometry: Geometry, size: float, limit: float | None) -> Smal
         return None
     wanted[small] = size
     wide = _wide_rounds(facets, small, limit / scale)
-    wanted[wide] = np.minimum(radii[wide] / FEATURES.cells_per_radius, size)
+    wanted[wide] = np.minimum(radii[wide], size)  # six cells around
     followed = wanted < size
     corners = facets.corners[followed] * scale
     return SmallFeatures(
