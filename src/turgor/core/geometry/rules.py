@@ -15,8 +15,8 @@ SMALLEST_LENGTH = 0.01 * mm
 #: A larger length is more likely a number of millimeters without its unit.
 SUSPICIOUS_LENGTH = 100 * mm
 
-#: Most chambers, folds or ribs of a part: a typing error has more, and the shape takes minutes to build.
-MOST_REPEATED = 100
+#: Most chambers of an actuator, and folds of a bellows: a shape with more is hardly meant, and takes minutes to build.
+MOST_CHAMBERS, MOST_FOLDS = 100, 50
 
 
 def in_mm(length: float) -> str:

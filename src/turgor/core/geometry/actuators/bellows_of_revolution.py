@@ -24,7 +24,7 @@ class BellowsOfRevolution:
     Parameters
     ----------
     folds : int
-        Number of folds, 1 to 100.
+        Number of folds, 1 to 50.
     inner_radius : float [m]
         Smallest radius of the cavity, where the folds meet.
     outer_radius : float [m]

@@ -11,7 +11,7 @@ from turgor.core.geometry.geometry import Geometry, check_volume
 from turgor.core.geometry.parts.chambers import arrangement
 from turgor.core.geometry.parts.ends import name_faces
 from turgor.core.geometry.parts.folds import Folds, Necks, bellows_profiles
-from turgor.core.geometry.rules import MOST_REPEATED, SMALLEST_LENGTH, check_count, check_fields, check_length, in_mm
+from turgor.core.geometry.rules import MOST_FOLDS, SMALLEST_LENGTH, check_count, check_fields, check_length, in_mm
 from turgor.core.geometry.shapes.revolved import HALF, WHOLE, revolved, revolved_volume
 from turgor.core.geometry.shapes.sections import Outline, disc, prism
 from turgor.core.geometry.shapes.solids import cut, face_names, region_names, volume
@@ -39,7 +39,7 @@ class ParallelBellows:
     Parameters
     ----------
     folds : int
-        Number of folds of a bellows, a multiple of ``ribs`` + 1, up to 100.
+        Number of folds of a bellows, a multiple of ``ribs`` + 1, up to 50.
     inner_radius : float [m]
         Smallest radius of the cavities, where the folds meet.
     outer_radius : float [m]
@@ -82,7 +82,7 @@ class ParallelBellows:
     42.0
     >>> ParallelBellows(folds=3)
     Traceback (most recent call last):
-    turgor.TurgorError: folds is 3; allowed is a multiple of 2 up to 100, so that 1 neck divides them evenly.
+    turgor.TurgorError: folds is 3; allowed is a multiple of 2 up to 50, so that 1 neck divides them evenly.
     """
 
     folds: int = 4
@@ -104,13 +104,13 @@ class ParallelBellows:
     def __post_init__(self) -> None:
         check_fields(self)
         least = SMALLEST_LENGTH
-        check_count("ribs", self.ribs, low=0, high=MOST_REPEATED - 1)
-        check_count("folds", self.folds, low=1, high=MOST_REPEATED)
+        check_count("ribs", self.ribs, low=0, high=MOST_FOLDS - 1)
+        check_count("folds", self.folds, low=1, high=MOST_FOLDS)
         groups = self.ribs + 1
         if self.folds % groups:
             necks = "1 neck divides" if self.ribs == 1 else f"{self.ribs} necks divide"
             raise TurgorError(
-                f"folds is {self.folds}; allowed is a multiple of {groups} up to {MOST_REPEATED // groups * groups}, "
+                f"folds is {self.folds}; allowed is a multiple of {groups} up to {MOST_FOLDS // groups * groups}, "
                 f"so that {necks} them evenly."
             )
         folds = self._folds

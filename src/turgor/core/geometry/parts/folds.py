@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from math import pi, sqrt
 
-from turgor.core.geometry.rules import MOST_REPEATED, SMALLEST_LENGTH, check_choice, check_count, check_length, in_mm
+from turgor.core.geometry.rules import MOST_FOLDS, SMALLEST_LENGTH, check_choice, check_count, check_length, in_mm
 from turgor.core.geometry.shapes.sections import Outline, Point
 from turgor.units import m, mm
 
@@ -20,7 +20,7 @@ class Folds:
     Parameters
     ----------
     count : int
-        Number of folds, 1 to 100.
+        Number of folds, 1 to 50.
     inner_radius : float [m]
         Smallest radius of the cavity.
     outer_radius : float [m]
@@ -51,7 +51,7 @@ fit between the radii 8 mm and 16 mm.
     shape: str
 
     def __post_init__(self) -> None:
-        check_count("folds", self.count, low=1, high=MOST_REPEATED)
+        check_count("folds", self.count, low=1, high=MOST_FOLDS)
         check_choice("fold_shape", self.shape, SHAPES)
         least, rounded = SMALLEST_LENGTH, self.shape == "rounded"
         check_length("inner_radius", self.inner_radius, low=0.5 * mm, high=1 * m)

@@ -8,7 +8,7 @@ from turgor.core.geometry import occ
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.geometry import Geometry, check_volume
 from turgor.core.geometry.parts.plates import wire
-from turgor.core.geometry.rules import MOST_REPEATED, SMALLEST_LENGTH, check_count, check_fields, check_length, in_mm
+from turgor.core.geometry.rules import MOST_CHAMBERS, SMALLEST_LENGTH, check_count, check_fields, check_length, in_mm
 from turgor.core.geometry.shapes.solids import (
     Range,
     box,
@@ -77,7 +77,7 @@ class PneuNet(Part, Protocol):
 
 def check_envelope(actuator: PneuNet, sizes: tuple[str, ...] = ("length", "width", "height")) -> None:
     """Raise an error for fields that are not numbers, or a number of chambers or outer dimensions out of range."""
-    check_count("chambers", actuator.chambers, low=1, high=MOST_REPEATED)
+    check_count("chambers", actuator.chambers, low=1, high=MOST_CHAMBERS)
     check_fields(actuator)
     for name in sizes:
         check_length(name, getattr(actuator, name), low=1 * mm, high=2 * m)
