@@ -11,7 +11,15 @@ from turgor.core.geometry.geometry import Geometry, check_volume
 from turgor.core.geometry.parts.chambers import arrangement
 from turgor.core.geometry.parts.ends import name_faces
 from turgor.core.geometry.parts.folds import Folds, Necks, bellows_profiles
-from turgor.core.geometry.rules import MOST_FOLDS, SMALLEST_LENGTH, check_count, check_fields, check_length, in_mm
+from turgor.core.geometry.rules import (
+    MOST_FOLDS,
+    MOST_RIBS,
+    SMALLEST_LENGTH,
+    check_count,
+    check_fields,
+    check_length,
+    in_mm,
+)
 from turgor.core.geometry.shapes.revolved import HALF, WHOLE, revolved, revolved_volume
 from turgor.core.geometry.shapes.sections import Outline, disc, prism
 from turgor.core.geometry.shapes.solids import cut, face_names, region_names, volume
@@ -55,7 +63,7 @@ class ParallelBellows:
     side : float [m]
         Distance between the axes of two bellows: the side of the triangle.
     ribs : int
-        Number of necks, and of ribs where the bellows are constrained.
+        Number of necks, 0 to 9, and of ribs where the bellows are constrained.
     rib_thickness : float [m]
         Length of a neck and thickness of a rib. Not used without ribs.
     constrained : bool
@@ -104,7 +112,7 @@ class ParallelBellows:
     def __post_init__(self) -> None:
         check_fields(self)
         least = SMALLEST_LENGTH
-        check_count("ribs", self.ribs, low=0, high=MOST_FOLDS - 1)
+        check_count("ribs", self.ribs, low=0, high=MOST_RIBS)
         check_count("folds", self.folds, low=1, high=MOST_FOLDS)
         groups = self.ribs + 1
         if self.folds % groups:
