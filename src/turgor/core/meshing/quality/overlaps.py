@@ -1,5 +1,7 @@
 """Self-intersection of the surface of a mesh: edges that pass through triangles of another wall or body."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,6 +13,9 @@ from turgor.core.meshing.quality.facing_walls import edge_keys, unit_normals
 from turgor.core.meshing.quality.quality_cache import once_per_mesh
 from turgor.core.meshing.quality.settings import CHUNK, OVERLAPS
 from turgor.core.meshing.surface import outer_triangles
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -56,9 +61,10 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
     at_edges /= np.maximum(np.linalg.norm(at_edges, axis=1, keepdims=True), 1e-30)
     longest = np.linalg.norm(x[triangles] - x[np.roll(triangles, 1, axis=1)], axis=2).max(axis=1)
     crossings, below = [np.zeros((0, 3))], [np.zeros((0, 3))]
+    spheres = _spheres(x, triangles)
     for start in range(0, len(edges), CHUNK):
         part = slice(start, start + CHUNK)
-        edge, triangle, place = _crossings(x, edges[part], triangles, normals)
+        edge, triangle, place = _crossings(x, edges[part], triangles, normals, spheres)
         inward = normals[triangle] + at_edges[part][edge]
         length = np.maximum(longest[triangle], np.linalg.norm(np.diff(x[edges[part][edge]], axis=1)[:, 0], axis=1))
         crossings.append(place)
@@ -105,9 +111,11 @@ def _spread(count: int, most: int) -> Ints:
     return np.unique(np.linspace(0, max(count - 1, 0), min(most, count)).round().astype(np.int64))
 
 
-def _crossings(x: Array, edges: Ints, triangles: Ints, normals: Array) -> tuple[Ints, Ints, Array]:
+def _crossings(
+    x: Array, edges: Ints, triangles: Ints, normals: Array, spheres: "tuple[cKDTree, Array]"
+) -> tuple[Ints, Ints, Array]:
     """Edges that pass through triangles, these triangles, and the points of intersection."""
-    edge, triangle = _near(x, edges, triangles)
+    edge, triangle = _near(x, edges, triangles, spheres)
     a, b = x[edges[edge, 0]], x[edges[edge, 1]]
     corners, normal = x[triangles[triangle]], normals[triangle]
     above, below = (np.einsum("pi,pi->p", end - corners[:, 0], normal) for end in (a, b))
@@ -122,15 +130,22 @@ def _crossings(x: Array, edges: Ints, triangles: Ints, normals: Array) -> tuple[
     return edge[within], triangle[within], place[within]
 
 
-def _near(x: Array, edges: Ints, triangles: Ints) -> tuple[Ints, Ints]:
-    """Pairs of an edge and a triangle that may intersect and share no corner."""
-    from scipy.spatial import cKDTree  # slow to load, and what the next run asks of its mesh is on disk
+def _spheres(x: Array, triangles: Ints) -> "tuple[cKDTree, Array]":
+    """Centers and radii of spheres about triangles."""
+    from scipy.spatial import cKDTree  # slow to load, and the results of a mesh are on disk
 
-    middle, center = x[edges].mean(axis=1), x[triangles].mean(axis=1)
+    center = x[triangles].mean(axis=1)
+    return cKDTree(center), np.linalg.norm(x[triangles] - center[:, None], axis=2).max(axis=1)
+
+
+def _near(x: Array, edges: Ints, triangles: Ints, spheres: "tuple[cKDTree, Array]") -> tuple[Ints, Ints]:
+    """Pairs of an edge and a triangle that may intersect and share no corner."""
+    from scipy.spatial import cKDTree
+
+    centers, radius = spheres
     half = np.linalg.norm(x[edges[:, 1]] - x[edges[:, 0]], axis=1) / 2
-    radius = np.linalg.norm(x[triangles] - center[:, None], axis=2).max(axis=1)
     reach = float(half.max() + radius.max())
-    pairs = cKDTree(middle).sparse_distance_matrix(cKDTree(center), reach, output_type="ndarray")
+    pairs = cKDTree(x[edges].mean(axis=1)).sparse_distance_matrix(centers, reach, output_type="ndarray")
     pairs = pairs[pairs["v"] <= half[pairs["i"]] + radius[pairs["j"]]]
     edge, triangle = pairs["i"], pairs["j"]
     apart = (edges[edge][:, :, None] != triangles[triangle][:, None, :]).all(axis=(1, 2))
