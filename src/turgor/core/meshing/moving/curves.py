@@ -50,7 +50,7 @@ class Curve:
             square = np.einsum("ni,ni->n", tangents, tangents)
             step = np.einsum("ni,ni->n", points - self.points(at), tangents) / np.where(square > 0, square, 1.0)
             before, at = at, np.clip(at + step, 0.0, 1.0)
-            if np.abs(at - before).max(initial=0.0) < MOVING.step:
+            if np.abs(at - before).max(initial=0.0) < MOVING.exact:
                 break
         return at
 

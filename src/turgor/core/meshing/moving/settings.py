@@ -12,13 +12,14 @@ class MovingSettings:
     samples : int
         Points along an edge that is not straight, from which the nearest one to a point is refined.
     exact : float
-        An edge is straight, and a surface a plane, whose parameters grow evenly if it is off by less than this share:
-        nodes move by differences of positions, so that only rounding of double precision is left out.
+        An edge is straight, and a surface a plane, whose parameters grow evenly if it is off by less than this share;
+        and Newton's method for parameters ends at such a step. Nodes move by differences of positions, so that only
+        rounding of double precision is left out.
     starts, refined : tuple of float, int
         Parameters at which the search for a point on a surface begins, as shares of 1, of a turn and of the size of the
         face in CAD units; and how many of the nearest ones are refined.
-    iterations, step : int, float
-        Newton's iterations for parameters at most, and the step at which they end, as a share of the coordinates.
+    iterations : int
+        Newton's iterations for parameters at most.
     near : float
         A node lies on a part of the shape if it is nearer than this share of the shortest edge of the mesh there, or of
         the size of the face.
@@ -31,7 +32,6 @@ class MovingSettings:
     starts: tuple[float, ...] = (0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0)
     refined: int = 8
     iterations: int = 40
-    step: float = 1e-14
     near: float = 0.02
     straightened: float = 0.2
 

@@ -67,7 +67,7 @@ class Surface:
         for _ in range(MOVING.iterations):
             step = _step(points[active] - nearest[active], along[active], across[active])
             length = np.linalg.norm(step[:, :1] * along[active] + step[:, 1:] * across[active], axis=1)
-            active, step = active[length > MOVING.step * size], step[length > MOVING.step * size]
+            active, step = active[length > MOVING.exact * size], step[length > MOVING.exact * size]
             if not len(active):
                 break
             uv[active] += step

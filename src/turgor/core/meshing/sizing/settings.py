@@ -37,8 +37,6 @@ class SizingSettings:
         Most cells through a wall that can be requested.
     least_target, most_target : float
         Relative mesh errors that can be requested.
-    tube : float
-        A sweep is a tube where one layer is longer than this share of its path.
     short, growth : float
         Length of the cells next to a feature line, such as the inner side of a wall or a thin corner; cells grow away
         from it by at most this factor each. On a rectangular bender of 50 mm with a base 20 times stiffer, size three
@@ -61,7 +59,6 @@ class SizingSettings:
     wall_cells: int = 4
     least_target: float = 1e-4
     most_target: float = 0.5
-    tube: float = 0.5
     short: float = 1 / 3
     growth: float = 4.0
     curved: float = 0.7

@@ -177,7 +177,7 @@ def is_tube(geometry: Geometry) -> bool:
     if sweep is None or not isinstance(sweep.path, Along):
         return False
     lengths = [layer.end - layer.start for layer in sweep.layers]
-    return max(lengths) > SIZING.tube * sum(lengths) and max(lengths) > THIN_CORNERS.long * geometry.smallest_wall
+    return 2 * max(lengths) > sum(lengths) and max(lengths) > THIN_CORNERS.long * geometry.smallest_wall
 
 
 def _check_wall_cells(wall_cells: object) -> None:

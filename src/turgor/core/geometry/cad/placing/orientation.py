@@ -23,16 +23,14 @@ class OrientationSettings:
         The face fixed is plane if the mean of its normals is longer than this. A plane wall whose normal is so near to
         the upward direction (cosine of 25°) shows it better than the middle of cavities.
     ahead : float
-        The face fixed shows the axis if the face tip lies in front of it: cosine of 60°.
-    along : float
-        Where it does not show it, the tip may lie up to 45° off x without a word.
+        The face fixed shows the axis if the face tip lies in front of it: cosine of 60°. Where it does not show it, the
+        tip may lie so far off x without a word.
     off : float
         What is off the middle by a smaller share of the size of the part does not show which way is up.
     """
 
     plane: float = 0.9
     ahead: float = 0.5
-    along: float = 0.7
     off: float = 0.005
 
 
@@ -62,7 +60,7 @@ def found_rotation(part: Part, names: Sequence[str]) -> tuple[Array | None, bool
     inward = -areas.sum(axis=0) / max(float(np.linalg.norm(areas, axis=1).sum()), 1e-300)
     toward = _unit(_middle(tip) - _middle(fixed))
     if np.linalg.norm(inward) < ORIENTATION.plane or _unit(inward) @ toward < ORIENTATION.ahead:
-        return None, bool(toward[0] > ORIENTATION.along)
+        return None, bool(toward[0] > ORIENTATION.ahead)
     x = _unit(inward)
     if x[0] > TOLERANCE.direction:
         return None, True
