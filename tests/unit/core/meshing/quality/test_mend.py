@@ -1,5 +1,7 @@
 """Curved cells that are inside out, or nearly, are straightened where it is needed and nowhere else."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from meshing_cases import filleted_pneunet, slotted_block, thin_tube
@@ -13,6 +15,7 @@ from turgor.core.meshing.quality.cell_quality import cell_volumes, jacobian_rati
 from turgor.core.meshing.quality.checks import check_mesh
 from turgor.core.meshing.quality.settings import STRAIGHTENING
 from turgor.core.meshing.quality.straightening import mended
+from turgor.core.meshing.sizing.settings import SIZING
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Severity
 from turgor.units import mm
@@ -23,7 +26,7 @@ def as_generated(monkeypatch: pytest.MonkeyPatch):
     """Mesh without mending and refusing, with as many cells along arcs as wanted."""
 
     def make(geometry: Geometry, size: float, curvature: float) -> Mesh:
-        monkeypatch.setattr(generate, "CELLS_PER_RADIUS", curvature)
+        monkeypatch.setattr(generate, "SIZING", replace(SIZING, cells_per_radius=curvature))
         with monkeypatch.context() as patch:
             patch.setattr(generate, "mended", lambda made: made)
             patch.setattr(generate, "refuse_inverted", lambda made: None)
