@@ -6,6 +6,9 @@ from turgor.units import UNITS, mm
 #: Shapes are built in millimeters: the tolerances of the CAD kernel (1e-7 of its unit) suit parts of 1 to 1000 units.
 METERS_PER_CAD_UNIT = 1e-3
 
+#: Smallest and largest longest side of an actuator [m]; outside this range its unit is wrong.
+SMALLEST_EXTENT, LARGEST_EXTENT = 1e-3, 2.0
+
 #: Parts up to this length are more likely drawn in centimeters or inches [m].
 RARELY_SO_SMALL = 5e-3
 

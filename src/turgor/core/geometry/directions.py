@@ -7,15 +7,13 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 Vector = tuple[float, float, float]
 
 #: Directions in a file of our x, y and z: names such as "-x", or three numbers each.
 FileAxes = tuple[str | Vector, str | Vector, str | Vector]
-
-#: How far axes may be from unit length and right angles.
-SQUARE = 1e-3
 
 #: The three axes, by name.
 AXES: Mapping[str, Vector] = MappingProxyType({"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)})
@@ -84,7 +82,7 @@ def rotation_to(axes: FileAxes) -> NDArray[np.float64]:
     if len(rows) != 3 or any(row is None for row in rows):
         raise TurgorError(f"axes are {axes!r}; name x, y and z of the file once each, such as '-x', 'z', 'y'.")
     rotation = np.array(rows)
-    if np.abs(rotation @ rotation.T - np.eye(3)).max() > SQUARE:
+    if np.abs(rotation @ rotation.T - np.eye(3)).max() > TOLERANCE.square:
         if all(isinstance(axis, str) for axis in axes):
             raise TurgorError(f"axes are {axes!r}; name x, y and z of the file once each, such as '-x', 'z', 'y'.")
         raise TurgorError(f"axes are {axes!r}; they must be at right angles to each other.")

@@ -8,9 +8,7 @@ from math import pi
 import numpy as np
 
 from turgor.core.geometry.shapes.sections import Outline
-
-#: Tolerance of the ends of layers, as a share of the path.
-SAME_PLACE = 1e-9
+from turgor.core.geometry.tolerances import TOLERANCE
 
 #: Name of an area of a section: a region, a cavity (it begins with ``cavity``), or air around the solids. Air is None
 #: if rules name its walls by their position, and ``"outside"`` if its walls always belong to that face, as in a bore.
@@ -178,7 +176,7 @@ def layers_of(parts: Sequence[Part]) -> tuple[Layer, ...]:
     [(0.0, 0.002, 1), (0.002, 0.038, 2), (0.038, 0.04, 1)]
     """
     ends = np.unique([end for _, _, along in parts for end in along])
-    ends = ends[np.diff(ends, prepend=-np.inf) > SAME_PLACE * np.ptp(ends)]
+    ends = ends[np.diff(ends, prepend=-np.inf) > TOLERANCE.round_off * np.ptp(ends)]
     layers = []
     for start, end in pairwise(ends.tolist()):
         middle = (start + end) / 2

@@ -9,15 +9,12 @@ from turgor.core.geometry.extrusion import Sweep
 from turgor.core.geometry.names import cavity_names
 from turgor.core.geometry.packing import PackedShape, packed
 from turgor.core.geometry.shapes.lazy_shape import LateShape
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.geometry.wedge import Wedge
 from turgor.foundation.display import Shown, listed
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
 from turgor.units import mL, mm
-
-#: Tolerance of CAD volumes: planar and cylindrical parts reach 1e-13, a cylinder that is cut close to its axis 2e-9. A
-#: face lost in a boolean changes far more.
-VOLUME_TOLERANCE = 1e-8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -140,7 +137,7 @@ def check_volume(what: str, measured: float, expected: float) -> None:
     Raises
     ------
     TurgorError
-        If they differ by more than `VOLUME_TOLERANCE` of the expected one.
+        If they differ by more than their round-off.
 
     Examples
     --------
@@ -149,7 +146,7 @@ def check_volume(what: str, measured: float, expected: float) -> None:
     turgor.TurgorError: the CAD volume of the cavity is 1100 mm³, but the dimensions give 1000 mm³; \
 this is a mistake in building the shape, please report it with the dimensions.
     """
-    if not abs(measured - expected) <= VOLUME_TOLERANCE * expected:
+    if not abs(measured - expected) <= TOLERANCE.round_off * expected:
         raise TurgorError(
             f"the CAD volume of the {what} is {measured * 1e9:.12g} mm³, but the dimensions give "
             f"{expected * 1e9:.12g} mm³; this is a mistake in building the shape, please report it with the dimensions."

@@ -15,6 +15,9 @@ SMALLEST_LENGTH = 0.01 * mm
 #: A larger length is more likely a number of millimeters without its unit.
 SUSPICIOUS_LENGTH = 100 * mm
 
+#: Most chambers of an actuator, folds of a bellows and ribs of parallel ones: more are hardly meant, and take minutes.
+MOST_CHAMBERS, MOST_FOLDS, MOST_RIBS = 100, 50, 9
+
 
 def in_mm(length: float) -> str:
     """Write a length in millimeters.

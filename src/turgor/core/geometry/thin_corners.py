@@ -16,15 +16,29 @@ from turgor.core.geometry.geometry import Geometry
 
 Array = NDArray[np.float64]
 
-#: A wall up to this many times thicker than the thinnest one counts as thin: the mesh size suits thicker ones.
-THIN = 1.5
 
-#: Between flat walls, a corner counts where it is this many times longer than the thinnest wall is thick. The corners
-#: of chambers of PneuNets are shorter; there are many, and the default size is within 1 % without smaller cells.
-LONG = 20.0
+@dataclass(frozen=True, slots=True)
+class ThinCornerSettings:
+    """Which corners of cavities need small cells; `test_thin_corners` needs the numbers.
 
-#: An edge is straight, and two faces meet smoothly, where directions differ by less than this sine.
-ALIKE = 0.1
+    Parameters
+    ----------
+    thin : float
+        A wall up to this many times thicker than the thinnest one counts as thin: the mesh size suits thicker ones.
+    long : float
+        Between flat walls, a corner counts where it is this many times longer than the thinnest wall is thick. The
+        corners of chambers of PneuNets are shorter; there are many, and the default size is within 1 % without smaller
+        cells. A layer of a sweep that is this long belongs to a tube.
+    sharp : float
+        Faces meet at a sharp edge, and an edge is curved, where directions differ by more than this sine.
+    """
+
+    thin: float = 1.5
+    long: float = 20.0
+    sharp: float = 0.1
+
+
+THIN_CORNERS = ThinCornerSettings()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -71,19 +85,21 @@ def find_thin_corners(geometry: Geometry) -> tuple[ThinCorners, ...]:
     ()
     """
     faces, scale = list(geometry._cad.faces), geometry.length_scale
-    thin, found = THIN * geometry.smallest_wall / scale, []
+    thin, thin_corners = THIN_CORNERS.thin * geometry.smallest_wall / scale, []
     for name in geometry.cavity_volumes:
         walls = _Walls(faces=faces, name=name, thin=thin)
         corners = walls.corners()
         curved = tuple(sorted({i for pair in corners.values() for i in pair if walls.is_thin_and_curved(i)}))
         chosen = [edge for edge, pair in corners.items() if set(pair) & set(curved)]
-        long = [pair for edge, pair in corners.items() if edge.mass >= LONG * geometry.smallest_wall / scale]
+        long = [
+            pair for edge, pair in corners.items() if edge.mass >= THIN_CORNERS.long * geometry.smallest_wall / scale
+        ]
         flat = {i for pair in long for i in pair}
         chosen += [edge for edge, pair in corners.items() if edge not in chosen and set(pair) & flat]
         if chosen:
             lines = np.array([[_xyz(edge.start), _xyz(edge.end)] for edge in chosen]) * scale
-            found.append(ThinCorners(name=name, curved=curved, lines=lines))
-    return tuple(found)
+            thin_corners.append(ThinCorners(name=name, curved=curved, lines=lines))
+    return tuple(thin_corners)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -143,13 +159,13 @@ def _samples(edge: Any) -> tuple[Array, Array]:
 
 def _is_straight(edge: Any) -> bool:
     _, tangents = _samples(edge)
-    return bool(np.linalg.norm(np.cross(tangents[0], tangents), axis=1).max() < ALIKE)
+    return bool(np.linalg.norm(np.cross(tangents[0], tangents), axis=1).max() < THIN_CORNERS.sharp)
 
 
 def _fold(edge: Any, one: Any, other: Any) -> bool:
     """Whether two faces meet at a sharp angle along their common straight edge."""
     first, second = _into(one, edge), _into(other, edge)
-    return bool(len(first) and len(second) and np.linalg.norm(np.cross(first, second)) > ALIKE)
+    return bool(len(first) and len(second) and np.linalg.norm(np.cross(first, second)) > THIN_CORNERS.sharp)
 
 
 def _into(face: Any, edge: Any) -> Array:
@@ -162,6 +178,6 @@ def _into(face: Any, edge: Any) -> Array:
         for end, sign in ((0, 1.0), (-1, -1.0)):
             across = sign * (tangents[end] - (tangents[end] @ along) * along)
             rise = float(np.linalg.norm(across))
-            if np.linalg.norm(points[end] - corner) < 1e-6 * length and rise > ALIKE:
+            if np.linalg.norm(points[end] - corner) < 1e-6 * length and rise > THIN_CORNERS.sharp:
                 return np.asarray(across / rise)
     return np.zeros(0)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
@@ -15,9 +16,6 @@ LOW, HIGH = "cyclic_low", "cyclic_high"
 
 #: Orders of a wedge: a half up to a slice that is still wide enough for cells of a good shape.
 LEAST_FOLD, MOST_FOLD = 2, 36
-
-#: Two nodes are images of each other if they are nearer than this share of the size of the part.
-SAME_PLACE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,7 +119,11 @@ class Wedge:
 
         size = float(np.ptp(points, axis=0).max())
         away, place = cKDTree(self.images(points[low])).query(points[high])
-        if len(low) != len(high) or away.max(initial=0.0) > SAME_PLACE * size or len(np.unique(place)) < len(low):
+        if (
+            len(low) != len(high)
+            or away.max(initial=0.0) > TOLERANCE.round_off * size
+            or len(np.unique(place)) < len(low)
+        ):
             raise TurgorError(
                 f"the nodes of '{HIGH}' are not those of '{LOW}', turned by 1/{self.fold} about {self.axis}: "
                 f"{len(high)} and {len(low)} nodes, up to {away.max(initial=0.0) * 1e3:.3g} mm apart."

@@ -3,13 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.meshing.bodies.groups import groups_of
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Points closer than this share of the size of what they describe are in the same place.
-SAME_PLACE = 1e-9
 
 
 def same_places(points: Array) -> tuple[Ints, Ints]:
@@ -19,18 +17,20 @@ def same_places(points: Array) -> tuple[Ints, Ints]:
     -------
     number : (p,) int array
         New number of each point.
-    kept : (n,) int array
+    first : (n,) int array
         The point that stands for each number.
 
     Examples
     --------
-    >>> number, kept = same_places(np.array([[0.0, 1.0], [2.0, 1.0], [0.0, 1.0 + 1e-15]]))
-    >>> number.tolist(), kept.tolist()
+    >>> number, first = same_places(np.array([[0.0, 1.0], [2.0, 1.0], [0.0, 1.0 + 1e-15]]))
+    >>> number.tolist(), first.tolist()
     ([0, 1, 0], [0, 1])
     """
     from scipy.spatial import cKDTree  # slow to load, and the engine imports this file
 
-    pairs = cKDTree(points).query_pairs(SAME_PLACE * float(np.ptp(points, axis=0).max()), output_type="ndarray")
+    pairs = cKDTree(points).query_pairs(
+        TOLERANCE.round_off * float(np.ptp(points, axis=0).max()), output_type="ndarray"
+    )
     label = groups_of(len(points), pairs[:, 0], pairs[:, 1])
-    _, kept, number = np.unique(label, return_index=True, return_inverse=True)
-    return number, kept
+    _, first, number = np.unique(label, return_index=True, return_inverse=True)
+    return number, first

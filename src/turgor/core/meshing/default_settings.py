@@ -6,14 +6,11 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.quality.cell_quality import refuse_inverted
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.sizing.default_size import default_size
+from turgor.core.meshing.sizing.settings import SIZING
 from turgor.core.meshing.sizing.sizes import check_face_sizes, check_features, check_settings, size_range, wall_size
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import check_cells, is_lattice, swept_mesh
 from turgor.foundation.errors import TurgorError
-
-#: Hexahedra of a section that is cut into paired triangles are not chosen where they have more unknowns than this. A
-#: long bender with a skin has 150,000 with hexahedra and 80,000 with tetrahedra, which are 0.3 % off on the truth set.
-MOST_UNKNOWNS_OF_PAIRS = 1e5
 
 
 def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
@@ -76,6 +73,6 @@ def _fillable(geometry: Geometry) -> bool:
     try:
         made = swept_mesh(geometry, fine)
         refuse_inverted(made)
-        return made.unknown_count <= MOST_UNKNOWNS_OF_PAIRS or is_lattice(geometry, fine)
+        return made.unknown_count <= SIZING.unknowns_of_pairs or is_lattice(geometry, fine)
     except TurgorError:
         return False

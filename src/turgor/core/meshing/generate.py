@@ -23,7 +23,8 @@ from turgor.core.meshing.revolved.meridian import is_revolved
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sizing.local_sizes import local_sizes
-from turgor.core.meshing.sizing.sizes import CELLS_PER_RADIUS, is_tube, size_range, wall_size
+from turgor.core.meshing.sizing.settings import FEATURES, SIZING
+from turgor.core.meshing.sizing.sizes import is_tube, size_range, wall_size
 from turgor.core.meshing.sizing.small_features import edges_left, features_left, has_tiny_edges, small_features
 from turgor.core.meshing.sizing.thin_walls import find_thin_walls, section_finer, thin_walls_left
 from turgor.core.meshing.sizing.wall_refinement import refine_walls
@@ -41,10 +42,6 @@ __all__ = ["default_size", "mesh", "size_range"]
 
 #: A finished mesh fills the geometry; quadratic cells may miss this share of it at curved faces.
 LOST_VOLUME = 0.01
-
-#: Where small features may be left out, a mesh that does not keep their edges is taken if it has at most this share of
-#: the unknowns of one that keeps them: its cells are less regular.
-FEWER = 0.7
 
 
 class Builds(Protocol):
@@ -189,7 +186,7 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
     if chosen.cells in ("hexahedra", "axisymmetric"):
         wide = min(size, max(wall_size(geometry), size_range(geometry)[0]))  # walls of a section bend
         fine = Fineness(
-            size=wide, along=size, wall_cells=chosen.wall_cells, curvature=CELLS_PER_RADIUS, grading=grading
+            size=wide, along=size, wall_cells=chosen.wall_cells, curvature=SIZING.cells_per_radius, grading=grading
         )
         made = swept_mesh if chosen.cells == "hexahedra" else axisymmetric_mesh
         result = with_face_sizes(made(geometry, fine), chosen.face_sizes)
@@ -214,17 +211,17 @@ def _with_fewer_cells(result: Mesh, geometry: Geometry, chosen: MeshSettings) ->
         coarse = _sound(faceted(geometry), partial(enveloped_cells, faceted(geometry), chosen))
     except TurgorError:
         return result
-    if coarse.unknown_count > FEWER * result.unknown_count:
+    if coarse.unknown_count > FEATURES.fewer * result.unknown_count:
         return result
     filled = float(cell_volumes(coarse).sum()) / geometry.solid_volume
-    found = edges_left(chosen.ignore_features_below or 0.0, 1 - coarse.unknown_count / result.unknown_count, filled)
-    return _noting(coarse, found)
+    finding = edges_left(chosen.ignore_features_below or 0.0, 1 - coarse.unknown_count / result.unknown_count, filled)
+    return _noting(coarse, finding)
 
 
 def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
     """A mesh of a CAD shape: small features coarse at first, and more cells along arcs where this fails."""
     local = local_sizes(geometry, size, chosen.face_sizes)
-    plain = GeneratorSizes(size=size, grading=float(chosen.grading), local=local, curvature=CELLS_PER_RADIUS)
+    plain = GeneratorSizes(size=size, grading=float(chosen.grading), local=local, curvature=SIZING.cells_per_radius)
     features = small_features(geometry, size, chosen.ignore_features_below)
     attempts = [plain, replace(plain, curvature=2 * plain.curvature)]  # most failures come from arcs with too few cells
     if features is not None:
@@ -241,8 +238,8 @@ def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
             if sizes.features is not None:
                 filled = float(cell_volumes(result).sum()) / geometry.solid_volume
                 stated = chosen.ignore_features_below is not None
-                found = features_left(sizes.features, stated, filled, is_revolved(geometry))
-                result = _noting(result, found)
+                finding = features_left(sizes.features, stated, filled, is_revolved(geometry))
+                result = _noting(result, finding)
             return result if first is None else _noting(result, _meshed_finer(first))
     assert first is not None
     raise first from None
@@ -261,8 +258,8 @@ def _enveloped(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
     return _noting(result, thin_walls_left(walls)) if len(walls.points) else result
 
 
-def _noting(result: Mesh, found: Finding) -> Mesh:
-    return replace(result, findings=(*result.findings, found))
+def _noting(result: Mesh, finding: Finding) -> Mesh:
+    return replace(result, findings=(*result.findings, finding))
 
 
 def _sound(geometry: Geometry, generate: Callable[[], Raw]) -> Mesh:
@@ -286,11 +283,11 @@ def _meshed_finer(error: TurgorError) -> Finding:
 
 def _check_result(result: Mesh, geometry: Geometry) -> None:
     """Refuse a mesh that lost names or volume on the way."""
-    for kind, wanted, found in (
+    for kind, wanted, faces in (
         ("region", geometry.regions, result.regions),
         ("face", geometry.faces, result.faces),
     ):
-        lost = [name for name in wanted if name not in found or not len(found[name])]
+        lost = [name for name in wanted if name not in faces or not len(faces[name])]
         if lost:
             raise TurgorError(f"the mesh of '{geometry.name}' lost the {kind} {', '.join(lost)}; try a smaller size.")
     volume = float(cell_volumes(result).sum())

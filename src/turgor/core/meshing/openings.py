@@ -147,12 +147,12 @@ def check_openings(mesh: Mesh, surface: Ints, rims: Mapping[str, Ints]) -> tuple
     """
     findings = []
     for name, edges in rims.items():
-        found = find_rims(mesh, edges)
+        own_rims = find_rims(mesh, edges)
         torn = torn_rims(mesh, surface, edges)
         if torn:
             findings.append(_torn(name, torn))
-        elif found:
-            findings.append(_open(name, found, mesh.points[mesh.face(name)]))
+        elif own_rims:
+            findings.append(_open(name, own_rims, mesh.points[mesh.face(name)]))
     return tuple(findings)
 
 

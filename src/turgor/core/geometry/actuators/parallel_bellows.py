@@ -10,15 +10,21 @@ from turgor.core.geometry.actuators.three_extenders import triangle_corner
 from turgor.core.geometry.geometry import Geometry, check_volume
 from turgor.core.geometry.parts.chambers import arrangement
 from turgor.core.geometry.parts.ends import name_faces
-from turgor.core.geometry.parts.folds import MOST_FOLDS, Folds, Necks, bellows_profiles
-from turgor.core.geometry.rules import SMALLEST_LENGTH, check_count, check_fields, check_length, in_mm
+from turgor.core.geometry.parts.folds import Folds, Necks, bellows_profiles
+from turgor.core.geometry.rules import (
+    MOST_FOLDS,
+    MOST_RIBS,
+    SMALLEST_LENGTH,
+    check_count,
+    check_fields,
+    check_length,
+    in_mm,
+)
 from turgor.core.geometry.shapes.revolved import HALF, WHOLE, revolved, revolved_volume
 from turgor.core.geometry.shapes.sections import Outline, disc, prism
 from turgor.core.geometry.shapes.solids import cut, face_names, region_names, volume
 from turgor.foundation.errors import TurgorError
 from turgor.units import m, mm
-
-MOST_RIBS = 9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -9,15 +9,10 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from turgor.core.geometry.cad.facets import Facets, edge_pairs, flux
+from turgor.core.geometry.tolerances import TOLERANCE
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A pocket smaller than this share of the bounding box of the part does not count.
-DENT = 1e-6
-
-#: Two pockets whose volumes differ by less than this share differ by flat faces only.
-SAME_VOLUME = 1e-5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -112,7 +107,7 @@ def find_hollows(facets: Facets) -> tuple[list[Hollow], list[Hollow], list[Hollo
         Holes with two openings or more.
     """
     patches = _patches(facets)
-    dent = DENT * float(np.prod(np.ptp(facets.points, axis=0)))
+    dent = TOLERANCE.round_off * float(np.prod(np.ptp(facets.points, axis=0)))
     none = np.zeros(len(patches.pairs), dtype=bool)
     count, piece = patches.components(none)
     voids: list[Ints] = []
@@ -128,10 +123,10 @@ def find_hollows(facets: Facets) -> tuple[list[Hollow], list[Hollow], list[Hollo
         pocket = _pocket(patches, owner, cut)
         if pocket is not None and pocket[1].volume > dent:
             pockets.append(pocket)
-    kept, nested = _outermost(pockets)
-    taken = np.concatenate([np.zeros(0, dtype=np.int64), *[members for members, _ in kept]])
+    outermost, nested = _outermost(pockets)
+    taken = np.concatenate([np.zeros(0, dtype=np.int64), *[members for members, _ in outermost]])
     passages = [p for p in _passages(patches, rims, np.setdiff1d(outside, taken), dent) if p.volume > dent]
-    hollows = [_hollow(patches, members, []) for members in voids] + [hollow for _, hollow in kept]
+    hollows = [_hollow(patches, members, []) for members in voids] + [hollow for _, hollow in outermost]
     return sorted(hollows, key=lambda hollow: -hollow.volume), [hollow for _, hollow in nested], passages
 
 
@@ -226,16 +221,16 @@ def _outermost(pockets: list[tuple[Ints, Hollow]]) -> tuple[list[tuple[Ints, Hol
     A pocket that adds only flat faces to those within it does not count, such as the plane end in which several of
     them open.
     """
-    kept: list[tuple[Ints, Hollow]] = []
+    outermost: list[tuple[Ints, Hollow]] = []
     nested: list[tuple[Ints, Hollow]] = []
     for members, hollow in sorted(pockets, key=lambda item: len(item[0])):
-        within = [i for i, (other, _) in enumerate(kept) if np.isin(other, members).any()]
-        if sum(kept[i][1].volume for i in within) >= (1 - SAME_VOLUME) * hollow.volume:
+        within = [i for i, (other, _) in enumerate(outermost) if np.isin(other, members).any()]
+        if sum(outermost[i][1].volume for i in within) >= (1 - TOLERANCE.volume) * hollow.volume:
             continue
-        nested += [kept[i] for i in within]
-        kept = [item for i, item in enumerate(kept) if i not in within]
-        kept.append((members, hollow))
-    return kept, sorted(nested, key=lambda item: -item[1].volume)
+        nested += [outermost[i] for i in within]
+        outermost = [item for i, item in enumerate(outermost) if i not in within]
+        outermost.append((members, hollow))
+    return outermost, sorted(nested, key=lambda item: -item[1].volume)
 
 
 def _passages(patches: _Patches, rims: list[tuple[int, Ints]], among: Ints, dent: float) -> list[Hollow]:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry import occ
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
@@ -20,12 +21,6 @@ Ints = NDArray[np.int64]
 
 #: An axis and a position: a mirror plane.
 Mirror = tuple[int, float]
-
-#: Corners closer than this share of the size of the part are merged: the display has seven digits.
-WELD = 2e-6
-
-#: Normals of the display that differ by less are those of a plane: they have seven digits.
-PLAIN = 1e-5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -137,7 +132,7 @@ class RoundFacets:
         """
         length = np.linalg.norm(self.corners - np.roll(self.corners, 1, axis=1), axis=2)
         turned = np.linalg.norm(self.normals - np.roll(self.normals, 1, axis=1), axis=2)
-        turned[turned < PLAIN] = 0.0
+        turned[turned < TOLERANCE.round_off] = 0.0
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(turned > 0, length / turned, np.inf).min(axis=1)
 
@@ -176,7 +171,7 @@ def mirrored(facets: Facets, mirrors: Sequence[Mirror], cuts: Sequence[int]) -> 
     for axis, position in mirrors:
         image = points.copy()
         image[:, axis] = 2 * position - points[:, axis]
-        on = np.abs(points[:, axis] - position) <= WELD * float(np.ptp(points, axis=0).max())
+        on = np.abs(points[:, axis] - position) <= TOLERANCE.round_off * float(np.ptp(points, axis=0).max())
         number = np.where(on, np.arange(len(points)), np.arange(len(points)) + len(points))
         points = np.vstack([points, image])
         triangles = np.vstack([triangles, number[triangles][:, ::-1]])
@@ -224,7 +219,7 @@ def weld(corners: Array) -> tuple[Array, Ints]:
     from scipy.spatial import cKDTree
 
     points, index = np.unique(corners, axis=0, return_inverse=True)
-    reach = WELD * float(np.ptp(points, axis=0).max())
+    reach = TOLERANCE.round_off * float(np.ptp(points, axis=0).max())
     near = cKDTree(points).query_pairs(reach, output_type="ndarray")
     graph = coo_array((np.ones(len(near)), (near[:, 0], near[:, 1])), shape=(len(points), len(points)))
     label = connected_components(graph, directed=False)[1]

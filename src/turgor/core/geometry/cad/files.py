@@ -12,7 +12,7 @@ from turgor.core.geometry import occ
 from turgor.core.geometry.cad.step_declarations import check_complete
 from turgor.core.geometry.cad.stl import stl_bodies
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
-from turgor.core.geometry.cad_unit import unit_in_doubt
+from turgor.core.geometry.cad_unit import LARGEST_EXTENT, SMALLEST_EXTENT, unit_in_doubt
 from turgor.core.geometry.child_process import Work
 from turgor.core.geometry.silenced_output import captured_output
 from turgor.foundation.errors import TurgorError, near_file
@@ -25,9 +25,6 @@ SUFFIXES = {".step": "STEP", ".stp": "STEP", ".brep": "BREP", ".brp": "BREP", ".
 #: Time after which reading is stopped: seconds, seconds for each megabyte, and most seconds. The kernel never ends with
 #: some damaged files. An STL file of 20,000 triangles, a megabyte, takes a few minutes.
 LONGEST_READING = {"STEP": (50.0, 80.0, 120.0), "BREP": (50.0, 80.0, 120.0), "STL": (50.0, 500.0, 600.0)}
-
-#: Smallest and largest allowed longest side [m].
-SMALLEST, LARGEST = 1 * mm, 2.0
 
 #: Default names of bodies, which count as no name.
 _NO_NAMES = re.compile(r"(?i)|none|solid\d*|body|compound|shell|part|unnamed|open cascade.*|manifold_solid_brep.*")
@@ -226,10 +223,11 @@ def _check_size(path: Path, bodies: list[Any], stated: float | None, unit: str |
     """Raise an error for a part of impossible size, with a unit that would make it possible."""
     sides = _sides(bodies)
     longest = max(sides)
-    if prod(sides) > 0 and SMALLEST <= longest <= LARGEST:
+    if prod(sides) > 0 and SMALLEST_EXTENT <= longest <= LARGEST_EXTENT:
         return
     used = length_unit(unit) if unit is not None else stated or mm
-    fits = [name for name in ("mm", "m", "in", "um") if SMALLEST <= longest / used * UNITS["length"][name] <= LARGEST]
+    sizes = {name: longest / used * UNITS["length"][name] for name in ("mm", "m", "in", "um")}
+    fits = [name for name, size in sizes.items() if SMALLEST_EXTENT <= size <= LARGEST_EXTENT]
     shown = " x ".join(f"{side / mm:.4g}" for side in sides)
     advice = (
         f"; with unit='{fits[0]}' it would be {longest / used * UNITS['length'][fits[0]] / mm:.4g} mm long."
@@ -238,5 +236,5 @@ def _check_size(path: Path, bodies: list[Any], stated: float | None, unit: str |
     )
     raise TurgorError(
         f"'{path}' is a part of {shown} mm, if its numbers are in {_unit_name(used)}; allowed is a longest side of "
-        f"{SMALLEST / mm:g} mm to {LARGEST / mm:g} mm; is the unit right?{advice.replace('; w', ' W')}"
+        f"{SMALLEST_EXTENT / mm:g} mm to {LARGEST_EXTENT / mm:g} mm; is the unit right?{advice.replace('; w', ' W')}"
     )

@@ -11,6 +11,7 @@ from turgor.core.geometry.cad.part import Part
 from turgor.core.geometry.cad.selectors import NearestTo, Selector
 from turgor.core.geometry.cad.volumes import measured
 from turgor.core.geometry.names import no_cavity
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
@@ -20,9 +21,6 @@ STANDARD = ("fixed", "tip", "strain_limiting_layer", "symmetry_x", "symmetry_y",
 
 #: A pocket smaller than this share of the largest cavity is a hole for a screw or a mark, and no cavity.
 SMALL = 0.01
-
-#: Faces enclose a cavity if it holds more than this share of their area to the power 3/2; a plane holds nothing.
-SHARE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -70,7 +68,7 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
     names = [item.name if _standard(item.name) else "" for item in part.items]
     picked = {name: pick(part, name, selector) for name, selector in selected.items()}
     mirrors, cuts = mirrors_of(part, names, picked)
-    hollows, nested, passages = (_once(found) for found in find_hollows(mirrored(part.facets, mirrors, cuts)))
+    hollows, nested, passages = (_once(group) for group in find_hollows(mirrored(part.facets, mirrors, cuts)))
     for name, selector in selected.items():
         if name.startswith("cavity") and isinstance(selector, NearestTo):
             around = [h for h in (*hollows, *passages) if picked[name][0] in h.faces]
@@ -101,7 +99,7 @@ def called_cavities(part: Part, names: Sequence[str], mirrors: Sequence[Mirror])
         if not faces:
             continue
         hollow = measured(Hollow(faces=faces, volume=0.0, openings=()), part.facets, part.faces, mirrors)
-        if hollow.volume > SHARE * sum(float(part.faces[i].mass) for i in faces) ** 1.5:
+        if hollow.volume > TOLERANCE.round_off * sum(float(part.faces[i].mass) for i in faces) ** 1.5:
             made[name] = hollow
         else:
             flat.append(name)
@@ -230,14 +228,14 @@ def _pockets(small: Sequence[Hollow], largest: float) -> Finding:
     )
 
 
-def _leaks(passages: Sequence[Hollow], found: bool) -> Finding:
+def _leaks(passages: Sequence[Hollow], has_cavities: bool) -> Finding:
     listed = "; ".join(
         f"{p.volume:.4g} mm³, open at {' and at '.join(_place(o.center, o.area) for o in p.openings[:3])}"
         for p in passages[:3]
     )
     return Finding(
         code="D03",
-        severity=Severity.NOTE if found else Severity.WARNING,
+        severity=Severity.NOTE if has_cavities else Severity.WARNING,
         message=f"{len(passages)} of the part's hollows ({listed}) lead from one opening to another: pressure would "
         "leak, so they are no cavities.",
         advice="Close all openings but one in the CAD program; or, if they are plugged in reality, name the hollow "

@@ -19,16 +19,11 @@ from turgor.core.geometry.cad.split import SplitPlane, split_bodies
 from turgor.core.geometry.cad.surface.part import body_item, surface_facets, surface_items
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.directions import FileAxes, Vector, rotation_to
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 Array = NDArray[np.float64]
-
-#: Largest loss of volume when bodies are glued; a larger one means that they overlap.
-OVERLAP = 1e-6
-
-#: Tolerance of the normals of a plane face; the display has seven digits.
-PLANE = 1e-5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -109,7 +104,7 @@ def load_part(
         body.name = name
     shape = occ.Glue(bodies)
     solids = list(shape.solids)
-    if len(solids) != len(bodies) or abs(sum(s.mass for s in solids) - before) > OVERLAP * before:
+    if len(solids) != len(bodies) or abs(sum(s.mass for s in solids) - before) > TOLERANCE.round_off * before:
         lost = before - sum(solid.mass for solid in solids)
         raise TurgorError(
             f"the bodies of '{path}' ({', '.join(names)}) overlap by {abs(lost):.4g} mm³; cut one out of the other in "
@@ -188,7 +183,7 @@ def shape_item(shape: Any, triangles: Array, name: str | None = None) -> Item:
     area = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]) / 2
     size = np.linalg.norm(area, axis=1)
     mean = area.sum(axis=0) / size.sum()
-    plane = 1 - float(np.linalg.norm(mean)) < PLANE
+    plane = 1 - float(np.linalg.norm(mean)) < TOLERANCE.round_off
     center = shape.center
     return Item(
         name=(shape.name or "") if name is None else name,

@@ -193,8 +193,8 @@ def _named_again(part: Part, names: Sequence[str], whole: Naming, interface: str
     between = {name for name, within in zip(names, inner, strict=True) if within}
     own = set(names) - {"outside", *STANDARD} - between
     naming = name_faces(part, {name: ByName(name) for name in sorted(own)}, interface)
-    kept = tuple(old if within else new for old, new, within in zip(names, naming.names, inner, strict=True))
-    return replace(naming, names=kept, findings=whole.findings)
+    same_names = tuple(old if within else new for old, new, within in zip(names, naming.names, inner, strict=True))
+    return replace(naming, names=same_names, findings=whole.findings)
 
 
 def _check_names(what: str, names: Mapping[str, Selector]) -> None:

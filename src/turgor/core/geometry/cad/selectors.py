@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.colors import hexadecimal, parse_color, same_color
 from turgor.core.geometry.directions import AXES, DIRECTIONS, Vector, normalized
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError, near_match
 from turgor.units import plain_number
 
 Array = NDArray[np.float64]
 
-#: Cosine of the largest angle between two normals that count as equal: 1°.
-SAME_DIRECTION = 0.99985
+#: What programs leave between things that touch [m].
+SLACK = 1e-6
 
 #: Directions by name; an axis without a sign is its positive direction.
 NAMED = {**DIRECTIONS, **AXES}
@@ -199,12 +200,11 @@ class InBox:
 
     def pick(self, items: Sequence[Item]) -> list[int]:
         """Return the indices of the selected items; an empty selection is an error that lists what exists."""
-        slack = 1e-6  # tolerance of faces in contact in CAD programs [m]
         inside = [
             i
             for i, item in enumerate(items)
-            if all(a - slack <= b for a, b in zip(self.low, item.low, strict=True))
-            and all(a <= b + slack for a, b in zip(item.high, self.high, strict=True))
+            if all(a - SLACK <= b for a, b in zip(self.low, item.low, strict=True))
+            and all(a <= b + SLACK for a, b in zip(item.high, self.high, strict=True))
         ]
         low = np.min([item.low for item in items], axis=0) * 1e3
         high = np.max([item.high for item in items], axis=0) * 1e3
@@ -238,7 +238,9 @@ class WithNormal:
     def pick(self, items: Sequence[Item]) -> list[int]:
         """Return the indices of the selected items; an empty selection is an error that lists what exists."""
         wanted = np.array(self.normal)
-        looking = [i for i, it in enumerate(items) if it.normal is not None and wanted @ it.normal >= SAME_DIRECTION]
+        looking = [
+            i for i, it in enumerate(items) if it.normal is not None and wanted @ it.normal >= TOLERANCE.direction
+        ]
         depth = {i: float(wanted @ items[i].center) for i in looking}
         size = max((float(np.ptp([item.low, item.high], axis=0).max()) for item in items), default=0.0)
         furthest = [i for i in looking if depth[i] >= max(depth.values()) - 1e-6 * size]

@@ -14,18 +14,13 @@ from turgor.core.geometry.cad.surface.crossing import winding
 from turgor.core.geometry.cad.surface.orientation import shells_of
 from turgor.core.geometry.cad.surface.part import is_flat, surface_items
 from turgor.core.geometry.cad.surface.repair import repaired
+from turgor.core.geometry.cad.surface.settings import SURFACE
 from turgor.core.geometry.cad.surface.shape import SurfaceShape, surface_shape
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Most triangles that are read, and most of a body whose plane walls are sewn together.
-MOST_TRIANGLES, MOST_SEWN = 400_000, 20_000
-
-#: A body is sewn where it has at most this many faces, of which plane ones make at least this share of the area.
-MOST_FACES, PLANE_SHARE = 150, 0.999
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -58,10 +53,10 @@ def stl_bodies(path: Path) -> StlBodies:
         If it is damaged, open in a way that cannot be repaired, flat, crosses itself, or has too many triangles.
     """
     corners = read_stl(path)
-    if len(corners) > MOST_TRIANGLES:
+    if len(corners) > SURFACE.most_triangles:
         raise TurgorError(
-            f"'{path}' has {len(corners)} triangles; at most {MOST_TRIANGLES} can be read. Export STEP, which keeps "
-            "curved walls, or a coarser STL."
+            f"'{path}' has {len(corners)} triangles; at most {SURFACE.most_triangles} can be read. Export STEP, which "
+            "keeps curved walls, or a coarser STL."
         )
     fixed = repaired(corners, path.name)
     shape = surface_shape(fixed.points, fixed.triangles)
@@ -73,10 +68,10 @@ def stl_bodies(path: Path) -> StlBodies:
 
 def _is_plane(shape: SurfaceShape) -> bool:
     """Whether a surface consists of few plane walls."""
-    if len(shape.faces) > MOST_FACES or len(shape.triangles) > MOST_SEWN:
+    if len(shape.faces) > SURFACE.sewn_faces or len(shape.triangles) > SURFACE.sewn_triangles:
         return False
     plane = sum(face.mass for face, item in zip(shape.faces, surface_items(shape), strict=True) if is_flat(item))
-    return plane >= PLANE_SHARE * sum(face.mass for face in shape.faces)
+    return plane >= SURFACE.sewn_share * sum(face.mass for face in shape.faces)
 
 
 def _check_single(path: Path, shape: SurfaceShape) -> None:

@@ -10,14 +10,12 @@ from turgor.core.geometry import occ
 from turgor.core.geometry.cad.cavities import Hollow, Opening, chains, rim
 from turgor.core.geometry.cad.facets import Facets, Mirror, flux
 from turgor.core.geometry.cad.surface.shape import SurfaceFace
+from turgor.core.geometry.tolerances import TOLERANCE
 
 Array = NDArray[np.float64]
 
 #: Parabolas along each edge of a rim; the area of a circle is then exact to 1e-6.
 PIECES = 48
-
-#: An edge is shorter than this [CAD units] only at the pole of a sphere or the tip of a cone.
-POLE = 1e-9
 
 #: Largest error of the volume of facets, as a share. An exact volume that differs by more is not used.
 FACETS_MISS = 0.1
@@ -74,7 +72,7 @@ def rim_loops(chosen: Sequence[Any]) -> list[Array]:
     for face in chosen:
         for edge in face.edges:
             count[edge] = count.get(edge, 0) + 1
-    edges = [edge for edge, times in count.items() if times == 1 and edge.mass > POLE]
+    edges = [edge for edge, times in count.items() if times == 1 and edge.mass > TOLERANCE.length]
     if not edges:
         return []
     samples = [_samples(edge) for edge in edges]
@@ -119,8 +117,8 @@ def _mean_vertex(chosen: Sequence[Any]) -> Array:
     """Mean of the ends of all edges of all faces, the reference point of the kernel for an open shell."""
     # the edge at the pole of a sphere has no length and no curve, and the kernel dies when its ends are requested
     edges = [edge for face in chosen for edge in face.edges]
-    ends = [p for edge in edges if edge.mass > POLE for p in (edge.start, edge.end)]
-    ends += [vertex.p for edge in edges if not edge.mass > POLE for vertex in edge.vertices]
+    ends = [p for edge in edges if edge.mass > TOLERANCE.length for p in (edge.start, edge.end)]
+    ends += [vertex.p for edge in edges if not edge.mass > TOLERANCE.length for vertex in edge.vertices]
     return np.array([[p.x, p.y, p.z] for p in ends]).mean(axis=0)
 
 

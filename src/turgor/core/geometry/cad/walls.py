@@ -1,23 +1,38 @@
 """Wall thickness of a part, measured along rays into the material."""
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.facets import Facets
+from turgor.core.geometry.tolerances import TOLERANCE
 
 Array = NDArray[np.float64]
 
-#: Budget of ray–triangle tests (one or two seconds), which gives the number of rays, and the limits of this number.
-WORK, FEWEST, MOST = 3e7, 1_000, 3_000
 
-#: Cosine of the largest angle, 25°, between the ray and the normal of the opposite wall; it excludes wedges.
-OPPOSED = 0.9
+@dataclass(frozen=True, slots=True)
+class WallSettings:
+    """How walls are measured.
 
-#: Share of the surface that may be thinner than the reported wall: chips, sharp edges, ends of fillets.
-THINNER = 0.01
+    Parameters
+    ----------
+    work, fewest, most : float, int, int
+        Tests of a ray with a triangle, one or two seconds of them, which give the number of rays; and its limits.
+    opposed : float
+        Cosine of the largest angle, 25°, between the ray and the normal of the opposite wall; it excludes wedges.
+    thinner : float
+        Share of the surface that may be thinner than the reported wall: chips, sharp edges, ends of fillets.
+    """
 
-#: A ray misses a face that it meets at an angle below this sine.
-SLANTED = 1e-6
+    work: float = 3e7
+    fewest: int = 1_000
+    most: int = 3_000
+    opposed: float = 0.9
+    thinner: float = 0.01
+
+
+WALLS = WallSettings()
 
 #: Rays evaluated together, to bound the memory.
 CHUNK = 200
@@ -43,7 +58,7 @@ def smallest_wall(facets: Facets) -> float:
 
 
 def thinnest_wall(
-    triangles: Array, chosen: NDArray[np.bool_] | None = None, most: int = MOST
+    triangles: Array, chosen: NDArray[np.bool_] | None = None, most: int = WALLS.most
 ) -> tuple[float, Array | None]:
     """Return the thickness that 99 % of walls exceed, and a place on the surface behind which it is.
 
@@ -81,14 +96,14 @@ def thinnest_wall(
     walls = thickness[np.isfinite(thickness)]
     if not len(walls):
         return np.inf, None
-    thinnest = float(np.quantile(walls, THINNER))
+    thinnest = float(np.quantile(walls, WALLS.thinner))
     return thinnest, start[int(np.abs(thickness - thinnest).argmin())]
 
 
 def _starts(triangles: Array, area: Array, most: int) -> tuple[Array, NDArray[np.int64]]:
     """Points spread evenly over triangles by their areas, with a fixed seed."""
     generator = np.random.default_rng(0)
-    rays = int(np.clip(WORK / len(area), min(FEWEST, most), most))
+    rays = int(np.clip(WALLS.work / len(area), min(WALLS.fewest, most), most))
     of = np.searchsorted(np.cumsum(area) / area.sum(), (np.arange(rays) + 0.5) / rays)
     of = np.minimum(of, len(area) - 1)
     u, v = generator.random((2, rays))
@@ -107,13 +122,13 @@ def _through(start: Array, of: NDArray[np.int64], triangles: Array, normal: Arra
     moment = np.cross(start, along)
     size = float(np.ptp(triangles, axis=(0, 1)).max())
     leaving = along @ normal.T
-    hit = leaving > SLANTED
+    hit = leaving > TOLERANCE.round_off
     for i in range(3):
         p, q = triangles[:, i], triangles[:, (i + 1) % 3]
         hit &= along @ np.cross(p, q).T + moment @ (q - p).T >= -1e-9 * size**2
     height = np.einsum("ti,ti->t", normal, triangles[:, 0]) - start @ normal.T
     distance = np.where(hit, height / np.where(hit, leaving, 1.0), np.inf)
-    distance[distance < 1e-6 * size] = np.inf
+    distance[distance < TOLERANCE.round_off * size] = np.inf
     first = distance.argmin(axis=1)
     rays = np.arange(len(start))
-    return np.where(leaving[rays, first] > OPPOSED, distance[rays, first], np.inf)
+    return np.where(leaving[rays, first] > WALLS.opposed, distance[rays, first], np.inf)

@@ -4,7 +4,8 @@ from typing import Any
 
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.names import INTERFACE
-from turgor.core.geometry.shapes.solids import PLANE_TOLERANCE, name_plane, name_rest
+from turgor.core.geometry.shapes.solids import name_plane, name_rest
+from turgor.core.geometry.tolerances import TOLERANCE
 
 
 def name_faces(shape: Any, *, end: float, clamp: float = 0.0, mirrors: str = "") -> None:
@@ -39,6 +40,6 @@ def name_faces(shape: Any, *, end: float, clamp: float = 0.0, mirrors: str = "")
             continue
         if shared.count(face) > 1:
             face.name = INTERFACE
-        elif face.bounding_box[1][0] <= clamp / METERS_PER_CAD_UNIT + PLANE_TOLERANCE:
+        elif face.bounding_box[1][0] <= clamp / METERS_PER_CAD_UNIT + TOLERANCE.length:
             face.name = "fixed"
     name_rest(shape, "outside")

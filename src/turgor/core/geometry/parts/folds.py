@@ -3,11 +3,9 @@
 from dataclasses import dataclass
 from math import pi, sqrt
 
-from turgor.core.geometry.rules import SMALLEST_LENGTH, check_choice, check_count, check_length, in_mm
+from turgor.core.geometry.rules import MOST_FOLDS, SMALLEST_LENGTH, check_choice, check_count, check_length, in_mm
 from turgor.core.geometry.shapes.sections import Outline, Point
 from turgor.units import m, mm
-
-MOST_FOLDS = 50
 
 SHAPES = ("rounded", "straight")
 

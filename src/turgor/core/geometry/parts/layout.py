@@ -14,7 +14,6 @@ from turgor.core.geometry.parts.prism import Prism as Prism
 from turgor.core.geometry.rules import SMALLEST_LENGTH, as_length, check_length, check_option, in_mm
 from turgor.core.geometry.shapes.sections import Outline, disc
 from turgor.core.geometry.shapes.solids import (
-    PLANE_TOLERANCE,
     cut,
     face_names,
     name_plane,
@@ -23,6 +22,7 @@ from turgor.core.geometry.shapes.solids import (
     volume,
 )
 from turgor.core.geometry.sweeps.prisms import layout_sweep
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 
@@ -142,7 +142,7 @@ class Layout:
                 face.name = face.name or INTERFACE
             elif _in_plane(low[0], high[0], self.length):
                 face.name = "tip"
-            elif high[0] <= PLANE_TOLERANCE:
+            elif high[0] <= TOLERANCE.length:
                 face.name = "fixed"
             elif self.layer is not None and _in_plane(low[2], high[2], self.layer):
                 face.name = "strain_limiting_layer"
@@ -240,4 +240,6 @@ def check_ends(actuator: Any, name: str) -> None:
 
 def _in_plane(low: float, high: float, position: float) -> bool:
     """Whether a range of a coordinate [CAD units] is one position [m]."""
-    return max(abs(low - position / METERS_PER_CAD_UNIT), abs(high - position / METERS_PER_CAD_UNIT)) <= PLANE_TOLERANCE
+    return (
+        max(abs(low - position / METERS_PER_CAD_UNIT), abs(high - position / METERS_PER_CAD_UNIT)) <= TOLERANCE.length
+    )

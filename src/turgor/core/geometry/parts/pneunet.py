@@ -8,9 +8,8 @@ from turgor.core.geometry import occ
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.geometry import Geometry, check_volume
 from turgor.core.geometry.parts.plates import wire
-from turgor.core.geometry.rules import SMALLEST_LENGTH, check_count, check_fields, check_length, in_mm
+from turgor.core.geometry.rules import MOST_CHAMBERS, SMALLEST_LENGTH, check_count, check_fields, check_length, in_mm
 from turgor.core.geometry.shapes.solids import (
-    PLANE_TOLERANCE,
     Range,
     box,
     cut,
@@ -21,11 +20,10 @@ from turgor.core.geometry.shapes.solids import (
     region_names,
     volume,
 )
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import m, mm
-
-MOST_CHAMBERS = 100
 
 _OPEN = Finding(
     code="G12",
@@ -247,6 +245,6 @@ def _name_faces(actuator: PneuNet, shape: Any, layer: float) -> None:
     if actuator.symmetric:
         name_plane(shape, 1, 0.0, "symmetry_y")
     for face in shape.faces:
-        if not face.name and face.bounding_box[1][0] <= end / METERS_PER_CAD_UNIT + PLANE_TOLERANCE:
+        if not face.name and face.bounding_box[1][0] <= end / METERS_PER_CAD_UNIT + TOLERANCE.length:
             face.name = "fixed"
     name_rest(shape, "outside")

@@ -2,10 +2,9 @@
 
 from math import atan2, cos, hypot, pi, sin, tan
 
-Point = tuple[float, float]
+from turgor.core.geometry.tolerances import TOLERANCE
 
-#: Points of an outline closer than this share of its size are the same point.
-SAME_POINT = 1e-12
+Point = tuple[float, float]
 
 
 def edge_radius(a: Point, b: Point, arc: float) -> float:
@@ -69,6 +68,6 @@ def _crossings(first: float, arc: float, axis: int, height: float) -> list[float
     for angle in (base, -base) if axis == 0 else (pi / 2 - base, pi / 2 + base):
         for turn in (-2, -1, 0, 1, 2):
             share = (angle + 2 * pi * turn - first) / arc
-            if SAME_POINT < share < 1 - SAME_POINT:
+            if TOLERANCE.round_off < share < 1 - TOLERANCE.round_off:
                 shares.append(share)
     return sorted(shares)

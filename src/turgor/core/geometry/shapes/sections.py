@@ -7,16 +7,16 @@ from typing import Any
 
 from turgor.core.geometry import occ
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.core.geometry.shapes.arcs import Point as Point  # part of this module's names
+from turgor.core.geometry.shapes.arcs import edge_middle as edge_middle
 from turgor.core.geometry.shapes.arcs import (
-    SAME_POINT,
     edge_radius,
     segment_area,
     segment_centroid,
     split_edge,
 )
-from turgor.core.geometry.shapes.arcs import Point as Point  # part of this module's names
-from turgor.core.geometry.shapes.arcs import edge_middle as edge_middle
 from turgor.core.geometry.shapes.solids import Range
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 
@@ -101,18 +101,18 @@ class Outline:
         return self.turned(pi).cut_z(-at).turned(-pi)
 
     def _cut(self, axis: int, at: float) -> "Outline":
-        tolerance = SAME_POINT * max(hypot(*corner) for corner in self.corners)
-        kept = []
+        tolerance = TOLERANCE.round_off * max(hypot(*corner) for corner in self.corners)
+        pieces = []
         for start, end, arc in self.edges:
-            kept += [
+            pieces += [
                 piece for piece in split_edge(start, end, arc, axis, at) if edge_middle(*piece)[axis] - at > tolerance
             ]
         corners: list[Point] = []
         arcs: list[float] = []
-        for i, (start, end, arc) in enumerate(kept):
+        for i, (start, end, arc) in enumerate(pieces):
             corners.append(start)
             arcs.append(arc)
-            following = kept[(i + 1) % len(kept)][0]
+            following = pieces[(i + 1) % len(pieces)][0]
             if hypot(following[0] - end[0], following[1] - end[1]) > tolerance:  # along the cut
                 corners.append(end)
                 arcs.append(0.0)
@@ -269,5 +269,5 @@ def _point(x: float, point: Point) -> Any:
 
 def _without_empty_edges(outline: Outline) -> Outline:
     size = max(hypot(*corner) for corner in outline.corners)
-    kept = [(a, arc) for a, b, arc in outline.edges if hypot(b[0] - a[0], b[1] - a[1]) > 1e-9 * size]
-    return Outline(corners=tuple(a for a, _ in kept), arcs=tuple(arc for _, arc in kept))
+    edges = [(a, arc) for a, b, arc in outline.edges if hypot(b[0] - a[0], b[1] - a[1]) > 1e-9 * size]
+    return Outline(corners=tuple(a for a, _ in edges), arcs=tuple(arc for _, arc in edges))

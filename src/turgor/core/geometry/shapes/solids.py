@@ -7,11 +7,9 @@ from typing import Any
 
 from turgor.core.geometry import occ
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.core.geometry.tolerances import TOLERANCE
 
 Range = tuple[float, float]
-
-#: Tolerance of a face in a plane [CAD units].
-PLANE_TOLERANCE = 1e-6
 
 
 def box(x: Range, y: Range, z: Range) -> Any:
@@ -47,7 +45,7 @@ def name_plane(shape: Any, axis: int, position: float, name: str, keep: Collecti
 def in_plane(face: Any, axis: int, position: float) -> bool:
     """Whether a face lies in the plane where coordinate ``axis`` is ``position`` [m]."""
     away = (abs(corner[axis] - position / METERS_PER_CAD_UNIT) for corner in face.bounding_box)
-    return bool(max(away) <= PLANE_TOLERANCE)
+    return bool(max(away) <= TOLERANCE.length)
 
 
 def name_rest(shape: Any, name: str) -> None:

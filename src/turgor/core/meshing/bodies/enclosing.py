@@ -5,14 +5,11 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.meshing.cells import side_type
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: An open surface encloses a cavity if it holds more than this share of its area to the power 3/2. A sphere has 0.09,
-#: a slit a hundred times wider than thick 0.001; a plane has 0, a wall of the outside less.
-SHARE = 1e-6
 
 
 def encloses_cavity(points: Array, sides: Ints, mirrors: Mapping[int, float], at_mirror: NDArray[np.bool_]) -> bool:
@@ -56,4 +53,4 @@ def encloses_cavity(points: Array, sides: Ints, mirrors: Mapping[int, float], at
     )
     areas = np.cross(first, second) / 2
     volume = -float(np.einsum("fi,fi->", p.mean(axis=1), areas)) / 3
-    return volume > SHARE * float(np.linalg.norm(areas, axis=1).sum()) ** 1.5
+    return volume > TOLERANCE.round_off * float(np.linalg.norm(areas, axis=1).sum()) ** 1.5

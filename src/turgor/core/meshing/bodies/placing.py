@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry.rules import check_angle, check_length
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.meshing.cells import CellType, SideType
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.openings import mirror_planes
@@ -19,9 +20,6 @@ Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
 
 AXES = "xyz"
-
-#: How far off a coordinate plane a mirror plane may be turned [rad]; what is left is rounding, and taken away.
-ASKEW = 1e-6
 
 
 def placed(mesh: Mesh, *, shift: Vector = (0, 0, 0), axis: Vector = (0, 0, 1), angle: float = 0.0) -> Mesh:
@@ -130,7 +128,7 @@ def _moved(mesh: Mesh, matrix: Array, shift: Array) -> Mesh:
     for name, (before, _) in mirror_planes(mesh).items():
         normal = np.abs(matrix[:, before])
         after = int(normal.argmax())
-        if np.delete(normal, after).max() > ASKEW:
+        if np.delete(normal, after).max() > TOLERANCE.round_off:
             raise TurgorError(
                 f"'{mesh.name}' cannot be turned like this: its mirror plane {name} would not be a coordinate plane "
                 f"any more; turn it about {AXES[before]} or by quarter turns, or model the whole of it."

@@ -158,8 +158,8 @@ def _edges(sides: Sides, rows: Ints) -> tuple[Ints, Ints]:
 def rim(sides: Sides, rows: Ints) -> Ints:
     """Edges (e, 2) that belong to one of the sides only."""
     edges, _ = _edges(sides, rows)
-    found, count = np.unique(edges, axis=0, return_counts=True)
-    return np.asarray(found[count == 1])
+    unique, count = np.unique(edges, axis=0, return_counts=True)
+    return np.asarray(unique[count == 1])
 
 
 def enclosed_volume(sides: Sides, rows: Ints, origin: Array) -> float:

@@ -9,18 +9,10 @@ from turgor.core.meshing.exchange.boundary import Sides, components, enclosed_vo
 from turgor.core.meshing.exchange.formats.raw import Array, Ints
 from turgor.core.meshing.exchange.formats.stl import Triangles, read_stl
 from turgor.core.meshing.exchange.frame import Frame
+from turgor.core.meshing.exchange.settings import MESH_FILE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
-
-#: A side lies on the surface when its corners and middle are nearer than this share of its mean edge.
-ON_SURFACE = 0.05
-
-#: Sides on a surface are an open cavity where they make more than this share of it; the rest are openings.
-POCKET = 0.5
-
-#: An inner surface that lies nowhere further away than this share of the cavity's size is taken for it.
-NEARBY = 0.15
 
 #: Distances computed together, so that a large mesh does not need gigabytes.
 CHUNK = 400_000
@@ -58,13 +50,13 @@ def sides_on_stl(sides: Sides, name: str, path: str | Path, frame: Frame, mirror
     outer = np.flatnonzero(sides.outer)
     off = side_distances(sides, outer, surface)
     edge = np.sqrt(2 * np.linalg.norm(sides.vector_areas[outer], axis=1))
-    rows = outer[off <= ON_SURFACE * edge]
+    rows = outer[off <= MESH_FILE.on_surface * edge]
     extent = float(np.ptp(surface.points, axis=0).max())
     exact = len(rows) > 0 and is_cavity(sides, rows, mirrors)
     if not exact:
         inner = [part for part in components(sides, outer) if is_cavity(sides, part, mirrors)]
         worst = [float(side_distances(sides, part, surface).max()) for part in inner]
-        if inner and min(worst) <= NEARBY * extent:
+        if inner and min(worst) <= MESH_FILE.near * extent:
             rows = inner[int(np.argmin(worst))]
         elif _is_pocket(sides, rows, surface):
             exact = True
@@ -80,7 +72,10 @@ def _is_pocket(sides: Sides, rows: Ints, surface: Triangles) -> bool:
         return False
     walls = float(np.linalg.norm(sides.vector_areas[rows], axis=1).sum())
     whole = float(np.linalg.norm(np.cross(*_spans(surface)), axis=1).sum()) / 2
-    return walls > POCKET * whole and enclosed_volume(sides, rows, sides.points[rim(sides, rows)].mean(axis=(0, 1))) < 0
+    return (
+        walls > MESH_FILE.pocket * whole
+        and enclosed_volume(sides, rows, sides.points[rim(sides, rows)].mean(axis=(0, 1))) < 0
+    )
 
 
 def _spans(surface: Triangles) -> tuple[Array, Array]:
@@ -111,7 +106,7 @@ def _nowhere(
     start = f"no inner surface of the mesh lies on the cavity '{name}' of '{path}'"
     if not inner:
         nearest = distances(surface.points, _boundary(sides))
-        if (nearest < NEARBY * float(np.ptp(surface.points, axis=0).max())).mean() > POCKET:
+        if (nearest < MESH_FILE.near * float(np.ptp(surface.points, axis=0).max())).mean() > MESH_FILE.pocket:
             return TurgorError(
                 f"{start}: its walls there are open, and up to {float(nearest.max()) / mm:.3g} mm away from it; name "
                 "these walls as a face of the mesh instead."
@@ -139,7 +134,7 @@ def _axes_hint(parts: list[Array], points: Array) -> str:
         turned = np.sort(np.stack([low, high])[:, order] * signs, axis=0)
         for part in parts:
             box = np.stack([part.min(axis=0), part.max(axis=0)])
-            if np.abs(box - turned).max() <= NEARBY * float(np.ptp(points, axis=0).max()):
+            if np.abs(box - turned).max() <= MESH_FILE.near * float(np.ptp(points, axis=0).max()):
                 axes = ", ".join(f"{'-' if s < 0 else ''}{'xyz'[o]}" for s, o in zip(signs, order, strict=True))
                 return f"; it fits with the axes of the STL file taken as ({axes})"
     return ""

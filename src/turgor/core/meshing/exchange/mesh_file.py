@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from turgor.core.geometry.cad.walls import thinnest_wall
+from turgor.core.geometry.cad.walls import WALLS, thinnest_wall
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.directions import FileAxes
 from turgor.core.geometry.geometry import Geometry
@@ -15,7 +15,6 @@ from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.exchange.formats.raw import Ints
 from turgor.core.meshing.exchange.selectors import Choice
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.quality.checks import RAYS
 from turgor.core.meshing.surface import outer_triangles
 from turgor.foundation.errors import TurgorError
 
@@ -116,7 +115,7 @@ class MeshFile:
         extent = float(np.ptp(mesh.points, axis=0).max())
         return Geometry(
             name=mesh.name,
-            smallest_wall=min(thinnest_wall(mesh.points[corners], most=RAYS)[0], extent),
+            smallest_wall=min(thinnest_wall(mesh.points[corners], most=WALLS.fewest)[0], extent),
             cavity_volumes={name: -_enclosed(mesh, mesh.faces[name]) for name in mesh.cavities},
             solid_volume=_enclosed(mesh, outer_triangles(mesh)),
             regions=tuple(mesh.regions),

@@ -85,18 +85,18 @@ def _regions_of_file(raw: RawMesh, solids: Solids) -> tuple[dict[str, Ints], lis
     """Groups of cells that do not overlap: those with a material, otherwise all except groups of all cells."""
     if not raw.named or not solids.groups:
         return {}, []
-    found = {name: solids.groups[name] for name in raw.sections if name in solids.groups}
-    if not found:
+    named = {name: solids.groups[name] for name in raw.sections if name in solids.groups}
+    if not named:
         parts = {name: rows for name, rows in solids.groups.items() if len(rows) < len(solids.cells)}
-        found = parts or dict(list(solids.groups.items())[:1])
+        named = parts or dict(list(solids.groups.items())[:1])
     count = np.zeros(len(solids.cells), dtype=np.int64)
-    for rows in found.values():
+    for rows in named.values():
         count[rows] += 1
     if count.max(initial=0) <= 1:
-        return found, []
+        return named, []
     return {}, [
         _note(
-            f"The groups {_listed(found)} of '{raw.path.name}' overlap, so they are not regions; all cells are 'body'.",
+            f"The groups {_listed(named)} of '{raw.path.name}' overlap, so they are not regions; all cells are 'body'.",
             "Say which ones are regions, for example regions={'base': 'NAME'}.",
         )
     ]
@@ -132,8 +132,8 @@ def name_faces(raw: RawMesh, solids: Solids, sides: Sides, wishes: Wishes) -> tu
         group, selectors = parts_of(choice)
         by_number = [each for each in selectors if isinstance(each, ByNodes | BySides)]
         by_place = [each for each in selectors if not isinstance(each, ByNodes | BySides)]
-        found = numbered_sides(by_number, raw, solids, sides, outer)
-        rows = _group(given, group, "face in the file") if group else picked_sides(by_place, sides, found)
+        numbered = numbered_sides(by_number, raw, solids, sides, outer)
+        rows = _group(given, group, "face in the file") if group else picked_sides(by_place, sides, numbered)
         if not len(rows):
             raise TurgorError(f"face '{name}' picks no side of '{raw.path}'; {_bounds(solids)}.")
         faces[name] = rows
@@ -165,7 +165,7 @@ def faces_of_file(raw: RawMesh, solids: Solids, sides: Sides) -> dict[str, Ints]
     """
     count = sides.kind.side.corners
     gone = np.append(solids.renumbered, -1)
-    found: dict[str, Ints] = {}
+    faces: dict[str, Ints] = {}
     surfaces = {name: corners[(corners[:, 3] < 0) == (count == 3), :count] for name, corners in raw.surfaces.items()}
     for block in raw.blocks:
         if block.kind.dimension == 2 and block.kind.corners == count:
@@ -175,14 +175,14 @@ def faces_of_file(raw: RawMesh, solids: Solids, sides: Sides) -> dict[str, Ints]
                 )
     for name, corners in surfaces.items():
         rows = find_sides(sides, gone[corners])
-        found[name] = np.unique(rows[rows >= 0])
+        faces[name] = np.unique(rows[rows >= 0])
     outer = np.flatnonzero(sides.outer)
     for name, nodes in raw.node_sets.items():
         members = solids.renumbered[nodes]
         whole = np.isin(sides.corners[outer], members[members >= 0]).all(axis=1)
-        if name not in found and not whole.all():  # a set of all nodes is no face
-            found[name] = outer[whole]
-    return {name: rows for name, rows in found.items() if len(rows)}
+        if name not in faces and not whole.all():  # a set of all nodes is no face
+            faces[name] = outer[whole]
+    return {name: rows for name, rows in faces.items() if len(rows)}
 
 
 def _without_sides(raw: RawMesh, given: Mapping[str, Ints]) -> list[Finding]:

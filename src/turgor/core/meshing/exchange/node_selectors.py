@@ -161,6 +161,6 @@ def numbered_sides(
         else:
             count = sides.kind.side.corners
             corners = np.array([row[:count] for row in each.rows if len(row) >= count], dtype=np.int64)
-            found = find_sides(sides, gone[order[np.searchsorted(known[order], corners.reshape(-1, count))]])
-            rows = np.intersect1d(rows, found)
+            gone_sides = find_sides(sides, gone[order[np.searchsorted(known[order], corners.reshape(-1, count))]])
+            rows = np.intersect1d(rows, gone_sides)
     return rows

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from turgor.core.geometry.cad_unit import unit_in_doubt
+from turgor.core.geometry.cad_unit import LARGEST_EXTENT, SMALLEST_EXTENT, unit_in_doubt
 from turgor.core.geometry.directions import FileAxes
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.exchange.boundary import Sides, sides_of
 from turgor.core.meshing.exchange.formats.abaqus import read_abaqus
@@ -18,6 +19,7 @@ from turgor.core.meshing.exchange.formats.vtu import read_vtu
 from turgor.core.meshing.exchange.frame import Frame
 from turgor.core.meshing.exchange.names import Wishes, name_faces, name_regions
 from turgor.core.meshing.exchange.selectors import Choice
+from turgor.core.meshing.exchange.settings import MESH_FILE
 from turgor.core.meshing.exchange.solids import Solids, place_of, read_solids
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.cell_quality import refuse_inverted
@@ -34,18 +36,6 @@ READERS: Mapping[str, Callable[[Path], RawMesh]] = {
 
 #: Unit of length of files that state none.
 DEFAULT_UNIT = "mm"
-
-#: Range of the longest side of an actuator; outside it the unit is wrong.
-SMALLEST_EXTENT, LARGEST_EXTENT = 1e-3, 2.0
-
-#: Nodes of a mirror plane lie on it up to the first share of its size; those further off than the second are no slips.
-FLAT, MOST_OFF = 1e-6, 0.02
-
-#: Boundary sides that meet at an angle in this range show a curved surface made of flat pieces.
-CURVED = (2 * deg, 45 * deg)
-
-#: Share of boundary edges at such angles from which on a surface counts as curved.
-CURVED_SHARE = 0.05
 
 
 def read_mesh(
@@ -182,14 +172,14 @@ def _put_on_planes(file: Path, points: Array, sides: Sides, faces: Mapping[str, 
         axis = int(extent.argmin())
         level = float(np.median(points[nodes, axis]))
         off = np.abs(points[nodes, axis] - level)
-        if off.max() > MOST_OFF * extent.max():
+        if off.max() > MESH_FILE.mirror_off * extent.max():
             x, y, z = points[nodes[off.argmax()]] / mm
             raise TurgorError(
                 f"face '{name}' is no plane across x, y or z, as a mirror plane must be: its node at ({x:.4g}, "
                 f"{y:.4g}, {z:.4g}) mm lies {off.max() / mm:.3g} mm off the plane {'xyz'[axis]} = {level / mm:.4g} mm."
             )
         points[nodes, axis] = level
-        moved = int((off > FLAT * extent.max()).sum())
+        moved = int((off > TOLERANCE.round_off * extent.max()).sum())
         if moved:
             findings.append(
                 Finding(
@@ -237,8 +227,8 @@ def _straight(raw: RawMesh, sides: Sides) -> tuple[Finding, ...]:
     if any(block.kind.nodes > block.kind.corners for block in raw.solids()):
         return ()
     angles = _edge_angles(sides)
-    curved = (angles > CURVED[0]) & (angles < CURVED[1])
-    if curved.mean() < CURVED_SHARE:
+    curved = (angles > MESH_FILE.least_turn) & (angles < MESH_FILE.most_turn)
+    if curved.mean() < MESH_FILE.curved_share:
         return ()
     return (
         Finding(

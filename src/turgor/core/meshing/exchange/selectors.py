@@ -6,22 +6,18 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.cad.selectors import SAME_DIRECTION, ByColor, ByName, InBox, NearestTo, Selector, WithNormal
+from turgor.core.geometry.cad.selectors import SLACK, ByColor, ByName, InBox, NearestTo, Selector, WithNormal
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.meshing.exchange.boundary import Sides
 from turgor.core.meshing.exchange.formats.raw import Array, Ints
 from turgor.core.meshing.exchange.node_selectors import ByNodes, BySides
+from turgor.core.meshing.quality.settings import FACING
 from turgor.foundation.errors import TurgorError
 
 Mask = NDArray[np.bool_]
 
 #: What `read_mesh` takes for a name: a name in the file, a selector, or several selectors that must all hold.
 Choice: TypeAlias = str | Selector | ByNodes | BySides | Sequence[Selector | ByNodes | BySides]
-
-#: Sides that share an edge continue each other when their normals differ by less than 20°.
-GOES_ON = 0.94
-
-#: What programs leave between things that touch [m].
-SLACK = 1e-6
 
 
 def parts_of(choice: Choice) -> tuple[str | None, tuple[Selector | ByNodes | BySides, ...]]:
@@ -85,7 +81,7 @@ def _side_mask(selector: Selector, sides: Sides, rows: Ints) -> Mask:
             inside = (positions >= np.array(low) - SLACK) & (positions <= np.array(high) + SLACK)
             return np.asarray(inside.all(axis=(1, 2)))
         case WithNormal(normal):
-            looking = normals @ np.array(normal) >= SAME_DIRECTION
+            looking = normals @ np.array(normal) >= TOLERANCE.direction
             depth = positions.mean(axis=1) @ np.array(normal)
             furthest = depth[looking].max(initial=-np.inf) - 1e-6 * float(np.ptp(positions.reshape(-1, 3)))
             return np.asarray(looking & (depth >= furthest))
@@ -103,7 +99,7 @@ def _smooth_part(sides: Sides, rows: Ints, normals: Array, start: int) -> Mask:
     order = np.lexsort(edges.T)
     same = np.flatnonzero((edges[order][1:] == edges[order][:-1]).all(axis=1))
     left, right = owner[order[same]], owner[order[same + 1]]
-    smooth = np.einsum("ei,ei->e", normals[left], normals[right]) > GOES_ON
+    smooth = np.einsum("ei,ei->e", normals[left], normals[right]) > FACING.continued
     left, right = left[smooth], right[smooth]
     mask = np.zeros(len(rows), dtype=bool)
     mask[start] = True

@@ -8,10 +8,8 @@ from numpy.typing import NDArray
 from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType
 from turgor.core.meshing.exchange.formats.raw import Array, Ints, RawMesh
 from turgor.core.meshing.exchange.frame import Frame
+from turgor.core.meshing.exchange.settings import MESH_FILE
 from turgor.foundation.errors import TurgorError
-
-#: Nodes nearer to each other than this share of the shortest cell edge are one node written twice.
-SAME_NODE = 1e-3
 
 #: The same cell seen in a mirror.
 _MIRRORED = {
@@ -142,18 +140,20 @@ def _merge_nodes(solids: Solids, raw: RawMesh) -> None:
     used = np.unique(solids.cells)
     tree = cKDTree(solids.points[used])
     number = np.arange(len(solids.points))
-    for a, b in sorted(map(tuple, tree.query_pairs(SAME_NODE * float(length.min()), output_type="ndarray").tolist())):
+    for a, b in sorted(
+        map(tuple, tree.query_pairs(MESH_FILE.same_node * float(length.min()), output_type="ndarray").tolist())
+    ):
         number[used[b]] = number[used[a]]
-    kept = np.unique(number[used])
-    if len(kept) < len(used):
-        solids.done.append(f"{len(used) - len(kept)} nodes at the place of another one were merged with it")
+    unique = np.unique(number[used])
+    if len(unique) < len(used):
+        solids.done.append(f"{len(used) - len(unique)} nodes at the place of another one were merged with it")
     new = np.full(len(solids.points), -1, dtype=np.int64)
-    new[kept] = np.arange(len(kept))
+    new[unique] = np.arange(len(unique))
     free = len(solids.points) - len(used)
     if free:
         solids.done.append(f"{free} nodes that belong to no solid cell were left out")
-    solids.renumbered = np.where(np.isin(number, kept), new[number], -1)
-    solids.cells, solids.points = new[number[solids.cells]], solids.points[kept]
+    solids.renumbered = np.where(np.isin(number, unique), new[number], -1)
+    solids.cells, solids.points = new[number[solids.cells]], solids.points[unique]
 
 
 def _raise_order(solids: Solids) -> None:

@@ -23,6 +23,7 @@ from turgor.core.meshing.exchange.frame import Frame
 from turgor.core.meshing.exchange.names import Wishes
 from turgor.core.meshing.exchange.read import DEFAULT_UNIT, named_mesh, with_unit_checked
 from turgor.core.meshing.exchange.selectors import Choice
+from turgor.core.meshing.exchange.settings import MESH_FILE
 from turgor.core.meshing.exchange.solids import place_of
 from turgor.core.meshing.generate import mesh_with
 from turgor.core.meshing.mesh import Mesh
@@ -30,9 +31,6 @@ from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.silenced_output import captured_output
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
-
-#: Cells that keep the triangles fill the space between them up to this share; else some of it was left out.
-MISSED = 0.001
 
 _CROSSING = re.compile(r"Intersecting elements (\d+) and (\d+)")
 
@@ -173,7 +171,7 @@ def _filled(file: Path, shells: Sequence[Triangles], frame: Frame) -> RawMesh:
     a, b, c, d = (points[block.nodes[:, i]] for i in range(4))
     filled = float(np.abs(np.einsum("ci,ci->c", b - a, np.cross(c - a, d - a))).sum()) / 6
     wanted = sum(shell.volume for shell in shells)
-    if abs(filled - wanted) > MISSED * abs(wanted):
+    if abs(filled - wanted) > MESH_FILE.volume * abs(wanted):
         raise TurgorError(f"the cells between the surfaces of '{file}' fill {filled / wanted:.1%} of the space there.")
     return RawMesh(path=file, points=points, blocks=(block,), named=False)
 

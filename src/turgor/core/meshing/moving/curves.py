@@ -7,16 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.meshing.moving.settings import MOVING
+
 Array = NDArray[np.float64]
-
-#: Points along an edge that is not straight, from which the nearest one to a point is refined.
-SAMPLES = 65
-
-#: An edge is straight, and its parameter grows evenly along it, if points are off by less than this share.
-STRAIGHT = 1e-12
-
-#: Newton's iterations for a parameter, and the relative step at which they end.
-ITERATIONS, ENDED = 20, 1e-14
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,27 +44,27 @@ class Curve:
             along = other - one
             return np.asarray(np.clip((points - one) @ along / (along @ along), 0.0, 1.0))
         away = np.linalg.norm(points[:, None] - self.samples, axis=2)
-        at = away.argmin(axis=1) / (SAMPLES - 1)
-        for _ in range(ITERATIONS):
+        at = away.argmin(axis=1) / (MOVING.samples - 1)
+        for _ in range(MOVING.iterations):
             tangents = self._values(self.edge.Tangent, at) * (self.high - self.low)
             square = np.einsum("ni,ni->n", tangents, tangents)
             step = np.einsum("ni,ni->n", points - self.points(at), tangents) / np.where(square > 0, square, 1.0)
             before, at = at, np.clip(at + step, 0.0, 1.0)
-            if np.abs(at - before).max(initial=0.0) < ENDED:
+            if np.abs(at - before).max(initial=0.0) < MOVING.exact:
                 break
         return at
 
     @cached_property
     def samples(self) -> Array:
-        """Points (`SAMPLES`, 3) [m] along the edge, evenly in its parameter."""
-        return self._values(self.edge.Value, np.linspace(0.0, 1.0, SAMPLES))
+        """Points (s, 3) [m] along the edge, evenly in its parameter."""
+        return self._values(self.edge.Value, np.linspace(0.0, 1.0, MOVING.samples))
 
     @cached_property
     def straight(self) -> bool:
         """Whether the edge is straight, and its parameter grows evenly along it."""
         one, other = self.samples[[0, -1]]
-        even = one + np.linspace(0.0, 1.0, SAMPLES)[:, None] * (other - one)
-        return bool(np.abs(self.samples - even).max() <= STRAIGHT * np.abs(self.samples).max())
+        even = one + np.linspace(0.0, 1.0, MOVING.samples)[:, None] * (other - one)
+        return bool(np.abs(self.samples - even).max() <= MOVING.exact * np.abs(self.samples).max())
 
     def _values(self, function: Any, at: Array) -> Array:
         points = [function(t) for t in (self.low + at * (self.high - self.low)).tolist()]

@@ -11,17 +11,12 @@ from scipy.spatial import cKDTree
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.moving.node_parameters import located
 from turgor.core.meshing.moving.parts import Parts
+from turgor.core.meshing.moving.settings import MOVING
 from turgor.core.meshing.moving.sides import Sides, sides_of
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A vertex belongs to an edge or a face if it is nearer than this share of the shortest edge of the mesh there.
-NEAR = 0.02
-
-#: A mid-side node that was straightened is off at most by this share of the edge that it lies on.
-STRAIGHTENED = 0.2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -120,7 +115,7 @@ def _corners(mesh: Mesh, sides: Sides, parts: Parts) -> Ints:
     """Node of each CAD vertex."""
     nodes = np.flatnonzero(np.isfinite(sides.shortest[: mesh.vertex_count]))
     away, nearest = cKDTree(mesh.points[nodes]).query(parts.vertices)
-    if (away > NEAR * sides.shortest[nodes[nearest]]).any() or len(np.unique(nearest)) < len(nearest):
+    if (away > MOVING.near * sides.shortest[nodes[nearest]]).any() or len(np.unique(nearest)) < len(nearest):
         raise _off_shape(mesh, "vertices")
     return np.asarray(nodes[nearest])
 
@@ -135,7 +130,7 @@ def _path(mesh: Mesh, sides: Sides, parts: Parts, corners: Ints, number: int) ->
     near[corners] = False
     nodes = np.flatnonzero(near)
     shares = curve.shares(vertices[nodes])
-    on = np.linalg.norm(vertices[nodes] - curve.points(shares), axis=1) <= NEAR * shortest[nodes]
+    on = np.linalg.norm(vertices[nodes] - curve.points(shares), axis=1) <= MOVING.near * shortest[nodes]
     return np.concatenate([ends[:1], nodes[on][np.argsort(shares[on])], ends[-1:]])
 
 
@@ -186,5 +181,5 @@ def _enclosed(sides: Sides, crossed: NDArray[np.bool_]) -> Ints:
 
 def _close(mesh: Mesh, sides: Sides, nodes: Ints, points: Array) -> bool:
     """Whether nodes are close to the points of a surface that are nearest to them."""
-    allowed = np.where(nodes < mesh.vertex_count, NEAR, STRAIGHTENED) * sides.shortest[nodes]
+    allowed = np.where(nodes < mesh.vertex_count, MOVING.near, MOVING.straightened) * sides.shortest[nodes]
     return bool((np.linalg.norm(mesh.points[nodes] - points, axis=1) <= allowed).all())

@@ -5,13 +5,11 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.spatial import cKDTree
 
+from turgor.core.meshing.moving.settings import MOVING
 from turgor.core.meshing.moving.surfaces import Surface
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: The first node lies on the surface if it is nearer than this share of the size of the face.
-FOUND = 1e-3
 
 
 def located(surface: Surface, points: Array, triangles: Ints, nodes: Ints) -> tuple[Array, Array] | None:
@@ -39,7 +37,7 @@ def located(surface: Surface, points: Array, triangles: Ints, nodes: Ints) -> tu
     if surface.plane is not None or not len(nodes):
         return surface.nearest(own, np.zeros((len(nodes), 2)))
     start, away = surface.searched(own[0], size)
-    if away > FOUND * size:
+    if away > MOVING.near * size:
         return None
     uv, known = np.zeros((len(nodes), 2)), np.zeros(len(nodes), dtype=bool)
     uv[0], known[0] = start, True
@@ -68,6 +66,6 @@ def _reached(adjacency: coo_array, own: Array, known: NDArray[np.bool_]) -> tupl
     if len(one):
         reached, first = np.unique(other, return_index=True)
         return reached, one[first]
-    left, found = np.flatnonzero(~known), np.flatnonzero(known)
-    away, nearest = cKDTree(own[found]).query(own[left])
-    return left[[away.argmin()]], found[nearest[[away.argmin()]]]
+    left, settled = np.flatnonzero(~known), np.flatnonzero(known)
+    away, nearest = cKDTree(own[settled]).query(own[left])
+    return left[[away.argmin()]], settled[nearest[[away.argmin()]]]

@@ -7,14 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.meshing.moving.curves import Curve, curve_of
 from turgor.core.meshing.moving.surfaces import Surface, surface_of
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: An edge is shorter than this [CAD units] only at the pole of a sphere or the tip of a cone; it has no curve.
-POLE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,7 +64,7 @@ def parts_of(geometry: Geometry) -> Parts:
             f"'{geometry.name}' is given by facets or a mesh, not by CAD faces that nodes of tetrahedra could follow."
         )
     vertices = _numbers(shape.vertices)
-    edges = _numbers(edge for edge in shape.edges if edge.mass > POLE)
+    edges = _numbers(edge for edge in shape.edges if edge.mass > TOLERANCE.length)
     faces = list(dict.fromkeys(shape.faces))
     return Parts(
         vertices=np.array([(each.p.x, each.p.y, each.p.z) for each in vertices]) * scale,

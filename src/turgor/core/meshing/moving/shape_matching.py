@@ -7,15 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from turgor.core.meshing.moving.curves import SAMPLES, Curve
+from turgor.core.meshing.moving.curves import Curve
 from turgor.core.meshing.moving.parts import Parts
+from turgor.core.meshing.moving.settings import MOVING
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A sample of a closed curve by which its direction is determined.
-QUARTER = SAMPLES // 4
 
 
 def matched(known: Parts, parts: Parts, name: str) -> Parts:
@@ -63,7 +61,9 @@ def _reordered(known: Parts, parts: Parts, vertices: Ints) -> Parts | None:
     edges = _paired(
         [frozenset(each) for each in known.ends],
         [frozenset(each) for each in ends],
-        lambda one, other: _away(known.curves[one].samples[SAMPLES // 2], parts.curves[other].samples[SAMPLES // 2]),
+        lambda one, other: _away(
+            known.curves[one].samples[MOVING.samples // 2], parts.curves[other].samples[MOVING.samples // 2]
+        ),
     )
     if edges is None:
         return None
@@ -85,11 +85,11 @@ def _reordered(known: Parts, parts: Parts, vertices: Ints) -> Parts | None:
 
 
 def _paired(
-    known: Sequence[Hashable], found: Sequence[Hashable], away: Callable[[int, int], float]
+    known: Sequence[Hashable], others: Sequence[Hashable], away: Callable[[int, int], float]
 ) -> list[int] | None:
     """Place of the partner of each known key, the nearest one of those that are equal; None where one has no own."""
     places: dict[Hashable, list[int]] = {}
-    for place, key in enumerate(found):
+    for place, key in enumerate(others):
         places.setdefault(key, []).append(place)
     partners = []
     for number, key in enumerate(known):
@@ -105,9 +105,9 @@ def _directed(known: Curve, own: tuple[int, ...], curve: Curve, ends: tuple[int,
     """A curve in the direction of a known one."""
     turned = own != ends
     if len(ends) == 1:
-        turned = _away(known.samples[QUARTER], curve.samples[QUARTER]) > _away(
-            known.samples[QUARTER], curve.samples[SAMPLES - 1 - QUARTER]
-        )
+        quarter = MOVING.samples // 4  # a sample by which the direction of a closed curve is determined
+        forward, backward = curve.samples[quarter], curve.samples[MOVING.samples - 1 - quarter]
+        turned = _away(known.samples[quarter], forward) > _away(known.samples[quarter], backward)
     return Curve(curve.edge, curve.high, curve.low, curve.scale) if turned else curve
 
 

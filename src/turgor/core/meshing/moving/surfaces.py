@@ -7,19 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.meshing.moving.settings import MOVING
+
 Array = NDArray[np.float64]
-
-#: Newton's iterations for parameters, and the step at which they end, as a share of the size of the coordinates.
-ITERATIONS, ENDED = 40, 1e-14
-
-#: Derivatives of a plane differ by less than this share.
-PLANE = 1e-12
-
-#: Parameters at which a search for a point begins: shares of 1, of a turn and of the size of the face in CAD units.
-STARTS = (0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0)
-
-#: How many of the nearest beginnings are refined.
-TRIED = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +47,7 @@ class Surface:
         """Origin and both derivatives of a plane; None for other surfaces."""
         points, along, across = self._evaluated(np.array([[0.0, 0.0], [0.3, 0.2], [0.1, 0.7], [0.9, 0.4]]))
         size = float(np.abs([along, across]).max())
-        if np.abs(along - along[0]).max() + np.abs(across - across[0]).max() > PLANE * size:
+        if np.abs(along - along[0]).max() + np.abs(across - across[0]).max() > MOVING.exact * size:
             return None
         return points[0], along[0], across[0]
 
@@ -74,10 +64,10 @@ class Surface:
         nearest, along, across = (np.array(each) for each in self.at(uv))
         size = max(float(np.abs(points).max(initial=0.0)), 1e-300)
         active = np.arange(len(uv))
-        for _ in range(ITERATIONS):
+        for _ in range(MOVING.iterations):
             step = _step(points[active] - nearest[active], along[active], across[active])
             length = np.linalg.norm(step[:, :1] * along[active] + step[:, 1:] * across[active], axis=1)
-            active, step = active[length > ENDED * size], step[length > ENDED * size]
+            active, step = active[length > MOVING.exact * size], step[length > MOVING.exact * size]
             if not len(active):
                 break
             uv[active] += step
@@ -89,12 +79,12 @@ class Surface:
         if self.plane is not None:
             uv, nearest = self.nearest(point[None], np.zeros((1, 2)))
             return uv[0], float(np.linalg.norm(nearest[0] - point))
-        shares = np.array(STARTS)
+        shares = np.array(MOVING.starts)
         length = size / self.scale
         one = np.unique(np.concatenate([shares, 2 * np.pi * shares, length * shares, -length * shares]))
         starts = np.stack(np.meshgrid(one, one), axis=-1).reshape(-1, 2)
         away = np.linalg.norm(self.at(starts)[0] - point, axis=1)
-        best = starts[np.argsort(away)[:TRIED]]
+        best = starts[np.argsort(away)[: MOVING.refined]]
         uv, nearest = self.nearest(np.tile(point, (len(best), 1)), best)
         away = np.linalg.norm(nearest - point, axis=1)
         return uv[away.argmin()], float(away.min())

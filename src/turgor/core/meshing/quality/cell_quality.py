@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.core.meshing.quality.hexahedra_quality import hexahedra_jacobian_range, hexahedra_shapes, hexahedra_volumes
+from turgor.core.meshing.quality.settings import CHUNK
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
@@ -16,9 +17,6 @@ Array = NDArray[np.float64]
 #: The Jacobian determinant of a quadratic tetrahedron is a cubic polynomial; a lattice of 35 points samples it, among
 #: them the 10 nodes.
 LATTICE_ORDER = 4
-
-#: Cells evaluated together, to bound the memory.
-CHUNK = 20_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

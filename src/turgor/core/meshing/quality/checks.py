@@ -3,24 +3,18 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.cad.walls import thinnest_wall
+from turgor.core.geometry.cad.walls import WALLS, thinnest_wall
 from turgor.core.meshing.cells import TETRAHEDRON, six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.core.meshing.quality.facing_walls import OPPOSED, edge_keys, unit_normals
+from turgor.core.meshing.quality.facing_walls import edge_keys, unit_normals
 from turgor.core.meshing.quality.quality_cache import once_per_mesh
+from turgor.core.meshing.quality.settings import FACING
 from turgor.core.meshing.surface import among, check_surface, outer_triangles
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Smallest sine of the angle between the surface and an edge through a wall. An edge at a smaller angle runs along the
-#: wall. Cells may be four times as long as the wall is thick.
-STEEP = 0.2
-
-#: Most rays that look for the thinnest wall: about a third of a second for a usual mesh.
-RAYS = 1_000
 
 #: Flat triangles between the nodes of one of six nodes.
 _QUARTERS = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
@@ -83,12 +77,12 @@ def crossings(mesh: Mesh) -> tuple[Ints, Array]:
     pair, second = _triangles_at(surface, edges[owner, 1])
     owner, first = owner[pair], first[pair]
     normal, span = unit_normals(mesh.points, surface), mesh.points[edges[:, 1]] - mesh.points[edges[:, 0]]
-    opposed = np.einsum("pi,pi->p", normal[first], normal[second]) < -OPPOSED
+    opposed = np.einsum("pi,pi->p", normal[first], normal[second]) < -FACING.opposed
     owner, first, second = owner[opposed], first[opposed], second[opposed]
     leaving = -np.einsum("pi,pi->p", span[owner], normal[first])
     arriving = np.einsum("pi,pi->p", span[owner], normal[second])
     depth = np.minimum(leaving, arriving)
-    through = depth > STEEP * np.linalg.norm(span, axis=1)[owner]
+    through = depth > 0
     thickness = np.full(len(edges), np.inf)
     np.minimum.at(thickness, owner[through], depth[through])
     crossing = np.isfinite(thickness)
@@ -114,7 +108,7 @@ def _thinnest(mesh: Mesh, edges: Ints, thickness: Array) -> tuple[float, Array]:
     surface = surface[~_on_cuts(mesh, surface)]
     through = np.isin(surface[:, :3], edges).any(axis=1)
     parts = np.concatenate([surface[:, part] for part in _QUARTERS])  # closer to a curved surface than its corners
-    thinnest, place = thinnest_wall(mesh.points[parts], np.tile(through, len(_QUARTERS)), RAYS)
+    thinnest, place = thinnest_wall(mesh.points[parts], np.tile(through, len(_QUARTERS)), WALLS.fewest)
     if place is None:
         return float(thickness.min()), mesh.points[edges[thickness.argmin()]].mean(axis=0)
     return thinnest, place

@@ -3,27 +3,13 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.mesh import TRIANGLE_EDGES
+from turgor.core.meshing.quality.settings import CHUNK, FACING
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Two triangles face each other if the angle between one normal and the reversed other normal is below 45°.
-OPPOSED = 0.7
-
-#: Triangles that share an edge belong to the same wall when their normals differ by less than 40°.
-SMOOTH = 0.77
-
-#: A triangle extends a wall when its normal is within 20° of the normal at which the extension started.
-CONTINUED = 0.94
-
-#: Rays evaluated together, to bound the memory.
-CHUNK = 2_000
-
-#: Factor of distances that are compared with a bound to leave out what lies too far away: above round-off, and above
-#: the tolerance of a ray at the edge of a triangle.
-ROUND_OFF = 1 + 1e-6
 
 
 def edge_keys(edges: Ints, node_count: int) -> Ints:
@@ -77,13 +63,13 @@ def first_hits(points: Array, triangles: Ints, reach: float, rays: NDArray[np.bo
             middle = origin[part] + (k + 0.5) * stride * normal[part]
             # a hit in this stride is at most stride / 2 from the middle, the centroid of its triangle radius further
             near = cKDTree(middle).sparse_distance_matrix(tree, stride / 2 + radius, output_type="ndarray")
-            near = near[near["v"] <= (stride / 2 + radii[near["j"]]) * ROUND_OFF]
+            near = near[near["v"] <= (stride / 2 + radii[near["j"]]) * (1 + TOLERANCE.round_off)]
             ray, target = part[near["i"]], near["j"]
             close = _passing(origin, normal, radii, ray, target)
             ray, target = ray[close], target[close]
             distance = _ray_distances(origin[ray], normal[ray], corners[target])
-            kept = np.flatnonzero((ray != target) & (distance <= min((k + 1) * stride, reach)))
-            order = kept[np.lexsort((target[kept], distance[kept], ray[kept]))]
+            within = np.flatnonzero((ray != target) & (distance <= min((k + 1) * stride, reach)))
+            order = within[np.lexsort((target[within], distance[within], ray[within]))]
             first = order[np.flatnonzero(np.diff(ray[order], prepend=-1))]
             hit[ray[first]] = target[first]
         active = active[hit[active] < 0]
@@ -95,7 +81,7 @@ def _passing(origin: Array, direction: Array, radii: Array, ray: Ints, target: I
     away = origin[target] - origin[ray]
     along = np.einsum("ij,ij->i", away, direction[ray])
     aside = np.einsum("ij,ij->i", away, away) - along * along
-    return np.asarray(aside <= (radii[target] * ROUND_OFF) ** 2)
+    return np.asarray(aside <= (radii[target] * (1 + TOLERANCE.round_off)) ** 2)
 
 
 def _ray_distances(origin: Array, direction: Array, corners: Array) -> Array:
@@ -135,11 +121,11 @@ def find_walls(points: Array, triangles: Ints, hit: Ints) -> tuple[Ints, Ints]:
     """
     normal = unit_normals(points, triangles)
     seeing = np.flatnonzero(hit >= 0)
-    seeing = seeing[np.einsum("ij,ij->i", normal[seeing], normal[hit[seeing]]) < -OPPOSED]
+    seeing = seeing[np.einsum("ij,ij->i", normal[seeing], normal[hit[seeing]]) < -FACING.opposed]
     facing = np.zeros(len(triangles), dtype=bool)
     facing[seeing] = facing[hit[seeing]] = True
     left, right = _neighbors(triangles)
-    smooth = np.einsum("ij,ij->i", normal[left], normal[right]) > SMOOTH
+    smooth = np.einsum("ij,ij->i", normal[left], normal[right]) > FACING.smooth
     left, right = left[smooth], right[smooth]
     facing = _extended(facing, normal, left, right)
     together = facing[left] & facing[right]
@@ -163,7 +149,7 @@ def _extended(facing: NDArray[np.bool_], normal: Array, left: Ints, right: Ints)
     facing, start = facing.copy(), normal.copy()
     from_, to = np.concatenate([left, right]), np.concatenate([right, left])
     while True:
-        joins = facing[from_] & ~facing[to] & (np.einsum("ij,ij->i", start[from_], normal[to]) > CONTINUED)
+        joins = facing[from_] & ~facing[to] & (np.einsum("ij,ij->i", start[from_], normal[to]) > FACING.continued)
         if not joins.any():
             return facing
         start[to[joins]] = start[from_[joins]]

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.meshing.cells import HEXAHEDRON, HEXAHEDRON_20
 from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.quality.settings import CHUNK
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
@@ -20,9 +21,6 @@ GAUSS = 3
 
 #: The neighbors of each corner along ξ, η, ζ, in right-handed order.
 NEIGHBORS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
-
-#: Cells evaluated together, to bound the memory.
-CHUNK = 2_000
 
 
 @cache

@@ -6,18 +6,16 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.quality.facing_walls import OPPOSED, first_hits, unit_normals
-from turgor.core.meshing.quality.proximity import REACH
+from turgor.core.meshing.quality.facing_walls import first_hits, unit_normals
+from turgor.core.meshing.quality.settings import FACING, PROXIMITY
 from turgor.core.meshing.surface import outer_triangles
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A node lies in a mirror plane if its distance at rest is below this share of the longest side of the mesh.
-ON_PLANE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,7 +74,7 @@ def find_mirror_walls(mesh: Mesh, cavity: str | None = None) -> tuple[MirrorWall
         axis = int(np.ptp(plane, axis=0).argmin())
         level = float(plane[:, axis].mean())
         side = 1.0 if mesh.points[:, axis].mean() > level else -1.0
-        off = side * (mesh.points[nodes, axis] - level) > ON_PLANE * size
+        off = side * (mesh.points[nodes, axis] - level) > TOLERANCE.round_off * size
         walls.append(MirrorWalls(nodes[off], axis, level, side))
     return tuple(walls)
 
@@ -101,7 +99,7 @@ def mirror_gap(walls: tuple[MirrorWalls, ...], points: Array) -> float:
 
 
 def faces_its_image(mesh: Mesh) -> bool:
-    """Return whether an outside wall faces its own mirror image through air, closer than half of `REACH` to the plane.
+    """Return whether an outside wall faces its own mirror image through air, near the plane.
 
     A triangle faces its image if its normal points to the plane and nothing lies between. Walls that end in the plane
     are left out, because their distance is zero from the start.
@@ -124,14 +122,14 @@ def faces_its_image(mesh: Mesh) -> bool:
     planes = find_mirror_walls(mesh)
     if not planes:
         return False
-    reach = REACH * float(np.ptp(mesh.points, axis=0).max()) / 2
+    reach = PROXIMITY.reach * float(np.ptp(mesh.points, axis=0).max()) / 2
     surface = six_node_triangles(outer_triangles(mesh))
     normal, center = unit_normals(mesh.points, surface), mesh.points[surface[:, :3]].mean(axis=1)
     facing, offs = [], []
     for each in planes:
         away = each.side * (center[:, each.axis] - each.level)
         offs.append(np.isin(surface[:, :3], each.nodes))
-        facing.append((each.side * normal[:, each.axis] < -OPPOSED) & (away < reach) & offs[-1].any(axis=1))
+        facing.append((each.side * normal[:, each.axis] < -FACING.opposed) & (away < reach) & offs[-1].any(axis=1))
     free = first_hits(mesh.points, surface, reach, np.any(facing, axis=0)) < 0
     sees = [free & faces for faces in facing]
     return any(_apart(surface[seen, :3], off[seen]) for seen, off in zip(sees, offs, strict=True))

@@ -1,5 +1,7 @@
 """Self-intersection of the surface of a mesh: edges that pass through triangles of another wall or body."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,22 +11,14 @@ from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.core.meshing.quality.facing_walls import edge_keys, unit_normals
 from turgor.core.meshing.quality.quality_cache import once_per_mesh
+from turgor.core.meshing.quality.settings import CHUNK, OVERLAPS
 from turgor.core.meshing.surface import outer_triangles
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Depth below both surfaces, as a share of the edge, of the point where the winding number is evaluated.
-DEEP = 0.1
-
-#: Smallest length of the sum of the two normals at a crossing that counts; walls in contact cross at flat angles.
-STEEP = 0.7
-
-#: Edges evaluated together, to bound the memory.
-CHUNK = 20_000
-
-#: Largest number of crossings, and of points all over the surface, where the winding number is evaluated.
-MOST, SAMPLES = 150, 150
 
 #: Four flat triangles that replace a curved one, so that plugs of round holes do not seem to overlap their walls.
 QUARTERS = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])
@@ -67,22 +61,21 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
     at_edges /= np.maximum(np.linalg.norm(at_edges, axis=1, keepdims=True), 1e-30)
     longest = np.linalg.norm(x[triangles] - x[np.roll(triangles, 1, axis=1)], axis=2).max(axis=1)
     crossings, below = [np.zeros((0, 3))], [np.zeros((0, 3))]
+    spheres = _spheres(x, triangles)
     for start in range(0, len(edges), CHUNK):
         part = slice(start, start + CHUNK)
-        edge, triangle, place = _crossings(x, edges[part], triangles, normals)
+        edge, triangle, place = _crossings(x, edges[part], triangles, normals, spheres)
         inward = normals[triangle] + at_edges[part][edge]
-        leaning = np.linalg.norm(inward, axis=1) > STEEP  # walls in contact cross each other at flat angles
-        edge, triangle, place, inward = edge[leaning], triangle[leaning], place[leaning], inward[leaning]
         length = np.maximum(longest[triangle], np.linalg.norm(np.diff(x[edges[part][edge]], axis=1)[:, 0], axis=1))
         crossings.append(place)
-        below.append(place - DEEP * length[:, None] * inward)
-    chosen = _spread(sum(map(len, crossings)), MOST)
-    found, looked = np.concatenate(crossings)[chosen], np.concatenate(below)[chosen]
+        below.append(place - OVERLAPS.depth * length[:, None] * inward)
+    chosen = _spread(sum(map(len, crossings)), OVERLAPS.points)
+    crossed, tested = np.concatenate(crossings)[chosen], np.concatenate(below)[chosen]
     several = len(find_bodies(mesh)) > 1
-    middle, inner = _samples(x, triangles, normals, SAMPLES if several else 0)
+    middle, inner = _samples(x, triangles, normals, OVERLAPS.points if several else 0)
     fine = x[curved[:, QUARTERS].reshape(-1, 3)]
-    inside = np.array([winding(each, fine) > 1.95 for each in (*looked, *inner)], dtype=bool)  # 2 in two walls
-    return np.concatenate([found, middle])[inside]
+    inside = np.array([winding(each, fine) > 1.95 for each in (*tested, *inner)], dtype=bool)  # 2 in two walls
+    return np.concatenate([crossed, middle])[inside]
 
 
 @once_per_mesh  # a run checks before it solves, and `solve` itself does
@@ -110,7 +103,7 @@ def _samples(x: Array, triangles: Ints, normals: Array, most: int) -> tuple[Arra
     corners = x[triangles[some]]
     length = np.linalg.norm(corners[:, 1] - corners[:, 0], axis=1, keepdims=True)
     middle = corners.mean(axis=1)
-    return middle, middle - DEEP * length * normals[some]
+    return middle, middle - OVERLAPS.depth * length * normals[some]
 
 
 def _spread(count: int, most: int) -> Ints:
@@ -118,9 +111,11 @@ def _spread(count: int, most: int) -> Ints:
     return np.unique(np.linspace(0, max(count - 1, 0), min(most, count)).round().astype(np.int64))
 
 
-def _crossings(x: Array, edges: Ints, triangles: Ints, normals: Array) -> tuple[Ints, Ints, Array]:
+def _crossings(
+    x: Array, edges: Ints, triangles: Ints, normals: Array, spheres: "tuple[cKDTree, Array]"
+) -> tuple[Ints, Ints, Array]:
     """Edges that pass through triangles, these triangles, and the points of intersection."""
-    edge, triangle = _near(x, edges, triangles)
+    edge, triangle = _near(x, edges, triangles, spheres)
     a, b = x[edges[edge, 0]], x[edges[edge, 1]]
     corners, normal = x[triangles[triangle]], normals[triangle]
     above, below = (np.einsum("pi,pi->p", end - corners[:, 0], normal) for end in (a, b))
@@ -135,15 +130,22 @@ def _crossings(x: Array, edges: Ints, triangles: Ints, normals: Array) -> tuple[
     return edge[within], triangle[within], place[within]
 
 
-def _near(x: Array, edges: Ints, triangles: Ints) -> tuple[Ints, Ints]:
-    """Pairs of an edge and a triangle that may intersect and share no corner."""
-    from scipy.spatial import cKDTree  # slow to load, and what the next run asks of its mesh is on disk
+def _spheres(x: Array, triangles: Ints) -> "tuple[cKDTree, Array]":
+    """Centers and radii of spheres about triangles."""
+    from scipy.spatial import cKDTree  # slow to load, and the results of a mesh are on disk
 
-    middle, center = x[edges].mean(axis=1), x[triangles].mean(axis=1)
+    center = x[triangles].mean(axis=1)
+    return cKDTree(center), np.linalg.norm(x[triangles] - center[:, None], axis=2).max(axis=1)
+
+
+def _near(x: Array, edges: Ints, triangles: Ints, spheres: "tuple[cKDTree, Array]") -> tuple[Ints, Ints]:
+    """Pairs of an edge and a triangle that may intersect and share no corner."""
+    from scipy.spatial import cKDTree
+
+    centers, radius = spheres
     half = np.linalg.norm(x[edges[:, 1]] - x[edges[:, 0]], axis=1) / 2
-    radius = np.linalg.norm(x[triangles] - center[:, None], axis=2).max(axis=1)
     reach = float(half.max() + radius.max())
-    pairs = cKDTree(middle).sparse_distance_matrix(cKDTree(center), reach, output_type="ndarray")
+    pairs = cKDTree(x[edges].mean(axis=1)).sparse_distance_matrix(centers, reach, output_type="ndarray")
     pairs = pairs[pairs["v"] <= half[pairs["i"]] + radius[pairs["j"]]]
     edge, triangle = pairs["i"], pairs["j"]
     apart = (edges[edge][:, :, None] != triangles[triangle][:, None, :]).all(axis=(1, 2))

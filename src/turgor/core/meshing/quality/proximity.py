@@ -10,28 +10,13 @@ from numpy.typing import NDArray
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.facing_walls import find_walls, first_hits, unit_normals
+from turgor.core.meshing.quality.settings import PROXIMITY
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Default reach of the search for facing walls, as a share of the longest side.
-REACH = 0.25
-
-#: Number of nodes whose gap is computed exactly: those with the smallest estimated gap.
-MEASURED = 100
-
-#: The search for the foot point covers the triangles around this many nearest nodes.
-NEAREST = 2
-
-#: Newton iterations to the foot point; each multiplies the error by distance times curvature, small near contact.
-STEPS = 6
-
-#: Tolerance of a foot point outside its triangle, in barycentric coordinates. Normals jump between quadratic triangles,
-#: so points in front of a convex edge have no foot point inside a triangle.
-OVERHANG = 0.1
 
 #: Reference coordinates (r, s) of the six nodes of a triangle.
 NODES = np.array([[0, 0], [1, 0], [0, 1], [0.5, 0], [0.5, 0.5], [0, 0.5]])
@@ -109,7 +94,7 @@ def find_facing_walls(mesh: Mesh, reach: float | None = None, cavity: str | None
     (2, 1.0)
     """
     if reach is None:
-        reach = REACH * float(np.ptp(mesh.points, axis=0).max())
+        reach = PROXIMITY.reach * float(np.ptp(mesh.points, axis=0).max())
     if not (isfinite(reach) and reach > 0):
         raise TurgorError(f"reach is {reach / mm:g} mm; allowed is more than 0.")
     surface = six_node_triangles(outer_triangles(mesh))
@@ -151,7 +136,7 @@ def smallest_gap(walls: FacingWalls, displacement: Array | None = None) -> float
     if not near:
         return inf
     guess = np.concatenate([estimate for estimate, _ in near])
-    limit = np.partition(guess, min(MEASURED, len(guess) - 1))[min(MEASURED, len(guess) - 1)]
+    limit = np.partition(guess, min(PROXIMITY.measured, len(guess) - 1))[min(PROXIMITY.measured, len(guess) - 1)]
     for bound in (limit, inf):  # all nodes, in the rare case that none of the nearest has a foot point
         gaps = [
             _gaps(x, side, np.flatnonzero((estimate <= bound) & np.isfinite(estimate)), index)
@@ -164,33 +149,31 @@ def smallest_gap(walls: FacingWalls, displacement: Array | None = None) -> float
 
 
 def _nearest(x: Array, side: _Side) -> tuple[Array, Ints]:
-    """Gap of each node to the tangent plane at its nearest partner node, and the nearest partner nodes."""
+    """Gap of each node to the tangent plane at its nearest partner node, and the nearest partner node."""
     from scipy.spatial import cKDTree  # slow to load, and few runs follow gaps
 
     partners = x[side.partners]
-    count = min(NEAREST, len(partners))
-    _, index = cKDTree(partners).query(x[side.nodes], k=count)
-    index = index.reshape(len(side.nodes), count)
+    _, index = cKDTree(partners).query(x[side.nodes])
     normals = unit_normals(x, side.triangles)
     edge = x[side.triangles[:, [0, 1, 2]]] - x[side.triangles[:, [1, 2, 0]]]
     at_node = np.add.reduceat(normals[side.around], side.start[:-1], axis=0)
     at_node /= np.linalg.norm(at_node, axis=1, keepdims=True)
-    away = x[side.nodes] - partners[index[:, 0]]
-    guess = np.einsum("ij,ij->i", away, at_node[index[:, 0]])
-    aside = np.linalg.norm(away - guess[:, None] * at_node[index[:, 0]], axis=1)
+    away = x[side.nodes] - partners[index]
+    guess = np.einsum("ij,ij->i", away, at_node[index])
+    aside = np.linalg.norm(away - guess[:, None] * at_node[index], axis=1)
     spacing = np.sqrt(np.einsum("fei,fei->fe", edge, edge).max())
     return np.where(aside < 0.6 * spacing, guess, inf), index
 
 
 def _gaps(x: Array, side: _Side, rows: Ints, index: Ints) -> Array:
-    """Signed distances of chosen nodes to the triangles around their nearest partner nodes that hold a foot point."""
-    near = index[rows].ravel()
+    """Signed distances of chosen nodes to the triangles around their nearest partner node that hold a foot point."""
+    near = index[rows]
     count = side.start[near + 1] - side.start[near]
-    owner = np.repeat(np.repeat(side.nodes[rows], index.shape[1]), count)
+    owner = np.repeat(side.nodes[rows], count)
     slot = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count) + np.repeat(side.start[near], count)
     corners, p = x[side.triangles[side.around[slot]]], x[owner]
     rs = NODES[side.corner[slot]]
-    for _ in range(STEPS):
+    for _ in range(PROXIMITY.iterations):
         y, tangents = _surface(corners, rs)
         rs = np.clip(rs + _in_plane(tangents, p - y), -1, 2)
     y, tangents = _surface(corners, rs)
@@ -199,7 +182,7 @@ def _gaps(x: Array, side: _Side, rows: Ints, index: Ints) -> Array:
     gap = np.einsum("mi,mi->m", p - y, normal)
     aside = np.linalg.norm(p - y - gap[:, None] * normal, axis=1)
     size = np.linalg.norm(tangents[:, 0], axis=1)
-    opposite = (rs.min(axis=1) > -OVERHANG) & (rs.sum(axis=1) < 1 + OVERHANG)
+    opposite = (rs.min(axis=1) > -PROXIMITY.overhang) & (rs.sum(axis=1) < 1 + PROXIMITY.overhang)
     return np.asarray(gap[opposite & (aside < 0.1 * np.abs(gap) + 1e-3 * size)])
 
 

@@ -7,22 +7,13 @@ from numpy.typing import NDArray
 
 from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.core.meshing.quality.cell_quality import jacobian_range
+from turgor.core.meshing.quality.settings import STRAIGHTENING
 from turgor.core.meshing.surface import outer_triangles
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A curved cell with a smaller ratio of smallest to largest Jacobian counts as nearly inverted: it would invert as soon
-#: as the actuator deforms. Generated cells at fillets as small as the mesh size have a ratio of 0.15 or more.
-LEAST_JACOBIAN_RATIO = 0.1
-
-#: Each round halves the curvature of the edges of a bad cell; after this many rounds the edges are made straight.
-HALVINGS = 4
-
-#: A deviation from the surface above this share of the mean edge is a warning, a smaller one a note.
-NOTABLE_MISS = 0.1
 
 
 def mended(mesh: Mesh) -> Mesh:
@@ -61,11 +52,11 @@ def mended(mesh: Mesh) -> Mesh:
     current, touched = mesh, bad
     while len(bad):
         mids = np.unique(mesh.cells[bad, 4:])
-        mids = mids[rounds[mids] <= HALVINGS]
+        mids = mids[rounds[mids] <= STRAIGHTENING.halvings]
         if not len(mids):
             break  # their edges are straight already
         rounds[mids] += 1
-        share = np.where(rounds[mids] > HALVINGS, 0.0, 0.5)[:, None]
+        share = np.where(rounds[mids] > STRAIGHTENING.halvings, 0.0, 0.5)[:, None]
         points[mids] = straight[mids] + share * (points[mids] - straight[mids])
         current = replace(mesh, points=points.copy())
         bad = _bad(current)
@@ -77,7 +68,7 @@ def mended(mesh: Mesh) -> Mesh:
 def _bad(mesh: Mesh) -> Ints:
     """Cells that are inverted or nearly so."""
     low, high = jacobian_range(mesh)
-    return np.flatnonzero(low < LEAST_JACOBIAN_RATIO * np.maximum(np.abs(low), np.abs(high)))
+    return np.flatnonzero(low < STRAIGHTENING.jacobian_ratio * np.maximum(np.abs(low), np.abs(high)))
 
 
 def _straight(mesh: Mesh) -> tuple[Array, Array]:
@@ -94,7 +85,7 @@ def _finding(mesh: Mesh, cells: int, moved: Array, length: Array) -> Finding:
     surface = np.unique(outer_triangles(mesh))
     worst = surface[moved[surface].argmax()]
     missed, (x, y, z) = moved[worst], mesh.points[worst] / mm
-    notable = missed > NOTABLE_MISS * length[length > 0].mean()
+    notable = missed > STRAIGHTENING.notable_miss * length[length > 0].mean()
     return Finding(
         code="G08",
         severity=Severity.WARNING if notable else Severity.NOTE,

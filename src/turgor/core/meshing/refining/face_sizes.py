@@ -5,9 +5,10 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.refining.split_hexahedra import CELL_EDGES, SIDE_EDGES, refine_hexahedra, sheets
-from turgor.core.meshing.sizing.sizes import MOST_UNKNOWNS
+from turgor.core.meshing.sizing.settings import SIZING
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
@@ -16,12 +17,6 @@ Ints = NDArray[np.int64]
 
 #: Unknowns of each hexahedron in a large mesh: eight nodes with three displacements, and a mean stress.
 UNKNOWNS_PER_CELL = 25
-
-#: Edges this much longer than a size are not cut: rounding.
-LONGER = 1 + 1e-6
-
-#: Two nodes of a revolved mesh are on one ring if they are nearer than this share of its length in the meridian.
-SAME_RING = 1e-6
 
 
 def with_face_sizes(mesh: Mesh, face_sizes: Mapping[str, float]) -> Mesh:
@@ -63,7 +58,7 @@ def with_face_sizes(mesh: Mesh, face_sizes: Mapping[str, float]) -> Mesh:
         of_cell = sheets(mesh)
         chosen = _crossing(mesh, of_cell, edges)
         unknowns = UNKNOWNS_PER_CELL * float((2.0 ** np.isin(of_cell, chosen).sum(axis=1)).sum())
-        if unknowns > MOST_UNKNOWNS:
+        if unknowns > SIZING.most_unknowns:
             raise TurgorError(
                 f"mesh size of face '{name}' is {face_sizes[name] / mm:.4g} mm, which makes more than "
                 f"{unknowns / 1e6:.2g} million unknowns: hexahedra are cut in whole sheets through the part. Use a "
@@ -75,15 +70,15 @@ def with_face_sizes(mesh: Mesh, face_sizes: Mapping[str, float]) -> Mesh:
 
 def _long_edges(mesh: Mesh, face_sizes: Mapping[str, float]) -> tuple[Ints, str]:
     """Edges on the faces that are too long (e, 2), and the face whose edges are too long by the largest factor."""
-    found, factors = [np.zeros((0, 2), dtype=np.int64)], {}
+    long_edges, factors = [np.zeros((0, 2), dtype=np.int64)], {}
     for name, size in face_sizes.items():
         sides = mesh.face(name)
         edges = np.concatenate([sides[:, list(edge)] for group in SIDE_EDGES for edge in group])
         edges = edges[~_around(mesh, edges)]
         length = np.linalg.norm(mesh.points[edges[:, 1]] - mesh.points[edges[:, 0]], axis=1)
-        found.append(edges[length > LONGER * size])
+        long_edges.append(edges[length > (1 + TOLERANCE.round_off) * size])
         factors[name] = float(length.max(initial=0.0)) / size
-    return np.unique(np.sort(np.concatenate(found), axis=1), axis=0), max(factors, key=factors.__getitem__)
+    return np.unique(np.sort(np.concatenate(long_edges), axis=1), axis=0), max(factors, key=factors.__getitem__)
 
 
 def _around(mesh: Mesh, edges: Ints) -> NDArray[np.bool_]:
@@ -93,16 +88,16 @@ def _around(mesh: Mesh, edges: Ints) -> NDArray[np.bool_]:
     along = mesh.points[:, "xyz".index(mesh.revolved)]
     place = np.stack([along, mesh.radii], axis=1)
     apart = np.abs(place[edges[:, 1]] - place[edges[:, 0]]).max(axis=1)
-    return np.asarray(apart < SAME_RING * np.ptp(along))
+    return np.asarray(apart < TOLERANCE.round_off * np.ptp(along))
 
 
 def _crossing(mesh: Mesh, of_cell: Ints, edges: Ints) -> Ints:
     """Numbers of the sheets that these edges cross."""
     count = len(mesh.points)
     wanted = edges[:, 0] * count + edges[:, 1]
-    found = [np.zeros(0, dtype=np.int64)]
+    directions = [np.zeros(0, dtype=np.int64)]
     for direction, group in enumerate(CELL_EDGES):
         ends = np.sort(mesh.cells[:, np.array(group)], axis=2)
         hit = np.isin(ends[..., 0] * count + ends[..., 1], wanted).any(axis=1)
-        found.append(of_cell[hit, direction])
-    return np.unique(np.concatenate(found))
+        directions.append(of_cell[hit, direction])
+    return np.unique(np.concatenate(directions))

@@ -99,8 +99,8 @@ def _named(mesh: Mesh, meridian: Meridian) -> dict[str, Ints]:
     chosen = chosen[~(radius[sides[chosen]] <= 2 * PINHOLE * radius.max()).all(axis=1)]
     middle = mesh.points[sides[chosen, -1]]
     _, nearest = tree.query(np.stack([middle[:, 0], np.hypot(middle[:, 1], middle[:, 2])], axis=1))
-    found = {name: sides[chosen[owner[nearest] == name]] for name in sorted(set(owner.tolist()))}
-    faces = {name: face for name, face in found.items() if len(face)}
+    sides_of = {name: sides[chosen[owner[nearest] == name]] for name in sorted(set(owner.tolist()))}
+    faces = {name: face for name, face in sides_of.items() if len(face)}
     return faces | {name: mesh.faces[name] for name in mesh.symmetry_faces}
 
 

@@ -11,15 +11,10 @@ from numpy.typing import NDArray
 from turgor.core.geometry.cad.planes.tracing import loops_of, outline_of, samples
 from turgor.core.geometry.extrusion import Fill
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.meshing.exchange.settings import MESH_FILE
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: Two ends of edges are one corner if they are nearer than this share of the size of the part.
-SAME = 1e-7
-
-#: The turned section has the volume of the part up to this share, which free-form edges miss by less.
-SAME_VOLUME = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -72,7 +67,7 @@ def meridian_of(geometry: Geometry) -> Meridian:
     for axis in possible:
         meridian = _about(geometry, axis)
         volume = _turned_volume(meridian)
-        if abs(volume - geometry.solid_volume) <= SAME_VOLUME * geometry.solid_volume:
+        if abs(volume - geometry.solid_volume) <= MESH_FILE.volume * geometry.solid_volume:
             return meridian
     raise TurgorError(
         f"'{geometry.name}' is no body of revolution: its section, turned by a quarter, has {volume * 1e9:.6g} mm³, "

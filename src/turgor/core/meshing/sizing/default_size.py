@@ -3,21 +3,12 @@
 from math import floor, log10
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.meshing.sizing.settings import SIZING
 from turgor.core.meshing.sizing.sizes import extent_of, size_for, size_range, wall_size
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
-
-#: Without a given size, cells are this many times longer than the thinnest wall is thick. Measured with hexahedra: at
-#: four times, an eccentric bender was 3 % off and ring sectors 6 %, at three times 0.3 % and 1 %.
-DEFAULT_SIZE_PER_WALL = {"tetrahedra": 2.0, "hexahedra": 3.0, "axisymmetric": 2.0}
-
-#: Without a given size, the part is at least this many cells long.
-DEFAULT_CELLS_PER_EXTENT = 8.0
-
-#: Largest mesh that is made without asking: one machine solves it in minutes.
-DEFAULT_UNKNOWNS = 1.5e5
 
 
 def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
@@ -46,14 +37,14 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     """
     low, high = size_range(geometry)[0], wall_size(geometry)
     if high < low and cells != "axisymmetric":
-        high = size_for(geometry, DEFAULT_UNKNOWNS)
-    high = min(high, extent_of(geometry) / DEFAULT_CELLS_PER_EXTENT)
-    per_wall = DEFAULT_SIZE_PER_WALL.get(cells, DEFAULT_SIZE_PER_WALL["tetrahedra"])  # unknown cells are refused later
+        high = size_for(geometry, SIZING.default_unknowns)
+    high = min(high, extent_of(geometry) / SIZING.cells_per_extent)
+    per_wall = SIZING.hexahedra_per_wall if cells == "hexahedra" else SIZING.tetrahedra_per_wall
     size = per_wall * geometry.smallest_wall
     if cells == "hexahedra" and geometry._sweep is not None and wall_size(geometry) >= low:
         size = _fewer(geometry, min(size, high))
     elif cells != "axisymmetric":  # few unknowns whatever the size
-        size = max(size, size_for(geometry, DEFAULT_UNKNOWNS))
+        size = max(size, size_for(geometry, SIZING.default_unknowns))
     size = min(size, high)
     digits = 1 - floor(log10(size / mm))
     rounded = floor(round(size / mm * 10**digits, 6)) / 10**digits * mm
@@ -66,4 +57,4 @@ def _fewer(geometry: Geometry, size: float) -> float:
         made = swept_mesh(geometry, Fineness(size=size))
     except TurgorError:
         return size  # the mesh itself says what is wrong
-    return size * max(1.0, made.unknown_count / DEFAULT_UNKNOWNS)
+    return size * max(1.0, made.unknown_count / SIZING.default_unknowns)

@@ -16,12 +16,9 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.thin_corners import find_thin_corners
+from turgor.core.meshing.sizing.settings import SIZING
 
 Array = NDArray[np.float64]
-
-#: Sizes along these corners, and on curved walls that end there, as shares of the mesh size. Shares of the size and
-#: not of the wall, so that a study of mesh sizes refines all of a mesh alike.
-CORNER_SHARE, CURVED_SHARE = 1 / 3, 0.7
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -68,11 +65,11 @@ def local_sizes(geometry: Geometry, size: float, face_sizes: Mapping[str, float]
     >>> len(local_sizes(part, 4e-3, {"cavity_2": 4e-3}).lines)
     4
     """
-    corners = [found for found in find_thin_corners(geometry) if found.name not in face_sizes]
+    corners = [corner for corner in find_thin_corners(geometry) if corner.name not in face_sizes]
     named = {i: face_sizes[face.name] for i, face in enumerate(geometry._cad.faces) if face.name in face_sizes}
-    lines = [found.lines for found in corners]
+    lines = [corner.lines for corner in corners]
     return LocalSizes(
-        faces=named | {i: CURVED_SHARE * size for found in corners for i in found.curved},
+        faces=named | {i: SIZING.curved * size for corner in corners for i in corner.curved},
         lines=np.concatenate(lines) if lines else np.zeros((0, 2, 3)),
-        line_size=CORNER_SHARE * size,
+        line_size=SIZING.short * size,
     )

@@ -9,36 +9,11 @@ from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.extrusion import Along
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.shapes.lazy_shape import LateShape
+from turgor.core.geometry.thin_corners import THIN_CORNERS
 from turgor.core.meshing.settings import MeshSettings
+from turgor.core.meshing.sizing.settings import SIZING
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.units import mm
-
-#: Cells up to this many times longer than the thinnest wall is thick suit all walls: one quadratic cell through a wall,
-#: four times as long as thick, still bends well; longer cells miss the bulging of walls.
-LARGEST_SIZE_PER_WALL = 4.0
-
-#: Largest mesh that one machine can be expected to solve.
-MOST_UNKNOWNS = 3e6
-
-#: Unknowns per volume over size cubed, measured on the fast PneuNet from 1.5 to 1 mm: 40 to 35.
-UNKNOWNS_PER_SIZE_CUBED = 40.0
-
-#: Unknowns per area over size squared that a face with a size of its own adds, measured on the cavity of the fast
-#: PneuNet from 1 to 0.5 mm: 15 to 19 (cells grow away from it with a grading of 0.5).
-UNKNOWNS_PER_SIZE_SQUARED = 20.0
-
-#: Cells along an arc as long as its radius. With 1, curved cells turn inside out where a fillet or a tube is coarse
-#: (a slot of 1 mm radius at 1 mm size: 3 cells); with 2, none did on slots, tubes, half tubes and spheres.
-CELLS_PER_RADIUS = 2.0
-
-#: Relative mesh errors that can be requested.
-LEAST_TARGET, MOST_TARGET = 1e-4, 0.5
-
-#: A sweep is a tube where one layer is longer than this share of its path, and than so many times the thinnest wall.
-TUBE, LONG_PER_WALL = 0.5, 20.0
-
-#: Cells through a wall that can be requested.
-MOST_WALL_CELLS = 4
 
 
 def size_range(geometry: Geometry) -> tuple[float, float]:
@@ -47,12 +22,12 @@ def size_range(geometry: Geometry) -> tuple[float, float]:
     The smallest makes about 3 million unknowns; the largest is the part itself. Above `wall_size`, thin walls get
     smaller cells than the rest.
     """
-    return size_for(geometry, MOST_UNKNOWNS), extent_of(geometry)
+    return size_for(geometry, SIZING.most_unknowns), extent_of(geometry)
 
 
 def wall_size(geometry: Geometry) -> float:
     """Largest mesh size that suits every wall of a geometry [m]: four times the thinnest wall, or the part itself."""
-    return min(LARGEST_SIZE_PER_WALL * geometry.smallest_wall, extent_of(geometry))
+    return min(SIZING.largest_per_wall * geometry.smallest_wall, extent_of(geometry))
 
 
 def check_settings(geometry: Geometry, settings: MeshSettings) -> None:
@@ -85,10 +60,9 @@ def check_target(target: float) -> None:
     Traceback (most recent call last):
     turgor.TurgorError: mesh target is 200 %; allowed is 0.01 % to 50 %.
     """
-    if not LEAST_TARGET <= target <= MOST_TARGET:
-        raise TurgorError(
-            f"mesh target is {100 * target:g} %; allowed is {100 * LEAST_TARGET:g} % to {100 * MOST_TARGET:g} %."
-        )
+    low, high = SIZING.least_target, SIZING.most_target
+    if not low <= target <= high:
+        raise TurgorError(f"mesh target is {100 * target:g} %; allowed is {100 * low:g} % to {100 * high:g} %.")
 
 
 def check_face_sizes(geometry: Geometry, face_sizes: Mapping[str, Any], size: float) -> None:
@@ -122,7 +96,7 @@ def check_face_sizes(geometry: Geometry, face_sizes: Mapping[str, Any], size: fl
             raise unknown("face", str(name), geometry.faces)
         if isinstance(value, bool) or not isinstance(value, Real) or not isfinite(value):
             raise TurgorError(f"mesh size of face '{name}' is {value!r}; a length in meters is needed, such as 1*mm.")
-        low = (UNKNOWNS_PER_SIZE_SQUARED * _face_area(geometry, name) / MOST_UNKNOWNS) ** 0.5
+        low = (SIZING.unknowns_per_area * _face_area(geometry, name) / SIZING.most_unknowns) ** 0.5
         if not low <= value <= size:
             shown = f"{ceil(low / mm * 1000) / 1000:g} mm to {size / mm:.6g} mm, the size of the whole mesh"
             raise TurgorError(f"mesh size of face '{name}' is {value / mm:.6g} mm; allowed is {shown}.")
@@ -176,7 +150,7 @@ def extent_of(geometry: Geometry) -> float:
 
 def size_for(geometry: Geometry, unknowns: float) -> float:
     """Size of tetrahedra [m] that make about so many unknowns."""
-    return float((UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / unknowns) ** (1 / 3))
+    return float((SIZING.unknowns_per_volume * geometry.solid_volume / unknowns) ** (1 / 3))
 
 
 def _check_size(geometry: Geometry, size: object) -> None:
@@ -191,7 +165,7 @@ def _check_size(geometry: Geometry, size: object) -> None:
     if length <= 0:
         raise TurgorError(f"{given}; allowed is {shown}.")
     if length < low:
-        millions = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / length**3 / 1e6
+        millions = SIZING.unknowns_per_volume * geometry.solid_volume / length**3 / 1e6
         raise TurgorError(f"{given}, which makes about {millions:.3g} million unknowns; allowed is {shown}.")
     hint = "; is the unit right?" if low <= length * mm <= high else "."
     raise TurgorError(f"{given}, larger than the part; allowed is {shown}{hint}")
@@ -203,15 +177,15 @@ def is_tube(geometry: Geometry) -> bool:
     if sweep is None or not isinstance(sweep.path, Along):
         return False
     lengths = [layer.end - layer.start for layer in sweep.layers]
-    return max(lengths) > TUBE * sum(lengths) and max(lengths) > LONG_PER_WALL * geometry.smallest_wall
+    return 2 * max(lengths) > sum(lengths) and max(lengths) > THIN_CORNERS.long * geometry.smallest_wall
 
 
 def _check_wall_cells(wall_cells: object) -> None:
     whole = isinstance(wall_cells, Integral) and not isinstance(wall_cells, bool)
-    if not whole or not 1 <= int(wall_cells) <= MOST_WALL_CELLS:  # type: ignore[call-overload]
+    if not whole or not 1 <= int(wall_cells) <= SIZING.wall_cells:  # type: ignore[call-overload]
         raise TurgorError(
             f"mesh wall_cells is {wall_cells!r}; allowed is 1, which leaves the walls as they come, to "
-            f"{MOST_WALL_CELLS}, which puts so many cells through every wall at least; a smaller size puts more."
+            f"{SIZING.wall_cells}, which puts so many cells through every wall at least; a smaller size puts more."
         )
 
 

@@ -20,36 +20,18 @@ from scipy.spatial import cKDTree
 from turgor.core.geometry.cad.facets import RoundFacets, round_facets
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.meshing.sizing.sizes import CELLS_PER_RADIUS, UNKNOWNS_PER_SIZE_CUBED, UNKNOWNS_PER_SIZE_SQUARED
+from turgor.core.meshing.sizing.settings import FEATURES, SIZING
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: By themselves, radii below this share of the size are left coarse: one cell reaches over an arc of a quarter circle.
-COARSE_RADIUS_PER_SIZE = 0.5
-
-#: By themselves, they are left coarse only where cells along them would make more unknowns than this, and more than the
-#: rest of the part.
-MOST_UNKNOWNS_OF_FEATURES = 2e4
-
-#: A round that turns by less than this angle (cosine of 120°) is a fillet, which one cell reaches over; what turns
-#: further is a hole or a boss, which gets a cell along an arc as long as its radius: six around it.
-TURNED = -0.5
-
-#: Cells along an arc as long as its radius, of holes and bosses below the limit.
-CELLS_PER_SMALL_RADIUS = 1.0
-
 #: What is said of a body of revolution.
 REVOLVED = (
     ' The part is a body of revolution: where its loads are the same all around, cells = "axisymmetric" follows the '
     "rounds with a fraction of the unknowns."
 )
-
-#: Edges shorter than this share of the limit are left out where the limit is stated. Arcs of fillets are longer than
-#: their radius.
-TINY = 0.5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -104,16 +86,16 @@ def small_features(geometry: Geometry, size: float, limit: float | None) -> Smal
     facets, scale = round_facets(geometry._cad), geometry.length_scale
     radii, areas = facets.radii * scale, facets.areas * scale**2
     stated = limit is not None
-    limit = COARSE_RADIUS_PER_SIZE * size if limit is None else limit
+    limit = FEATURES.coarse_radius * size if limit is None else limit
     small = radii < limit
-    wanted = np.minimum(radii / CELLS_PER_RADIUS, size)
-    added = float(UNKNOWNS_PER_SIZE_SQUARED * (areas * (wanted**-2 - size**-2))[small].sum())
-    rest = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / size**3
-    if not small.any() or not (stated or added > max(MOST_UNKNOWNS_OF_FEATURES, rest)):
+    wanted = np.minimum(radii / SIZING.cells_per_radius, size)
+    added = float(SIZING.unknowns_per_area * (areas * (wanted**-2 - size**-2))[small].sum())
+    rest = SIZING.unknowns_per_volume * geometry.solid_volume / size**3
+    if not small.any() or not (stated or added > max(FEATURES.unknowns, rest)):
         return None
     wanted[small] = size
     wide = _wide_rounds(facets, small, limit / scale)
-    wanted[wide] = np.minimum(radii[wide] / CELLS_PER_SMALL_RADIUS, size)
+    wanted[wide] = np.minimum(radii[wide], size)  # six cells around
     followed = wanted < size
     corners = facets.corners[followed] * scale
     return SmallFeatures(
@@ -134,14 +116,14 @@ def _wide_rounds(facets: RoundFacets, small: NDArray[np.bool_], limit: float) ->
         points, normals = facets.corners[own].reshape(-1, 3), facets.normals[own].reshape(-1, 3)
         reach = 2 * min(float(np.median(facets.radii[own])), limit)
         a, b = cKDTree(points).query_pairs(reach * (1 + 1e-4), output_type="ndarray").T
-        if (np.einsum("pi,pi->p", normals[a], normals[b]) < TURNED).any():
+        if (np.einsum("pi,pi->p", normals[a], normals[b]) < FEATURES.turned).any():
             wide |= own
     return wide
 
 
 def has_tiny_edges(geometry: Geometry, limit: float) -> bool:
     """Whether a CAD shape has edges shorter than half of a limit [m], such as those of engraved text."""
-    return any(edge.mass * geometry.length_scale < TINY * limit for edge in geometry._cad.edges)
+    return any(edge.mass * geometry.length_scale < FEATURES.coarse_radius * limit for edge in geometry._cad.edges)
 
 
 def edges_left(limit: float, spared: float, filled: float) -> Finding:
@@ -158,9 +140,9 @@ def edges_left(limit: float, spared: float, filled: float) -> Finding:
     return Finding(
         code="G11",
         severity=Severity.NOTE,
-        message=f"The faces have edges shorter than {TINY * limit / mm:.3g} mm, which cells need not keep: the part "
-        f"was filled within an envelope of its facets, with {spared:.0%} fewer unknowns. The cells fill {_off(filled)} "
-        "than the part.",
+        message=f"The faces have edges shorter than {FEATURES.coarse_radius * limit / mm:.3g} mm, which cells need not "
+        f"keep: the part was filled within an envelope of its facets, with {spared:.0%} fewer unknowns. The cells fill "
+        f"{_off(filled)} than the part.",
         advice="Leave ignore_features_below out to keep all edges.",
     )
 

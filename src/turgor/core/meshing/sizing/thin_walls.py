@@ -7,21 +7,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.core.meshing.quality.facing_walls import OPPOSED, first_hits, unit_normals
-from turgor.core.meshing.sizing.sizes import LARGEST_SIZE_PER_WALL, MOST_UNKNOWNS, UNKNOWNS_PER_SIZE_SQUARED
+from turgor.core.meshing.quality.facing_walls import first_hits, unit_normals
+from turgor.core.meshing.quality.settings import FACING
+from turgor.core.meshing.sizing.settings import SIZING, THIN_WALLS
 from turgor.core.meshing.surface import outer_triangles
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
 
 Array = NDArray[np.float64]
-
-#: Longest edge over thickness of a wall that is accepted. The largest size is four times the wall, and the generator
-#: makes some edges half as long again as the size it is given.
-LONGEST_EDGE_PER_WALL = 1.5 * LARGEST_SIZE_PER_WALL
-
-#: Size requested at a thin wall over its thickness at first, and its factor each time that this did not suffice.
-REQUESTED_SIZE_PER_WALL, FIRMER = 3.0, 0.7
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -44,11 +38,11 @@ class ThinWalls:
 
     def sizes(self, rounds: int) -> Array:
         """Sizes that suit the walls after some rounds of requests, (p,) [m]."""
-        return REQUESTED_SIZE_PER_WALL * FIRMER**rounds * self.thickness
+        return THIN_WALLS.requested_per_wall * THIN_WALLS.firmer**rounds * self.thickness
 
     def unknowns(self) -> float:
         """About so many unknowns lie in these walls with cells as short as requested."""
-        return float((UNKNOWNS_PER_SIZE_SQUARED / 2 * self.areas / self.sizes(0) ** 2).sum())
+        return float((SIZING.unknowns_per_area / 2 * self.areas / self.sizes(0) ** 2).sum())
 
     def place(self) -> str:
         """Where the thinnest of these walls is, and how thick."""
@@ -84,14 +78,14 @@ def find_thin_walls(mesh: Mesh, size: float, stated: Collection[str] = ()) -> Th
     """
     surface = outer_triangles(mesh)
     surface = surface[~_on_faces(mesh, surface, mesh.cut_faces)]
-    corners, inward, kept = mesh.points[surface[:, :3]], surface[:, [0, 2, 1]], _on_faces(mesh, surface, stated)
+    corners, inward, on_stated = mesh.points[surface[:, :3]], surface[:, [0, 2, 1]], _on_faces(mesh, surface, stated)
     normal, middle = unit_normals(mesh.points, inward), corners.mean(axis=1)
-    hit = first_hits(mesh.points, inward, size / LARGEST_SIZE_PER_WALL)
+    hit = first_hits(mesh.points, inward, size / SIZING.largest_per_wall)
     facing = np.einsum("ti,ti->t", normal, normal[hit])
-    seen = np.flatnonzero((hit >= 0) & (facing < -OPPOSED) & ~kept & ~kept[hit])
+    seen = np.flatnonzero((hit >= 0) & (facing < -FACING.opposed) & ~on_stated & ~on_stated[hit])
     depth = np.einsum("ti,ti->t", middle[hit[seen]] - middle[seen], normal[hit[seen]]) / facing[seen]
     longest = np.max([np.linalg.norm(corners[seen, a] - corners[seen, b], axis=1) for a, b in TRIANGLE_EDGES], axis=0)
-    thin = longest > LONGEST_EDGE_PER_WALL * depth
+    thin = longest > THIN_WALLS.longest_per_wall * depth
     one, two = (corners[seen, i] - corners[seen, 0] for i in (1, 2))
     areas = np.linalg.norm(np.cross(one, two), axis=1) / 2
     return ThinWalls(points=middle[seen][thin], thickness=depth[thin], areas=areas[thin])
@@ -107,7 +101,7 @@ def _on_faces(mesh: Mesh, surface: NDArray[np.int64], names: Collection[str]) ->
 
 def refuse_thin_walls(walls: ThinWalls, name: str) -> None:
     """Refuse walls of a geometry that are too thin for their area: nothing could solve cells that suit them."""
-    if (unknowns := walls.unknowns()) > MOST_UNKNOWNS:
+    if (unknowns := walls.unknowns()) > SIZING.most_unknowns:
         raise TurgorError(
             f"'{name}' has walls that are too thin for their area: cells three times as long as they are thick would "
             f"make about {unknowns / 1e6:.3g} million unknowns; the thinnest is {walls.place()}. Make them thicker, or "
@@ -132,17 +126,17 @@ def thin_walls_finer(size: float, wall: float) -> Finding:
         code="G09",
         severity=Severity.NOTE,
         message=f"The mesh size of {size / mm:.4g} mm is more than four times the thinnest wall, {wall / mm:.4g} mm: "
-        f"walls thinner than {size / LARGEST_SIZE_PER_WALL / mm:.3g} mm have shorter cells.",
+        f"walls thinner than {size / SIZING.largest_per_wall / mm:.3g} mm have shorter cells.",
         advice="Where such a wall does not bend, a size for its face keeps it coarse: face_sizes.",
     )
 
 
-def section_finer(size: float, kept: float, wall: float) -> Finding:
-    """Say that cells of a section have a smaller size than the stated one, ``kept`` [m]."""
+def section_finer(size: float, smallest: float, wall: float) -> Finding:
+    """Say that cells of a section have a smaller size than the stated one, ``smallest`` [m]."""
     return Finding(
         code="G09",
         severity=Severity.NOTE,
         message=f"The mesh size of {size / mm:.4g} mm is more than four times the thinnest wall, {wall / mm:.4g} mm: "
-        f"cells in the section stay below {kept / mm:.4g} mm, and only those along its path may be longer.",
-        advice=f"Use {kept / mm:.4g} mm or less where walls bend along the path too.",
+        f"cells in the section stay below {smallest / mm:.4g} mm, and only those along its path may be longer.",
+        advice=f"Use {smallest / mm:.4g} mm or less where walls bend along the path too.",
     )

@@ -7,10 +7,8 @@ from scipy.spatial import cKDTree
 from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.core.meshing.quality.checks import crossings
 from turgor.core.meshing.refining.split import split_edges
+from turgor.core.meshing.sizing.settings import FEATURES
 from turgor.core.meshing.surface import outer_triangles
-
-#: Cosine of the angle between two edges at a vertex from which on they lead to the two sides of a wall.
-OPPOSITE = -0.5
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -68,7 +66,7 @@ def _between(points: Array, pairs: Ints) -> Ints:
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     inner, first = np.unique(pairs[order, 1], return_index=True)
     groups = np.split(along, first[1:])
-    return inner[[bool((group @ group.T).min() < OPPOSITE) for group in groups]]
+    return inner[[bool((group @ group.T).min() < FEATURES.turned) for group in groups]]
 
 
 def _middles(mesh: Mesh, edges: Ints) -> Array:

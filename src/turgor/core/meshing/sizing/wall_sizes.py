@@ -7,11 +7,9 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.generator import GeneratorSizes
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.settings import MeshSettings
+from turgor.core.meshing.sizing.settings import THIN_WALLS
 from turgor.core.meshing.sizing.sizes import wall_size
 from turgor.core.meshing.sizing.thin_walls import find_thin_walls, refuse_thin_walls, thin_walls_finer, thin_walls_left
-
-#: How often a mesh is made again with smaller sizes at thin walls.
-ROUNDS = 3
 
 
 def fitted_to_walls(
@@ -46,7 +44,7 @@ def fitted_to_walls(
     if sizes.size <= wall_size(geometry) * (1 + 1e-9):
         return result  # the size suits every wall
     stated = tuple(chosen.face_sizes) if chosen.wall_cells == 1 else ()
-    for _ in range(ROUNDS):
+    for _ in range(THIN_WALLS.rounds):
         walls = find_thin_walls(result, sizes.size, stated)
         if not len(walls.points):
             break

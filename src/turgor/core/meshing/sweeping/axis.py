@@ -11,13 +11,11 @@ from turgor.core.meshing.coinciding_points import same_places
 from turgor.core.meshing.sweeping.hexahedra import PLACES, Filling
 from turgor.core.meshing.sweeping.polar import core_section
 from turgor.core.meshing.sweeping.section import SAME_LINE, Fineness, SectionMesh, is_solid, names_at
+from turgor.core.meshing.sweeping.settings import SECTION
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Radius of the core as a share of the smallest radius of the section.
-CORE = 0.5
 
 
 def reaches_axis(sweep: Sweep, section: SectionMesh) -> bool:
@@ -32,7 +30,7 @@ def reaches_axis(sweep: Sweep, section: SectionMesh) -> bool:
 def core_radius(sweep: Sweep) -> float:
     """Radius within which the core lies [m]."""
     radii = [r for outline in sweep.outlines for _, r in outline.corners]
-    return CORE * min(r for r in radii if r > SAME_LINE * max(radii))
+    return SECTION.core * min(r for r in radii if r > SAME_LINE * max(radii))
 
 
 def without_core(section: SectionMesh, radius: float) -> SectionMesh:
@@ -57,9 +55,9 @@ def with_core(filling: Filling, sweep: Sweep, section: SectionMesh, radius: floa
     cells = np.stack([n.ravel() for n in nodes], axis=1) + len(filling.points)
     names = np.repeat(names_at(sweep.layers, section.centers[owner])[0], len(disc.quads))
     everything = np.concatenate([filling.points, points])
-    number, kept = same_places(everything)
+    number, first = same_places(everything)
     return Filling(
-        points=everything[kept],
+        points=everything[first],
         cells=number[np.concatenate([filling.cells, cells])],
         names=np.concatenate([filling.names, names]),
     )

@@ -10,23 +10,18 @@ from numpy.typing import NDArray
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.shapes.planar import planar_faces
 from turgor.core.geometry.shapes.sections import Outline
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.meshing import netgen
 from turgor.core.meshing.coinciding_points import same_places
 from turgor.core.meshing.silenced_output import captured_output
 from turgor.core.meshing.sweeping.pairing import corner_sines, paired
 from turgor.core.meshing.sweeping.section import Fineness, SectionMesh, circle_of, joined
+from turgor.core.meshing.sweeping.settings import SECTION
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: How far the generator's points may be from an outline, as a share of its size.
-ON_OUTLINE = 1e-7
-
-#: Sections with a flatter corner than this (the sine of its angle) are meshed again with shorter cells between near
-#: edges: their triangles are at most so many times as long as these edges are apart.
-FLAT_CORNER, LONGEST_PER_GAP = 0.25, 2.0
 
 #: Where a nine-node quadrilateral has its nodes, as weights of its corners.
 NINE = np.array(
@@ -56,11 +51,11 @@ def general_section(outlines: Sequence[Outline], fine: Fineness) -> SectionMesh:
     TurgorError
         If the mesh generator fails.
     """
-    found = _quadrilaterals(outlines, fine, close=False)
-    if corner_sines(found.points, found.quads[:, :4]).min() >= FLAT_CORNER:
-        return found
+    coarse = _quadrilaterals(outlines, fine, close=False)
+    if corner_sines(coarse.points, coarse.quads[:, :4]).min() >= SECTION.flat_corner:
+        return coarse
     finer = _quadrilaterals(outlines, fine, close=True)
-    return max(found, finer, key=lambda section: float(corner_sines(section.points, section.quads[:, :4]).min()))
+    return max(coarse, finer, key=lambda section: float(corner_sines(section.points, section.quads[:, :4]).min()))
 
 
 def _quadrilaterals(outlines: Sequence[Outline], fine: Fineness, close: bool) -> SectionMesh:
@@ -80,7 +75,7 @@ def _quadrilaterals(outlines: Sequence[Outline], fine: Fineness, close: bool) ->
 
 def _generate(outlines: Sequence[Outline], fine: Fineness, close: bool) -> tuple[Array, Ints, Ints]:
     """Points [m], triangles, counterclockwise, and the segments of the outlines."""
-    options = {"closeedgefac": 1 / LONGEST_PER_GAP} if close else {}
+    options = {"closeedgefac": 1 / SECTION.longest_per_gap} if close else {}
     before = netgen.SetMessageImportance(0)
     with captured_output():
         try:
@@ -129,11 +124,11 @@ def _bends(points: Array, segments: Ints, outlines: Sequence[Outline]) -> Bends:
     on = np.zeros(len(segments), dtype=bool)
     for a, b, arc in edges:
         if not arc:
-            on |= _near_line(points, np.array(a), np.array(b), ON_OUTLINE * scale)[segments].all(axis=1)
+            on |= _near_line(points, np.array(a), np.array(b), TOLERANCE.round_off * scale)[segments].all(axis=1)
     for a, b, arc in edges:
         if arc:
             center, radius = circle_of(a, b, arc)
-            near = np.abs(np.hypot(*(points - center).T) - radius) < ON_OUTLINE * scale
+            near = np.abs(np.hypot(*(points - center).T) - radius) < TOLERANCE.round_off * scale
             angle = np.arctan2(points[:, 1] - center[1], points[:, 0] - center[0])
             first = np.arctan2(a[1] - center[1], a[0] - center[0])
             turned = (np.sign(arc) * (angle - first) + 1e-6) % (2 * np.pi)
@@ -170,8 +165,8 @@ def _projected(point: Array, center: Array, radius: float) -> Array:
 def _cut(nodes: Array, N: Array) -> SectionMesh:
     """Evaluate curved cells (c, a, 2) at the nodes of the quadrilaterals in them, by shape functions (9 k, a)."""
     points = np.einsum("pa,cad->cpd", N, nodes).reshape(-1, 2)
-    number, kept = same_places(points)
-    return SectionMesh(points=points[kept], quads=number.reshape(-1, 9))
+    number, first = same_places(points)
+    return SectionMesh(points=points[first], quads=number.reshape(-1, 9))
 
 
 def _triangle_shapes(L: Array) -> Array:
@@ -189,13 +184,13 @@ def _quadrilateral_shapes(at: Array) -> Array:
     return np.concatenate([corners, *mids], axis=1)
 
 
-def _on_arcs(found: Array, points: Array, bends: Bends) -> Array:
+def _on_arcs(mids: Array, points: Array, bends: Bends) -> Array:
     """Move the nodes halfway between corners and mid-side nodes of curved segments onto their arcs."""
-    moved = found.copy()
+    moved = mids.copy()
     for (i, j), bend in bends.items():
         a, b, middle = points[i], points[j], _projected((points[i] + points[j]) / 2, *bend)
         for t in (0.25, 0.75):
             place = a * (1 - t) * (1 - 2 * t) + b * t * (2 * t - 1) + middle * 4 * t * (1 - t)
-            nearest = np.hypot(*(found - place).T).argmin()
+            nearest = np.hypot(*(mids - place).T).argmin()
             moved[nearest] = _projected(place, *bend)
     return moved

@@ -42,9 +42,9 @@ def grid_section(outlines: Sequence[Outline], fine: Fineness) -> SectionMesh | N
     10
     """
     for axis in (1, 0):
-        found = _lines(outlines, axis)
-        if found is not None:
-            return _ruled(*found, axis, fine)
+        lines = _lines(outlines, axis)
+        if lines is not None:
+            return _ruled(*lines, axis, fine)
     return None
 
 

@@ -36,22 +36,22 @@ def assemble(filling: Filling, geometry: Geometry, sweep: Sweep) -> Mesh:
     Mesh
     """
     order = {name: i for i, name in enumerate(geometry.regions)}
-    kept = np.array([i for i, name in enumerate(filling.names) if is_solid(name)], dtype=np.int64)
-    rest = np.setdiff1d(np.arange(len(filling.cells)), kept)
-    kept = kept[np.argsort([order[filling.names[i]] for i in kept], kind="stable")]
-    cells, names = filling.cells[np.append(kept, rest)], filling.names[np.append(kept, rest)]
+    solids = np.array([i for i, name in enumerate(filling.names) if is_solid(name)], dtype=np.int64)
+    rest = np.setdiff1d(np.arange(len(filling.cells)), solids)
+    solids = solids[np.argsort([order[filling.names[i]] for i in solids], kind="stable")]
+    cells, names = filling.cells[np.append(solids, rest)], filling.names[np.append(solids, rest)]
     sides = cells[:, np.array(HEXAHEDRON.sides)].reshape(-1, HEXAHEDRON.side.nodes)
-    face = _face_names(filling.points, sides, names, len(kept), sweep)
-    sides = sides[: 6 * len(kept)]
+    face = _face_names(filling.points, sides, names, len(solids), sweep)
+    sides = sides[: 6 * len(solids)]
     corners = HEXAHEDRON.corners
-    solid = cells[: len(kept)]
+    solid = cells[: len(solids)]
     nodes = np.concatenate([np.unique(solid[:, :corners]), np.unique(solid[:, corners:])])
     number = np.full(len(filling.points), -1, dtype=np.int64)
     number[nodes] = np.arange(len(nodes))
     return Mesh(
         points=filling.points[nodes],
         cells=number[solid],
-        regions={name: np.flatnonzero(names[: len(kept)] == name) for name in geometry.regions},
+        regions={name: np.flatnonzero(names[: len(solids)] == name) for name in geometry.regions},
         faces={name: number[sides[face == name]] for name in sorted({n for n in face if n is not None})},
         name=geometry.name,
     )

@@ -3,11 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.meshing.sweeping.settings import SECTION
+
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Pairs are joined where the sine of the worst corner is above this: corners between 37° and 143°.
-GOOD = 0.6
 
 
 def paired(points: Array, triangles: Ints, segments: Ints) -> tuple[Ints, Ints]:
@@ -50,7 +49,7 @@ def paired(points: Array, triangles: Ints, segments: Ints) -> tuple[Ints, Ints]:
     free, chosen = np.ones(size, dtype=bool), []
     for i in np.argsort(-worth, kind="stable"):
         first, second = a[i] % size, b[i] % size
-        if worth[i] > GOOD and free[first] and free[second]:
+        if worth[i] > SECTION.good_pair and free[first] and free[second]:
             free[first] = free[second] = False
             chosen.append(i)
     return triangles[free], quads[chosen].reshape(-1, 4)

@@ -22,11 +22,9 @@ from turgor.core.meshing.sweeping.section import (
     lattice_quads,
     names_at,
 )
+from turgor.core.meshing.sweeping.settings import SECTION
 
 Array = NDArray[np.float64]
-
-#: The core of a disc: its square reaches this share of the radius along the axes, and between them.
-ALONG_AXES, ALONG_DIAGONAL = 0.6, 0.46
 
 EIGHTH = pi / 4
 
@@ -124,7 +122,7 @@ def core_section(radius: float, count: int, fine: Fineness, quadrants: Sequence[
     >>> len(core_section(1.0, 2, Fineness(size=1.0)).quads)  # four squares of 2 x 2 and a ring of 16
     32
     """
-    a, b = ALONG_AXES * radius, ALONG_DIAGONAL * radius
+    a, b = SECTION.along_axes * radius, SECTION.along_diagonal * radius
     share = np.linspace(0, 1, 2 * count + 1)
     s, t = (grid.ravel()[:, None] for grid in np.meshgrid(share, share, indexing="ij"))
     square = s * (1 - t) * np.array([a, 0]) + s * t * np.array([b, b]) + (1 - s) * t * np.array([0, a])

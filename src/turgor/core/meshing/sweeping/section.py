@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from turgor.core.geometry.extrusion import Layer
 from turgor.core.geometry.shapes.arcs import edge_center, edge_radius
 from turgor.core.geometry.shapes.sections import Outline, Point
-from turgor.core.meshing.coinciding_points import SAME_PLACE, same_places
+from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.meshing.coinciding_points import same_places
+from turgor.core.meshing.sizing.settings import SIZING
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -18,16 +20,8 @@ Ints = NDArray[np.int64]
 #: Points are looked up a little aside, as a share of the size, so that none lies on a line between two corners.
 OFF_LINES = np.array([6.18e-8, 7.55e-8])
 
-#: Length of the cells next to a feature line, such as the inner side of a wall, as a share of the size. Measured on a
-#: rectangular bender of 50 mm with a base 20 times stiffer, size three times the wall: the angle is 1.6 % off with
-#: cells of equal length, 0.1 % with these and a quarter more unknowns.
-SHORT_CELL = 1 / 3
-
-#: Where cells grow away from feature lines, each is at most so many times as long as the one before.
-GROWTH = 4.0
-
 #: Feature lines closer than this share of the size of the section are the same line.
-SAME_LINE = SAME_PLACE
+SAME_LINE = TOLERANCE.round_off
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -69,7 +63,7 @@ class Fineness:
         """How fine cells are along a straight path."""
         if self.along is None or self.along <= self.size:
             return self
-        return replace(self, size=self.along, edge=self.edge or SHORT_CELL * self.size)
+        return replace(self, size=self.along, edge=self.edge or SIZING.short * self.size)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -97,9 +91,9 @@ def joined(meshes: Sequence[SectionMesh]) -> SectionMesh:
     """Join meshes that share nodes along their rims, found from where these are."""
     points = np.concatenate([mesh.points for mesh in meshes])
     starts = np.cumsum([0, *(len(mesh.points) for mesh in meshes)])
-    number, kept = same_places(points)
+    number, first = same_places(points)
     quads = np.concatenate([mesh.quads + start for mesh, start in zip(meshes, starts, strict=False)])
-    return SectionMesh(points=points[kept], quads=number[quads])
+    return SectionMesh(points=points[first], quads=number[quads])
 
 
 def circle_of(start: Point, end: Point, arc: float) -> tuple[Point, float]:
@@ -131,16 +125,16 @@ def inside(outline: Outline, points: Array) -> NDArray[np.bool_]:
     [True, False, True]
     """
     x, y = points.T + OFF_LINES[:, None] * float(np.ptp(np.array(outline.corners), axis=0).max())
-    found = np.zeros(len(points), dtype=bool)
+    inside = np.zeros(len(points), dtype=bool)
     for a, b, arc in outline.edges:
         crosses = (a[1] > y) != (b[1] > y)
         rise = b[1] - a[1] if a[1] != b[1] else 1.0
-        found ^= crosses & (x < a[0] + (y - a[1]) / rise * (b[0] - a[0]))
+        inside ^= crosses & (x < a[0] + (y - a[1]) / rise * (b[0] - a[0]))
         if arc:
             center, radius = circle_of(a, b, arc)
             beyond = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])
-            found ^= (np.hypot(x - center[0], y - center[1]) < radius) & (beyond * arc < 0)
-    return found
+            inside ^= (np.hypot(x - center[0], y - center[1]) < radius) & (beyond * arc < 0)
+    return inside
 
 
 def names_at(layers: Sequence[Layer], points: Array) -> NDArray[np.object_]:
@@ -198,7 +192,7 @@ def _ticks(start: float, end: float, refined: tuple[bool, bool], fine: Fineness)
         return np.linspace(start, end, count + 1)
     taken = np.cumsum([0.0, *short])
     inner = [start + taken[-1] * refined[0], end - taken[-1] * refined[1]]
-    longest = fine.size if fine.edge is None else min(fine.size, GROWTH * short[-1])
+    longest = fine.size if fine.edge is None else min(fine.size, SIZING.growth * short[-1])
     count = max(1, fine.wall_cells - sum(refined) * len(short), ceil((inner[1] - inner[0]) / longest - 1e-6))
     ticks = np.linspace(inner[0], inner[1], count + 1)
     first, last = (start + taken[:-1])[: len(short) * refined[0]], (end - taken[-2::-1])[: len(short) * refined[1]]
@@ -207,15 +201,15 @@ def _ticks(start: float, end: float, refined: tuple[bool, bool], fine: Fineness)
 
 def _short_cells(room: float, lines: int, fine: Fineness) -> list[float]:
     """Lengths of the short cells next to a feature line, of which there are one or two with so much room each."""
-    short = SHORT_CELL * fine.size
+    short = SIZING.short * fine.size
     if fine.edge is None:
         return [short] if room * lines > (1 + lines) * short * (1 + 1e-6) else []
-    found: list[float] = []
+    lengths: list[float] = []
     short = fine.edge
-    while short < fine.size and sum(found) + short * (1 + 1 / lines) <= room * (1 + 1e-6):
-        found.append(short)
-        short *= GROWTH
-    return found
+    while short < fine.size and sum(lengths) + short * (1 + 1 / lines) <= room * (1 + 1e-6):
+        lengths.append(short)
+        short *= SIZING.growth
+    return lengths
 
 
 def divided_turn(lines: Array, radius: float, fine: Fineness, multiple: int = 1) -> Array:

@@ -8,15 +8,13 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
+from turgor.core.meshing.tetwild.settings import TETWILD
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: The six tetrahedra of a cube whose corners are numbered by their bits (Kuhn 1960).
 _KUHN = ((0, 1, 3, 7), (0, 1, 5, 7), (0, 2, 3, 7), (0, 2, 6, 7), (0, 4, 5, 7), (0, 4, 6, 7))
-
-#: Most points of the lattice.
-MOST_POINTS = 60_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -41,7 +39,7 @@ def background(shape: SurfaceShape, size: float, face_sizes: Mapping[str, float]
         By how much the size grows over a distance, per length.
     """
     low, high = shape.points.min(axis=0) - size, shape.points.max(axis=0) + size
-    spacing = max(min(face_sizes.values()), (float(np.prod(high - low)) / MOST_POINTS) ** (1 / 3))
+    spacing = max(min(face_sizes.values()), (float(np.prod(high - low)) / TETWILD.background_points) ** (1 / 3))
     count = np.ceil((high - low) / spacing).astype(int) + 1
     axes = [np.linspace(low[i], high[i], count[i]) for i in range(3)]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)

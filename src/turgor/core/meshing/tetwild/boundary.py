@@ -25,9 +25,7 @@ def faces_of(points: Array, sides: Ints, surface: NearestPlaces) -> Ints:
     A triangle with two neighbors on another face, and none on its own, joins them: it lies across an edge.
     """
     a, b, c = (points[sides[:, i]] for i in range(3))
-    normals = np.cross(b - a, c - a)
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    face = surface.faces((a + b + c) / 3, normals)
+    face = surface.faces((a + b + c) / 3)
     edges = np.sort(sides[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     _, number, count = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
     number = np.asarray(number).ravel()

@@ -8,19 +8,10 @@ from scipy.spatial import cKDTree
 
 from turgor.core.geometry.cad.facets import edge_pairs
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
+from turgor.core.meshing.tetwild.settings import TETWILD
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Samples of the surface that are looked at around a point.
-CANDIDATES = 24
-
-#: Samples lie this many times closer than the given spacing, so that the nearest triangle is among the candidates.
-DENSITY = 2.0
-
-#: Where the normal of a facet is turned from a wanted direction by more than this cosine, the facet counts as further
-#: away: the two sides of a thin wall, or of an edge.
-ALIGNED = 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,30 +22,24 @@ class NearestPlaces:
     ----------
     shape : SurfaceShape
     spacing : float [CAD units]
-        About the distance of the points that will ask.
+        About the distance of the points that are looked up.
     """
 
     shape: SurfaceShape
     spacing: float
     _of: Ints = field(init=False)
     _tree: cKDTree = field(init=False)
-    _normals: Array = field(init=False)
 
     def __post_init__(self) -> None:
-        places, of = _samples(self.shape, self.spacing / DENSITY)
-        areas = self.shape.vector_areas
-        size = np.linalg.norm(areas, axis=1)
+        places, of = _samples(self.shape, self.spacing)
         object.__setattr__(self, "_of", of)
         object.__setattr__(self, "_tree", cKDTree(places))
-        object.__setattr__(self, "_normals", areas / np.where(size > 0, size, 1.0)[:, None])
 
-    def faces(self, points: Array, normals: Array) -> Ints:
-        """Return the number of the face nearest to each point, among those that look about the same way, (k,)."""
+    def faces(self, points: Array) -> Ints:
+        """Return the number of the face nearest to each point, (k,)."""
         near = self._candidates(points)
         places = _on_triangles(points[:, None], self.shape.corners[near])
         away = np.linalg.norm(places - points[:, None], axis=2)
-        turned = np.einsum("kci,ki->kc", self._normals[near], normals) < ALIGNED
-        away = away + np.where(turned, self.spacing, 0.0)
         return np.asarray(self.shape.face[near[np.arange(len(points)), away.argmin(axis=1)]])
 
     def on_face(self, points: Array, face: Ints) -> Array:
@@ -68,7 +53,7 @@ class NearestPlaces:
         return np.where(np.isfinite(away[rows, best])[:, None], places[rows, best], points)
 
     def _candidates(self, points: Array) -> Ints:
-        count = min(CANDIDATES, len(self._of))
+        count = min(TETWILD.candidates, len(self._of))
         return np.asarray(self._of[self._tree.query(points, k=count)[1].reshape(len(points), count)])
 
 
@@ -118,7 +103,7 @@ def sharp_edges(shape: SurfaceShape) -> SharpEdges:
     around: dict[int, set[int]] = {}
     for node, number in zip(shape.triangles.ravel().tolist(), np.repeat(shape.face, 3).tolist(), strict=True):
         around.setdefault(node, set()).add(number)
-    corners = {node: frozenset(found) for node, found in around.items() if len(found) > 2}
+    corners = {node: frozenset(faces_there) for node, faces_there in around.items() if len(faces_there) > 2}
     return SharpEdges(
         ends=shape.points[edges[border]],
         faces=faces[border],

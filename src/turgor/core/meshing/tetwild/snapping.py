@@ -5,18 +5,10 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.meshing.tetwild.nearest import NearestPlaces, SharpEdges
+from turgor.core.meshing.tetwild.settings import TETWILD
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A node moves by at most this many times the width of the envelope; what is further away is another part.
-REACH = 3.0
-
-#: A cell keeps at least this share of its volume when its corners move; else they go back.
-LEFT = 0.3
-
-#: How often corners of spoiled cells are sent back.
-ROUNDS = 10
 
 
 def faces_at(nodes: Ints, face: Ints) -> dict[int, frozenset[int]]:
@@ -52,11 +44,11 @@ def snapped(
     for node, faces in around.items():
         if len(faces) > 1:
             place = edges.at_corner(points[node], faces) if len(faces) > 2 else None
-            if place is None or np.linalg.norm(place - points[node]) > REACH * envelope:
+            if place is None or np.linalg.norm(place - points[node]) > TETWILD.reach * envelope:
                 place = edges.on_edge(points[node], faces)
             if place is not None:
                 out[node] = place
-    moved = np.linalg.norm(out - points, axis=1) > REACH * envelope
+    moved = np.linalg.norm(out - points, axis=1) > TETWILD.reach * envelope
     out[moved] = points[moved]
     return out
 
@@ -64,13 +56,11 @@ def snapped(
 def unspoiled(before: Array, after: Array, cells: Ints) -> Array:
     """Send the corners of cells back that would lose most of their volume, and return the positions."""
     out, size = after.copy(), volumes(before, cells)
-    for _ in range(ROUNDS):
-        spoiled = volumes(out, cells) < LEFT * size
-        if not spoiled.any():
-            break
-        back = np.unique(cells[spoiled])
+    while True:
+        back = np.unique(cells[volumes(out, cells) < TETWILD.least_volume * size])
+        if (out[back] == before[back]).all():
+            return out
         out[back] = before[back]
-    return out
 
 
 def on_mirrors(points: Array, nodes: Ints, face: Ints, shape: SurfaceShape) -> Array:

@@ -22,22 +22,13 @@ from turgor.core.meshing.tetwild.background import background
 from turgor.core.meshing.tetwild.boundary import boundary_of, faces_of
 from turgor.core.meshing.tetwild.mesh_cache import cached_cells
 from turgor.core.meshing.tetwild.nearest import NearestPlaces, sharp_edges
+from turgor.core.meshing.tetwild.settings import TETWILD
 from turgor.core.meshing.tetwild.snapping import faces_at, on_mirrors, snapped, unspoiled
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Width of the envelope over the size of the cells, and over the thinnest wall; the smaller one counts.
-ENVELOPE_PER_SIZE, ENVELOPE_PER_WALL = 0.05, 0.1
-
-#: Energy of the worst cell at which fTetWild stops; a regular tetrahedron has 3. Its own default, 10, takes two to
-#: three times as long.
-STOP_ENERGY = 20.0
-
-#: A lone group of cells smaller than this share of the part is dropped.
-CRUMB = 0.01
 
 
 def enveloped_cells(geometry: Geometry, settings: MeshSettings) -> Raw:
@@ -63,7 +54,7 @@ def enveloped_cells(geometry: Geometry, settings: MeshSettings) -> Raw:
     shape, scale = geometry._cad, geometry.length_scale
     assert isinstance(shape, SurfaceShape) and settings.size is not None
     size = settings.size / scale
-    envelope = min(ENVELOPE_PER_SIZE * size, ENVELOPE_PER_WALL * geometry.smallest_wall / scale)
+    envelope = min(TETWILD.envelope_per_size * size, TETWILD.envelope_per_wall * geometry.smallest_wall / scale)
     points, cells = _filled(shape, settings, size, envelope, geometry.name)
     surface, edges = NearestPlaces(shape, size / 2), sharp_edges(shape)
     sides = boundary_of(points, cells)
@@ -98,7 +89,7 @@ def _filled(shape: SurfaceShape, settings: MeshSettings, size: float, envelope: 
         "faces": shape.triangles.astype(np.int32),
         "edge_length_abs": size,
         "epsilon": envelope / float(np.linalg.norm(np.ptp(shape.points, axis=0))),
-        "stop_energy": STOP_ENERGY,
+        "stop_energy": TETWILD.stop_energy,
         "coarsen": not settings.face_sizes,
     }
     points, cells = cached_cells(inputs, lambda: _tetrahedralized(inputs))
@@ -122,8 +113,8 @@ def _whole(points: Array, cells: Ints) -> tuple[Array, Ints]:
     count = len(cells)
     links = coo_array((np.ones(4 * count), (np.repeat(np.arange(count), 4), cells.ravel())), shape=(count, len(points)))
     piece = connected_components((links.tocsr() @ links.tocsr().T), directed=False)[1]
-    kept = np.bincount(piece)[piece] >= CRUMB * count
-    nodes, places = np.unique(cells[kept], return_inverse=True)
+    large = np.bincount(piece)[piece] >= TETWILD.crumb * count
+    nodes, places = np.unique(cells[large], return_inverse=True)
     return points[nodes], places.reshape(-1, 4).astype(np.int64)
 
 

@@ -13,6 +13,7 @@ from turgor.core.meshing.generate import mesh
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.facing_walls import first_hits
 from turgor.core.meshing.quality.proximity import FacingWalls, find_facing_walls, smallest_gap
+from turgor.core.meshing.quality.settings import ProximitySettings
 from turgor.units import mm
 
 
@@ -190,7 +191,7 @@ def test_a_foot_point_that_was_not_reached_does_not_count(monkeypatch: pytest.Mo
     pair = np.arange(6)[None], np.arange(6, 12)[None]
     walls = FacingWalls(points=np.vstack([below, above]), walls=pair, pairs=np.array([[0, 1]]))
     assert smallest_gap(walls) == pytest.approx(0.3)
-    monkeypatch.setattr("turgor.core.meshing.quality.proximity.STEPS", 0)
+    monkeypatch.setattr("turgor.core.meshing.quality.proximity.PROXIMITY", ProximitySettings(iterations=0))
     assert smallest_gap(walls) == inf
 
 
@@ -198,7 +199,7 @@ def test_nodes_that_look_nearest_but_are_not_opposite_do_not_hide_the_others(mon
     below = triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
     above = triangle([(0.1, 0.1, 0.5), (0.2, 0.2, 0.5), (0.2, 0.1, 0.5)])
     beyond = triangle([(-0.3, 0.1, 0.2), (-0.2, 0.2, 0.2), (-0.2, 0.1, 0.2)])
-    monkeypatch.setattr("turgor.core.meshing.quality.proximity.MEASURED", 1)
+    monkeypatch.setattr("turgor.core.meshing.quality.proximity.PROXIMITY", ProximitySettings(measured=1))
     upper = np.arange(6, 18).reshape(2, 6)
     points = np.vstack([below, above, beyond])
     walls = FacingWalls(points=points, walls=(np.arange(6)[None], upper), pairs=np.array([[0, 1]]))

@@ -11,8 +11,9 @@ from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.actuators.helical_pneunet import HelicalPneuNet
 from turgor.core.meshing.generate import mesh
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.core.meshing.sizing.default_size import DEFAULT_UNKNOWNS, default_size
-from turgor.core.meshing.sizing.sizes import MOST_UNKNOWNS, UNKNOWNS_PER_SIZE_CUBED, wall_size
+from turgor.core.meshing.sizing.default_size import default_size
+from turgor.core.meshing.sizing.settings import SIZING
+from turgor.core.meshing.sizing.sizes import wall_size
 from turgor.units import mm
 
 SMALL = FastPneuNet(chambers=2, length=20 * mm)
@@ -32,8 +33,8 @@ def test_the_default_is_twice_the_thinnest_wall() -> None:
 def test_the_default_is_coarser_where_it_would_make_too_many_unknowns_and_finer_in_a_small_part() -> None:
     geometry = FastPneuNet().build()
     thin = replace(geometry, smallest_wall=0.5 * mm)
-    unknowns = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / default_size(thin) ** 3
-    assert unknowns == pytest.approx(DEFAULT_UNKNOWNS, rel=0.2)
+    unknowns = SIZING.unknowns_per_volume * geometry.solid_volume / default_size(thin) ** 3
+    assert unknowns == pytest.approx(SIZING.default_unknowns, rel=0.2)
     assert default_size(thin) > 1 * mm
     thinner = replace(geometry, smallest_wall=0.2 * mm)
     assert default_size(thinner) == pytest.approx(wall_size(thinner))  # four times the wall, whatever it costs
@@ -43,9 +44,9 @@ def test_the_default_is_coarser_where_it_would_make_too_many_unknowns_and_finer_
 def test_where_four_times_the_wall_cannot_be_solved_only_thin_walls_get_such_cells() -> None:
     geometry = FastPneuNet().build()
     thinnest = replace(geometry, smallest_wall=0.05 * mm)
-    assert UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / wall_size(thinnest) ** 3 > MOST_UNKNOWNS
-    unknowns = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / default_size(thinnest) ** 3
-    assert unknowns == pytest.approx(DEFAULT_UNKNOWNS, rel=0.2)
+    assert SIZING.unknowns_per_volume * geometry.solid_volume / wall_size(thinnest) ** 3 > SIZING.most_unknowns
+    unknowns = SIZING.unknowns_per_volume * geometry.solid_volume / default_size(thinnest) ** 3
+    assert unknowns == pytest.approx(SIZING.default_unknowns, rel=0.2)
 
 
 def test_no_size_means_the_default_size() -> None:
@@ -74,7 +75,7 @@ def test_default_hexahedra_get_longer_where_they_would_be_too_many() -> None:
     geometry = HelicalPneuNet().build()
     size = default_size(geometry, "hexahedra")
     assert 3 * mm < size <= 4 * mm
-    assert mesh(geometry).unknown_count < DEFAULT_UNKNOWNS * 1.1
+    assert mesh(geometry).unknown_count < SIZING.default_unknowns * 1.1
 
 
 def test_a_face_can_have_a_smaller_size_and_the_shape_forgets_it() -> None:

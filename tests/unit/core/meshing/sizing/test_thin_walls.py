@@ -12,6 +12,7 @@ from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.core.meshing.quality.checks import check_mesh
 from turgor.core.meshing.sizing import thin_walls
 from turgor.core.meshing.sizing import wall_sizes as fitted
+from turgor.core.meshing.sizing.settings import THIN_WALLS
 from turgor.core.meshing.sizing.thin_walls import ThinWalls, find_thin_walls, refuse_thin_walls
 from turgor.core.meshing.surface import outer_triangles
 from turgor.foundation.finding import Severity
@@ -43,7 +44,7 @@ def test_cells_suit_the_thin_roof_and_stay_large_elsewhere(suited: Mesh) -> None
 
 
 def test_the_thickness_is_measured_through_the_solid(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(fitted, "ROUNDS", 0)
+    monkeypatch.setattr(fitted, "THIN_WALLS", replace(THIN_WALLS, rounds=0))
     plain = mesh(thin_roof(), size=SIZE, wall_cells=2)
     walls = find_thin_walls(plain, SIZE)
     assert walls.thickness == pytest.approx(np.full(len(walls.points), 0.5 * mm))
@@ -58,7 +59,8 @@ def test_the_thickness_is_measured_through_the_solid(monkeypatch: pytest.MonkeyP
 
 
 def test_the_thickness_of_a_curved_wall_is_along_its_normal(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(thin_walls, "LONGEST_EDGE_PER_WALL", 0.0)  # every wall counts as too thin for its cells
+    every_wall = replace(THIN_WALLS, longest_per_wall=0.0)  # each counts as too thin for its cells
+    monkeypatch.setattr(thin_walls, "THIN_WALLS", every_wall)
     found = find_thin_walls(mesh(thin_tube(), size=2 * mm), 4 * mm)
     assert len(found.points) > 0
     assert found.thickness == pytest.approx(np.full(len(found.points), 0.5 * mm), rel=0.2)

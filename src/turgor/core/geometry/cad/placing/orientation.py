@@ -1,29 +1,40 @@
 """How a part lies in its file: its axis from the face fixed to the face tip, and which way is up."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.part import Part
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.finding import Finding, Severity
 
 Array = NDArray[np.float64]
 
-#: A part within this angle of x lies along it.
-ALONG = np.cos(np.radians(1.0))
 
-#: The face fixed shows the axis if it is plane and the face tip lies in front of it, within 60°.
-PLANE, AHEAD = 0.9, 0.5
+@dataclass(frozen=True, slots=True)
+class OrientationSettings:
+    """When faces show how a part lies; `test_cad_axes` needs the numbers.
 
-#: Where it does not show it, the tip may lie up to 45° off x without a word.
-NEAR = 0.7
+    Parameters
+    ----------
+    plane : float
+        The face fixed is plane if the mean of its normals is longer than this. A plane wall whose normal is so near to
+        the upward direction (cosine of 25°) shows it better than the middle of cavities.
+    ahead : float
+        The face fixed shows the axis if the face tip lies in front of it: cosine of 60°. Where it does not show it, the
+        tip may lie so far off x without a word.
+    off : float
+        What is off the middle by a smaller share of the size of the part does not show which way is up.
+    """
 
-#: What is off the middle by less than this share of the size of the part does not say which way is up.
-OFF = 0.005
+    plane: float = 0.9
+    ahead: float = 0.5
+    off: float = 0.005
 
-#: Up is the normal of a plane wall if one is so near to it (25°); the middle of cavities is no exact direction.
-UPRIGHT = 0.9
+
+ORIENTATION = OrientationSettings()
 
 
 def found_rotation(part: Part, names: Sequence[str]) -> tuple[Array | None, bool]:
@@ -48,10 +59,10 @@ def found_rotation(part: Part, names: Sequence[str]) -> tuple[Array | None, bool
     areas = np.cross(fixed[:, 1] - fixed[:, 0], fixed[:, 2] - fixed[:, 0])
     inward = -areas.sum(axis=0) / max(float(np.linalg.norm(areas, axis=1).sum()), 1e-300)
     toward = _unit(_middle(tip) - _middle(fixed))
-    if np.linalg.norm(inward) < PLANE or _unit(inward) @ toward < AHEAD:
-        return None, bool(toward[0] > NEAR)
+    if np.linalg.norm(inward) < ORIENTATION.plane or _unit(inward) @ toward < ORIENTATION.ahead:
+        return None, bool(toward[0] > ORIENTATION.ahead)
     x = _unit(inward)
-    if x[0] > ALONG:
+    if x[0] > TOLERANCE.direction:
         return None, True
     z = _up(part, names, x)
     return np.stack([x, np.cross(z, x), z]), True
@@ -71,7 +82,7 @@ def _up(part: Part, names: Sequence[str], x: Array) -> Array:
     offsets += [_centroid(cavity) - _centroid(part.facets.corners()[part.facets.outer])] if cavity is not None else []
     for offset in offsets:
         across = offset - (offset @ x) * x
-        if np.linalg.norm(across) > OFF * size:
+        if np.linalg.norm(across) > ORIENTATION.off * size:
             return _upright(part, x, _unit(across))
     return _turned_least(x)
 
@@ -81,7 +92,7 @@ def _upright(part: Part, x: Array, up: Array) -> Array:
     normals = [np.array(item.normal) for item in part.items if item.normal is not None]
     across = [_unit(n - (n @ x) * x) * np.sign(n @ up) for n in normals if abs(n @ x) < 1e-3]
     best = max(across, key=lambda normal: float(normal @ up), default=up)
-    return best if best @ up > UPRIGHT else up
+    return best if best @ up > ORIENTATION.plane else up
 
 
 def _turned_least(x: Array) -> Array:

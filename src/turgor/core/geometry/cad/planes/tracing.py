@@ -7,13 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.cad.volumes import POLE
 from turgor.core.geometry.shapes.sections import Outline
+from turgor.core.geometry.tolerances import TOLERANCE
 
 Array = NDArray[np.float64]
-
-#: An edge is straight, or an arc, if its points are nearer to the line or circle than this share of its length.
-STRAIGHT = 1e-6
 
 #: Arcs that stand for a free-form edge.
 PIECES = 16
@@ -30,7 +27,7 @@ def samples(edge: Any) -> Array:
 
 def loops_of(face: Any) -> list[list[Any]]:
     """The loops of edges of a face, the outer one first."""
-    wires = [[edge for edge in wire.edges if edge.mass > POLE] for wire in face.wires]
+    wires = [[edge for edge in wire.edges if edge.mass > TOLERANCE.length] for wire in face.wires]
     size = [sum(float(edge.mass) for edge in wire) for wire in wires]
     return [wires[i] for i in np.argsort(size)[::-1]]
 
@@ -59,7 +56,7 @@ def _pieces(line: Array) -> list[tuple[tuple[float, float], float]]:
     """An edge as straight pieces and arcs: the start of each, and the angle through which it turns."""
     length = float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
     turn = _turn(line[0], line[SAMPLES // 2], line[-1])
-    if _off(line, turn) <= STRAIGHT * length:
+    if _off(line, turn) <= TOLERANCE.round_off * length:
         return [(_pair(line[0]), turn)]
     step = SAMPLES // PIECES
     starts = range(0, SAMPLES, step)
@@ -75,7 +72,7 @@ def _turn(start: Array, middle: Array, end: Array) -> float:
     first, second = middle - start, end - middle
     cross, dot = first[0] * second[1] - first[1] * second[0], float(first @ second)
     angle = 2 * atan2(cross, dot)
-    return 0.0 if abs(angle) < STRAIGHT else angle
+    return 0.0 if abs(angle) < TOLERANCE.round_off else angle
 
 
 def _off(line: Array, turn: float) -> float:

@@ -7,31 +7,10 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 
 from turgor.core.geometry.cad.facets import edge_pairs
-from turgor.units import deg
+from turgor.core.geometry.cad.surface.settings import SURFACE
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Normals of a plane differ by at most this cosine from that of its largest facet, and its corners lie within this
-#: share of the size of the part.
-PLANE_COSINE, PLANE_DISTANCE = float(np.cos(2 * deg)), 1e-3
-
-#: Facets whose normals differ by less than this belong to one curved face.
-SMOOTH_COSINE = float(np.cos(30 * deg))
-
-#: A strip of a curved face has a neighbor of similar area, which continues it smoothly; a plane next to a fillet is
-#: this many times larger than the first strip of the fillet.
-LARGER = 4.0
-
-#: A plane is this many times larger than all the regions together that continue it smoothly. A patch of a rough wall
-#: that is plane by chance is not.
-LARGER_THAN_ALL = 1.5
-
-#: A plane that others continue smoothly has at least this share of the surface.
-LEAST_PLANE = 2e-3
-
-#: A group smaller than this share of the surface joins the neighbor with which it has the longest border.
-SPECK = 1e-4
 
 
 def grouped(points: Array, triangles: Ints) -> Ints:
@@ -50,17 +29,16 @@ def grouped(points: Array, triangles: Ints) -> Ints:
     areas = vector_areas(points, triangles)
     area = np.linalg.norm(areas, axis=1)
     normal = areas / np.where(area > 0, area, 1.0)[:, None]
-    pairs, edges, _ = edge_pairs(triangles)
+    pairs, _, _ = edge_pairs(triangles)
     planes = _grown(points, triangles, normal, area, pairs)
     flat = _truly_plane(planes, normal, area, pairs)
     label = np.where(flat, planes, -1)
-    smooth = np.einsum("pi,pi->p", normal[pairs[:, 0]], normal[pairs[:, 1]]) > SMOOTH_COSINE
+    smooth = np.einsum("pi,pi->p", normal[pairs[:, 0]], normal[pairs[:, 1]]) > SURFACE.smooth_cosine
     smooth |= (area[pairs] == 0).any(axis=1)  # a sliver has no normal
     both = (label[pairs] == -1).all(axis=1) & smooth
     same = both | ((label[pairs[:, 0]] == label[pairs[:, 1]]) & (label[pairs[:, 0]] >= 0))
     label = _components(len(triangles), pairs[same])
-    length = np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
-    return _by_area(_without_specks(label, area, pairs, length), area)
+    return _by_area(label, area)
 
 
 def vector_areas(points: Array, triangles: Ints) -> Array:
@@ -76,7 +54,7 @@ def _grown(points: Array, triangles: Ints, normal: Array, area: Array, pairs: In
     for a, b in pairs.tolist():
         neighbors[a].append(b)
         neighbors[b].append(a)
-    reach = PLANE_DISTANCE * float(np.ptp(points, axis=0).max())
+    reach, cosine = SURFACE.plane_distance * float(np.ptp(points, axis=0).max()), SURFACE.plane_cosine
     corners, sliver = points[triangles], area == 0
     label = np.full(count, -1, dtype=np.int64)
     for number, seed in enumerate(np.argsort(-area, kind="stable").tolist()):
@@ -88,7 +66,7 @@ def _grown(points: Array, triangles: Ints, normal: Array, area: Array, pairs: In
             for other in neighbors[waiting.popleft()]:
                 if (
                     label[other] < 0
-                    and (sliver[other] or normal[other] @ along > PLANE_COSINE)
+                    and (sliver[other] or normal[other] @ along > cosine)
                     and np.abs(corners[other] @ along - height).max() < reach
                 ):
                     label[other] = number
@@ -100,13 +78,11 @@ def _truly_plane(region: Ints, normal: Array, area: Array, pairs: Ints) -> NDArr
     """Whether the flat region of each triangle is a plane face, and no strip of a curved one."""
     total = np.bincount(region, weights=area)
     a, b = region[pairs].T
-    smooth = (a != b) & (np.einsum("pi,pi->p", normal[pairs[:, 0]], normal[pairs[:, 1]]) > SMOOTH_COSINE)
+    smooth = (a != b) & (np.einsum("pi,pi->p", normal[pairs[:, 0]], normal[pairs[:, 1]]) > SURFACE.smooth_cosine)
     adjacent = np.unique(np.concatenate([np.stack([a, b], axis=1)[smooth], np.stack([b, a], axis=1)[smooth]]), axis=0)
     one, other = adjacent.T
-    largest, together = np.zeros(len(total)), np.bincount(one, weights=total[other], minlength=len(total))
-    np.maximum.at(largest, one, total[other])
-    least = np.where(together > 0, LEAST_PLANE * float(area.sum()), 0.0)
-    return np.asarray((total >= np.maximum(np.maximum(LARGER * largest, LARGER_THAN_ALL * together), least))[region])
+    together = np.bincount(one, weights=total[other], minlength=len(total))
+    return np.asarray((total >= SURFACE.larger * together)[region])
 
 
 def _components(count: int, links: Ints) -> Ints:
@@ -114,30 +90,6 @@ def _components(count: int, links: Ints) -> Ints:
 
     graph = coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(count, count))
     return np.asarray(connected_components(graph, directed=False)[1]).astype(np.int64)
-
-
-def _without_specks(label: Ints, area: Array, pairs: Ints, length: Array) -> Ints:
-    """Join the smallest groups to their neighbors."""
-    least = SPECK * float(area.sum())
-    for _ in range(8):
-        total = np.bincount(label, weights=area)
-        a, b = label[pairs].T
-        outward = np.concatenate([np.stack([a, b], axis=1), np.stack([b, a], axis=1)])
-        outward, weight = outward[outward[:, 0] != outward[:, 1]], np.tile(length, 2)[np.tile(a != b, 2)]
-        small = total[outward[:, 0]] < least
-        if not small.any():
-            break
-        border = coo_array((weight[small], outward[small].T), shape=(len(total), len(total))).tocsr()
-        into = np.arange(len(total))
-        specks = np.unique(outward[small, 0])
-        longest = np.asarray(border.argmax(axis=1)).ravel()
-        # a speck joins a larger neighbor only, so that two specks do not swap
-        into[specks] = np.where(total[longest[specks]] > total[specks], longest[specks], specks)
-        if (into == np.arange(len(total))).all():
-            break
-        label = into[label]
-        label = np.asarray(np.unique(label, return_inverse=True)[1]).ravel()
-    return label
 
 
 def _by_area(label: Ints, area: Array) -> Ints:

@@ -4,16 +4,11 @@ import numpy as np
 from manifold3d import triangulate
 from numpy.typing import NDArray
 
+from turgor.core.geometry.cad.surface.settings import SURFACE
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A rim is plane where it leaves its plane by at most this share of its size.
-PLANE = 0.02
-
-#: A hole that is not plane is closed where its size is at most this share of the part.
-SMALL = 0.05
 
 
 def close_holes(points: Array, triangles: Ints, name: str) -> tuple[Array, Ints, list[str]]:
@@ -55,7 +50,7 @@ def close_holes(points: Array, triangles: Ints, name: str) -> tuple[Array, Ints,
         flat = points[loop] - at
         _, _, axes = np.linalg.svd(flat, full_matrices=False)
         off = float(np.abs(flat @ axes[2]).max())
-        if off > PLANE * size and size > SMALL * extent:
+        if off > SURFACE.flat_rim * size and size > SURFACE.small_hole * extent:
             raise TurgorError(
                 f"'{name}' is open {where} in units of the file: the hole is {size:.3g} wide and its rim is not plane "
                 f"(it leaves its plane by {off:.2g}), so that a cap would be a guess; close it where the part was made."

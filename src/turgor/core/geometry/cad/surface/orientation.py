@@ -7,18 +7,13 @@ from scipy.sparse.csgraph import connected_components
 
 from turgor.core.geometry.cad.facets import edge_pairs, flux, turned_alike
 from turgor.core.geometry.cad.surface.grouping import vector_areas
+from turgor.core.geometry.cad.surface.settings import SURFACE
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Corners of a shell that are looked at to see whether it lies within another one.
-PROBES = 12
-
 #: Directions of the rays that tell inside from outside: no part has walls along them.
 RAYS = np.array([[0.8127, 0.3311, 0.4794], [-0.2713, 0.7861, -0.5553], [0.1931, -0.5777, 0.7931]])
-
-#: Distance before a facet, as a share of the root of its area, at which to look whether it is inside.
-BEFORE = 1e-3
 
 
 def shells_of(triangles: Ints) -> Ints:
@@ -98,7 +93,7 @@ def oriented_shells(points: Array, triangles: Ints) -> tuple[Ints, int]:
     for number in range(len(starts)):
         own = np.flatnonzero(piece == number)
         widest = own[size[own].argmax()]
-        before = corners[widest].mean(axis=0) + BEFORE * size[widest] ** 0.5 * areas[widest] / size[widest]
+        before = corners[widest].mean(axis=0) + SURFACE.ahead * size[widest] ** 0.5 * areas[widest] / size[widest]
         flipped[number] = within(before[None], corners[shell == shell[widest]])[0]
     turned = np.where(flipped[piece][:, None], turned[:, ::-1], turned)
     hollow, overlapping = _nested(points, turned, shell)
@@ -115,7 +110,7 @@ def _nested(points: Array, triangles: Ints, shell: Ints) -> tuple[NDArray[np.boo
     depth, overlapping = np.zeros(count, dtype=np.int64), set[int]()
     for i in range(count):
         nodes = np.unique(triangles[shell == i])
-        probes = points[nodes[np.linspace(0, len(nodes) - 1, min(PROBES, len(nodes))).astype(int)]]
+        probes = points[nodes[np.linspace(0, len(nodes) - 1, min(SURFACE.probes, len(nodes))).astype(int)]]
         for j in range(count):
             if i != j:
                 inner = within(probes, points[triangles[shell == j]])

@@ -5,14 +5,12 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.facets import Facets
 from turgor.core.geometry.cad.selectors import Item
+from turgor.core.geometry.cad.surface.settings import SURFACE
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.directions import Vector
 from turgor.units import mm
 
 Array = NDArray[np.float64]
-
-#: A group is plane where the mean of its normals is shorter than 1 by at most this: the normals are within about 8°.
-PLANE = 0.01
 
 
 def surface_items(shape: SurfaceShape) -> tuple[Item, ...]:
@@ -48,7 +46,7 @@ def _item(shape: SurfaceShape, place: int) -> Item:
     return Item(
         name="",
         color=None,
-        normal=_vector(mean / length) if 1 - length < PLANE else None,
+        normal=_vector(mean / length) if length > SURFACE.plane_group else None,
         center=_vector(weight @ triangles.mean(axis=1) / weight.sum()),
         low=_vector(triangles.min(axis=(0, 1))),
         high=_vector(triangles.max(axis=(0, 1))),

@@ -10,14 +10,12 @@ from turgor.core.geometry.cad.facets import weld
 from turgor.core.geometry.cad.surface.crossing import crossings
 from turgor.core.geometry.cad.surface.holes import close_holes
 from turgor.core.geometry.cad.surface.orientation import oriented_shells, shells_of
+from turgor.core.geometry.cad.surface.settings import SURFACE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Most shells, since each of them is compared with each other one; a part has one, and one for each cavity.
-MOST_SHELLS = 200
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -67,10 +65,10 @@ def repaired(corners: Array, name: str) -> Repaired:
     count = len(triangles)
     points, triangles, holes = close_holes(points, triangles, name)
     shells = int(shells_of(triangles).max()) + 1
-    if shells > MOST_SHELLS:
+    if shells > SURFACE.most_shells:
         raise TurgorError(
-            f"'{name}' has {shells} shells that are not joined to each other; at most {MOST_SHELLS} can be read. "
-            "Export the part as one closed surface with its cavities."
+            f"'{name}' has {shells} shells that are not joined to each other; at most {SURFACE.most_shells} can be "
+            "read. Export the part as one closed surface with its cavities."
         )
     turned, overlapping = oriented_shells(points, triangles)
     wrong = int((turned != triangles)[:count].any(axis=1).sum())
@@ -114,8 +112,8 @@ def _single(triangles: Ints) -> tuple[Ints, int]:
     group = np.asarray(group).ravel()
     even = np.array([1, -1])[(_parity(triangles) == 1).astype(int)]
     sense = np.bincount(group, weights=even)
-    kept = first[(count == 1) | (sense != 0)]
-    return triangles[np.sort(kept)], len(triangles) - len(kept)
+    single = first[(count == 1) | (sense != 0)]
+    return triangles[np.sort(single)], len(triangles) - len(single)
 
 
 def _parity(triangles: Ints) -> Ints:

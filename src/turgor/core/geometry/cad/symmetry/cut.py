@@ -14,14 +14,9 @@ from turgor.core.geometry.cad.symmetry.find import MirrorPlane, PartSymmetry, fi
 from turgor.core.geometry.cad.symmetry.modeled_share import Modeled
 from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
 from turgor.core.geometry.cad.symmetry.wedges import cut_to_wedge, requested_wedge, smaller_wedge
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
-
-#: Half a part has half its volume, up to this share; the kernel's volumes of free forms are that sharp.
-HALF = 1e-4
-
-#: A face lies in a plane if its corners are nearer to it than this share of the size of the part.
-IN_PLANE = 1e-5
 
 
 def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Modeled:
@@ -114,12 +109,12 @@ def _half(part: Part, names: Sequence[str], plane: MirrorPlane) -> tuple[Part, t
     below = occ.HalfSpace(occ.Pnt(*map(float, point)), occ.Vec(*map(float, normal)))
     pieces: list[Any] = []
     for solid in part.shape.solids:
-        kept = list((solid - below).solids)
-        for piece in kept:
+        halves = list((solid - below).solids)
+        for piece in halves:
             piece.name = str(solid.name)
-        pieces += kept
+        pieces += halves
     before, after = (sum(float(solid.mass) for solid in each) for each in (part.shape.solids, pieces))
-    if abs(2 * after - before) > HALF * before:
+    if abs(2 * after - before) > TOLERANCE.volume * before:
         raise TurgorError(
             f"symmetry: the sides of the plane {plane.normal} = {plane.position:.6g} mm of '{part.path}' have "
             f"{after:.6g} and {before - after:.6g} mm³; they are not mirror images."
@@ -135,7 +130,7 @@ def _named(part: Part, shape: Any, axis: int, plane: MirrorPlane) -> tuple[Part,
     names = []
     for i, face in enumerate(faces):
         at = facets.corners(np.array([i]))[..., axis]
-        on = float(np.abs(at - plane.position).max()) < IN_PLANE * size
+        on = float(np.abs(at - plane.position).max()) < TOLERANCE.round_off * size
         names.append(f"symmetry_{plane.normal}" if on else str(face.name))
         face.name = names[-1]
     return with_shape(part, shape, faces, facets), tuple(names)

@@ -12,20 +12,12 @@ from turgor.core.geometry.cad.surface.part import surface_facets, surface_items
 from turgor.core.geometry.cad.surface.repair import manifold
 from turgor.core.geometry.cad.surface.shape import SurfaceFace, SurfaceShape
 from turgor.core.geometry.cad.symmetry.find import MirrorPlane, PartSymmetry
+from turgor.core.geometry.cad.symmetry.settings import SYMMETRY
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A plane is a mirror plane where at most this share of the volume has no image: facets of a round wall need not be
-#: images of each other.
-NO_IMAGE = 2e-3
-
-#: A face is its own image where both sides of the plane have the same area of it up to this share.
-SAME_AREA = 0.03
-
-#: A corner lies in the plane if it is nearer to it than this share of the size of the part.
-IN_PLANE = 1e-7
 
 
 def facet_symmetry(part: Part, names: Sequence[str]) -> PartSymmetry:
@@ -50,12 +42,12 @@ def facet_symmetry(part: Part, names: Sequence[str]) -> PartSymmetry:
         return PartSymmetry(mirrors=(), axis="", fold=1, center=(0.0, 0.0, 0.0))
     low, high = shape.points.min(axis=0), shape.points.max(axis=0)
     middle = (low + high) / 2
-    middle[np.abs(middle) < IN_PLANE * (high - low).max()] = 0.0
+    middle[np.abs(middle) < TOLERANCE.round_off * (high - low).max()] = 0.0
     mirrors = []
     for axis, letter in enumerate("xyz"):
         flip = np.eye(3)[axis]
         image = body.translate(-middle).mirror(flip).translate(middle)
-        if (body - image).volume() > NO_IMAGE * body.volume():
+        if (body - image).volume() > SYMMETRY.same * body.volume():
             continue
         joined = _joined(shape, names, axis, float(middle[axis]))
         if joined is not None:
@@ -86,8 +78,8 @@ def facet_half(part: Part, names: Sequence[str], plane: MirrorPlane) -> tuple[Pa
     cap = _cap(points, triangles, axis, str(part.path))
     numbers, face = np.unique(np.append(face, np.full(len(cap), len(names))), return_inverse=True)
     triangles = np.concatenate([triangles, cap])
-    kept = [*names, f"symmetry_{plane.normal}"]
-    own = tuple(kept[number] for number in numbers)
+    named = [*names, f"symmetry_{plane.normal}"]
+    own = tuple(named[number] for number in numbers)
     used, places = np.unique(triangles, return_inverse=True)
     half = SurfaceShape(points=points[used], triangles=places.reshape(-1, 3).astype(np.int64), face=face, faces=())
     areas = np.bincount(face, weights=np.linalg.norm(half.vector_areas, axis=1))
@@ -108,11 +100,15 @@ def _joined(shape: SurfaceShape, names: Sequence[str], axis: int, at: float) -> 
         own = [number for number, each in enumerate(names) if each == name]
         whole, high = areas[np.isin(shape.face, own)].sum(), above[np.isin(face, own)].sum()
         sides[name] = (high, whole - high)
-    uneven = {n: s for n, s in sides.items() if abs(s[0] - s[1]) > SAME_AREA * sum(s)}
+    uneven = {n: s for n, s in sides.items() if abs(s[0] - s[1]) > SYMMETRY.alike * sum(s)}
     pairs = set()
     for name, (high, low) in uneven.items():
         image = next(
-            (n for n, (h, w) in uneven.items() if n != name and max(abs(h - low), abs(w - high)) < SAME_AREA * (h + w)),
+            (
+                n
+                for n, (h, w) in uneven.items()
+                if n != name and max(abs(h - low), abs(w - high)) < SYMMETRY.alike * (h + w)
+            ),
             None,
         )
         if image is None:
@@ -126,7 +122,7 @@ def _clipped(shape: SurfaceShape, axis: int, at: float) -> tuple[Array, Ints, In
     """Points, triangles above a plane, and their faces; triangles that cross the plane are cut."""
     points = shape.points.copy()
     away = points[:, axis] - at
-    away[np.abs(away) < IN_PLANE * float(np.ptp(points, axis=0).max())] = 0.0
+    away[np.abs(away) < TOLERANCE.round_off * float(np.ptp(points, axis=0).max())] = 0.0
     points[away == 0.0, axis] = at
     side = np.sign(away)[shape.triangles]
     above = (side >= 0).all(axis=1) & (side > 0).any(axis=1)

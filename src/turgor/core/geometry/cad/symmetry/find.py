@@ -14,19 +14,10 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from turgor.core.geometry.cad.part import Part
+from turgor.core.geometry.cad.symmetry.settings import SYMMETRY
 from turgor.core.geometry.cad.symmetry.waves import returns, surface_waves
 
 Array = NDArray[np.float64]
-
-#: Two places are the same if they are nearer than this share of the size of the part.
-SAME = 4e-3
-
-#: Two faces lie alike about their centers if their second moments of area differ by less than this share: those of
-#: facets with 36 corners on a circle are off by 0.5 %.
-ALIKE = 0.02
-
-#: Rotations that are tried: a full turn divided by each of these; and, for bodies of revolution, one by 1 radian.
-MOST_FOLD, ANY_ANGLE = 12, 1.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -93,16 +84,16 @@ def find_symmetry(part: Part, names: Sequence[str]) -> PartSymmetry:
     faces = _Faces.of(part, names)
     size = float(np.ptp(part.facets.points, axis=0).max())
     center = part.facets.points.min(axis=0) / 2 + part.facets.points.max(axis=0) / 2
-    center[np.abs(center) < SAME * size] = 0.0  # what is made about the origin is symmetric about it, not next to it
+    center[np.abs(center) < SYMMETRY.same * size] = 0.0  # a part made about the origin is symmetric about it
     mirrors = []
     for axis, letter in enumerate("xyz"):
         flip = np.eye(3)
         flip[axis, axis] = -1.0
-        joined = faces.images(flip, center, SAME * size)
+        joined = faces.images(flip, center, SYMMETRY.same * size)
         if joined is not None:
             mirrors.append(MirrorPlane(normal=letter, position=float(center[axis]), joined=joined))
-    middle = faces.middle(center, SAME * size)
-    folds = [_fold((faces, part), axis, middle, SAME * size) for axis in range(3)]
+    middle = faces.middle(center, SYMMETRY.same * size)
+    folds = [_fold((faces, part), axis, middle, SYMMETRY.same * size) for axis in range(3)]
     axis = folds.index(0) if 0 in folds else int(np.argmax(folds))
     x, y, z = (float(value) for value in middle)
     about = "" if folds[axis] == 1 else "xyz"[axis]
@@ -118,7 +109,7 @@ def joined_by_turn(
     center = np.array(symmetry.center)
     if not returns(surface_waves(part.facets, axis, center), fold):
         return None
-    return faces.images(_turn(axis, 2 * np.pi / fold), center, SAME * size)
+    return faces.images(_turn(axis, 2 * np.pi / fold), center, SYMMETRY.same * size)
 
 
 def _shown(position: float) -> str:
@@ -128,10 +119,10 @@ def _shown(position: float) -> str:
 def _fold(of: tuple["_Faces", Part], axis: int, center: Array, slack: float) -> int:
     """By how many equal turns about an axis a part returns to itself; 0 if by any turn."""
     faces, part = of
-    turns = [ANY_ANGLE, *(2 * np.pi / fold for fold in range(MOST_FOLD, 1, -1))]
+    turns = [SYMMETRY.any_angle, *(2 * np.pi / fold for fold in range(SYMMETRY.most_fold, 1, -1))]
     folds = [
         fold
-        for fold, turn in zip((0, *range(MOST_FOLD, 1, -1)), turns, strict=True)
+        for fold, turn in zip((0, *range(SYMMETRY.most_fold, 1, -1)), turns, strict=True)
         if faces.images(_turn(axis, turn), center, slack) is not None
     ]
     if not folds:
@@ -197,7 +188,7 @@ class _Faces:
 
     def _alike(self, i: int, j: int) -> bool:
         """Whether two faces have the same area and separate the same bodies."""
-        equal = abs(self.areas[i] - self.areas[j]) <= SAME * max(self.areas[i], self.areas[j])
+        equal = abs(self.areas[i] - self.areas[j]) <= SYMMETRY.same * max(self.areas[i], self.areas[j])
         return bool(equal) and self.bodies[i] == self.bodies[j]
 
 
@@ -212,4 +203,4 @@ def _lies(triangles: Array) -> tuple[Array, Array]:
 
 
 def _near(first: Array, second: Array) -> bool:
-    return bool(np.abs(first - second).max() <= ALIKE * np.abs(first).max())
+    return bool(np.abs(first - second).max() <= SYMMETRY.alike * np.abs(first).max())

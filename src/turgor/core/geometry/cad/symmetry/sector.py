@@ -9,26 +9,13 @@ from numpy.typing import NDArray
 from turgor.core.geometry import occ
 from turgor.core.geometry.cad.facets import find_facets
 from turgor.core.geometry.cad.part import Part, with_shape
+from turgor.core.geometry.cad.symmetry.settings import SYMMETRY
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.geometry.wedge import HIGH, LOW, Wedge
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 Array = NDArray[np.float64]
-
-#: A sector has its share of the volume of the part, up to this; the kernel's volumes of free forms are that sharp.
-SAME_VOLUME = 1e-4
-
-#: The sections at both cuts have the same area, and faces the same centers, up to this share of the size.
-SAME_SECTION = 1e-4
-
-#: A face lies in a cut if its corners are nearer to it than this share of the size of the part.
-IN_PLANE = 1e-5
-
-#: Gaps between corners around the axis of at least this share of the widest one are wide enough to cut in.
-WIDE = 0.5
-
-#: Two radii around the part are the same if they differ by less than this share.
-SAME_RADIUS = 0.01
 
 
 def sector(part: Part, names: Sequence[str], wedge: Wedge) -> tuple[Part, tuple[str, ...]]:
@@ -60,14 +47,14 @@ def sector(part: Part, names: Sequence[str], wedge: Wedge) -> tuple[Part, tuple[
     outside = _half_spaces(wedge, center, start)
     pieces: list[Any] = []
     for solid in part.shape.solids:
-        kept = solid
+        remaining = solid
         for beyond in outside:
-            kept = kept - beyond
-        for piece in list(kept.solids):
+            remaining = remaining - beyond
+        for piece in list(remaining.solids):
             piece.name = str(solid.name)
             pieces.append(piece)
     whole, own = (sum(float(solid.mass) for solid in each) for each in (part.shape.solids, pieces))
-    if abs(wedge.fold * own - whole) > SAME_VOLUME * whole:
+    if abs(wedge.fold * own - whole) > TOLERANCE.volume * whole:
         raise TurgorError(
             f"symmetry: a sector of 1/{wedge.fold} of '{part.path}' about {wedge.axis} has {own:.6g} mm³, which is not "
             f"1/{wedge.fold} of {whole:.6g} mm³; the part is not the same after such a turn."
@@ -86,11 +73,11 @@ def cut_angle(part: Part, wedge: Wedge) -> float:
     b, c = wedge.across
     vertices = np.array([[getattr(v.p, letter) for letter in "xyz"] for v in part.shape.vertices]) - center
     size = float(np.ptp(part.facets.points, axis=0).max())
-    vertices = vertices[np.hypot(vertices[:, b], vertices[:, c]) > IN_PLANE * size]
+    vertices = vertices[np.hypot(vertices[:, b], vertices[:, c]) > TOLERANCE.round_off * size]
     angles = np.unique(np.round(np.arctan2(vertices[:, c], vertices[:, b]) % wedge.angle, 6))
     ends = angles if len(angles) else np.zeros(1)
     gaps = np.diff(np.append(ends, ends[0] + wedge.angle))
-    middles = (ends + gaps / 2)[gaps >= WIDE * gaps.max()]
+    middles = (ends + gaps / 2)[gaps >= SYMMETRY.wide * gaps.max()]
     spots = part.facets.corners().mean(axis=1) - center
     corners = part.facets.corners() - center
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
@@ -102,7 +89,7 @@ def cut_angle(part: Part, wedge: Wedge) -> float:
         near = off <= max(0.05 * wedge.angle, float(off.min()))
         best.append((float(radius[near].max()), -float(area[near].sum())))
     largest = max(each[0] for each in best)
-    chosen = max(range(len(best)), key=lambda i: (best[i][0] >= (1 - SAME_RADIUS) * largest, best[i][1]))
+    chosen = max(range(len(best)), key=lambda i: (best[i][0] >= (1 - SYMMETRY.same_radius) * largest, best[i][1]))
     return float(middles[chosen])
 
 
@@ -125,7 +112,7 @@ def cut_pairs(shape: Any, wedge: Wedge, scale: float) -> list[tuple[Any, Any]]:
     low, high = ([face for face in dict.fromkeys(shape.faces) if face.name == name] for name in (LOW, HIGH))
     places = np.array([[face.center.x, face.center.y, face.center.z] for face in high]).reshape(-1, 3) * scale
     images = wedge.images(np.array([[f.center.x, f.center.y, f.center.z] for f in low]).reshape(-1, 3) * scale)
-    size = SAME_SECTION * float(np.ptp([tuple(corner) for corner in shape.bounding_box], axis=0).max()) * scale
+    size = TOLERANCE.volume * float(np.ptp([tuple(corner) for corner in shape.bounding_box], axis=0).max()) * scale
     pairs = []
     for face, image in zip(low, images, strict=True):
         away = np.linalg.norm(places - image, axis=1)
@@ -148,7 +135,7 @@ def cut_turn(wedge: Wedge, scale: float) -> Any:
 
 
 def _same_area(face: Any, other: Any) -> bool:
-    return abs(float(face.mass) - float(other.mass)) <= SAME_SECTION * float(face.mass)
+    return abs(float(face.mass) - float(other.mass)) <= TOLERANCE.volume * float(face.mass)
 
 
 def _half_spaces(wedge: Wedge, center: Array, start: float) -> list[Any]:
@@ -165,7 +152,7 @@ def _named(part: Part, shape: Any, wedge: Wedge, start: float) -> tuple[Part, tu
     """The sector, whose faces in the cuts are named."""
     faces = list(dict.fromkeys(shape.faces))
     facets = find_facets(shape, faces)
-    tolerance = IN_PLANE * float(np.ptp(facets.points, axis=0).max())
+    tolerance = TOLERANCE.round_off * float(np.ptp(facets.points, axis=0).max())
     names = []
     for i, face in enumerate(faces):
         arms = (

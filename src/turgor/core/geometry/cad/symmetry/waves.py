@@ -8,17 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.facets import Facets
+from turgor.core.geometry.cad.symmetry.settings import SYMMETRY
 
 Array = NDArray[np.float64]
-
-#: Waves that are looked at: up to this many around the axis.
-MOST_WAVES = 24
-
-#: A surface varies if one of its waves is larger than this; those of the facets of an even surface are below 1e-3.
-UNEVEN = 4e-3
-
-#: Pieces across the part into which facets are cut.
-FINE = 40
 
 
 def surface_waves(facets: Facets, axis: int, center: Array) -> Array:
@@ -36,12 +28,12 @@ def surface_waves(facets: Facets, axis: int, center: Array) -> Array:
     corners = facets.corners() - center
     flat = corners[..., [b, c]]
     longest = np.max([np.linalg.norm(flat[:, i] - flat[:, j], axis=1) for i, j in ((0, 1), (1, 2), (2, 0))], axis=0)
-    spots, weights = _spots(corners, longest, 2 * float(np.abs(flat).max()) / FINE)
+    spots, weights = _spots(corners, longest, 2 * float(np.abs(flat).max()) / SYMMETRY.pieces)
     z = spots[:, b] + 1j * spots[:, c]
     radius = np.abs(z)
     unit = z / np.maximum(radius, 1e-12 * radius.max())
     weights, turned, waves = weights * radius**2, np.ones_like(unit), []
-    for _ in range(MOST_WAVES):
+    for _ in range(2 * SYMMETRY.most_fold):
         turned *= unit
         waves.append(abs(complex(weights @ turned)))
     return np.array(waves) / weights.sum()
@@ -49,15 +41,15 @@ def surface_waves(facets: Facets, axis: int, center: Array) -> Array:
 
 def returns(waves: Array, fold: int) -> bool:
     """Whether a surface may return to itself by a number of turns: only every fold-th wave is there; 0 for none."""
-    orders = np.arange(1, MOST_WAVES + 1)
-    return bool((waves[orders % fold != 0 if fold else orders > 0] < UNEVEN).all())
+    orders = np.arange(1, 2 * SYMMETRY.most_fold + 1)
+    return bool((waves[orders % fold != 0 if fold else orders > 0] < SYMMETRY.same).all())
 
 
 def _spots(triangles: Array, longest: Array, size: float) -> tuple[Array, Array]:
     """Centers (s, 3) and areas (s,) of the pieces of triangles (t, 3, 3), cut until sides (t,) are below a size."""
     a, b, c = triangles[:, 0], triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
     area = np.linalg.norm(np.cross(b, c), axis=1) / 2
-    count = np.clip(np.ceil(longest / size), 1, FINE).astype(np.int64)
+    count = np.clip(np.ceil(longest / size), 1, SYMMETRY.pieces).astype(np.int64)
     spots, weights = [], []
     for n in np.unique(count):
         i, j = (grid.ravel() for grid in np.meshgrid(np.arange(n), np.arange(n), indexing="ij"))

@@ -7,13 +7,11 @@ from turgor.core.geometry.cad.symmetry.find import PartSymmetry, joined_by_turn
 from turgor.core.geometry.cad.symmetry.modeled_share import Modeled
 from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
 from turgor.core.geometry.cad.symmetry.sector import sector
+from turgor.core.geometry.cad.symmetry.settings import SYMMETRY
 from turgor.core.geometry.wedge import Wedge
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
-
-#: Sectors of a body of revolution, which has as many as one likes: slices of 60° have cells of a good shape.
-OF_REVOLUTION = 6
 
 
 def requested_wedge(part: Part, names: Sequence[str], symmetry: PartSymmetry, fold: int | None) -> Wedge:
@@ -29,7 +27,7 @@ def requested_wedge(part: Part, names: Sequence[str], symmetry: PartSymmetry, fo
             f"symmetry: '{part.path}' is not the same after any turn about x, y or z by less than a whole one, so that "
             f"it has no wedge; it has: {symmetry}. Its axis must be along x, y or z."
         )
-    wedge = _wedge(symmetry, fold or symmetry.fold or OF_REVOLUTION)
+    wedge = _wedge(symmetry, fold or symmetry.fold or SYMMETRY.sectors)
     joined = joined_by_turn(part, names, symmetry, wedge.fold)
     if joined is None:
         raise TurgorError(
@@ -54,7 +52,7 @@ def smaller_wedge(
         return None
     if symmetry.fold == 0 and share > 1:
         return None  # a quarter becomes axisymmetric if that is wanted
-    wedge = _wedge(symmetry, symmetry.fold or OF_REVOLUTION)
+    wedge = _wedge(symmetry, symmetry.fold or SYMMETRY.sectors)
     if wedge.fold <= max(share, 2):
         return None  # a half is as good between mirror planes, and a body that reaches its axis has no other
     return None if joined_by_turn(part, names, symmetry, wedge.fold) else wedge

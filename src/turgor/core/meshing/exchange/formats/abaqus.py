@@ -13,8 +13,6 @@ from turgor.foundation.errors import TurgorError
 
 _SOLIDS = {4: "tetrahedron4", 10: "tetrahedron10", 8: "hexahedron8", 20: "hexahedron20", 6: "wedge6", 15: "wedge15"}
 _SHEETS = {3: "triangle3", 6: "triangle6", 4: "quadrilateral4", 8: "quadrilateral8", 9: "quadrilateral9"}
-#: Most levels of files that include others.
-MOST_INCLUDED = 8
 
 _TYPE = re.compile(r"(D?C3D|AC3D|S|M3D|SFM3D|R3D|STRI|DS|CPS|CPE|CAX)(\d+)")
 
@@ -105,8 +103,6 @@ def _included(path: Path, name: str, above: tuple[Path, ...]) -> list[_Keyword]:
         raise TurgorError(f"'{path}' includes '{name}', which is no file.")
     if file.resolve() in above:
         raise TurgorError(f"'{path}' includes '{name}', which includes '{path.name}' in turn.")
-    if len(above) > MOST_INCLUDED:
-        raise TurgorError(f"'{path}' includes '{name}': files include each other more than {MOST_INCLUDED} deep.")
     return _keywords(file, above)
 
 

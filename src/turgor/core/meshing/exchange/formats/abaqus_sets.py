@@ -46,13 +46,13 @@ class NumberSets:
 
     def all(self) -> dict[str, Ints]:
         """Rows of ``known`` in each set, sorted."""
-        found = {}
+        sets = {}
         for name in self.sets:
             rows, undefined = self._rows(name, ())
             if undefined and self.what:
                 self.left_out.append(f"{undefined} {self.what}s of set '{name}' that the file does not define")
-            found[name] = rows
-        return found
+            sets[name] = rows
+        return sets
 
     def numbers(self, name: str) -> Ints | None:
         """Numbers that a set holds and the file defines; None for an unknown set."""
@@ -134,7 +134,7 @@ def surface_sides(
     (s, 4) int array
         -1 in the last place of triangles.
     """
-    found, why = [], Counter[str]()
+    sides_of_set, why = [], Counter[str]()
     for where, label in parts:
         numbers = [int(where)] if where.isdigit() else sets.numbers(where)
         if numbers is None or not len(numbers):
@@ -145,6 +145,6 @@ def surface_sides(
             if side is None:
                 why[reason] += 1
             else:
-                found.append([*side, -1][:4])
+                sides_of_set.append([*side, -1][:4])
     left_out += [f"{count} sides of surface '{name}' {reason}" for reason, count in why.items()]
-    return np.array(found, dtype=np.int64).reshape(-1, 4)
+    return np.array(sides_of_set, dtype=np.int64).reshape(-1, 4)

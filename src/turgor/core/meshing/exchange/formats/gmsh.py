@@ -147,26 +147,26 @@ def _read_binary_4(path: Path, sections: dict[str, list[str]]) -> RawMesh:
 def _read_binary(path: Path, sections: dict[str, list[str]], content: Callable[..., Content]) -> RawMesh:
     """Read nodes and cells from the bytes of a file, and names, which are text, from its lines."""
     parts, names = binary_sections(path.read_bytes()), _names(sections)
-    found = content(parts, byte_order(parts["MeshFormat"]), lambda number: KINDS[_kind(path, number)].nodes)
+    blocks = content(parts, byte_order(parts["MeshFormat"]), lambda number: KINDS[_kind(path, number)].nodes)
     cells: dict[str, list[tuple[list[int], list[str]]]] = defaultdict(list)
-    for block in found.elements:
+    for block in blocks.elements:
         kind = _kind(path, block.number)
         for nodes, tags in zip(block.nodes.tolist(), block.groups, strict=True):
             cells[kind].append((nodes, [_group(names, KINDS[kind].dimension, tag) for tag in tags]))
-    return _mesh(path, found.points, found.ids, cells)
+    return _mesh(path, blocks.points, blocks.ids, cells)
 
 
 def _entities(lines: list[str]) -> dict[tuple[int, int], list[int]]:
     """Physical groups of each entity by dimension and number."""
     if not lines:
         return {}
-    found, rest = {}, iter(lines[1:])
+    tags, rest = {}, iter(lines[1:])
     for dimension, count in enumerate(int(word) for word in lines[0].split()):
         for words in (line.split() for _, line in zip(range(count), rest, strict=False)):
             start = 4 if dimension == 0 else 7
             number = int(words[start])
-            found[dimension, int(words[0])] = [int(word) for word in words[start + 1 : start + 1 + number]]
-    return found
+            tags[dimension, int(words[0])] = [int(word) for word in words[start + 1 : start + 1 + number]]
+    return tags
 
 
 def _group(names: dict[tuple[int, int], str], dimension: int, tag: int) -> str:

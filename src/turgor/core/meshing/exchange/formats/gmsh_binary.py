@@ -51,15 +51,15 @@ class Content:
 
 def binary_sections(data: bytes) -> dict[str, bytes]:
     """Return the bytes between ``$Name`` and ``$EndName`` of each section."""
-    found, start = {}, 0
+    parts, start = {}, 0
     while (match := _OPENING.search(data, start)) is not None:
         name = match[1].decode()
         end = data.find(b"$End" + match[1], match.end())
         if end < 0:
             raise ValueError(f"the section ${name} has no end")
-        found[name] = data[match.end() : end]
+        parts[name] = data[match.end() : end]
         start = end + len(name) + 4
-    return found
+    return parts
 
 
 def byte_order(header: bytes) -> str:
@@ -79,9 +79,9 @@ class _Reader:
         kind = self.order + kind
         if count < 0 or self.place + count * int(kind[2:]) > len(self.data):
             raise ValueError("a section is too short")
-        found = np.frombuffer(self.data, dtype=kind, count=count, offset=self.place)
-        self.place += found.nbytes
-        return found
+        values = np.frombuffer(self.data, dtype=kind, count=count, offset=self.place)
+        self.place += values.nbytes
+        return values
 
     def line(self) -> int:
         """Return the whole number of a line of text."""
@@ -154,12 +154,12 @@ def _blocks(reader: _Reader) -> int:
 
 def _entities(reader: _Reader) -> dict[tuple[int, int], list[int]]:
     """Physical groups of each entity by dimension and number."""
-    found = {}
+    tags = {}
     for dimension, count in enumerate(reader.take("u8", 4).tolist()):
         for _ in range(count):
             (entity,) = reader.take("i4", 1).tolist()
             reader.take("f8", 3 if dimension == 0 else 6)
-            found[dimension, entity] = reader.take("i4", int(reader.take("u8", 1)[0])).tolist()
+            tags[dimension, entity] = reader.take("i4", int(reader.take("u8", 1)[0])).tolist()
             if dimension:
                 reader.take("i4", int(reader.take("u8", 1)[0]))
-    return found
+    return tags

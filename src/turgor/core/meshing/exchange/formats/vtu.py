@@ -86,8 +86,8 @@ def read_vtu(path: Path) -> RawMesh:
         labels.append(_labels(file, piece))
     if not points:
         raise TurgorError(f"'{path}' has no piece in it.")
-    common = {name for name in labels[0] if all(name in found for found in labels)}
-    joined = {name: np.concatenate([found[name] for found in labels]) for name in sorted(common)}
+    common = {name for name in labels[0] if all(name in each for each in labels)}
+    joined = {name: np.concatenate([each[name] for each in labels]) for name in sorted(common)}
     cells = VtkCells(np.concatenate(nodes), np.concatenate(ends), np.concatenate(types), joined)
     raw = vtk_mesh(path, np.concatenate(points), cells)
     regions = _names(file, grid, "region")
@@ -145,12 +145,12 @@ def _open(path: Path) -> tuple[_File, ElementTree.Element]:
 
 
 def _labels(file: _File, piece: ElementTree.Element) -> dict[str, NDArray]:
-    found = {}
+    labels = {}
     for array in piece.iterfind("CellData/DataArray"):
         whole = array.get("type", "").startswith(("Int", "UInt"))
         if whole and array.get("NumberOfComponents", "1") in ("1", "0"):
-            found[array.get("Name", "label")] = _values(file, array).astype(np.int64)
-    return found
+            labels[array.get("Name", "label")] = _values(file, array).astype(np.int64)
+    return labels
 
 
 def _values(file: _File, array: ElementTree.Element) -> NDArray:

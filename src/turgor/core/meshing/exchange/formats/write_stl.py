@@ -9,6 +9,7 @@ from scipy.spatial import cKDTree
 
 from turgor.core.geometry.child_process import in_child
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.core.geometry.wedge import Wedge
 from turgor.core.meshing import netgen
 from turgor.core.meshing.cells import six_node_triangles
@@ -23,9 +24,6 @@ from turgor.units import mm
 
 #: Corners of the four flat triangles that cover a six-node one.
 _QUARTERS = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
-
-#: Corners nearer than this share of the part are one corner.
-SAME_CORNER = 1e-7
 
 #: Triangles of a CAD shape are at most this share of the part long.
 LONGEST_SHARE = 0.1
@@ -151,8 +149,10 @@ def _mirrored(surface: _Surface, triangles: Ints, mirrors: Iterable[str]) -> Tri
         image[:, :, axis] = 2 * plane[:, axis].mean() - image[:, :, axis]
         corners = np.concatenate([corners, image])
     points = corners.reshape(-1, 3)
-    pairs = cKDTree(points).query_pairs(SAME_CORNER * float(np.ptp(points, axis=0).max()), output_type="ndarray")
+    pairs = cKDTree(points).query_pairs(
+        TOLERANCE.round_off * float(np.ptp(points, axis=0).max()), output_type="ndarray"
+    )
     number = np.arange(len(points))
     np.minimum.at(number, pairs[:, 1], pairs[:, 0])
-    kept, place = np.unique(number, return_inverse=True)
-    return Triangles(points=points[kept], triangles=np.asarray(place).reshape(-1, 3))
+    unique, place = np.unique(number, return_inverse=True)
+    return Triangles(points=points[unique], triangles=np.asarray(place).reshape(-1, 3))

@@ -1,0 +1,120 @@
+"""Settings of mesh sizes: every number that was chosen, with its reason.
+
+Lengths are shares of the mesh size unless another one is stated.
+"""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class SizingSettings:
+    """Sizes by default, the allowed ones, and the unknowns that they make (`test_sizes`, and the truth cases).
+
+    Parameters
+    ----------
+    cells_per_extent : float
+        Without a given size, the part is at least this many cells long.
+    tetrahedra_per_wall, hexahedra_per_wall : float
+        Without a given size, cells are this many times longer than the thinnest wall is thick; elements of a meridian
+        as tetrahedra. With hexahedra four times as long, an eccentric bender was 3 % off and ring sectors 6 %; three
+        times, 0.3 % and 1 %.
+    largest_per_wall : float
+        Cells up to this many times longer than the thinnest wall suit all walls: one quadratic cell through a wall,
+        four times as long as thick, still bends well; longer cells miss the bulging of walls.
+    default_unknowns, most_unknowns : float
+        Largest mesh that is made where no size is stated, which one machine solves in minutes, and that one machine
+        can be expected to solve.
+    unknowns_of_pairs : float
+        Hexahedra of a section that is cut into paired triangles are not chosen where they have more unknowns. A long
+        bender with a skin has 150,000, and 80,000 with tetrahedra, which are 0.3 % off on the truth set.
+    unknowns_per_volume, unknowns_per_area : float
+        Unknowns per volume over size cubed, measured on the fast PneuNet from 1.5 to 1 mm: 40 to 35; and per area over
+        size squared that a face with a size of its own adds, measured on its cavity from 1 to 0.5 mm: 15 to 19.
+    cells_per_radius : float
+        Cells along an arc as long as its radius. With 1, curved cells turn inside out where a fillet or a tube is
+        coarse (a slot of 1 mm radius at 1 mm size: 3 cells); with 2, none did on slots, tubes, half tubes and spheres.
+    wall_cells : int
+        Most cells through a wall that can be requested.
+    least_target, most_target : float
+        Relative mesh errors that can be requested.
+    short, growth : float
+        Length of the cells next to a feature line, such as the inner side of a wall or a thin corner; cells grow away
+        from it by at most this factor each. On a rectangular bender of 50 mm with a base 20 times stiffer, size three
+        times the wall, the angle is 1.6 % off with cells of equal length, 0.1 % with these and a quarter more unknowns.
+    curved : float
+        Size on curved walls that end in thin corners: a share of the size and not of the wall, so that a study of mesh
+        sizes refines all of a mesh alike.
+    """
+
+    cells_per_extent: float = 8.0
+    tetrahedra_per_wall: float = 2.0
+    hexahedra_per_wall: float = 3.0
+    largest_per_wall: float = 4.0
+    default_unknowns: float = 1.5e5
+    most_unknowns: float = 3e6
+    unknowns_of_pairs: float = 1e5
+    unknowns_per_volume: float = 40.0
+    unknowns_per_area: float = 20.0
+    cells_per_radius: float = 2.0
+    wall_cells: int = 4
+    least_target: float = 1e-4
+    most_target: float = 0.5
+    short: float = 1 / 3
+    growth: float = 4.0
+    curved: float = 0.7
+
+
+SIZING = SizingSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class ThinWallSettings:
+    """How a mesh is made again where its edges are too long for a wall (`test_thin_walls`).
+
+    Parameters
+    ----------
+    longest_per_wall : float
+        Longest edge over thickness of a wall that is accepted. The largest size is four times the wall, and the
+        generator makes some edges half as long again as the size it is given.
+    requested_per_wall, firmer, rounds : float, float, int
+        Size requested there over the thickness at first, its factor each time that this did not suffice, and how often
+        it is tried.
+    """
+
+    longest_per_wall: float = 6.0
+    requested_per_wall: float = 3.0
+    firmer: float = 0.7
+    rounds: int = 3
+
+
+THIN_WALLS = ThinWallSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class FeatureSettings:
+    """Which small features cells need not follow (`test_small_features`).
+
+    Parameters
+    ----------
+    coarse_radius : float
+        By themselves, smaller radii are left coarse: one cell reaches over an arc of a quarter circle. Where a limit is
+        stated, edges shorter than this share of it are left out; arcs of fillets are longer than their radius.
+    unknowns : float
+        By themselves, they are left coarse only where cells along them would make more unknowns than this, and more
+        than the rest of the part.
+    turned : float
+        A round that turns by less than this angle (cosine of 120°) is a fillet, which one cell reaches over; what turns
+        further is a hole or a boss, which gets six cells around it. Two edges that meet at more than this angle lead to
+        the two sides of a wall.
+    fewer : float
+        A mesh that does not keep their edges is taken if it has at most this share of the unknowns of one that does:
+        its cells are less regular.
+    """
+
+    coarse_radius: float = 0.5
+    unknowns: float = 2e4
+    turned: float = -0.5
+    fewer: float = 0.7
+
+
+FEATURES = FeatureSettings()

@@ -1,0 +1,31 @@
+"""Settings of swept meshes: every number that was chosen, with its reason."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class SectionSettings:
+    """How sections are divided into quadrilaterals (`test_swept_sections`).
+
+    Parameters
+    ----------
+    core : float
+        Radius of the core around an axis as a share of the smallest radius of the section.
+    along_axes, along_diagonal : float
+        The square in the core of a disc reaches this share of the radius along the axes, and between them.
+    good_pair : float
+        Triangles are joined where the sine of the worst corner is above this: corners between 37° and 143°.
+    flat_corner, longest_per_gap : float
+        Sections with a flatter corner than this sine are meshed again with shorter cells between near edges: their
+        triangles are at most so many times as long as these edges are apart.
+    """
+
+    core: float = 0.5
+    along_axes: float = 0.6
+    along_diagonal: float = 0.46
+    good_pair: float = 0.6
+    flat_corner: float = 0.25
+    longest_per_gap: float = 2.0
+
+
+SECTION = SectionSettings()
