@@ -9,10 +9,7 @@ from turgor.studies.surrogates.held_out import INTERVALS
 from turgor.studies.surrogates.surrogate import Surrogate
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import BLUE, COLORS
-from turgor.views.plots.styling import INK, QUIET, style_axes
-
-#: Side of a panel [inch], panels of one row, and points with bars beyond which bars are left out.
-PANEL, MOST_COLUMNS, MOST_BARS = 3.6, 3, 400
+from turgor.views.plots.styling import INK, PLOT, QUIET, style_axes
 
 
 def surrogate_figure(surrogate: Surrogate, measures: Sequence[str] = ()) -> PlotFigure:
@@ -29,9 +26,9 @@ def surrogate_figure(surrogate: Surrogate, measures: Sequence[str] = ()) -> Plot
     matplotlib.figure.Figure
     """
     shown = [surrogate.error(name) for name in measures or surrogate.measures]
-    columns = min(len(shown), MOST_COLUMNS)
+    columns = min(len(shown), PLOT.columns)
     rows = -(-len(shown) // columns)
-    figure = PlotFigure(figsize=(PANEL * columns + 0.3, PANEL * rows))
+    figure = PlotFigure(figsize=(3.6 * columns + 0.3, 3.6 * rows))
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes, each in zip(grid, shown, strict=False):
         computed, predicted, deviation = (
@@ -45,7 +42,7 @@ def surrogate_figure(surrogate: Surrogate, measures: Sequence[str] = ()) -> Plot
             if not among.any():
                 continue
             name = f"{label}: {int(among.sum())}"
-            if len(computed) > MOST_BARS:
+            if len(computed) > PLOT.marks:
                 axes.plot(computed[among], predicted[among], ".", ms=3, color=color, label=name)
                 continue
             axes.errorbar(

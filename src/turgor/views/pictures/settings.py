@@ -112,6 +112,8 @@ class FramingSettings:
         Above the actuator for the title, and below it for the color bar.
     around : float
         Share around the actuator in which obstacles are shown.
+    design_width : int
+        Width of the picture of a design in a study [pixels].
     columns, space, caption : int
         Most pictures in a row of a sheet, the space between them, and the height of their captions.
     """
@@ -125,6 +127,7 @@ class FramingSettings:
     head: int = 90
     foot: int = 140
     around: float = 0.3
+    design_width: int = 700
     columns: int = 4
     space: int = 26
     caption: int = 52

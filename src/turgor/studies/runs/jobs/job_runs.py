@@ -27,15 +27,13 @@ from turgor.studies.runs.jobs.job_slopes import SlopeRequest, with_requested_slo
 from turgor.studies.runs.jobs.solid_volume import SOLID_VOLUME, solid_volume_of
 from turgor.studies.runs.run import Computed
 from turgor.views.pictures.picture import picture
+from turgor.views.pictures.settings import FRAMING
 
 #: Folder next to the job for paths that are being followed: each goes when its run has ended, the folder with the last.
 PATHS = "paths"
 
 #: Folder of the last states of runs, next to the job.
 LAST_STATES = "last-states"
-
-#: Width of the pictures of designs in pixels.
-PICTURE_WIDTH = 700
 
 #: How often the folder of a path is made: other runs may remove the one above it while it is empty.
 ATTEMPTS = 10
@@ -93,7 +91,7 @@ def solved_job(
         response, notes = with_requested_slopes(changed, solution, response, numbers, slopes)
     drawn = b""
     if as_design and solution.states:
-        drawn = picture(solution, width=PICTURE_WIDTH).png
+        drawn = picture(solution, width=FRAMING.design_width).png
         last = last_state_of(job, digest, numbers)
         last.parent.mkdir(parents=True, exist_ok=True)
         replace(solution, states=solution.states[-1:]).save(last)
