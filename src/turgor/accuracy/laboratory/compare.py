@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.accuracy.laboratory.runs import SPREAD, branches, interpolated
 from turgor.core.results.drive import drive_of
+from turgor.core.results.error_text import NOT_SHOWN
 from turgor.core.results.measures.headlines import headlines
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import one
@@ -21,10 +22,6 @@ LEAST_OVERLAP = 0.7
 FAR = 1e30
 #: Shifts that are tried before the best one is refined.
 TRIED = 201
-
-
-#: Values smaller than this, in the unit that is shown, count as zero.
-ROUND_OFF = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -266,7 +263,7 @@ def _columns(
 
 def _changes(response: Response, name: str) -> bool:
     """Whether a column is more than round-off: not zero throughout in its unit."""
-    return bool((np.abs(response.find(name).in_unit) > ROUND_OFF).any())
+    return bool((np.abs(response.find(name).in_unit) > NOT_SHOWN).any())
 
 
 def _same(computed: Response, ours: str, measured: Response, besides: str) -> str:

@@ -7,7 +7,8 @@ from turgor.accuracy.laboratory.runs import SPREAD
 from turgor.foundation.response import Column, unit_text
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import BLUE, COLORS, plot_response
-from turgor.views.plots.styling import INK, PLOT, QUIET, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, QUIET, style_axes
 
 
 def comparison_figure(found: Comparison, title: str = "") -> PlotFigure:

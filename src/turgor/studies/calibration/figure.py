@@ -10,7 +10,8 @@ from turgor.studies.calibration.curve import PathCurve
 from turgor.studies.calibration.result import Calibration, Fitted
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import BLUE, COLORS
-from turgor.views.plots.styling import INK, PLOT, QUIET, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, QUIET, style_axes
 
 
 def calibration_figure(found: Calibration) -> PlotFigure:

@@ -13,10 +13,11 @@ from turgor.studies.runs.study import Study
 from turgor.units import unit_value
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import plot_response
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.studies.effects import plot_effects, shades
 from turgor.views.plots.studies.heat_map import plot_heat_map
 from turgor.views.plots.studies.parallel import Coordinate, plot_parallel
-from turgor.views.plots.styling import INK, PLOT
+from turgor.views.plots.styling import INK
 
 At = tuple[str, float] | None
 

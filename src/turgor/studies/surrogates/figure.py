@@ -9,7 +9,8 @@ from turgor.studies.surrogates.held_out import INTERVALS
 from turgor.studies.surrogates.surrogate import Surrogate
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import BLUE, COLORS
-from turgor.views.plots.styling import INK, PLOT, QUIET, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, QUIET, style_axes
 
 
 def surrogate_figure(surrogate: Surrogate, measures: Sequence[str] = ()) -> PlotFigure:

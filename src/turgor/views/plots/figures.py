@@ -10,7 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from turgor.foundation.errors import TurgorError
-from turgor.views.plots.styling import PLOT
+from turgor.views.plots.settings import PLOT
 
 Kind = Literal["plot", "picture"]
 

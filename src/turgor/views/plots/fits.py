@@ -14,7 +14,8 @@ from turgor.core.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.foundation.errors import TurgorError
 from turgor.units import MPa
 from turgor.views.plots.figures import PlotFigure, write_figure
-from turgor.views.plots.styling import INK, PLOT, QUIET, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, QUIET, style_axes
 
 #: Colors of laws, in turn, distinct for color-blind readers too (mostly Okabe and Ito 2008).
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6d4c41", "#000000")

@@ -15,7 +15,8 @@ from turgor.foundation.errors import TurgorError
 from turgor.units import kPa
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.fits import COLORS, TITLES
-from turgor.views.plots.styling import INK, PLOT, QUIET, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, QUIET, style_axes
 
 
 def history_figure(material: Material, tests: Sequence[MaterialTest], *, title: str = "") -> Figure:

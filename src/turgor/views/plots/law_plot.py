@@ -12,7 +12,8 @@ from turgor.units import MPa, kPa
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.materials import MODES
 from turgor.views.plots.response_plots import COLORS
-from turgor.views.plots.styling import INK, PLOT, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, style_axes
 
 
 def law_figure(material: Material) -> Figure:

@@ -20,7 +20,8 @@ from turgor.core.materials.library.records import find_record
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Severity
 from turgor.views.plots.figures import PlotFigure, check_ending, write_figure
-from turgor.views.plots.styling import INK, PLOT, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, style_axes
 
 Array = NDArray[np.float64]
 

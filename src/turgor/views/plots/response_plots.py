@@ -12,7 +12,8 @@ from turgor.core.results.measures.headlines import HEADLINE, headlines, with_par
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response, unit_text
 from turgor.views.plots.figures import PlotFigure, check_ending, svg_of, write_figure
-from turgor.views.plots.styling import INK, PLOT, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, style_axes
 
 BLUE = "#1f5fa8"
 

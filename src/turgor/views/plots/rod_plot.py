@@ -12,7 +12,8 @@ from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import COLORS
-from turgor.views.plots.styling import INK, PLOT, QUIET, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, QUIET, style_axes
 
 
 def plot_rods(solution: RodSolution, states: Iterable[int] = (0, -1), *, view: str = "xz", axes: Any = None) -> Figure:

@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 from turgor.foundation.response import Response
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import COLORS, plot_response
-from turgor.views.plots.styling import INK, PLOT, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, style_axes
 
 #: Height of a row of pictures [inch].
 PICTURE_HEIGHT = 2.0

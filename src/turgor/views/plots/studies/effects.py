@@ -9,7 +9,8 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from turgor.views.plots.styling import INK, PLOT, QUIET, style_axes
+from turgor.views.plots.settings import PLOT
+from turgor.views.plots.styling import INK, QUIET, style_axes
 
 Array = NDArray[np.float64]
 

@@ -9,8 +9,9 @@ from matplotlib.colors import Normalize
 from numpy.typing import NDArray
 
 from turgor.views.plots.response_plots import COLORS
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.studies.effects import HIDDEN, SCALE
-from turgor.views.plots.styling import INK, PLOT, QUIET
+from turgor.views.plots.styling import INK, QUIET
 
 Array = NDArray[np.float64]
 
