@@ -10,11 +10,10 @@ from scipy.stats import norm, t
 from turgor.studies.calibration.objective import Objective
 from turgor.studies.calibration.parameter import Parameter
 from turgor.studies.calibration.search import Found
+from turgor.studies.runs.settings import LEVEL
 
 Array = NDArray[np.float64]
 
-#: Level of the intervals.
-LEVEL = 0.95
 
 #: A combination of parameters is not determined if its standard deviation is above this: 30 % of a positive parameter,
 #: or a quarter of the range of another one …

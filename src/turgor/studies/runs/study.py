@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import COLUMN_UNITS, MESH_ERROR, Response
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.foundation.source import Source
 from turgor.studies.runs.designs import design_table
 from turgor.studies.runs.executors.run_outcome import Ended
@@ -19,8 +20,6 @@ from turgor.studies.runs.optional_parts import needed
 
 Array = NDArray[np.float64]
 
-#: Relative difference up to which the end of a path is the requested value.
-SAME = 1e-9
 
 #: Status of a row whose run gave no response.
 FAILED = "failed"
@@ -245,7 +244,7 @@ def place_on(drive: Array, value: float) -> tuple[int, float] | None:
         drive, value = -drive, -value
     falls = np.flatnonzero(np.diff(drive) <= 0)
     way = drive[: int(falls[0]) + 1] if len(falls) else drive
-    same = np.flatnonzero(np.isclose(way, value, rtol=SAME, atol=0.0))
+    same = np.flatnonzero(np.isclose(way, value, rtol=ROUND_OFF.same, atol=0.0))
     if len(same):
         return int(same[0]), 0.0
     if not way[0] < value < way[-1]:

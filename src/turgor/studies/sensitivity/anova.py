@@ -13,12 +13,10 @@ from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column
 from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.runs.rounding import percent
+from turgor.studies.runs.settings import RUNS
 from turgor.studies.runs.study import Study
 
 Array = NDArray[np.float64]
-
-#: Levels beyond which values are those of a sample, not of a factorial.
-MOST_LEVELS = 12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -200,7 +198,7 @@ def is_factorial(study: Study) -> bool:
     rows = [row.values for row in study.rows]
     counts = [len({row[each.name] for row in rows}) for each in study.factors]
     designs = {tuple(row[each.name] for each in study.factors) for row in rows}
-    return max(counts) <= MOST_LEVELS and len(designs) == prod(counts)
+    return max(counts) <= RUNS.most_levels and len(designs) == prod(counts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,10 +213,10 @@ class _Error:
 def _codes(factor: Factor, rows: Sequence[Mapping[str, Value]]) -> Array:
     """Deviations from the mean of the levels, (rows, levels - 1)."""
     levels = _levels(factor, rows)
-    if len(levels) > MOST_LEVELS:
+    if len(levels) > RUNS.most_levels:
         raise TurgorError(
             f"'{factor.name}' has {len(levels)} values; an analysis of variance takes a factorial of up to "
-            f"{MOST_LEVELS} levels. For samples fit a surrogate and ask for its Sobol indices."
+            f"{RUNS.most_levels} levels. For samples fit a surrogate and ask for its Sobol indices."
         )
     table = np.zeros((len(rows), len(levels) - 1))
     for number, row in enumerate(rows):

@@ -12,13 +12,14 @@ from turgor.foundation.response import Column
 from turgor.studies.runs.factor import Value
 from turgor.studies.runs.optional_parts import needed
 from turgor.studies.runs.rounding import percent
+from turgor.studies.runs.settings import LEVEL
 from turgor.studies.sensitivity.predictors import Predictor, Problem, problem_of
 from turgor.studies.uncertainty.spread import Spread
 
 Array = NDArray[np.float64]
 
-#: Resamples behind the intervals, and their level.
-RESAMPLES, LEVEL = 200, 0.95
+#: Resamples behind the intervals: SALib's own number is half of it.
+RESAMPLES = 200
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -8,11 +8,9 @@ from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError
 from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.settings import RUNS
 
 Array = NDArray[np.float64]
-
-#: Levels of a choice: each takes an input of its own, and rows to learn it from.
-MOST_LEVELS = 10
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,8 +78,8 @@ def check_levels(factors: Sequence[Factor]) -> None:
     factors : sequence of Factor
     """
     for each in factors:
-        if each.is_choice and len(each.levels) > MOST_LEVELS:
+        if each.is_choice and len(each.levels) > RUNS.most_levels:
             raise TurgorError(
-                f"the factor '{each.name}' is a choice of {len(each.levels)}; a surrogate takes up to {MOST_LEVELS}. "
-                "Fit one surrogate to the rows of each choice."
+                f"the factor '{each.name}' is a choice of {len(each.levels)}; a surrogate takes up to "
+                f"{RUNS.most_levels}. Fit one surrogate to the rows of each choice."
             )

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from turgor.foundation.response import Column
-from turgor.studies.surrogates.held_out import INTERVALS
+from turgor.studies.runs.settings import HALF_WIDTH
 from turgor.studies.surrogates.surrogate import Surrogate
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import BLUE, COLORS
@@ -35,7 +35,7 @@ def surrogate_figure(surrogate: Surrogate, measures: Sequence[str] = ()) -> Plot
         computed, predicted, deviation = (
             Column(each.name, each.unit, values).in_unit for values in (each.computed, each.predicted, each.deviation)
         )
-        half = INTERVALS[1][1] * deviation
+        half = HALF_WIDTH * deviation
         outside = np.abs(computed - predicted) > half
         ends = [float(min(computed.min(), predicted.min())), float(max(computed.max(), predicted.max()))]
         axes.plot(ends, ends, color=QUIET, lw=1)

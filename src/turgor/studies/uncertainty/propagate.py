@@ -14,11 +14,12 @@ from turgor.studies.runs.computation import Computation
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.run_outcome import Ended
 from turgor.studies.runs.run import Computed
+from turgor.studies.runs.settings import HALF_WIDTH
 from turgor.studies.uncertainty.band import Band, Uncertainty
 from turgor.studies.uncertainty.cases import Case
 from turgor.studies.uncertainty.plan import METHODS, Plan
 from turgor.studies.uncertainty.spread import Input
-from turgor.studies.uncertainty.surface import NORMAL_95, Surface, check_points, fit_surface, range_of
+from turgor.studies.uncertainty.surface import Surface, check_points, fit_surface, range_of
 
 Array = NDArray[np.float64]
 
@@ -129,7 +130,7 @@ def _band(plan: Plan, nominal: Response, name: str, drive: str, at: Array) -> tu
     variance = _variance(plan, surface, tables, slope)
     deviation = np.sqrt(sum(variance.values()) + surface.together)
     mean = middle + surface.second.sum(axis=0) + sum((table.mean(axis=0) for table in tables), np.zeros(len(at)))
-    low, high = mean - NORMAL_95 * deviation, mean + NORMAL_95 * deviation
+    low, high = mean - HALF_WIDTH * deviation, mean + HALF_WIDTH * deviation
     if plan.quadratic and np.isfinite(surface.first).all():
         gauges = [np.outer(_normal_points(), slope * each.standard[1]) for each in plan.drives]
         low, high = range_of(surface, [*tables, *gauges])

@@ -26,6 +26,7 @@ from turgor.studies.runs.jobs.job_changes import job_changes
 from turgor.studies.runs.jobs.job_slopes import SlopeRequest, with_requested_slopes
 from turgor.studies.runs.jobs.solid_volume import SOLID_VOLUME, solid_volume_of
 from turgor.studies.runs.run import Computed
+from turgor.studies.runs.settings import RUNS
 from turgor.views.pictures.picture import picture
 from turgor.views.pictures.settings import FRAMING
 
@@ -34,9 +35,6 @@ PATHS = "paths"
 
 #: Folder of the last states of runs, next to the job.
 LAST_STATES = "last-states"
-
-#: How often the folder of a path is made: other runs may remove the one above it while it is empty.
-ATTEMPTS = 10
 
 
 def solved_job(
@@ -195,7 +193,7 @@ def _followed(job: Job, options: EngineOptions, folder: Path) -> Solution:
 
 def _make(folder: Path) -> None:
     """Make the folder of a path, again if a run that ended has removed the empty one above it in between."""
-    for _ in range(ATTEMPTS):
+    for _ in range(RUNS.attempts):
         with suppress(FileNotFoundError):
             folder.mkdir(parents=True, exist_ok=True)
             return
