@@ -5,9 +5,6 @@ from typing import Any
 
 from turgor.foundation.errors import TurgorError
 from turgor.studies.optimization.goals import (
-    LIMIT_TOLERANCE,
-    PATH_TOLERANCE,
-    TARGET_TOLERANCE,
     Goal,
     Limit,
     Maximize,
@@ -16,6 +13,7 @@ from turgor.studies.optimization.goals import (
     TipPath,
 )
 from turgor.studies.optimization.row_values import At
+from turgor.studies.optimization.settings import GOALS
 from turgor.studies.study_file.numbers import Table, check_keys, number_in, numbers_in, unit_in
 
 #: Keys of each goal, by the name of its list.
@@ -66,13 +64,13 @@ def read_goal(kind: str, table: Table) -> Goal:
         raise TurgorError("'measure' is missing; name one, such as measure = \"bending_angle\".")
     name, scale = str(table["measure"]), numbers.get("scale")
     if kind == "limits":
-        tolerance = numbers.get("tolerance", LIMIT_TOLERANCE)
+        tolerance = numbers.get("tolerance", GOALS.limit)
         unit = unit_in(table.get("most", table.get("least")))
         ends = numbers.get("most"), numbers.get("least")
         return Limit(name, most=ends[0], least=ends[1], at=at, scale=scale, tolerance=tolerance, unit=unit)
     if "value" not in numbers:
         raise TurgorError("'value' is missing; write the target with its unit, such as \"60 deg\".")
-    tolerance = numbers.get("tolerance", TARGET_TOLERANCE)
+    tolerance = numbers.get("tolerance", GOALS.target)
     return Target(name, numbers["value"], at=at, scale=scale, tolerance=tolerance, unit=unit_in(table["value"]))
 
 
@@ -94,7 +92,7 @@ def _path(table: Table) -> TipPath:
         raise TurgorError(f"x has {len(lists['x'])} numbers and z {len(lists['z'])}; give as many of both.")
     points = list(zip(lists["x"], lists["z"], strict=True))
     at = ("pressure", lists["pressure"]) if "pressure" in lists else None
-    tolerance = number_in(table["tolerance"], "tolerance") if "tolerance" in table else PATH_TOLERANCE
+    tolerance = number_in(table["tolerance"], "tolerance") if "tolerance" in table else GOALS.path
     return TipPath(points, at=at, tolerance=tolerance)
 
 

@@ -10,12 +10,10 @@ from scipy.stats import qmc
 from turgor.studies.optimization.problem import Candidate, Problem
 from turgor.studies.optimization.search import Ending, Search
 from turgor.studies.optimization.searches.step import merit
+from turgor.studies.optimization.settings import TRUST_REGION
 
 Array = NDArray[np.float64]
 Descend = Callable[[Problem, Array, Search], Ending]
-
-#: Latin hypercubes that are drawn until enough designs keep the rules.
-DRAWS = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -106,7 +104,7 @@ def spread(problem: Problem, count: int, seed: int) -> list[Array]:
         Shares of the ranges; fewer than requested where the rules leave little room.
     """
     found: list[Array] = []
-    for more in range(DRAWS if count > 0 else 0):
+    for more in range(TRUST_REGION.tries if count > 0 else 0):
         draws = qmc.LatinHypercube(d=len(problem.factors), seed=seed + more).random(count)
         found.extend(problem.snapped(point) for point in draws if not problem.broken(point))
         if len(found) >= count:

@@ -5,11 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.studies.optimization.settings import TRUST_REGION
+
 Array = NDArray[np.float64]
-
-
-#: Points beyond the number of terms of a polynomial part from which it is used.
-SPARE = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,7 +69,7 @@ def surfaces_through(points: Array, values: Array) -> Surfaces:
     apart = np.linalg.norm(points[:, None, :] - points[None, :, :], axis=2) ** 3
     every = _terms(points)
     sizes = (1 + size, 1 + 2 * size, every.shape[1])
-    used = max(each for each in sizes if each == sizes[0] or count >= each + SPARE)
+    used = max(each for each in sizes if each == sizes[0] or count >= each + TRUST_REGION.spare)
     tail = every[:, :used]
     matrix = np.block([[apart, tail], [tail.T, np.zeros((used, used))]])
     level = values.mean(axis=0)
