@@ -11,13 +11,10 @@ from scipy.interpolate import PchipInterpolator
 from turgor.accuracy.laboratory.compare import first_branch
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
+from turgor.studies.calibration.settings import CALIBRATION
 from turgor.studies.runs.slopes import slope_name
 
 Array = NDArray[np.float64]
-
-#: Motion of a curve with which its interpolation is differentiated: shares of the range of its values, and of the
-#: smallest step of its drive.
-NUDGE, DRIVE_NUDGE = 1e-6, 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -106,9 +103,9 @@ class PathCurve:
     def _moved(self, drive: Array, moves: Array, rates: Array) -> Array:
         """Derivative of the interpolation where the points move at rates; the two ends are moved a little."""
         far = float(np.ptp(self.values)) or 1.0
-        steps = [NUDGE * far / max(float(np.abs(rates).max()), 1e-300)]
+        steps = [CALIBRATION.nudge * far / max(float(np.abs(rates).max()), 1e-300)]
         if moves.any():
-            steps.append(DRIVE_NUDGE * float(np.diff(self.drive).min()) / float(np.abs(moves).max()))
+            steps.append(CALIBRATION.nudge * float(np.diff(self.drive).min()) / float(np.abs(moves).max()))
         step = min(steps)
         ends = [PathCurve(self.drive + s * moves, self.values + s * rates, self.rows).at(drive) for s in (step, -step)]
         return (ends[0] - ends[1]) / (2 * step)

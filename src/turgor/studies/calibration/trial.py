@@ -15,13 +15,10 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
 from turgor.studies.calibration.curve import PathCurve
 from turgor.studies.calibration.parameter import OFFSET, SCALE, Parameter
+from turgor.studies.calibration.settings import CALIBRATION
 from turgor.studies.runs.run import Computed, Run
 
 Array = NDArray[np.float64]
-
-#: Standard deviation of a measurement where it is not known, as a share of the measured range: it weighs experiments
-#: against each other, and the standard errors are scaled by what remains.
-ASSUMED_SPREAD = 0.02
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -197,8 +194,10 @@ def _spread(trial: Trial, name: str, values: Array, known: NDArray[np.bool_]) ->
     if name + SPREAD in trial.measured:
         spread = np.array(trial.measured.column(name + SPREAD)[known])
         # where repeated runs meet, such as at zero, their spread says nothing about the gauge
-        return np.maximum(np.nan_to_num(spread), 0.25 * float(np.nanmedian(spread)) or ASSUMED_SPREAD * reach), False
-    return np.full(len(values), ASSUMED_SPREAD * reach), True
+        return np.maximum(
+            np.nan_to_num(spread), 0.25 * float(np.nanmedian(spread)) or CALIBRATION.assumed_spread * reach
+        ), False
+    return np.full(len(values), CALIBRATION.assumed_spread * reach), True
 
 
 def check_taken(trials: Sequence[Trial], parameters: Sequence[Parameter]) -> None:

@@ -17,14 +17,12 @@ from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, read_table
 from turgor.studies.calibration.job_calibration import CalibrationPlan
 from turgor.studies.calibration.parameter import Parameter
+from turgor.studies.calibration.settings import CALIBRATION
 from turgor.studies.runs.jobs.job_numbers import JobNumber, mean_and_deviation, read_number, shared_number
 from turgor.studies.study_file.job_base import JobBase
 
 #: The table of a calibration.
 CALIBRATE = ("calibrate",)
-
-#: Steps of the finite differences: of numbers that change the mesh, and of others.
-MESHED_STEP, STEP = 0.03, 0.01
 
 
 class CalibrateTable(Table):
@@ -130,9 +128,10 @@ def parameter_of(key: str, given: Any, numbers: Mapping[str, JobNumber]) -> Para
         raise TurgorError("a parameter has both ends, low and high, or neither.")
     values = {end: read_number(str(given[end]), number, end) for end in ("start", "low", "high") if end in given}
     prior = mean_and_deviation(str(given["prior"]), number, "prior") if "prior" in given else None
+    step = CALIBRATION.meshed_step if name.startswith("actuator.") else CALIBRATION.step
     return Parameter(
         name=name, start=values.get("start", number.value), lower=values.get("low"), upper=values.get("high"),
-        prior=prior, unit=number.unit, step=MESHED_STEP if name.startswith("actuator.") else STEP,
+        prior=prior, unit=number.unit, step=step,
     )  # fmt: skip
 
 

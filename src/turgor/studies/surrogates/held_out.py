@@ -10,12 +10,10 @@ from turgor.foundation.response import Column
 from turgor.studies.runs.settings import HALF_WIDTH, LEVEL
 from turgor.studies.surrogates.fit_gaussian_process import GaussianProcessTrainer
 from turgor.studies.surrogates.gaussian_process import GaussianProcess
+from turgor.studies.surrogates.settings import SURROGATE
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
-
-#: Bounds of the factor of standard deviations: where a few rows are reproduced exactly it says nothing.
-FACTORS = (0.1, 1000.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -173,7 +171,7 @@ def factor_of(off: Array) -> float:
     float
     """
     wide = float(np.quantile(off, LEVEL)) / HALF_WIDTH
-    return float(np.clip(max(np.sqrt(np.mean(off**2)), wide), *FACTORS))
+    return float(np.clip(max(np.sqrt(np.mean(off**2)), wide), *SURROGATE.factors))
 
 
 def _coverage(off: Array, parts: Whole) -> tuple[float, float]:

@@ -14,18 +14,10 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column
 from turgor.studies.runs.factor import Value
 from turgor.studies.runs.study import values_text
+from turgor.studies.surrogates.settings import SURROGATE
 from turgor.studies.surrogates.surrogate import Prediction, Surrogate
 
 Array = NDArray[np.float64]
-
-#: Points of the range that are tried (a power of two), and searches that start from the best of them.
-TRIED, STARTS = 512, 6
-
-#: Distance below which wanted outputs count as reached, as a share of the range of each.
-REACHED = 1e-4
-
-#: Combinations of choices that are searched one by one.
-MOST_COMBINATIONS = 100
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -117,11 +109,11 @@ def invert(
     fixed = held or {}
     ends = [(each, end) for each in _searches(surrogate, wanted, fixed, prefer or {}) for end in each.ends()]
     best = min(search.distance(end) for search, end in ends)
-    good = [(each, end) for each, end in ends if each.distance(end) <= max(REACHED, best * (1 + 1e-3))]
+    good = [(each, end) for each, end in ends if each.distance(end) <= max(SURROGATE.reached, best * (1 + 1e-3))]
     nearest = [(search, search.nearest(end)) for search, end in good]
     nearest.sort(key=lambda each: each[0].from_preferred(each[1]))
     search, share = nearest[0]
-    reached = search.distance(share) <= REACHED
+    reached = search.distance(share) <= SURROGATE.reached
     values = search.values(share)
     return Inverse(
         values=values,
@@ -206,11 +198,11 @@ class _Search:
         """Return where searches from the best points of the range end."""
         if not self.free:
             return [np.zeros(0)]
-        tried = qmc.Sobol(len(self.free), seed=0).random(TRIED)
-        points = np.tile(self.point, (TRIED, 1))
+        tried = qmc.Sobol(len(self.free), seed=0).random(SURROGATE.tried)
+        points = np.tile(self.point, (SURROGATE.tried, 1))
         points[:, self.columns] = tried
         off = (self.surrogate.model.mean(points)[:, self.outputs] - self.wanted) / self.scale
-        starts = [self.preferred, *_far_apart(tried, (off**2).sum(axis=1), STARTS)]
+        starts = [self.preferred, *_far_apart(tried, (off**2).sum(axis=1), SURROGATE.starts)]
         found = []
         for start in starts:
             # a start on a bound cannot move along it
@@ -234,7 +226,7 @@ class _Search:
             options={"ftol": 1e-12, "maxiter": 200},
         )
         at = np.clip(ended.x, 0.0, 1.0)
-        return at if float(np.abs(self.off(at) - same).max()) < REACHED / 2 else share
+        return at if float(np.abs(self.off(at) - same).max()) < SURROGATE.reached / 2 else share
 
     def values(self, share: Array) -> dict[str, Value]:
         """Return the factors [SI] at shares of the free ones."""
@@ -267,9 +259,9 @@ def _searches(
     _check(surrogate, wanted, (*fixed, *prefer))
     choices = [each for each in surrogate.factors if each.is_choice and each.name not in fixed]
     count = prod(len(each.levels) for each in choices)
-    if count > MOST_COMBINATIONS:
+    if count > SURROGATE.combinations:
         raise TurgorError(
-            f"{count} combinations of choices are too many; up to {MOST_COMBINATIONS} are searched. Hold some."
+            f"{count} combinations of choices are too many; up to {SURROGATE.combinations} are searched. Hold some."
         )
     free = [n for n, each in enumerate(surrogate.factors) if not each.is_choice and each.name not in fixed]
     if not free and not choices:

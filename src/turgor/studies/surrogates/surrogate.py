@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.foundation.source import Source
 from turgor.foundation.store.saved_objects import Saved
 from turgor.studies.runs.factor import Factor, Value
@@ -17,9 +18,6 @@ from turgor.studies.surrogates.gaussian_process import GaussianProcess
 from turgor.studies.surrogates.held_out import HeldOut
 
 Array = NDArray[np.float64]
-
-#: How far beyond its range an input may be, as a share of it: round-off of units, no more.
-ROUND_OFF = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -270,7 +268,7 @@ class Surrogate(Saved):
             if each.is_choice and not np.isin(points[:, place], np.arange(len(each.levels))).all():
                 raise TurgorError(f"'{each.name}' is a choice: points have its place, 0 to {len(each.levels) - 1}.")
         off = np.maximum(low - points, points - high) / (high - low)
-        if not (off > ROUND_OFF).any():
+        if not (off > ROUND_OFF.same).any():
             return ()
         row, n = np.unravel_index(np.argmax(off), off.shape)
         factor = self.factors[n]
