@@ -11,6 +11,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from turgor.foundation.display import LONGEST_TEXT
 from turgor.foundation.errors import TurgorError
 from turgor.units import EXAMPLES, UNITS, parse_quantity
 
@@ -19,9 +20,6 @@ Quantity: TypeAlias = float | str
 
 #: Three of them.
 Quantities: TypeAlias = Sequence[Quantity]
-
-#: Letters of a value that a message shows.
-MOST_LETTERS = 60
 
 
 def number(value: object, what: str, dimension: str = "", *, finite: bool = True) -> float:
@@ -159,6 +157,6 @@ def shown(value: object) -> str:
         return f"the class {value.__name__}"
     if value is None or isinstance(value, str | bool | Real | complex | list | tuple | dict):
         text = repr(value)
-        return text if len(text) <= MOST_LETTERS else f"{text[:MOST_LETTERS]}…"
+        return text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]}…"
     kind = type(value).__name__
     return f"{'an' if kind[0] in 'AEIOU' else 'a'} {kind}"

@@ -46,19 +46,15 @@ class TrustRegionSettings:
         Shares of the promised gain below which a region shrinks and above which it grows.
     spanned, near : float
         Points span the region where the least singular value of their directions is at least the first number, counting
-        those within so many radii. Points closer to each other than the first one times the radius are the same.
-    slope_step : float
-        Slopes are given to the surfaces as points at this share of the radius from each candidate.
+        those within so many radii. Points closer to each other than the first one times the radius are the same, and
+        slopes are given to the surfaces as points at this distance from each candidate.
     last_region : float
         A step below the precision ends the search where the region is at most so many times the precision.
     tries : int
         Points tried where the start gives no response, and Latin hypercubes drawn until enough designs keep the rules.
     aim : float
-        A search aims at this violation; up to 1 counts as met.
-    misfit_penalty : float
-        Penalty of a violation beyond the aim, in misfits; it is 1 in objectives over their scales.
-    smooth : float
-        Misfits below this length count less and less: the length has a kink where all targets are met.
+        A search aims at this violation; up to 1 counts as met. Misfits below it count less and less, because their
+        length has a kink where all targets are met.
     beginnings : int
         Random beginnings of a search on the surfaces besides its center.
     whole : int
@@ -72,12 +68,9 @@ class TrustRegionSettings:
     good: float = 0.7
     spanned: float = 0.1
     near: float = 2.0
-    slope_step: float = 0.05
     last_region: float = 5.0
     tries: int = 8
     aim: float = 0.5
-    misfit_penalty: float = 10.0
-    smooth: float = 0.1
     beginnings: int = 4
     whole: int = 4
     spare: int = 2

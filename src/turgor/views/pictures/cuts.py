@@ -14,13 +14,11 @@ from turgor.core.engine.cells.reference import tables_at
 from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.views.pictures.skin import Skin
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A plane is moved by this share of the size of the part, so that no node lies on it.
-ASIDE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,7 +49,8 @@ class Cut:
         """Distance (k,) [m] of points at rest behind the plane; ``whole`` (2, 3) are the extents of the actuator."""
         number = "xyz".index(self.axis)
         middle = float(whole[:, number].mean()) if self.position is None else self.position
-        return np.asarray(points[:, number] - middle - ASIDE * float(np.ptp(whole, axis=0).max()))
+        aside = ROUND_OFF.mesh_digits * float(np.ptp(whole, axis=0).max())  # no node lies on the plane
+        return np.asarray(points[:, number] - middle - aside)
 
 
 def cut_away(at: StateFields, skin: Skin, rest: Array, cut: Cut, values: Array) -> Skin:

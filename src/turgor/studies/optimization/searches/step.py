@@ -42,8 +42,7 @@ def merit(problem: Problem, score: Score) -> float:
     """Return what a step is to lower: the objective, and a penalty of what is violated."""
     if not score.known:
         return float("inf")
-    penalty = 1.0 if problem.objectives else TRUST_REGION.misfit_penalty
-    return score.objectives[0] + penalty * max(score.violation - TRUST_REGION.aim, 0.0)
+    return score.objectives[0] + max(score.violation - TRUST_REGION.aim, 0.0)
 
 
 def best_step(problem: Problem, surfaces: Surfaces, box: Box, seed: int) -> Array:
@@ -81,13 +80,12 @@ def _minimized(
     low, high = limits
     if fixed is not None:
         low, high = np.where(fixed, begin, low), np.where(fixed, begin, high)
-    penalty = 1.0 if problem.objectives else TRUST_REGION.misfit_penalty
     smooth = _Smooth(problem, surfaces)
     slack = max(float(smooth.conditions(begin)[0].max(initial=0.0)), 0.0)
 
     def objective(z: Array) -> tuple[float, Array]:
         value, slope = smooth.objective(z[:-1])
-        return value + penalty * z[-1], np.append(slope, penalty)
+        return value + z[-1], np.append(slope, 1.0)
 
     constraints: list[dict[str, Any]] = [
         {
@@ -122,7 +120,7 @@ class _Smooth:
         targets = [pair for goal, pair in goals if isinstance(goal, MET)]
         values = np.concatenate([values for values, _ in targets])
         slopes = np.concatenate([slopes for _, slopes in targets])
-        length = float(np.sqrt(values @ values + TRUST_REGION.smooth**2))
+        length = float(np.sqrt(values @ values + TRUST_REGION.aim**2))
         return length, (values @ slopes) / length
 
     def conditions(self, at: Array) -> tuple[Array, Array]:
@@ -133,7 +131,7 @@ class _Smooth:
                 violations.extend((values - TRUST_REGION.aim).tolist())
                 slopes.extend(slope)
             elif isinstance(goal, MET) and self.problem.objectives:
-                length = float(np.sqrt(values @ values + TRUST_REGION.smooth**2))
+                length = float(np.sqrt(values @ values + TRUST_REGION.aim**2))
                 violations.append(length - TRUST_REGION.aim)
                 slopes.append((values @ slope) / length)
         return np.array(violations), np.array(slopes)
