@@ -63,22 +63,20 @@ def search(objective: Objective, start: Array, most: int) -> Found:
     """
     at, residuals = start, objective.residuals(start)
     jacobian = objective.jacobian(at)
-    for _ in range(CALIBRATION.rounds):
-        if no_step_left(objective, at, residuals, jacobian):
-            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
+    while not no_step_left(objective, at, residuals, jacobian):
         to = _one_round(objective, at, jacobian, most)
         if to is None:
-            break
+            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=False)
         if np.array_equal(to, at):
-            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
+            break
         before, at, residuals = residuals, to, objective.residuals(to)
         jacobian = objective.jacobian(at)
         if _cost(before) - _cost(residuals) < _least_gain(objective, residuals):  # rough, as meshes that change are
-            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
-        if len(objective.evaluations.ended) >= most:
             break
-    done = no_step_left(objective, at, residuals, jacobian)
-    return Found(at=at, residuals=residuals, jacobian=jacobian, converged=done)
+        if len(objective.evaluations.ended) >= most:
+            done = no_step_left(objective, at, residuals, jacobian)
+            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=done)
+    return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
 
 
 def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> Array | None:

@@ -10,11 +10,13 @@ from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError
 from turgor.studies.optimization.row_values import At, Measure, Read, read, shown_of, unit_of, words_of
-from turgor.studies.optimization.settings import GOALS
 from turgor.studies.optimization.slopes import slopes_of
 from turgor.studies.runs.study import Row
 
 Array = NDArray[np.float64]
+
+#: Points at which a path is compared.
+PATH_POINTS = 9
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +54,7 @@ class Target:
     _: KW_ONLY
     at: At = None
     scale: float | None = None
-    tolerance: float = GOALS.target
+    tolerance: float = 0.01
     unit: str = ""
 
     def __post_init__(self) -> None:
@@ -115,7 +117,7 @@ class Limit:
     least: float | None = None
     at: At = None
     scale: float | None = None
-    tolerance: float = GOALS.limit
+    tolerance: float = 0.002
     unit: str = ""
 
     def __post_init__(self) -> None:
@@ -243,7 +245,7 @@ class TipPath:
     _: KW_ONLY
     at: tuple[str, Sequence[float]] | None = None
     measures: tuple[str, ...] = ("tip_displacement_x", "tip_displacement_z")
-    tolerance: float = GOALS.path
+    tolerance: float = 1 * mm
 
     def __post_init__(self) -> None:
         given = np.array(self.points, dtype=np.float64)
@@ -337,5 +339,5 @@ def _check(goal: Target | Limit, value: float, field: str) -> None:
 def _at_shares(points: Array) -> Array:
     """Return points at equal shares of the arc length of a curve, its beginning left out."""
     lengths = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
-    at = np.linspace(0, lengths[-1], GOALS.path_points + 1)[1:]
+    at = np.linspace(0, lengths[-1], PATH_POINTS + 1)[1:]
     return np.column_stack([np.interp(at, lengths, column) for column in points.T])

@@ -6,33 +6,6 @@ unless it is stated; places are shares of the ranges of the factors.
 
 from dataclasses import dataclass
 
-from turgor.units import mm
-
-
-@dataclass(frozen=True, slots=True)
-class GoalSettings:
-    """Default tolerances of goals.
-
-    Parameters
-    ----------
-    target : float
-        A target is met within this share of its scale.
-    limit : float
-        A limit counts as kept up to this share of its scale: the surfaces that the search moves on are no better.
-    path : float [m]
-        A path is met within this distance.
-    path_points : int
-        Points at which a path is compared.
-    """
-
-    target: float = 0.01
-    limit: float = 0.002
-    path: float = 1 * mm
-    path_points: int = 9
-
-
-GOALS = GoalSettings()
-
 
 @dataclass(frozen=True, slots=True)
 class TrustRegionSettings:
@@ -47,7 +20,7 @@ class TrustRegionSettings:
     spanned, near : float
         Points span the region where the least singular value of their directions is at least the first number, counting
         those within so many radii. Points closer to each other than the first one times the radius are the same, and
-        slopes are given to the surfaces as points at this distance from each candidate.
+        slopes are given to the surfaces as points at half this distance from each candidate.
     last_region : float
         A step below the precision ends the search where the region is at most so many times the precision.
     tries : int

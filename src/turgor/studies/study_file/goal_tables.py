@@ -13,7 +13,6 @@ from turgor.studies.optimization.goals import (
     TipPath,
 )
 from turgor.studies.optimization.row_values import At
-from turgor.studies.optimization.settings import GOALS
 from turgor.studies.study_file.numbers import Table, check_keys, number_in, numbers_in, unit_in
 
 #: Keys of each goal, by the name of its list.
@@ -63,15 +62,14 @@ def read_goal(kind: str, table: Table) -> Goal:
     if "measure" not in table:
         raise TurgorError("'measure' is missing; name one, such as measure = \"bending_angle\".")
     name, scale = str(table["measure"]), numbers.get("scale")
+    tolerance = {key: numbers[key] for key in ("tolerance",) if key in numbers}
     if kind == "limits":
-        tolerance = numbers.get("tolerance", GOALS.limit)
         unit = unit_in(table.get("most", table.get("least")))
         ends = numbers.get("most"), numbers.get("least")
-        return Limit(name, most=ends[0], least=ends[1], at=at, scale=scale, tolerance=tolerance, unit=unit)
+        return Limit(name, most=ends[0], least=ends[1], at=at, scale=scale, unit=unit, **tolerance)
     if "value" not in numbers:
         raise TurgorError("'value' is missing; write the target with its unit, such as \"60 deg\".")
-    tolerance = numbers.get("tolerance", GOALS.target)
-    return Target(name, numbers["value"], at=at, scale=scale, tolerance=tolerance, unit=unit_in(table["value"]))
+    return Target(name, numbers["value"], at=at, scale=scale, unit=unit_in(table["value"]), **tolerance)
 
 
 #: Keys of goals that hold numbers.
@@ -92,8 +90,8 @@ def _path(table: Table) -> TipPath:
         raise TurgorError(f"x has {len(lists['x'])} numbers and z {len(lists['z'])}; give as many of both.")
     points = list(zip(lists["x"], lists["z"], strict=True))
     at = ("pressure", lists["pressure"]) if "pressure" in lists else None
-    tolerance = number_in(table["tolerance"], "tolerance") if "tolerance" in table else GOALS.path
-    return TipPath(points, at=at, tolerance=tolerance)
+    tolerance = {key: number_in(table[key], key) for key in ("tolerance",) if key in table}
+    return TipPath(points, at=at, **tolerance)
 
 
 def _at(given: Any) -> At:

@@ -121,10 +121,10 @@ class _Candidates:
         computed = np.stack([self.surrogate.held_out[n].computed for n in places], axis=1)
         best = float((((computed - wanted) / scale) ** 2).sum(axis=1).min())
         mean, deviation = self.surrogate.spreads(self.surrogate.coding.points(self.points))
-        draws = np.random.default_rng(0).standard_normal((SURROGATE.draws, 1, len(places)))
+        draws = np.random.default_rng(0).standard_normal((SURROGATE.tried, 1, len(places)))
         off = (mean[:, places] + draws * deviation[:, places] - wanted) / scale
-        distance = (off**2).sum(axis=2).reshape(SURROGATE.draws, self.count, self.each).min(axis=2)
-        brought = np.full(SURROGATE.draws, best)
+        distance = (off**2).sum(axis=2).reshape(SURROGATE.tried, self.count, self.each).min(axis=2)
+        brought = np.full(SURROGATE.tried, best)
         chosen: list[int] = []
         for _ in range(count):
             gain = np.maximum(brought[:, None] - distance, 0.0).mean(axis=0)
@@ -172,6 +172,6 @@ def _candidates(surrogate: Surrogate, avoid: Sequence[Mapping[str, float | int |
     designs = coding.inputs(np.array(points))
     if not surrogate.along:
         return _Candidates(surrogate=surrogate, points=designs, each=1, avoided=avoided)
-    drives = np.tile(np.linspace(0.25, 1.0, SURROGATE.drives), len(designs))
-    along = np.column_stack([np.repeat(designs, SURROGATE.drives, axis=0), drives])
-    return _Candidates(surrogate=surrogate, points=along, each=SURROGATE.drives, avoided=avoided)
+    drives = np.tile(np.linspace(0.25, 1.0, SURROGATE.points), len(designs))
+    along = np.column_stack([np.repeat(designs, SURROGATE.points, axis=0), drives])
+    return _Candidates(surrogate=surrogate, points=along, each=SURROGATE.points, avoided=avoided)

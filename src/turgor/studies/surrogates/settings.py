@@ -22,19 +22,16 @@ class SurrogateSettings:
     factors : (float, float)
         Bounds of the factor of standard deviations: where a few rows are reproduced exactly it says nothing.
     points : int
-        Values of the drive that each path gives, where the drive is an input.
+        Values of the drive that each path gives, and at which a next design is looked at, where the drive is an input.
     rows : int
         Rows below which there is nothing to hold out.
     tried, starts : int
-        Points at which an inverse is looked for first (a power of two), and those of the best that searches start from.
+        Points at which an inverse or a next design is looked for (a power of two), as many draws behind an expected
+        improvement, and those of the best points that searches for an inverse start from.
     reached : float
         Distance below which wanted outputs count as reached, as a share of the range of each.
     combinations : int
         Most combinations of choices that are searched one by one.
-    drives : int
-        Values of the drive at which a next design is looked at, where the drive is an input.
-    draws : int
-        Draws behind an expected improvement.
     """
 
     amplitude: tuple[float, float] = (1e-2, 1e3)
@@ -49,8 +46,6 @@ class SurrogateSettings:
     starts: int = 6
     reached: float = 1e-4
     combinations: int = 100
-    drives: int = 4
-    draws: int = 200
 
 
 SURROGATE = SurrogateSettings()

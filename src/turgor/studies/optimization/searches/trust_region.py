@@ -41,7 +41,7 @@ def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
     while problem.left > 0:
         if _all_met(problem, center):
             return Ending.CONVERGED
-        surfaces = _surfaces(problem, TRUST_REGION.spanned * radius)
+        surfaces = _surfaces(problem, TRUST_REGION.spanned / 2 * radius)
         box = Box(center=center.at, radius=radius)
         to = best_step(problem, surfaces, box, search.seed + len(problem.candidates))
         step = float(np.abs(to - center.at).max())
