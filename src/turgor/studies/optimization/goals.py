@@ -12,6 +12,7 @@ from turgor.foundation.errors import TurgorError
 from turgor.studies.optimization.row_values import At, Measure, Read, read, shown_of, unit_of, words_of
 from turgor.studies.optimization.slopes import slopes_of
 from turgor.studies.runs.study import Row
+from turgor.units import mm
 
 Array = NDArray[np.float64]
 
