@@ -71,9 +71,9 @@ def vector(values: object, what: str, dimension: str = "") -> tuple[float, float
     >>> vector((0, "2 N", 0), "force on 'tip'", "force")
     (0.0, 2.0, 0.0)
     """
-    if isinstance(values, str) or not isinstance(values, Iterable) or len(found := list(values)) != 3:
+    if isinstance(values, str) or not isinstance(values, Iterable) or len(parts := list(values)) != 3:
         raise TurgorError(f"{what} is {shown(values)}; three numbers are needed.")
-    x, y, z = (number(value, what, dimension) for value in found)
+    x, y, z = (number(value, what, dimension) for value in parts)
     return x, y, z
 
 
@@ -136,11 +136,11 @@ def several(value: object, kind: type | UnionType | tuple[type, ...], what: str,
         return (value,)
     if isinstance(value, str) or not isinstance(value, Iterable):
         raise TurgorError(f"{what} is {shown(value)}; {needed}.")
-    found = tuple(value)
-    for each in found:
+    items = tuple(value)
+    for each in items:
         if not isinstance(each, kind):
             raise TurgorError(f"{shown(each)} stands in {what}; {needed}.")
-    return found
+    return items
 
 
 def shown(value: object) -> str:

@@ -192,15 +192,15 @@ def best_shift(computed: Response, x: str, y: str, measured: Array) -> tuple[flo
 
     reach = float(np.ptp(measured[:, 0])) / 2
     tried = np.linspace(-reach, reach, TRIED)
-    found = np.array([left(shift) for shift in tried])
-    if (found >= FAR).all():
+    differences = np.array([left(shift) for shift in tried])
+    if (differences >= FAR).all():
         return np.nan, np.nan
-    best = int(np.argmin(found))
+    best = int(np.argmin(differences))
     step = tried[1] - tried[0]
     finer = minimize_scalar(left, bounds=(tried[best] - step, tried[best] + step), method="bounded")
-    if finer.fun < found[best]:
+    if finer.fun < differences[best]:
         return float(finer.x), float(finer.fun)
-    return float(tried[best]), float(found[best])
+    return float(tried[best]), float(differences[best])
 
 
 def first_branch(response: Response, x: str) -> tuple[Response, tuple[str, ...]]:

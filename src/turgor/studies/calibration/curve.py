@@ -64,8 +64,8 @@ class PathCurve:
     def at(self, drive: Array) -> Array:
         """Return the values (m,) [SI] at values of the drive."""
         inside = np.clip(drive, self.drive[0], self.drive[-1])
-        found = np.asarray(PchipInterpolator(self.drive, self.values)(inside))
-        return np.asarray(found + self._beyond(drive) * (drive - inside))
+        values = np.asarray(PchipInterpolator(self.drive, self.values)(inside))
+        return np.asarray(values + self._beyond(drive) * (drive - inside))
 
     def rise(self, drive: Array) -> Array:
         """Return the derivatives (m,) by the drive [SI]."""
@@ -89,7 +89,7 @@ class PathCurve:
         (m, k) array
         """
         part, used = first_branch(response, names[0])[0], self._used(drive)
-        found = np.full((len(drive), len(parameters)), np.nan)
+        table = np.full((len(drive), len(parameters)), np.nan)
         for k, parameter in enumerate(parameters):
             x, y = (slope_name(name, parameter) for name in names)
             if y not in part:
@@ -97,8 +97,8 @@ class PathCurve:
             rates = part.column(y)[self.rows]
             moves = part.column(x)[self.rows] if x in part else np.zeros(len(self.rows))
             if np.isfinite(rates[used]).all() and np.isfinite(moves[used]).all():
-                found[:, k] = self._moved(drive, np.where(used, moves, 0.0), np.where(used, rates, 0.0))
-        return found
+                table[:, k] = self._moved(drive, np.where(used, moves, 0.0), np.where(used, rates, 0.0))
+        return table
 
     def _moved(self, drive: Array, moves: Array, rates: Array) -> Array:
         """Derivative of the interpolation where the points move at rates; the two ends are moved a little."""

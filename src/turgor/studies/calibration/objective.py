@@ -68,8 +68,8 @@ class Objective:
         runs = [
             each.trial.run(values_at(self.parameters, at), each.taken, slopes) for at in points for each in self.data
         ]
-        found, count = self.evaluations.of(runs), len(self.data)
-        return [found[k * count : (k + 1) * count] for k in range(len(points))]
+        outcomes, count = self.evaluations.of(runs), len(self.data)
+        return [outcomes[k * count : (k + 1) * count] for k in range(len(points))]
 
     def responses(self, at: Array) -> list[Response | None]:
         """Return what the trials compute at a point; None where a run failed."""

@@ -115,8 +115,8 @@ class Parameter:
         """Return the value at a coordinate of the search, within the bounds."""
         low, high = self.bounds
         far = min(max(coordinate - 1, -self.width), self.width)
-        found = self.start * exp(far) if self.logarithmic else self.start + far * (high - low)
-        return min(max(rounded(found), low), high)
+        number = self.start * exp(far) if self.logarithmic else self.start + far * (high - low)
+        return min(max(rounded(number), low), high)
 
     def slope(self, value: float) -> float:
         """Return the derivative of the value by the coordinate."""

@@ -93,11 +93,17 @@ def _history(axes: Any, found: Optimization, goal: Goal) -> None:
     reads = [goal.reading(row) for row in found.study.rows]
     shown = reads[found.best or 0]
     values, numbers = _in_unit(reads, shown.unit), np.arange(1, len(reads) + 1)
-    kept = np.array([each.kept for each in found.scores])
+    within = np.array([each.kept for each in found.scores])
     axes.plot(numbers, values, color=FAINT, lw=0.8, zorder=1)
-    axes.scatter(numbers[kept], values[kept], color=BLUE, s=18, zorder=2, label="within the limits")
+    axes.scatter(numbers[within], values[within], color=BLUE, s=18, zorder=2, label="within the limits")
     axes.scatter(
-        numbers[~kept], values[~kept], facecolor="white", edgecolor=FAINT, s=18, zorder=2, label="not within the limits"
+        numbers[~within],
+        values[~within],
+        facecolor="white",
+        edgecolor=FAINT,
+        s=18,
+        zorder=2,
+        label="not within the limits",
     )
     if found.best is not None:
         errors = _in_unit([shown], shown.unit, error=True)

@@ -143,8 +143,8 @@ class Limit:
         """Return signed divisors and limits of each end; a value beyond 0 passes the limit, beyond 1 too far."""
         unit = _size(self.scale) * self.tolerance
         ends = [(unit, self.most), (-unit, self.least)]
-        kept = [(sign, end) for sign, end in ends if end is not None]
-        return np.array([sign for sign, _ in kept]), np.array([end for _, end in kept])
+        given = [(sign, end) for sign, end in ends if end is not None]
+        return np.array([sign for sign, _ in given]), np.array([end for _, end in given])
 
     def reading(self, row: Row) -> Read:
         """Return the value in words."""
@@ -308,13 +308,13 @@ MET = (Target, TipPath)
 
 def with_scales(goals: Sequence[Goal], row: Row) -> tuple[Goal, ...]:
     """Give goals without a scale that of their value in a row."""
-    found: list[Goal] = []
+    scaled: list[Goal] = []
     for each in goals:
         if isinstance(each, Minimize) and each.scale is None:
             size = abs(float(each.read(row)[0]))
             each = replace(each, scale=size if isfinite(size) and size > 0 else 1.0)
-        found.append(each)
-    return tuple(found)
+        scaled.append(each)
+    return tuple(scaled)
 
 
 def _scale(goal: Target | Limit, value: float) -> float:

@@ -240,8 +240,8 @@ def hidden_by_mesh(study: Study, measure: str, at: At = None) -> tuple[str, ...]
 def _grid(study: Study, count: int) -> Grid:
     grid = Grid.of(study)
     if grid is None or len(grid.factors) != count:
-        found = "no full grid" if grid is None else f"a grid of {len(grid.factors)}"
-        raise TurgorError(f"this picture needs all combinations of {count} factors; the study has {found}.")
+        given = "no full grid" if grid is None else f"a grid of {len(grid.factors)}"
+        raise TurgorError(f"this picture needs all combinations of {count} factors; the study has {given}.")
     return grid
 
 

@@ -226,10 +226,10 @@ def _codes(factor: Factor, rows: Sequence[Mapping[str, Value]]) -> Array:
 
 
 def _levels(factor: Factor, rows: Sequence[Mapping[str, Value]]) -> list[Value]:
-    found = {row[factor.name] for row in rows}
+    values = {row[factor.name] for row in rows}
     if factor.is_choice:
-        return [level for level in factor.levels if level in found]
-    return sorted(found, key=float)
+        return [level for level in factor.levels if level in values]
+    return sorted(values, key=float)
 
 
 def _divided(
@@ -263,8 +263,8 @@ def _matrix(parts: Sequence[Array], rows: int) -> Array:
 
 def _left(matrix: Array, y: Array) -> float:
     """Sum of squares that a linear model leaves."""
-    found = np.linalg.lstsq(matrix, y, rcond=None)[0]
-    return float(((y - matrix @ found) ** 2).sum())
+    coefficients = np.linalg.lstsq(matrix, y, rcond=None)[0]
+    return float(((y - matrix @ coefficients) ** 2).sum())
 
 
 def _error_term(mesh: Array, rows: Sequence[Mapping[str, Value]], names: Sequence[str], y: Array) -> "_Error | None":
@@ -290,7 +290,7 @@ def _term(names: tuple[str, ...], squares: float, freedom: int, total: float, er
 
 
 def _means(codes: Array, factor: Factor, rows: Sequence[Mapping[str, Value]], y: Array) -> dict[Value, float]:
-    found = {}
+    means = {}
     for level in _levels(factor, rows):
-        found[level] = float(np.mean([value for row, value in zip(rows, y, strict=True) if row[factor.name] == level]))
-    return found
+        means[level] = float(np.mean([value for row, value in zip(rows, y, strict=True) if row[factor.name] == level]))
+    return means

@@ -88,7 +88,7 @@ def read_calibrate(
         problems.add((*CALIBRATE, "experiments"), "nothing is fitted; name a table of a laboratory, or several.")
     lists = {key: [problems.attempt((*CALIBRATE, key), partial(_measured, folder / name, table)) for name in names]
              for key, names in (("experiments", table.experiments), ("hold_out", table.hold_out))}  # fmt: skip
-    measured = [each for found in lists.values() for each in found if each is not None]
+    measured = [each for several in lists.values() for each in several if each is not None]
     spreads = problems.attempt((*CALIBRATE, "spread"), partial(_spreads, table.spread, measured))
     if problems.found or spreads is None:
         return None
@@ -142,7 +142,7 @@ def _measured(file: Path, table: CalibrateTable) -> Response:
 
 def _spreads(texts: Sequence[str], measured: Sequence[Response]) -> list[float | None]:
     """Read standard deviations; each is that of the experiments with a column in its unit."""
-    found: list[float | None] = [None] * len(measured)
+    spreads: list[float | None] = [None] * len(measured)
     for text in texts:
         number, _, unit = text.strip().partition(" ")
         fitting = [n for n, each in enumerate(measured) if any(unit and unit in c.units for c in each.columns)]
@@ -154,5 +154,5 @@ def _spreads(texts: Sequence[str], measured: Sequence[Response]) -> list[float |
             units = ", ".join(sorted({c.unit for each in measured for c in each.columns if c.unit}))
             raise TurgorError(f"'{text}' is no spread; write a number and a unit of the experiments ({units}).")
         for n in fitting:
-            found[n] = value
-    return found
+            spreads[n] = value
+    return spreads

@@ -47,27 +47,27 @@ class Coding:
 
     def inputs(self, points: Array) -> Array:
         """Return the inputs at points, (..., k) to (..., w)."""
-        found = np.empty((*points.shape[:-1], self.width))
+        table = np.empty((*points.shape[:-1], self.width))
         for n, each in enumerate(self.factors):
             values = points[..., n, None]
             if each.is_choice:
-                found[..., self.columns(n)] = values == np.arange(len(each.levels))
+                table[..., self.columns(n)] = values == np.arange(len(each.levels))
             else:
                 low, high = each.bounds
-                found[..., self.columns(n)] = (values - low) / (high - low if high > low else 1.0)
-        return found
+                table[..., self.columns(n)] = (values - low) / (high - low if high > low else 1.0)
+        return table
 
     def points(self, inputs: Array) -> Array:
         """Return the points of inputs, (..., w) to (..., k)."""
-        found = np.empty((*inputs.shape[:-1], len(self.factors)))
+        table = np.empty((*inputs.shape[:-1], len(self.factors)))
         for n, each in enumerate(self.factors):
             given = inputs[..., self.columns(n)]
             if each.is_choice:
-                found[..., n] = given.argmax(axis=-1)
+                table[..., n] = given.argmax(axis=-1)
             else:
                 low, high = each.bounds
-                found[..., n] = low + given[..., 0] * (high - low)
-        return found
+                table[..., n] = low + given[..., 0] * (high - low)
+        return table
 
 
 def check_levels(factors: Sequence[Factor]) -> None:

@@ -99,11 +99,11 @@ def _searched(start: _Kernel, inputs: Array, targets: Array, noise: Array, *, st
         # a length at its bound means an input without influence, which is no problem
         warnings.simplefilter("ignore")
         regressor.fit(inputs, targets)
-    found = regressor.kernel_
+    kernel = regressor.kernel_
     return _Kernel(
         smooth=start.smooth,
-        amplitude=float(np.sqrt(found.k1.k1.constant_value)),
-        lengths=np.atleast_1d(np.asarray(found.k1.k2.length_scale, dtype=np.float64)),
-        scatter=float(np.sqrt(found.k2.noise_level)),
+        amplitude=float(np.sqrt(kernel.k1.k1.constant_value)),
+        lengths=np.atleast_1d(np.asarray(kernel.k1.k2.length_scale, dtype=np.float64)),
+        scatter=float(np.sqrt(kernel.k2.noise_level)),
         likelihood=float(regressor.log_marginal_likelihood_value_),
     )

@@ -131,13 +131,13 @@ def _others(nearest: "Sequence[tuple[_Search, Array]]") -> "list[tuple[_Search, 
 
     With fewer outputs than numbers, the solutions of one combination of choices are a continuum, of which one counts.
     """
-    found = [nearest[0]]
+    distinct = [nearest[0]]
     for search, share in nearest[1:]:
-        same = [other for each, other in found if each is search]
+        same = [other for each, other in distinct if each is search]
         isolated = len(search.outputs) >= len(search.free)
         if not same or (isolated and all(float(np.abs(share - other).max(initial=0.0)) > 0.02 for other in same)):
-            found.append((search, share))
-    return found[1:]
+            distinct.append((search, share))
+    return distinct[1:]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -203,13 +203,13 @@ class _Search:
         points[:, self.columns] = tried
         off = (self.surrogate.model.mean(points)[:, self.outputs] - self.wanted) / self.scale
         starts = [self.preferred, *_far_apart(tried, (off**2).sum(axis=1), SURROGATE.starts)]
-        found = []
+        ends = []
         for start in starts:
             # a start on a bound cannot move along it
             inner = np.clip(start, 1e-6, 1 - 1e-6)
             ended = least_squares(self.off, inner, self.slope, bounds=(0.0, 1.0), xtol=1e-12, ftol=1e-12, gtol=1e-12)
-            found.append(np.asarray(ended.x))
-        return found
+            ends.append(np.asarray(ended.x))
+        return ends
 
     def nearest(self, share: Array) -> Array:
         """Return the inputs nearest to the preferred ones that give the same outputs."""
@@ -238,13 +238,13 @@ class _Search:
         slope = self.slope(share)
         spread = deviation[0][self.outputs] / self.scale
         back = np.linalg.pinv(slope, rcond=1e-9) * spread
-        found = {}
+        deviations = {}
         for n, place in enumerate(self.free):
             factor = self.surrogate.factors[place]
             low, high = factor.bounds
             size = float(np.sqrt((back[n] ** 2).sum()))
-            found[factor.name] = size * (high - low) if np.abs(slope[:, n]).max() > 1e-9 else float("inf")
-        return found
+            deviations[factor.name] = size * (high - low) if np.abs(slope[:, n]).max() > 1e-9 else float("inf")
+        return deviations
 
     def _whole(self, share: Array) -> Array:
         point = self.point.copy()
@@ -267,12 +267,12 @@ def _searches(
     if not free and not choices:
         raise TurgorError("all factors are fixed; there is nothing to seek.")
     wished = {each.name: each.levels[int(each.number(prefer[each.name]))] for each in choices if each.name in prefer}
-    found = []
+    searches = []
     for levels in product(*(each.levels for each in choices)):
         chosen = {each.name: level for each, level in zip(choices, levels, strict=True)}
         apart = sum(chosen[name] != level for name, level in wished.items())
-        found.append(_search(surrogate, wanted, {**prefer, **fixed, **chosen}, free, apart))
-    return found
+        searches.append(_search(surrogate, wanted, {**prefer, **fixed, **chosen}, free, apart))
+    return searches
 
 
 def _check(surrogate: Surrogate, wanted: Mapping[str, float], given: Sequence[str]) -> None:
@@ -307,10 +307,10 @@ def _search(
 
 def _far_apart(points: Array, costs: Array, count: int) -> list[Array]:
     """The best points of which none lies near a better one."""
-    found: list[Array] = []
+    apart: list[Array] = []
     for n in np.argsort(costs):
-        if all(float(np.abs(points[n] - each).max()) > 0.15 for each in found):
-            found.append(points[n])
-        if len(found) == count:
+        if all(float(np.abs(points[n] - each).max()) > 0.15 for each in apart):
+            apart.append(points[n])
+        if len(apart) == count:
             break
-    return found
+    return apart

@@ -142,12 +142,12 @@ def learn(
         fitted = surrogate(study, goal.measures, at=goal.at, along=goal.along)
         errors.append((len(rows), max(each.share for each in fitted.held_out)))
         reached = errors[-1][1] <= goal.error
-        found = Learned(surrogate=fitted, study=study, errors=tuple(errors), reached=reached)
+        learned = Learned(surrogate=fitted, study=study, errors=tuple(errors), reached=reached)
         if progress is not None:
-            progress(found)
+            progress(learned)
         left = min(goal.batch, goal.runs - len(rows))
         if reached or left <= 0:
-            return found
+            return learned
         failed = [row.values for row in rows if row.response is None]
         designs = list(next_design(fitted, left, avoid=failed, seed=len(rows)))
 

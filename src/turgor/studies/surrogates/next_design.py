@@ -61,14 +61,14 @@ def next_design(
     candidates = _candidates(surrogate, avoid, seed)
     chosen = candidates.for_target(count, target) if target else candidates.to_learn(count)
     varied = [each for each in surrogate.factors if each.name != surrogate.along]
-    found = []
+    designs = []
     for number in chosen:
         design = surrogate.values_at(candidates.points[number * candidates.each])
         for each in varied:
             if each.whole:
                 design[each.name] = round(float(design[each.name]))
-        found.append({each.name: design[each.name] for each in varied})
-    return tuple(found)
+        designs.append({each.name: design[each.name] for each in varied})
+    return tuple(designs)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -174,14 +174,14 @@ class Surrogate(Saved):
         point = self.point(values)
         self._beyond(point[None], False)
         table = self.model.slope(self.shares(point))
-        found: dict[str, dict[str, float]] = {name: {} for name in self.measures}
+        by_measure: dict[str, dict[str, float]] = {name: {} for name in self.measures}
         for n, each in enumerate(self.factors):
             if not each.is_choice:
                 low, high = each.bounds
                 slopes = table[:, self.coding.columns(n)][:, 0] / (high - low)
                 for name, slope in zip(self.measures, slopes.tolist(), strict=True):
-                    found[name][each.name] = slope
-        return found
+                    by_measure[name][each.name] = slope
+        return by_measure
 
     def response(self, values: Mapping[str, Value], *, points: int = 21, extrapolate: bool = False) -> Response:
         """Return the path of one design: its measures against the drive, as a run gives them.
@@ -226,11 +226,11 @@ class Surrogate(Saved):
         missing = [name for name in wanted if name not in values]
         if missing:
             raise TurgorError(f"the surrogate needs a value of {', '.join(missing)} too.")
-        found = np.array([each.number(values[each.name]) for each in self.factors if each.name in wanted])
-        if not np.isfinite(found).all():
+        numbers = np.array([each.number(values[each.name]) for each in self.factors if each.name in wanted])
+        if not np.isfinite(numbers).all():
             wrong = next(name for name in wanted if not np.isfinite(values[name]))
             raise TurgorError(f"'{wrong}' is {values[wrong]}; a finite number is needed.")
-        return found
+        return numbers
 
     @property
     def coding(self) -> Coding:

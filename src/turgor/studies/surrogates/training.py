@@ -100,19 +100,19 @@ def training(
     names = _names(study, measures, {along, at[0] if at else ""} | {each.name for each in varied})
     drive, values = ("", None) if at is None else at
     grid = _grid(study, along, points) if along else np.array([np.nan if values is None else values])
-    found, problems = [], []
+    lines_read, problems = [], []
     for number, row in enumerate(study.rows):
         lines = _read(row, names, along or drive, grid)
         problems += [] if len(lines) else [study.values_text(row.values)]
-        found += [(number, *line) for line in lines]
-    rows = np.array([line[0] for line in found], dtype=np.int64)
+        lines_read += [(number, *line) for line in lines]
+    rows = np.array([line[0] for line in lines_read], dtype=np.int64)
     used = len(set(rows.tolist()))
     if used < SURROGATE.rows:
         raise TurgorError(
             f"{used} of {len(study)} rows of the study give {', '.join(names)}{_where(study, at)}; a surrogate needs "
             f"{SURROGATE.rows} or more. {' '.join(study.problems[:1])}".strip()
         )
-    table = np.array([line[1:] for line in found], dtype=np.float64)
+    table = np.array([line[1:] for line in lines_read], dtype=np.float64)
     inputs = np.array([[each.number(study.rows[number].values[each.name]) for each in varied] for number in rows])
     factors = (*varied, _drive(study, along, grid)) if along else varied
     return Training(

@@ -108,9 +108,11 @@ def _cases(plan: Plan, nominal: Response, drive: str, at: Array, names: Sequence
         for name, codes, numbers in zip(group.names, doubts, group.sets, strict=bool(group.names)):
             ended = plan.of_set(numbers)
             problem = plan.problem_of(ended, nominal, drive)
-            found = ended.found
+            computed = ended.found
             curves = (
-                {} if problem or found is None else {y: PathCurve.of(found.response, drive, y).at(at) for y in names}
+                {}
+                if problem or computed is None
+                else {y: PathCurve.of(computed.response, drive, y).at(at) for y in names}
             )
             cases.append(Case(label=group.label, name=name, doubts=codes, problem=problem, curves=curves))
     return tuple(cases)
@@ -156,13 +158,13 @@ def _surface(plan: Plan, curve: Curve, middle: Array) -> Surface:
 
 def _tables(plan: Plan, curve: Curve, middle: Array, drive: str) -> list[Array]:
     """Differences of the sets of each group from the nominal curve."""
-    found = []
+    tables = []
     nominal = plan.nominal()
     for group in plan.sets:
-        kept = plan.kept_sets(group, nominal, drive)
-        values = [value for value in (curve(plan.of_set(numbers)) for numbers in kept) if value is not None]
-        found.append(np.array(values) - middle)
-    return found
+        sets = plan.kept_sets(group, nominal, drive)
+        values = [value for value in (curve(plan.of_set(numbers)) for numbers in sets) if value is not None]
+        tables.append(np.array(values) - middle)
+    return tables
 
 
 def _variance(plan: Plan, surface: Surface, tables: Sequence[Array], slope: Array) -> dict[str, Array]:

@@ -43,10 +43,10 @@ class Surface:
 
     def at(self, z: Array) -> Array:
         """Return the values at points (k, n), (k, m)."""
-        found = self.middle + z @ self.first + z**2 @ self.second
+        values = self.middle + z @ self.first + z**2 @ self.second
         for (i, j), c in self.mixed.items():
-            found = found + np.outer(z[:, i] * z[:, j], c)
-        return np.asarray(found)
+            values = values + np.outer(z[:, i] * z[:, j], c)
+        return np.asarray(values)
 
     @property
     def parts(self) -> Array:

@@ -101,9 +101,9 @@ def clipped(skin: Skin, level: Array) -> Skin:
         ab, ac = (start + np.arange(len(rows)) + k * len(rows) for k in (0, 1))
         start += 2 * len(rows)
         made += [(a, b), (a, c)]
-        found = [(a, ab, ac)] if inside == 1 else [(ab, b, c), (ab, c, ac)]
-        pieces += [np.stack(each, axis=1) for each in found]
-        owners += [rows] * len(found)
+        corners = [(a, ab, ac)] if inside == 1 else [(ab, b, c), (ab, c, ac)]
+        pieces += [np.stack(each, axis=1) for each in corners]
+        owners += [rows] * len(corners)
     first, second = (np.concatenate([pair[k] for pair in made]) for k in (0, 1))
     share = (level[first] / (level[first] - level[second]))[:, None]
     owner = np.concatenate(owners)
@@ -139,10 +139,12 @@ def _cut_face(at: StateFields, cut: Cut, whole: Array, values: Array) -> Skin:
     for image in at.facts.images:
         level = cut.level(image.of(before).reshape(-1, 3), whole)
         parts.append(_crossed(corners, level, (image.of(now).reshape(-1, 3), field.ravel()), owner))
-    points, normals, found, patch = (np.concatenate(each) for each in zip(*parts, strict=True))
+    points, normals, face_values, patch = (np.concatenate(each) for each in zip(*parts, strict=True))
     triangles = np.arange(len(points)).reshape(-1, 3)
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
-    return Skin(points=points, normals=np.repeat(normals, 3, axis=0), values=found, triangles=triangles, patch=patch)
+    return Skin(
+        points=points, normals=np.repeat(normals, 3, axis=0), values=face_values, triangles=triangles, patch=patch
+    )
 
 
 def _crossed(corners: Ints, level: Array, of: tuple[Array, Array], owner: Ints) -> tuple[Array, Array, Array, Ints]:

@@ -46,10 +46,10 @@ def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
             quiet += 1
             break
         before = len(problem.candidates)
-        found = [each for each in problem.compute(chosen) if each.known]
+        computed = [each for each in problem.compute(chosen) if each.known]
         if len(problem.candidates) == before:
             break
-        quiet = quiet + 1 if gap < PARETO.gap and _as_promised(problem, found, surfaces) else 0
+        quiet = quiet + 1 if gap < PARETO.gap and _as_promised(problem, computed, surfaces) else 0
     return _ended(problem, quiet > 0)
 
 
@@ -95,9 +95,9 @@ def best_of_front(problem: Problem, front: Sequence[Candidate]) -> Candidate:
 
 
 def _front(problem: Problem) -> list[Candidate]:
-    kept = [each for each in problem.known if each.score.kept]
-    values = np.array([each.score.objectives for each in kept]).reshape(len(kept), -1)
-    return [each for each, here in zip(kept, values, strict=True) if not _beaten(here, values)]
+    allowed = [each for each in problem.known if each.score.kept]
+    values = np.array([each.score.objectives for each in allowed]).reshape(len(allowed), -1)
+    return [each for each, here in zip(allowed, values, strict=True) if not _beaten(here, values)]
 
 
 def _beaten(here: Array, others: Array) -> bool:
@@ -124,10 +124,10 @@ def _pymoo_problem(problem: Problem, readings: Callable[[Array], Array]) -> Any:
     count, size = len(problem.objectives), len(problem.factors)
 
     def _evaluate(self: Any, x: Array, out: dict[str, Array], *_: Any, **__: Any) -> None:
-        found = [problem.score(each) for each in readings(np.array([problem.snapped(point) for point in x]))]
+        scores = [problem.score(each) for each in readings(np.array([problem.snapped(point) for point in x]))]
         broken = np.array([problem.margins(point).min(initial=0.0) < -ROUND_OFF.same for point in x])
-        values = np.array([each.objectives if each.known else (1e9,) * count for each in found])
-        violated = np.array([each.violation - 1.0 if each.known else 1e9 for each in found])
+        values = np.array([each.objectives if each.known else (1e9,) * count for each in scores])
+        violated = np.array([each.violation - 1.0 if each.known else 1e9 for each in scores])
         out["F"], out["G"] = values, np.column_stack([violated, broken.astype(float)])
 
     kind = type("Designs", (base,), {"_evaluate": _evaluate})

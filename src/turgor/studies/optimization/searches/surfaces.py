@@ -35,8 +35,8 @@ class Surfaces:
         places = np.atleast_2d(at)
         apart = np.linalg.norm(places[:, None, :] - self.points[None, :, :], axis=2)
         terms = _terms(places)[:, : len(self.polynomial)]
-        found = apart**3 @ self.weights + terms @ self.polynomial
-        return found if np.ndim(at) == 2 else found[0]
+        values = apart**3 @ self.weights + terms @ self.polynomial
+        return values if np.ndim(at) == 2 else values[0]
 
     def gradient(self, at: Array) -> Array:
         """Return the derivatives at a point, (m, n)."""
@@ -74,10 +74,10 @@ def surfaces_through(points: Array, values: Array) -> Surfaces:
     matrix = np.block([[apart, tail], [tail.T, np.zeros((used, used))]])
     level = values.mean(axis=0)
     right = np.vstack([values - level, np.zeros((used, values.shape[1]))])
-    found = np.linalg.lstsq(matrix, right, rcond=1e-13)[0]
-    polynomial = found[count:].copy()
+    solved = np.linalg.lstsq(matrix, right, rcond=1e-13)[0]
+    polynomial = solved[count:].copy()
     polynomial[0] += level
-    return Surfaces(points, found[:count], polynomial)
+    return Surfaces(points, solved[:count], polynomial)
 
 
 def _terms(places: Array) -> Array:
