@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 #: Letters of a text, and entries of a list of values, that a representation or a message shows.
 LONGEST_TEXT, MOST_ENTRIES = 60, 3
 
+#: Rows of a list on a terminal or in a comment; the others are counted.
+MOST_ROWS = 40
+
 
 class Shown:
     """Base of values that notebooks show as tables and pictures.

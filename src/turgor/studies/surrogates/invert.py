@@ -259,9 +259,9 @@ def _searches(
     _check(surrogate, wanted, (*fixed, *prefer))
     choices = [each for each in surrogate.factors if each.is_choice and each.name not in fixed]
     count = prod(len(each.levels) for each in choices)
-    if count > SURROGATE.combinations:
+    if count > SURROGATE.tried:
         raise TurgorError(
-            f"{count} combinations of choices are too many; up to {SURROGATE.combinations} are searched. Hold some."
+            f"{count} combinations of choices are too many; up to {SURROGATE.tried} are searched. Hold some."
         )
     free = [n for n, each in enumerate(surrogate.factors) if not each.is_choice and each.name not in fixed]
     if not free and not choices:

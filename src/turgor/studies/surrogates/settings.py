@@ -27,11 +27,10 @@ class SurrogateSettings:
         Rows below which there is nothing to hold out.
     tried, starts : int
         Points at which an inverse or a next design is looked for (a power of two), as many draws behind an expected
-        improvement, and those of the best points that searches for an inverse start from.
+        improvement, as many combinations of choices at most, and the best points that searches for an inverse start
+        from.
     reached : float
         Distance below which wanted outputs count as reached, as a share of the range of each.
-    combinations : int
-        Most combinations of choices that are searched one by one.
     """
 
     amplitude: tuple[float, float] = (1e-2, 1e3)
@@ -45,7 +44,6 @@ class SurrogateSettings:
     tried: int = 256
     starts: int = 6
     reached: float = 1e-4
-    combinations: int = 100
 
 
 SURROGATE = SurrogateSettings()

@@ -18,8 +18,6 @@ class ViewerSettings:
         Size of a page that can be sent by mail. Every second step is left out of a scene that is larger.
     thread_points : int
         Points of all threads beyond which each is drawn through every second, third … point.
-    untouched : float
-        Share of the colors of the contact pressure that keeps the color of rubber: where nothing touches.
     height : int
         Height in a notebook [pixels].
     """
@@ -29,7 +27,6 @@ class ViewerSettings:
     inside_bytes: int = 3_000_000
     page_bytes: int = 10_000_000
     thread_points: int = 20_000
-    untouched: float = 0.02
     height: int = 680
 
 

@@ -14,9 +14,9 @@ from turgor.core.engine.percentiles import PERCENTILE
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.units import kPa, mm
 from turgor.views.pictures.colors import CONTACT_PRESSURE, RUBBER, VON_MISES, color_map
+from turgor.views.pictures.settings import LOOK
 from turgor.views.viewer.inside import Inside
 from turgor.views.viewer.packing import pack_steps
-from turgor.views.viewer.settings import VIEWER
 from turgor.views.viewer.surface import Surface
 
 Array = NDArray[np.float64]
@@ -152,5 +152,5 @@ def _colors(key: str) -> str:
         place = 0.05 + 0.75 * place if key != "displacement" else 0.1 + 0.85 * place
     colors = chosen(place)[:, :3]
     if key == CONTACT_PRESSURE:
-        colors[: round(VIEWER.untouched * COLORS)] = to_rgb(RUBBER)
+        colors[: round(LOOK.faint_pressure * COLORS)] = to_rgb(RUBBER)
     return b64encode(np.rint(255 * colors).astype(np.uint8).tobytes()).decode()
