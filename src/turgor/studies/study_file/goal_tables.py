@@ -1,6 +1,7 @@
 """``[[optimize.targets]]`` and the other goals of a study file."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from turgor.foundation.errors import TurgorError
@@ -62,7 +63,7 @@ def read_goal(kind: str, table: Table) -> Goal:
     if "measure" not in table:
         raise TurgorError("'measure' is missing; name one, such as measure = \"bending_angle\".")
     name, scale = str(table["measure"]), numbers.get("scale")
-    tolerance = {key: numbers[key] for key in ("tolerance",) if key in numbers}
+    tolerance = {"tolerance": numbers["tolerance"]} if "tolerance" in numbers else {}
     if kind == "limits":
         unit = unit_in(table.get("most", table.get("least")))
         ends = numbers.get("most"), numbers.get("least")
@@ -90,8 +91,8 @@ def _path(table: Table) -> TipPath:
         raise TurgorError(f"x has {len(lists['x'])} numbers and z {len(lists['z'])}; give as many of both.")
     points = list(zip(lists["x"], lists["z"], strict=True))
     at = ("pressure", lists["pressure"]) if "pressure" in lists else None
-    tolerance = {key: number_in(table[key], key) for key in ("tolerance",) if key in table}
-    return TipPath(points, at=at, **tolerance)
+    path = TipPath(points, at=at)
+    return replace(path, tolerance=number_in(table["tolerance"], "tolerance")) if "tolerance" in table else path
 
 
 def _at(given: Any) -> At:
