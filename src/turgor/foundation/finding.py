@@ -92,5 +92,5 @@ def not_reported(findings: Iterable[Finding], reported: Iterable[Finding]) -> tu
     >>> not_reported([note], reported=[note]), len(not_reported([note], reported=[]))
     ((), 1)
     """
-    codes = {found.code for found in reported}
-    return tuple(found for found in findings if found.code not in codes)
+    codes = {finding.code for finding in reported}
+    return tuple(finding for finding in findings if finding.code not in codes)

@@ -11,6 +11,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from turgor.foundation.display import LONGEST_TEXT
 from turgor.foundation.errors import TurgorError
 from turgor.units import EXAMPLES, UNITS, parse_quantity
 
@@ -19,9 +20,6 @@ Quantity: TypeAlias = float | str
 
 #: Three of them.
 Quantities: TypeAlias = Sequence[Quantity]
-
-#: Letters of a value that a message shows.
-MOST_LETTERS = 60
 
 
 def number(value: object, what: str, dimension: str = "", *, finite: bool = True) -> float:
@@ -73,9 +71,9 @@ def vector(values: object, what: str, dimension: str = "") -> tuple[float, float
     >>> vector((0, "2 N", 0), "force on 'tip'", "force")
     (0.0, 2.0, 0.0)
     """
-    if isinstance(values, str) or not isinstance(values, Iterable) or len(found := list(values)) != 3:
+    if isinstance(values, str) or not isinstance(values, Iterable) or len(parts := list(values)) != 3:
         raise TurgorError(f"{what} is {shown(values)}; three numbers are needed.")
-    x, y, z = (number(value, what, dimension) for value in found)
+    x, y, z = (number(value, what, dimension) for value in parts)
     return x, y, z
 
 
@@ -138,11 +136,11 @@ def several(value: object, kind: type | UnionType | tuple[type, ...], what: str,
         return (value,)
     if isinstance(value, str) or not isinstance(value, Iterable):
         raise TurgorError(f"{what} is {shown(value)}; {needed}.")
-    found = tuple(value)
-    for each in found:
+    items = tuple(value)
+    for each in items:
         if not isinstance(each, kind):
             raise TurgorError(f"{shown(each)} stands in {what}; {needed}.")
-    return found
+    return items
 
 
 def shown(value: object) -> str:
@@ -159,6 +157,6 @@ def shown(value: object) -> str:
         return f"the class {value.__name__}"
     if value is None or isinstance(value, str | bool | Real | complex | list | tuple | dict):
         text = repr(value)
-        return text if len(text) <= MOST_LETTERS else f"{text[:MOST_LETTERS]}…"
+        return text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]}…"
     kind = type(value).__name__
     return f"{'an' if kind[0] in 'AEIOU' else 'a'} {kind}"

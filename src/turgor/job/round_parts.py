@@ -8,9 +8,6 @@ from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 
-#: Any number of sectors shows whether an obstacle stays the same when it is turned.
-_SECTORS = 6
-
 
 def meridian_would_do(model: Model, geometry: Geometry) -> tuple[Finding, ...]:
     """Recommend an axisymmetric mesh where a CAD part, its loads and its supports are the same all around an axis.
@@ -38,7 +35,8 @@ def meridian_would_do(model: Model, geometry: Geometry) -> tuple[Finding, ...]:
         return ()
     x, y, z = (float(value) for value in meridian.center)
     axis = "xyz"[meridian.axis]
-    if not _same_around(model, Wedge(axis=axis, fold=_SECTORS, center=(x, y, z))):
+    # any number of sectors shows whether all stays the same when it is turned
+    if not _same_around(model, Wedge(axis=axis, fold=6, center=(x, y, z))):
         return ()
     return (
         Finding(

@@ -17,7 +17,7 @@ from turgor.units import deg
 from turgor.views.pictures import framing as pictures
 from turgor.views.pictures.colors import color_map
 from turgor.views.pictures.raycast import Raster, Scene, camera
-from turgor.views.pictures.rendering import MARGIN
+from turgor.views.pictures.settings import FRAMING
 from turgor.views.pictures.shading import Look, find_lines, paint, reduced
 from turgor.views.pictures.skin import Skin, visible_skin
 from turgor.views.pictures.state_picture import picture_title, shared_view, write_picture
@@ -218,8 +218,8 @@ def test_picture_is_true_to_scale_and_framed(tmp_path, rest):
     assert image.shape[1] == WIDTH
     body = (within_bands(image) < 250).any(axis=2)
     columns = np.flatnonzero(body.any(axis=0))
-    assert columns[0] == pytest.approx(MARGIN, abs=2)
-    assert columns[-1] == pytest.approx(WIDTH - MARGIN, abs=2)
+    assert columns[0] == pytest.approx(FRAMING.margin, abs=2)
+    assert columns[-1] == pytest.approx(WIDTH - FRAMING.margin, abs=2)
     at = StateFields(rest)
     height = np.ptp(view.eye.project(visible_skin(at, at.von_mises).points)[:, 1]) / view.pixel
     rows = np.flatnonzero(body.any(axis=1))

@@ -3,15 +3,10 @@
 from collections.abc import Sequence
 from math import isfinite
 
+from turgor.accuracy.adaptivity.settings import MESH_ERROR
 from turgor.core.results.error_text import last_with_error
 from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response
-
-#: Relative mesh errors of the last state above which a measure gets a note, and a warning.
-NOTED, DOUBTED = 0.02, 0.05
-
-#: A value this small a share of the largest one of its column has no relative error.
-SMALL = 1e-6
 
 #: Measures that do not converge, or whose value may be nearly zero.
 LEFT_OUT = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "contact_area", "bearing_distance")
@@ -38,7 +33,7 @@ def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[
     """
     errors = {column.name: _relative(response, column) for column in response.quantities}
     known = {name: error for name, error in errors.items() if error is not None}
-    large = {name: error for name, error in known.items() if error > NOTED and not _left_out(name)}
+    large = {name: error for name, error in known.items() if error > MESH_ERROR.noted and not _left_out(name)}
     kept = tuple(found for found in before if found.code != ONLY_WITH_ERROR or large or not known)
     if not large:
         return kept
@@ -48,13 +43,13 @@ def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[
         f"({100 * large[name]:.2g} %)"
         for name in worst
     )
-    doubted = large[worst[0]] > DOUBTED
+    doubted = large[worst[0]] > MESH_ERROR.doubted
     return (
         *kept,
         Finding(
             code="N02",
             severity=Severity.WARNING if doubted else Severity.NOTE,
-            message=f"The estimated mesh error at the last state is larger than {100 * NOTED:g} %: {listed}.",
+            message=f"The estimated mesh error at the last state is above {100 * MESH_ERROR.noted:g} %: {listed}.",
             advice='Use hexahedra where the family has them (cells = "hexahedra"; the default where no size is given), '
             'or a smaller mesh size, or let the mesh be refined where the error comes from: target = "2 %" in [mesh], '
             "or mesh_to in Python.",
@@ -83,7 +78,7 @@ def _relative(response: Response, column: Column) -> float | None:
     if errors is None or not isfinite(errors[-1]):
         return None
     last, largest = abs(float(column.values[-1])), float(abs(column.values).max())
-    return float(errors[-1]) / last if last > SMALL * largest else None
+    return float(errors[-1]) / last if last > MESH_ERROR.negligible * largest else None
 
 
 def _left_out(name: str) -> bool:

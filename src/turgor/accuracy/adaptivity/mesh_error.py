@@ -16,10 +16,12 @@ from numpy.typing import NDArray
 
 from turgor.accuracy.adaptivity.indicator import error_indicator
 from turgor.accuracy.adaptivity.paired_states import PairedStates
-from turgor.accuracy.adaptivity.refine import refined
+from turgor.accuracy.adaptivity.refine import ALL_CUT, refined
 from turgor.accuracy.adaptivity.second_mesh import SecondMesh
+from turgor.accuracy.adaptivity.settings import MESH_ERROR
 from turgor.core.engine.runtime import EngineOptions, use_threads
 from turgor.core.engine.transfer import Transfer
+from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.refining.refinement import Refinement
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.measure import Measure
@@ -30,34 +32,6 @@ from turgor.foundation.display import brief
 from turgor.foundation.finding import Finding, Severity
 
 Array = NDArray[np.float64]
-
-#: Places of the states that are solved for again, as shares of the length of the path; the last one first.
-PLACES = (1.0, 0.5, 0.2)
-
-#: Work of the estimate over that of the solve.
-SHARE_OF_WORK = 0.5
-
-#: Growth of the number of cells from the first mesh to the second. Beyond the first number more states are found again
-#: than more cells are cut; the second one cuts them all. At least it is, by the nodes of a cell:
-ENOUGH_GROWTH, FULL_GROWTH = 3.0, 8.0
-LEAST_GROWTH = {10: 2.0, 27: 2.5}
-
-#: The same on a mesh that was refined already, where the error is spread over many cells.
-LEAST_GROWTH_REFINED = 3.0
-
-#: A factorization of n unknowns takes n to this power.
-COST_EXPONENT = 1.5
-
-#: Factorizations that a state needs on the second mesh, without and with contact.
-FACTORIZATIONS, FACTORIZATIONS_TOUCHING = 2.5, 15.0
-
-#: The estimate is the difference between the meshes times the first number, over the captured share of the error to the
-#: power of the second one; set on the truth set (`docs/truth.md`).
-REMAINDER, CAPTURED_POWER = 1.0, 0.7
-
-#: A measure may differ little between two meshes by accident. The difference is at least its change from rest times the
-#: relative difference of all displacements, unless the measure differs by less than this: it was prescribed then.
-PRESCRIBED = 1e-5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -143,10 +117,9 @@ def find_again(
         return None
     shares = np.mean([error_indicator(solution.states[number]) for number in chosen[:2]], axis=0)
     found = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, growth), options, linear)
-    least = LEAST_GROWTH[solution.model.mesh.cell_type.nodes]
     if not found.pairs:
-        every = _chosen(solution, len(PLACES))
-        coarser = refined(solution.model.mesh, shares, least)
+        every = _chosen(solution, len(MESH_ERROR.places))
+        coarser = refined(solution.model.mesh, shares, _least_growth(solution))
         found = _on_second_mesh(solution, every, coarser, options, linear, enough=1)
     return replace(found, seconds=perf_counter() - began)
 
@@ -157,7 +130,7 @@ def _on_second_mesh(
     second: tuple[Refinement, float],
     options: EngineOptions,
     linear: bool,
-    enough: int = len(PLACES),
+    enough: int = len(MESH_ERROR.places),
 ) -> PairedStates:
     """Solve for chosen states, until enough are found, on a refined mesh that captures a share of the error."""
     refinement, captured = second
@@ -175,7 +148,7 @@ def _on_second_mesh(
                 before = transfer.nodal(state.displacement)
                 pairs[number] = found
                 moved[number] = float(np.linalg.norm(found.displacement - before) / np.linalg.norm(before))
-    factor = REMAINDER / max(captured, 0.05) ** CAPTURED_POWER
+    factor = max(captured, 0.05) ** -MESH_ERROR.captured_power
     return PairedStates(pairs, moved, refinement.mesh.unknown_count, factor, 0.0)
 
 
@@ -219,14 +192,20 @@ def plan(solution: Solution, refined_before: bool) -> tuple[int, float]:
     Work is counted in factorizations, so that the estimate does not depend on how busy the machine is.
     """
     touching = any(touch.area > 0 for touch in solution.states[-1].touches.values())
-    needed = FACTORIZATIONS_TOUCHING if touching else FACTORIZATIONS
-    affordable = SHARE_OF_WORK * max(solution.timing.factorizations, 1) / needed
+    needed = MESH_ERROR.state_work_touching if touching else MESH_ERROR.state_work
+    affordable = max(solution.timing.factorizations, 1) / needed
     count = 1
-    while count < len(PLACES) and (affordable / (count + 1)) ** (1 / COST_EXPONENT) > ENOUGH_GROWTH:
+    root = 1 / MESH_ERROR.cost_exponent
+    while count < len(MESH_ERROR.places) and (affordable / (count + 1)) ** root > MESH_ERROR.growth:
         count += 1
-    growth = (affordable / count) ** (1 / COST_EXPONENT)
-    least = LEAST_GROWTH_REFINED if refined_before else LEAST_GROWTH[solution.model.mesh.cell_type.nodes]
-    return count, float(np.clip(growth, least, FULL_GROWTH))
+    least = MESH_ERROR.growth if refined_before else _least_growth(solution)
+    return count, float(np.clip((affordable / count) ** root, least, ALL_CUT))
+
+
+def _least_growth(solution: Solution) -> float:
+    """Growth of the number of cells from the first mesh to the second at least."""
+    tetrahedra = solution.model.mesh.cell_type is TETRAHEDRON
+    return MESH_ERROR.least_growth if tetrahedra else MESH_ERROR.least_growth_hexahedra
 
 
 def path_length(solution: Solution) -> Array:
@@ -241,7 +220,7 @@ def _chosen(solution: Solution, count: int) -> list[int]:
     """Numbers of the states to be found again, in the order of interest."""
     place = path_length(solution)
     out: list[int] = []
-    for share in PLACES[:count]:
+    for share in MESH_ERROR.places[:count]:
         number = int(np.abs(place[1:] - share).argmin()) + 1
         if number not in out:
             out.append(number)
@@ -305,7 +284,8 @@ def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], found
     change = np.abs(values - (values[0] if np.isfinite(values[0]) else 0.0))  # what is straight at rest has no radius
     size = np.abs(difference)
     least = np.array([found.moved[number] for number in numbers]) * change[numbers]
-    size = np.where(size > PRESCRIBED * change[numbers], found.factor * np.maximum(size, least), size)
-    if (change[numbers] > 1e-6 * max(float(np.nanmax(np.abs(values))), 1e-300)).all():
+    # two meshes may agree by accident, but for measures that are prescribed
+    size = np.where(size > MESH_ERROR.negligible * change[numbers], found.factor * np.maximum(size, least), size)
+    if (change[numbers] > MESH_ERROR.negligible * max(float(np.nanmax(np.abs(values))), 1e-300)).all():
         return np.asarray(np.interp(place, place[numbers], size / change[numbers]) * change)
     return np.asarray(np.interp(place, [0.0, *place[numbers]], [0.0, *size]))

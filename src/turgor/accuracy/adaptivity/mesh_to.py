@@ -11,6 +11,7 @@ from turgor.accuracy.adaptivity.indicator import error_indicator
 from turgor.accuracy.adaptivity.mesh_error import estimate_mesh_error, procedure_of, why_not
 from turgor.accuracy.adaptivity.refine import refined
 from turgor.accuracy.adaptivity.second_mesh import SecondMesh
+from turgor.accuracy.adaptivity.settings import REFINEMENT
 from turgor.core.engine.runtime import EngineOptions, use_threads
 from turgor.core.engine.transfer import Transfer
 from turgor.core.meshing.mesh import Mesh
@@ -27,18 +28,6 @@ from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
 
 Array = NDArray[np.float64]
-
-#: Unknowns at which refinement stops, unless another limit is given, and rounds of refinement at most.
-MOST_UNKNOWNS, MOST_ROUNDS = 200_000, 6
-
-#: The error falls about like this power of the number of unknowns where cells are added where it comes from.
-EXPONENT = 1.0
-
-#: Growth of the mesh from one round to the next, at least and at most.
-LEAST_GROWTH, MOST_GROWTH = 1.6, 4.0
-
-#: The message about where the error comes from is about the cells with this share of it.
-MOST_OF_IT = 0.5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,7 +89,7 @@ def mesh_to(
     target: float,
     *,
     procedure: Procedure | None = None,
-    most_unknowns: int = MOST_UNKNOWNS,
+    most_unknowns: int = REFINEMENT.unknowns,
     options: EngineOptions | None = None,
 ) -> Refined:
     """Solve a model and refine its mesh until the estimated error of a measure at the last state meets a target.
@@ -151,7 +140,7 @@ def refine_to(
     measure: Measure,
     target: float,
     *,
-    most_unknowns: int = MOST_UNKNOWNS,
+    most_unknowns: int = REFINEMENT.unknowns,
     options: EngineOptions | None = None,
     notify: Callable[[str], None] | None = None,
 ) -> Refined:
@@ -164,7 +153,7 @@ def refine_to(
         raise TurgorError(f"the mesh cannot be refined to a target: {why_not(solution)}.")
     rounds, say = [_round(solution, measure, options, False)], notify or (lambda _: None)
     where = _where(solution.model.mesh, error_indicator(solution.states[-1]))
-    while rounds[-1].relative > target and len(rounds) <= MOST_ROUNDS:
+    while rounds[-1].relative > target and len(rounds) <= REFINEMENT.rounds:
         refinement = _refined(solution, _growth(rounds[-1].relative / target), most_unknowns)
         if refinement is None:
             where = f"the next mesh would have more than {most_unknowns:,} unknowns; {where}"
@@ -188,8 +177,8 @@ def _round(solution: Solution, measure: Measure, options: EngineOptions | None, 
 
 
 def _growth(ratio: float) -> float:
-    """Growth of the mesh that is likely to divide the error by a ratio."""
-    return float(np.clip(ratio ** (1 / EXPONENT), LEAST_GROWTH, MOST_GROWTH))
+    """Growth of the mesh that is likely to divide the error by a ratio: cells are added where it comes from."""
+    return float(np.clip(ratio, REFINEMENT.least_growth, REFINEMENT.most_growth))
 
 
 def _refined(solution: Solution, growth: float, most_unknowns: int) -> Refinement | None:
@@ -228,10 +217,10 @@ def _solved_again(model: Model, solution: Solution, options: EngineOptions) -> S
 
 
 def _where(mesh: Mesh, shares: Array) -> str:
-    """Say in which cells most of the error is."""
+    """Say in which cells half of the error is."""
     by_cell = shares.sum(axis=1)
     order = np.argsort(-by_cell)
-    count = int(np.searchsorted(np.cumsum(by_cell[order]), MOST_OF_IT)) + 1
+    count = int(np.searchsorted(np.cumsum(by_cell[order]), 0.5)) + 1
     middle = mesh.points[mesh.cells[order[:count]]].mean(axis=1)
     x, y, z = mesh.points[mesh.cells[order[0]]].mean(axis=0) / mm
     regions = {name: float(by_cell[cells].sum()) for name, cells in mesh.regions.items()}

@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.accuracy.adaptivity.settings import REFINEMENT
 from turgor.core.engine.algebra.rings import rings_of
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.mesh import Mesh
@@ -13,8 +14,8 @@ from turgor.core.meshing.refining.split_hexahedra import CELL_EDGES, refine_hexa
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Cells that come with each tetrahedron whose edges are all cut, its neighbors included; seven where all are cut.
-NEW_CELLS, NEW_CELLS_AT_MOST = 13.0, 7.0
+#: Cells that each cell becomes where all edges are cut.
+ALL_CUT = 8.0
 
 
 def refined(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float]:
@@ -42,7 +43,7 @@ def refined(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float
 
 def _tetrahedra(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float]:
     count = len(mesh.cells)
-    wanted = count if growth >= 1 + NEW_CELLS_AT_MOST else int(np.ceil((growth - 1) * count / NEW_CELLS))
+    wanted = count if growth >= ALL_CUT else int(np.ceil((growth - 1) * count / REFINEMENT.new_cells))
     marked = np.argsort(-shares, kind="stable")[: max(1, min(wanted, count))]
     edges = mesh.cells[marked][:, np.array(TETRAHEDRON.edges)].reshape(-1, 2)
     edges = np.unique(np.sort(edges, axis=1), axis=0)

@@ -18,21 +18,10 @@ from numpy.typing import NDArray
 
 from turgor.accuracy.gradients.equilibrium import Equilibrium
 from turgor.accuracy.gradients.neighbor_models import Neighbor, Neighbors, Place
+from turgor.accuracy.gradients.settings import GRADIENTS
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: Longest motion of an unknown along the rates, in mean edge lengths and shear moduli.
-NUDGE = 1e-4
-
-#: The rates are good where this share of the forces ∂R/∂p is left. Corrections would bring round-off into them.
-TOLERANCE = 1e-6
-
-#: Where corrections bring no more, this is good enough.
-ENOUGH = 1e-4
-
-#: Corrections at most; each must halve what is left.
-MOST, LEAST_CONTRACTION = 8, 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -110,7 +99,7 @@ def rates_of(base: Equilibrium, neighbors: Neighbors) -> Rates:
         return Rates(np.zeros(base.system.size), np.zeros(len(base.scalars)), places, None, 0.0, 0)
     unknowns, scalars = base.answer(-right, -wrong)
     best: Rates | None = None
-    for number in range(1, MOST + 1):
+    for number in range(1, GRADIENTS.corrections + 1):
         motion = motion_along(base, unknowns, scalars)
         caused = motion.forces()
         left, error = right + caused[0], wrong + caused[1]
@@ -118,12 +107,12 @@ def rates_of(base: Equilibrium, neighbors: Neighbors) -> Rates:
         before = np.inf if best is None else best.left
         if share < before:
             best = Rates(unknowns, scalars, places, motion, share, number)
-        if share <= TOLERANCE or share > LEAST_CONTRACTION * before:
+        if share <= GRADIENTS.accurate or share > GRADIENTS.contraction * before:
             break
         update, change = base.answer(-left, -error)
         unknowns, scalars = unknowns + update, scalars + change
     assert best is not None
-    if best.left > ENOUGH:
+    if best.left > GRADIENTS.good_enough:
         raise unsettled(neighbors.name, best.left)
     return best
 
@@ -168,7 +157,7 @@ def motion_along(base: Equilibrium, unknowns: Array, scalars: Array) -> Motion:
     """
     itself = Neighbor(base, base.system, base.state.model, base.constraint, 0, 0.0)
     fastest = max(float(np.abs(unknowns).max()), float(np.abs(scalars).max(initial=0.0)), 1e-300)
-    step = NUDGE / fastest
+    step = GRADIENTS.step / fastest
     ends = itself.look(step * unknowns, step * scalars), itself.look(-step * unknowns, -step * scalars)
     if ends[0] is None or ends[1] is None:
         raise TurgorError("a cell is almost inside out at the state; mesh more finely.")

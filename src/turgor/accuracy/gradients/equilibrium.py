@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.accuracy.gradients.checks import limit_point
+from turgor.accuracy.gradients.settings import GRADIENTS
 from turgor.accuracy.gradients.systems import Systems
 from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.chamber_volumes import Chambers
@@ -38,16 +39,8 @@ from turgor.foundation.errors import TurgorError
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]
 
-#: Relative residual of the state before it is differentiated: the derivative is off by about as much as the state. What
-#: a solve leaves, 1e-6, is good enough where round-off or contact lets it fall no further.
+#: Relative residual of the state before it is differentiated: the derivative is off by about as much as the state.
 SETTINGS = NewtonSettings(tolerance=1e-9, max_iterations=12, mixed_points=False)
-ENOUGH = 1e-6
-
-#: Updates of the state up to which the factors of its beginning are kept: more of them move it farther.
-FEW_UPDATES = 2
-
-#: Refinements of a solution at most, and the relative update that is left when they end.
-REFINEMENTS, REFINED = 8, 1e-11
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,13 +125,13 @@ def _refined(once: Callable[[Array, Array], Pair], left: Callable[[Array, Array]
     """Solve a bordered system by its factors, and refine the answer until nothing more is gained."""
     unknowns, scalars = once(*right)
     before = np.inf
-    for _ in range(REFINEMENTS):
+    for _ in range(GRADIENTS.corrections):
         update, change = once(*left(unknowns, scalars))
         size = float(np.linalg.norm(update)) / max(float(np.linalg.norm(unknowns)), 1e-300)
-        if size > 0.5 * before:
+        if size > GRADIENTS.contraction * before:
             break
         unknowns, scalars = unknowns + update, scalars + change
-        if size * size < REFINED * min(before, 1.0):  # the next update would be smaller by as much again
+        if size * size < GRADIENTS.refined * min(before, 1.0):  # the next update would be smaller by as much again
             break
         before = size
     return unknowns, scalars
@@ -176,7 +169,7 @@ def equilibrium_of(
     at = result.evaluation
     assert at is not None  # _found_again has it
     conditions = constraint.target.conditions(at.unknowns, state.load_factor, result.scalars)
-    if state.displacement.any() and whole_residual(system, at, conditions) > ENOUGH:
+    if state.displacement.any() and whole_residual(system, at, conditions) > GRADIENTS.accurate:
         raise limit_point(state)
     return Equilibrium(state, procedure, system, border, constraint, at, result.scalars, systems)
 
@@ -208,7 +201,7 @@ def _found_again(
     at = result.evaluation
     if at is None or not np.isfinite(result.residual):
         raise limit_point(state)
-    if result.iterations <= FEW_UPDATES:
+    if result.iterations <= GRADIENTS.few_updates:
         border.renew(at)
     else:
         border.factor(at, None, np.zeros(int(system.prescribed.sum())))

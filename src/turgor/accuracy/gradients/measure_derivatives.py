@@ -10,16 +10,13 @@ from turgor.accuracy.gradients.differentiated import Reading
 from turgor.accuracy.gradients.direct import forces_of, rates_of
 from turgor.accuracy.gradients.equilibrium import Equilibrium
 from turgor.accuracy.gradients.neighbor_models import neighbors_of
+from turgor.accuracy.gradients.settings import GRADIENTS
 from turgor.accuracy.gradients.variation import Variation
 
 Array = NDArray[np.float64]
 
 #: How the derivatives are found: a solution for each number, or for each measure.
 DIRECT, ADJOINT = "direct", "adjoint"
-
-#: Difference of tangent and residuals along an adjoint up to which it is taken. Differences of residuals are themselves
-#: right to a few 1e-6 (1.2e-6 for a finger of 31,443 unknowns); beyond, something switches at the state.
-CONSISTENT = 5e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,7 +55,7 @@ def derived(base: Equilibrium, reading: Reading, variation: Variation) -> Derive
     """
     if len(reading.measures) < len(variation.values) and has_adjoint(base, reading.measures):
         adjoint = adjoint_of(base, reading.measures, reading.facts())
-        if adjoint.left <= CONSISTENT:
+        if adjoint.left <= GRADIENTS.consistent:
             return _by_adjoint(base, reading, variation, adjoint)
     return _directly(base, reading, variation)
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from turgor.accuracy.gradients.variation import Variation
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.generate import mesh_with
 from turgor.core.meshing.generator_override import meshing_instead
 from turgor.core.meshing.mesh import Mesh
@@ -15,9 +16,6 @@ from turgor.core.meshing.moving.movable_mesh import MovableMesh, movable
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
-
-#: Nodes of a tetrahedron.
-TETRAHEDRON = 10
 
 
 def carried(variation: Variation, mesh: Mesh) -> Variation:
@@ -36,7 +34,7 @@ def carried(variation: Variation, mesh: Mesh) -> Variation:
     -------
     Variation
     """
-    if mesh.cells.shape[1] != TETRAHEDRON:
+    if mesh.cell_type is not TETRAHEDRON:
         return variation
     return replace(variation, model=Carried(variation, mesh).model)
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.accuracy.gradients.equilibrium import Equilibrium, constraint_of
 from turgor.accuracy.gradients.moved_mesh import same_cells
+from turgor.accuracy.gradients.settings import GRADIENTS
 from turgor.accuracy.gradients.variation import Variation
 from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.contact.terms import Contacts
@@ -20,6 +21,7 @@ from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.solution import State
 from turgor.core.solvers.states import state_of
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 
@@ -28,10 +30,6 @@ Array = NDArray[np.float64]
 CENTRAL = ((1, 0.5), (-1, -0.5))
 FORWARD = ((0, -1.5), (1, 2.0), (2, -0.5))
 BACKWARD = ((0, 1.5), (-1, -2.0), (-2, 0.5))
-
-#: Nodes move another way on the other side where the second difference of their positions is this share of the first.
-#: A layer of cells moves at once where a wall gets thicker than a gap. Positions are known up to round-off, scaled.
-KINK, ROUND_OFF = 1e-2, 1e-12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -190,7 +188,8 @@ def neighbors_of(base: Equilibrium, variation: Variation, name: str) -> Neighbor
 def _turns(middle: System, found: Neighbors) -> bool:
     """Whether nodes move another way on the other side of a value, so that there are two derivatives."""
     more, less = (each.system.points for each in found.each)
-    return bool(np.abs(more + less - 2 * middle.points).max() > KINK * np.abs(more - less).max() + ROUND_OFF)
+    second, first = np.abs(more + less - 2 * middle.points).max(), np.abs(more - less).max()
+    return bool(second > GRADIENTS.kink * first + ROUND_OFF.zero)
 
 
 def _neighbor(base: Equilibrium, variation: Variation, name: str, steps: int) -> tuple[System, Model, Constraint]:

@@ -5,15 +5,12 @@ from dataclasses import dataclass, field
 from math import isfinite
 from types import MappingProxyType
 
+from turgor.accuracy.gradients.settings import GRADIENTS
 from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.stages import OneProcedure
 from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import COLUMN_UNITS
-
-#: Step of the differences as a share of the value. The error of a central difference is about the square of it, and
-#: round-off, 1e-15 of the forces, is divided by it.
-STEP = 1e-4
 
 _NONE: Mapping[str, float] = MappingProxyType({})
 
@@ -80,7 +77,7 @@ class Variation:
 
     def step(self, name: str) -> float:
         """Return the step of its differences [SI]."""
-        return STEP * self.size(name)
+        return GRADIENTS.step * self.size(name)
 
     def moved(self, name: str, steps: int) -> dict[str, float]:
         """Return the values with one of them moved by a number of steps."""

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.accuracy.laboratory.runs import SPREAD, branches, interpolated
 from turgor.core.results.drive import drive_of
+from turgor.core.results.error_text import NOT_SHOWN
 from turgor.core.results.measures.headlines import headlines
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import one
@@ -21,10 +22,6 @@ LEAST_OVERLAP = 0.7
 FAR = 1e30
 #: Shifts that are tried before the best one is refined.
 TRIED = 201
-
-
-#: Values smaller than this, in the unit that is shown, count as zero.
-ROUND_OFF = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -195,15 +192,15 @@ def best_shift(computed: Response, x: str, y: str, measured: Array) -> tuple[flo
 
     reach = float(np.ptp(measured[:, 0])) / 2
     tried = np.linspace(-reach, reach, TRIED)
-    found = np.array([left(shift) for shift in tried])
-    if (found >= FAR).all():
+    differences = np.array([left(shift) for shift in tried])
+    if (differences >= FAR).all():
         return np.nan, np.nan
-    best = int(np.argmin(found))
+    best = int(np.argmin(differences))
     step = tried[1] - tried[0]
     finer = minimize_scalar(left, bounds=(tried[best] - step, tried[best] + step), method="bounded")
-    if finer.fun < found[best]:
+    if finer.fun < differences[best]:
         return float(finer.x), float(finer.fun)
-    return float(tried[best]), float(found[best])
+    return float(tried[best]), float(differences[best])
 
 
 def first_branch(response: Response, x: str) -> tuple[Response, tuple[str, ...]]:
@@ -266,7 +263,7 @@ def _columns(
 
 def _changes(response: Response, name: str) -> bool:
     """Whether a column is more than round-off: not zero throughout in its unit."""
-    return bool((np.abs(response.find(name).in_unit) > ROUND_OFF).any())
+    return bool((np.abs(response.find(name).in_unit) > NOT_SHOWN).any())
 
 
 def _same(computed: Response, ours: str, measured: Response, besides: str) -> str:

@@ -7,10 +7,8 @@ from turgor.accuracy.laboratory.runs import SPREAD
 from turgor.foundation.response import Column, unit_text
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import BLUE, COLORS, plot_response
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
-
-#: More measured rows than this are drawn as a line without dots.
-MOST_DOTS = 60
 
 
 def comparison_figure(found: Comparison, title: str = "") -> PlotFigure:
@@ -57,6 +55,6 @@ def _measured(axes: Any, found: Comparison) -> None:
     if spread in response:
         low, high = (Column(found.y, y.unit, value.values + sign * response.column(spread)).in_unit for sign in (-1, 1))
         axes.fill_between(drive.in_unit, low, high, color=COLORS[1], alpha=0.2, lw=0)
-    style = "o" if len(response) <= MOST_DOTS else "-"
+    style = "o" if len(response) <= PLOT.marks else "-"  # more dots than these would merge into a bar
     label = f"measured: {response.source.text}"
     axes.plot(drive.in_unit, value.in_unit, style, color=COLORS[1], lw=1.4, ms=4, label=label)

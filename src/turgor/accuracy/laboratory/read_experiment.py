@@ -99,11 +99,11 @@ def read_experiments(
     places = [_place(table, each) for each in ([by] if isinstance(by, str) else by)]
     labels = [", ".join(row[place] if place < len(row) else "" for place in places) for row in table.rows]
     headers = {n: header for n, header in _headers(table, units or {}, columns).items() if n not in places}
-    found = {}
+    experiments = {}
     for label in dict.fromkeys(labels):
         part = table.keeping(each == label for each in labels)
-        found[label] = _response(part, headers, Source(text=table.file, detail=label))
-    return found
+        experiments[label] = _response(part, headers, Source(text=table.file, detail=label))
+    return experiments
 
 
 def _named(table: Table, columns: Mapping[str, str] | Sequence[str] | None) -> Table:

@@ -177,15 +177,15 @@ def interpolated(response: Response, x: str, y: str, at: Array) -> Array:
 
 def _directed(response: Response, x: str | None, *, rising: bool) -> Response:
     drive = response.column(x or response.names[0])
-    kept: list[int] = []
+    rows: list[int] = []
     for first, last in branches(drive):
         if (drive[last] > drive[first]) == rising:
-            kept += range(first + (1 if kept and kept[-1] == first else 0), last + 1)
-    if not kept:
+            rows += range(first + (1 if rows and rows[-1] == first else 0), last + 1)
+    if not rows:
         way = "rises" if rising else "falls"
         raise TurgorError(f"'{x or response.names[0]}' of {response.source} never {way}.")
     return replace(
         response,
-        columns=tuple(replace(column, values=column.values[kept]) for column in response.columns),
-        stages=tuple(response.stages[n] for n in kept) if response.stages else (),
+        columns=tuple(replace(column, values=column.values[rows]) for column in response.columns),
+        stages=tuple(response.stages[n] for n in rows) if response.stages else (),
     )

@@ -106,13 +106,13 @@ def _run(options: _Options) -> None:
             typer.echo(note, err=True)
         runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
         with kept_in_folder(folder):
-            found = calibrate_job(plan, base, runs)
-        files = [*write_calibration(found, folder), folder / CALIBRATED]
-        base.write(found.values, files[-1], f"Calibrated:\n{found.summary()}")
-        typer.echo(found.summary())
+            calibration = calibrate_job(plan, base, runs)
+        files = [*write_calibration(calibration, folder), folder / CALIBRATED]
+        base.write(calibration.values, files[-1], f"Calibrated:\n{calibration.summary()}")
+        typer.echo(calibration.summary())
         typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
-        answer.give(lambda: calibration_result(found, files))
-        raise typer.Exit(DONE if found.converged else NOT_CONVERGED)
+        answer.give(lambda: calibration_result(calibration, files))
+        raise typer.Exit(DONE if calibration.converged else NOT_CONVERGED)
 
 
 calibrate_command = command_of(_Options, _run)

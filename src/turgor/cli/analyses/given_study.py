@@ -156,15 +156,15 @@ def numbers_given(texts: Sequence[str] | None, units: Mapping[str, str], option:
     from turgor.foundation.errors import TurgorError, unknown
     from turgor.studies.runs.jobs.job_numbers import JobNumber, read_number
 
-    found = {}
+    numbers = {}
     for text in texts or ():
         name, sign, value = (part.strip() for part in text.partition("="))
         if not (sign and name and value):
             raise TurgorError(f"{option} is '{text}'; write NAME=VALUE, such as {option} pressure='30 kPa'.")
         if name not in units:
             raise unknown(f"name in {option}", name, units)
-        found[name] = read_number(value, JobNumber(key=name, value=0.0, unit=units[name]), f"{option} {name}")
-    return found
+        numbers[name] = read_number(value, JobNumber(key=name, value=0.0, unit=units[name]), f"{option} {name}")
+    return numbers
 
 
 def values_given(
@@ -184,11 +184,11 @@ def values_given(
     dict of str to float or str [SI]
     """
     choices = {each.name for each in factors if each.is_choice}
-    found: dict[str, float | int | str] = {}
+    values: dict[str, float | int | str] = {}
     for text in texts or ():
         name, sign, value = (part.strip() for part in text.partition("="))
-        found |= {name: value} if sign and name in choices else numbers_given([text], units_of(factors), option)
-    return found
+        values |= {name: value} if sign and name in choices else numbers_given([text], units_of(factors), option)
+    return values
 
 
 def spreads_given(texts: Sequence[str], factors: "Sequence[Factor]") -> "list[Spread]":
@@ -208,7 +208,7 @@ def spreads_given(texts: Sequence[str], factors: "Sequence[Factor]") -> "list[Sp
     from turgor.studies.uncertainty.job_spreads import read_spread
 
     known = {each.name: each for each in factors}
-    found = []
+    spreads = []
     for text in texts:
         name, sign, value = (part.strip() for part in text.partition("="))
         if not (sign and name and value):
@@ -218,10 +218,10 @@ def spreads_given(texts: Sequence[str], factors: "Sequence[Factor]") -> "list[Sp
         middle = float(known[name].at(0.5))
         number = JobNumber(key=name, value=middle, unit=known[name].unit)
         try:
-            found.append(read_spread(name, value, number))
+            spreads.append(read_spread(name, value, number))
         except TurgorError as error:
             raise TurgorError(f"--spread {name}: {error}") from None
-    return found
+    return spreads
 
 
 def read_at(text: str, study: "Study") -> tuple[str, float] | None:

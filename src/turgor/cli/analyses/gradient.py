@@ -37,11 +37,11 @@ def _run(options: _Options) -> None:
         from turgor.studies.runs.jobs.job_gradients import gradient_of_job
 
         job = requested_job(options.job, options.changes)
-        found = gradient_of_job(job, options.wrt or (), options.measures or ())
-        typer.echo(repr(found))
+        gradient = gradient_of_job(job, options.wrt or (), options.measures or ())
+        typer.echo(repr(gradient))
         if options.output is not None:
-            typer.echo(f"Written to {found.to_csv(options.output)}.")
-        answer.give(lambda: gradient_result(found, options.output))
+            typer.echo(f"Written to {gradient.to_csv(options.output)}.")
+        answer.give(lambda: gradient_result(gradient, options.output))
         raise typer.Exit(DONE)
 
 

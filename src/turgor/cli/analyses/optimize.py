@@ -56,12 +56,12 @@ def _run(options: _Options) -> None:
             plan = replace(plan, search=replace(plan.search, most_solves=options.most_solves))
         folder = options.output if options.output is not None else Path(f"{study.name}-optimization")
         wanted = job_optimization(plan, study.job, folder, mesh_error=options.mesh_error)
-        found = _searched(wanted, folder, options)
-        files = write_optimization(found, folder, wanted.base)
-        typer.echo(found.summary())
+        optimization = _searched(wanted, folder, options)
+        files = write_optimization(optimization, folder, wanted.base)
+        typer.echo(optimization.summary())
         typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
-        answer.give(lambda: optimization_result(found, files))
-        raise typer.Exit(DONE if found.converged else NOT_CONVERGED)
+        answer.give(lambda: optimization_result(optimization, files))
+        raise typer.Exit(DONE if optimization.converged else NOT_CONVERGED)
 
 
 def _searched(wanted: "JobOptimization", folder: Path, options: _Options) -> "Optimization":

@@ -106,13 +106,13 @@ def _by_name(texts: "Sequence[str] | None", option: str) -> dict[str, str]:
     from turgor.foundation.errors import TurgorError
 
     example = "NAME=MEAN+-DEVIATION, such as wall='1.2 mm+-0.1 mm'" if option == "--spread" else "NAME=VALUE"
-    found = {}
+    by_name = {}
     for text in texts or ():
         name, sign, value = (part.strip() for part in text.partition("="))
         if not (sign and name and value):
             raise TurgorError(f"{option} is '{text}'; write {example}.")
-        found[name] = value
-    return found
+        by_name[name] = value
+    return by_name
 
 
 def _anova(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None) -> Found:
@@ -122,10 +122,10 @@ def _anova(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] 
     from turgor.studies.surrogates.training import measures_that_vary
 
     chosen = names or measures_that_vary(study, at)
-    found = [anova(study, name, at=at) for name in chosen]
-    text = "\n\n".join(f"{each.sentence()}\n{each.table()}" for each in found)
-    figure = anova_figure([(each.measure.replace("_", " "), each) for each in found])
-    return text, [term for each in found for term in anova_terms(each)], figure
+    analyses = [anova(study, name, at=at) for name in chosen]
+    text = "\n\n".join(f"{each.sentence()}\n{each.table()}" for each in analyses)
+    figure = anova_figure([(each.measure.replace("_", " "), each) for each in analyses])
+    return text, [term for each in analyses for term in anova_terms(each)], figure
 
 
 def _sobol(
@@ -140,6 +140,6 @@ def _sobol(
     fitted = surrogate(study, names, at=at)
     fixed = values_given([f"{name}={text}" for name, text in wanted.fixed.items()], fitted.factors, "--hold")
     spreads = spreads_given([f"{name}={text}" for name, text in wanted.spread.items()], fitted.factors)
-    found = sobol_indices(fitted, spreads=spreads, fixed=fixed, samples=wanted.samples)
-    text = "\n".join([*(each.sentence() for each in found), *fitted.notes])
-    return text, [term for each in found for term in index_terms(each)], indices_figure(found)
+    indices = sobol_indices(fitted, spreads=spreads, fixed=fixed, samples=wanted.samples)
+    text = "\n".join([*(each.sentence() for each in indices), *fitted.notes])
+    return text, [term for each in indices for term in index_terms(each)], indices_figure(indices)

@@ -83,24 +83,24 @@ def free_factors(free: Texts, priors: Texts) -> dict[str, Any]:
     """
     from turgor.foundation.errors import TurgorError, unknown
 
-    found: dict[str, Any] = {}
+    factors: dict[str, Any] = {}
     for text in free or ():
         before, sign, after = text.partition("=")
         first, *limits = [part.strip() for part in (after if sign else before).split(":")]
         if len(limits) not in (0, 2):
             raise TurgorError(f"--free is '{text}'; write KEY, KEY=START, or KEY=START:LOWER:UPPER.")
         table = {"start": first} if sign else {}
-        found[_name(before if sign else first)] = table | dict(zip(("low", "high"), limits, strict=False))
+        factors[_name(before if sign else first)] = table | dict(zip(("low", "high"), limits, strict=False))
     for text in priors or ():
         keys, sign, value = (part.strip() for part in text.partition("="))
         if not sign:
             raise TurgorError(
                 f"--prior is '{text}'; write KEY=MEAN+-DEVIATION, such as materials.body.C10='0.1 MPa +- 5 %'."
             )
-        if _name(keys) not in found:
-            raise unknown("parameter with a prior", _name(keys), found)
-        found[_name(keys)]["prior"] = value
-    return found
+        if _name(keys) not in factors:
+            raise unknown("parameter with a prior", _name(keys), factors)
+        factors[_name(keys)]["prior"] = value
+    return factors
 
 
 def spread_factors(spreads: Texts) -> dict[str, Any]:
@@ -122,42 +122,42 @@ def spread_factors(spreads: Texts) -> dict[str, Any]:
     """
     from turgor.foundation.errors import TurgorError
 
-    found: dict[str, Any] = {}
+    factors: dict[str, Any] = {}
     for text in spreads or ():
         keys, sign, value = (part.strip() for part in text.partition("="))
         if not (sign and keys and value):
             raise TurgorError(f"--spread is '{text}'; write KEY=DEVIATION, such as actuator.wall='0.1 mm'.")
-        if _name(keys) in found:
+        if _name(keys) in factors:
             raise TurgorError(f"'{keys}' has two spreads; give it one.")
         value, _, label = (part.strip() for part in value.partition(" as "))
-        found[_name(keys)] = {"spread": value, "label": label}
-    return found
+        factors[_name(keys)] = {"spread": value, "label": label}
+    return factors
 
 
 def files_by_label(sets: Texts) -> dict[str, str]:
     """Return the tables of constants that ``--sets`` states, such as ``"rubber=specimens.csv"``."""
     from turgor.foundation.errors import TurgorError
 
-    found: dict[str, str] = {}
+    files: dict[str, str] = {}
     for text in sets or ():
         label, sign, file = (part.strip() for part in text.partition("="))
         if not (sign and label and file):
             raise TurgorError(f"--sets is '{text}'; write LABEL=FILE, such as rubber=specimens.csv.")
-        found[label] = file
-    return found
+        files[label] = file
+    return files
 
 
 def labels_of_records(records: Texts) -> dict[str, str]:
     """Return the labels of materials that ``--records`` states, such as ``"materials.body as rubber"``."""
     from turgor.foundation.errors import TurgorError
 
-    found: dict[str, str] = {}
+    labels: dict[str, str] = {}
     for text in records or ():
         keys, _, label = (part.strip() for part in text.partition(" as "))
-        if _name(keys) in found:
+        if _name(keys) in labels:
             raise TurgorError(f"'{keys}' has two spreads; give it one.")
-        found[_name(keys)] = label
-    return found
+        labels[_name(keys)] = label
+    return labels
 
 
 def _name(keys: str) -> str:

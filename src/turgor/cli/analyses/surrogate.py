@@ -69,15 +69,15 @@ def _fit(options: _Options) -> None:
         along = options.along or stated.along
         at = None if along else read_at(options.at or stated.at, given.study) or given.at
         measures = options.measures or stated.measures or given.measures or None
-        found = surrogate(given.study, measures, at=at, along=along)
+        fitted = surrogate(given.study, measures, at=at, along=along)
         folder = options.output if options.output is not None else given.folder
         folder.mkdir(parents=True, exist_ok=True)
-        files = [found.save(folder / "surrogate"), folder / "surrogate.png", folder / "surrogate.txt"]
-        write_figure(files[1], surrogate_figure(found))
-        files[2].write_text(found.summary() + "\n", encoding="utf-8")
-        typer.echo(found.summary())
+        files = [fitted.save(folder / "surrogate"), folder / "surrogate.png", folder / "surrogate.txt"]
+        write_figure(files[1], surrogate_figure(fitted))
+        files[2].write_text(fitted.summary() + "\n", encoding="utf-8")
+        typer.echo(fitted.summary())
         typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
-        answer.give(lambda: surrogate_result(found, files))
+        answer.give(lambda: surrogate_result(fitted, files))
         raise typer.Exit(DONE)
 
 
@@ -113,15 +113,15 @@ def _predict(options: _PredictOptions) -> None:
         from turgor.foundation.errors import TurgorError
         from turgor.studies.surrogates.surrogate import Surrogate
 
-        found = Surrogate.load(options.file)
-        at = values_given(options.at, found.factors, "--at")
+        fitted = Surrogate.load(options.file)
+        at = values_given(options.at, fitted.factors, "--at")
         if options.want:
             if options.extrapolate:
                 raise TurgorError("--extrapolate does not go with --want: inputs are searched within their ranges.")
-            _invert(found, at, options, answer)
+            _invert(fitted, at, options, answer)
         if options.prefer:
             raise TurgorError("--prefer goes with --want.")
-        _say(found, at, options, answer)
+        _say(fitted, at, options, answer)
 
 
 predict_command = command_of(_PredictOptions, _predict)

@@ -11,14 +11,12 @@ import typer
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, Retry, command_of, output_option
 from turgor.cli.start.signals import ends_at_once
+from turgor.foundation.display import MOST_ROWS
 
 if TYPE_CHECKING:
     from turgor.studies.runs.designs import Designs
     from turgor.studies.runs.study import Study
     from turgor.studies.study_file.sweep_table import SweepPlan
-
-#: Rows of a table on a terminal; the file has all.
-MOST_ROWS = 40
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -74,19 +74,19 @@ def _run(options: _Options) -> None:
         base = job_function(study.job, folder)
         runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
         with kept_in_folder(folder):
-            found = propagate_job(plan, base, runs)
-        sentences = [found.sentence(name, at) for name in found.bands]
+            uncertainty = propagate_job(plan, base, runs)
+        sentences = [uncertainty.sentence(name, at) for name in uncertainty.bands]
         files = [folder / "uncertainty.csv", folder / "uncertainty.png", folder / "uncertainty.txt"]
-        found.to_response().to_csv(files[0])
-        if found.cases:
+        uncertainty.to_response().to_csv(files[0])
+        if uncertainty.cases:
             files.append(folder / "records.csv")
-            write_cases(found.cases, list(found.bands), files[-1])
-        write_figure(files[1], uncertainty_figure(found))
-        text = "\n".join([*sentences, found.checked(), *found.case_sentences(at=at), *found.notes])
+            write_cases(uncertainty.cases, list(uncertainty.bands), files[-1])
+        write_figure(files[1], uncertainty_figure(uncertainty))
+        text = "\n".join([*sentences, uncertainty.checked(), *uncertainty.case_sentences(at=at), *uncertainty.notes])
         files[2].write_text(text + "\n", encoding="utf-8")
         typer.echo(text)
         typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
-        answer.give(lambda: uncertainty_result(found, files))
+        answer.give(lambda: uncertainty_result(uncertainty, files))
         raise typer.Exit(DONE)
 
 

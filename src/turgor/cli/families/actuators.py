@@ -11,8 +11,6 @@ from turgor.cli.options import Debug, Json
 if TYPE_CHECKING:
     from turgor.job.reference.tables import JobKey
 
-WIDTH = 110
-
 
 def actuators_command(
     name: Annotated[
@@ -76,4 +74,4 @@ def _show(name: str) -> None:
 def _facts(key: "JobKey") -> str:
     """Write type, range and meaning of a key."""
     allowed = f"; allowed: {key.allowed}" if key.allowed else ""
-    return "\n".join(wrap(f"{key.meaning} ({key.kind}{allowed})", WIDTH))
+    return "\n".join(wrap(f"{key.meaning} ({key.kind}{allowed})", width=110))

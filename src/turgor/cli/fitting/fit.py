@@ -18,9 +18,6 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.history_fit import HistoryFit
     from turgor.core.materials.fitting.ranking import Ranking
 
-#: Points of a mean where curves are not thinned.
-AVERAGE_POINTS = 60
-
 #: Laws that are fitted by default, from few to many parameters.
 DEFAULT_LAWS = "neo-hooke,mooney-rivlin,yeoh,ogden-3,gent"
 
@@ -120,7 +117,8 @@ def _means(chosen: FitOptions, modes: Sequence[str | None]) -> "list[MaterialTes
     for mode, group in by_mode.items():
         if len(group) == 1:
             raise TurgorError(f"--average has one {mode} test only; give two replicates or more of each mode.")
-        mean = average(group, points=chosen.points or AVERAGE_POINTS, name=f"mean of {len(group)} {mode}")
+        name = f"mean of {len(group)} {mode}"
+        mean = average(group, points=chosen.points, name=name) if chosen.points else average(group, name=name)
         typer.echo(f"{mean!r}\n  {mean.edits[-1].text}\n  {_spread(mean)}")
         means.append(mean)
     return means

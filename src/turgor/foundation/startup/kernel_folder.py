@@ -69,11 +69,11 @@ def compiled_files() -> list[Path]:
     place = folder()
     if place is not None:
         return sorted(file for file in place.rglob("*") if file.suffix in _COMPILED)
-    found = {file for file in _ENGINE.rglob("__pycache__/*") if file.suffix in _COMPILED}
+    files = {file for file in _ENGINE.rglob("__pycache__/*") if file.suffix in _COMPILED}
     for source in {file.parent for file in _ENGINE.rglob("*.py")}:  # numba names its folders so
         name = f"{source.name}_{hashlib.sha1(str(source).encode(), usedforsecurity=False).hexdigest()}"
-        found |= {file for file in (usual()[1] / name).glob("*") if file.suffix in _COMPILED}
-    return sorted(found)
+        files |= {file for file in (usual()[1] / name).glob("*") if file.suffix in _COMPILED}
+    return sorted(files)
 
 
 def writable(folder: Path) -> bool:

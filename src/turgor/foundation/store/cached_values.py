@@ -119,8 +119,8 @@ def sources(package: str) -> str:
     -------
     str
     """
-    found = find_spec(package)
-    folders = [Path(each) for each in (found.submodule_search_locations or ())] if found else []
+    spec = find_spec(package)
+    folders = [Path(each) for each in (spec.submodule_search_locations or ())] if spec else []
     files = sorted(file for folder in folders for file in folder.rglob("*.py"))
     listed = [(str(file), about.st_size, about.st_mtime_ns) for file in files for about in (file.stat(),)]
     return sha256(str(listed).encode()).hexdigest()

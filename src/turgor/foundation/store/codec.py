@@ -179,8 +179,8 @@ class Decoder:
                 kind = {"tuple": tuple, "set": set, "frozenset": frozenset}[what]
                 return kind(self.decode(item) for item in content)
             case "dict" | "frozen":
-                found = {self.decode(key): self.decode(item) for key, item in content}
-                return found if what == "dict" else MappingProxyType(found)
+                mapping = {self.decode(key): self.decode(item) for key, item in content}
+                return mapping if what == "dict" else MappingProxyType(mapping)
         raise TurgorError(f"'{what}' is no kind of value in a turgor file.")
 
     def _made(self, tree: Mapping[str, Json]) -> Any:
@@ -218,14 +218,14 @@ def _class(name: str) -> Any:
     if module.partition(".")[0] != "turgor" and module not in sys.modules:
         raise TurgorError(f"the file holds a {qualified} of the module '{module}'; import this module first.")
     try:
-        found: Any = import_module(module)
+        member: Any = import_module(module)
         for part in qualified.split("."):
-            found = getattr(found, part)
+            member = getattr(member, part)
     except (ImportError, AttributeError):
         raise TurgorError(f"this version of turgor has no {qualified} in {module}, which the file holds.") from None
-    if not isinstance(found, type):
+    if not isinstance(member, type):
         raise TurgorError(f"{name} is no class.")
-    return found
+    return member
 
 
 def _enumeration(name: str) -> type[Enum]:

@@ -90,9 +90,9 @@ class Store:
         needs, names = _Needs(), {id(each): key for key, each in self.named.items()}
 
         def known(item: object) -> str | None:
-            found = names.get(id(item)) or self._known(item)
-            needs.note(found)
-            return found
+            name = names.get(id(item)) or self._known(item)
+            needs.note(name)
+            return name
 
         encoder = Encoder(known)
         tree = encoder.encode(value, kind)
@@ -110,8 +110,8 @@ class Store:
         if id(item) in self._arrays:
             reference, name = self._arrays[id(item)]
             return name if reference() is item else None
-        found = self._objects.get(id(item))
-        return None if found is None else found[1]
+        entry = self._objects.get(id(item))
+        return None if entry is None else entry[1]
 
     def knows(self, value: object) -> bool:
         """Whether an object was written by `keep`, or read."""
@@ -166,11 +166,11 @@ class Store:
         return self._opened[name]
 
     def _named(self, name: str) -> Any:
-        archive, found, key = name.partition("@")
-        if found:
+        archive, mark, key = name.partition("@")
+        if mark:
             return self._decoded(archive)[1].objects[int(key)]
-        archive, found, key = name.partition("#")
-        if found:
+        archive, mark, key = name.partition("#")
+        if mark:
             return self._content(archive).arrays[key]
         if name not in self.named:
             raise TurgorError(f"'{self.folder}' refers to '{name}', which is not known here.")

@@ -14,6 +14,7 @@ from turgor.core.geometry.cad.selectors import Selector, WithNormal
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.exchange.read import READERS
+from turgor.foundation.display import MOST_ROWS
 from turgor.foundation.errors import TurgorError
 from turgor.job.reference.kinds import Kind
 from turgor.job.reference.sections import file_tables
@@ -25,9 +26,6 @@ from turgor.units import mm
 
 #: Endings of files that hold a part.
 PART_ENDINGS = (*SUFFIXES, *READERS)
-
-#: The largest faces that a job lists; a scanned part has hundreds.
-LISTED = 30
 
 #: A plane face is at the end of a part if it is this near to it, relative to the length of the part.
 AT_THE_END = 0.02
@@ -112,8 +110,8 @@ def _has_end(found: Inspection, axis: int, sign: str, name: str) -> bool:
 
 
 def _listed(faces: Sequence[FaceFacts]) -> list[str]:
-    """A line for each of the largest faces."""
-    largest = sorted(faces, key=lambda face: -face.area)[:LISTED]
+    """A line for each of the largest faces: a scanned part has hundreds."""
+    largest = sorted(faces, key=lambda face: -face.area)[:MOST_ROWS]
     left = len(faces) - len(largest)
     lines = ["Its faces, the largest first: name, area [mm²], center [mm], normal."]
     for face in largest:

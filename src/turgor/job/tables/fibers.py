@@ -42,9 +42,6 @@ _WINDING = {
     "hand": "",
 }
 
-#: Poisson's ratio of fibers that state none; it has no effect.
-_NU = 0.3
-
 
 def _axis(name: str) -> str:
     if name not in AXES:
@@ -106,7 +103,7 @@ class FibersTable(Table):
     name: str | None = Field(default=None, examples=['"thread"'])
     law: str = "hooke"
     E: Pressure | None = Field(default=None, examples=['"30 GPa"'])
-    nu: float = _NU
+    nu: float = 0.3  # of a thread it has no effect
     density: Density | None = None
     source: SourceTable | None = Field(default=None, examples=['{ text = "data sheet" }'])
     diameter: Length | None = Field(default=None, examples=['"0.2 mm"'])

@@ -91,11 +91,11 @@ def calibrate(
     parameters = (*free, *(rig_parameter(each, fitted) for each in rig))
     check_names(parameters)
     objective = Objective(parameters=parameters, models=len(free), data=fitted, evaluations=runs)
-    found = search(objective, np.array([each.coordinate(each.start) for each in parameters]), before + most)
+    end = search(objective, np.array([each.coordinate(each.start) for each in parameters]), before + most)
     if objective.assumed and any(each.prior is not None for each in parameters):
-        objective = objective.reweighted(found.residuals)
-        found = search(objective, found.at, before + most)
-    return _calibration(objective, found, predicted, begun, before)
+        objective = objective.reweighted(end.residuals)
+        end = search(objective, end.at, before + most)
+    return _calibration(objective, end, predicted, begun, before)
 
 
 def _without_slopes(held_out: Trial, fitted: Sequence[Trial]) -> Trial:

@@ -11,13 +11,10 @@ from scipy.interpolate import PchipInterpolator
 from turgor.accuracy.laboratory.compare import first_branch
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
+from turgor.studies.calibration.settings import CALIBRATION
 from turgor.studies.runs.slopes import slope_name
 
 Array = NDArray[np.float64]
-
-#: Motion of a curve with which its interpolation is differentiated: shares of the range of its values, and of the
-#: smallest step of its drive.
-NUDGE, DRIVE_NUDGE = 1e-6, 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,8 +64,8 @@ class PathCurve:
     def at(self, drive: Array) -> Array:
         """Return the values (m,) [SI] at values of the drive."""
         inside = np.clip(drive, self.drive[0], self.drive[-1])
-        found = np.asarray(PchipInterpolator(self.drive, self.values)(inside))
-        return np.asarray(found + self._beyond(drive) * (drive - inside))
+        values = np.asarray(PchipInterpolator(self.drive, self.values)(inside))
+        return np.asarray(values + self._beyond(drive) * (drive - inside))
 
     def rise(self, drive: Array) -> Array:
         """Return the derivatives (m,) by the drive [SI]."""
@@ -92,7 +89,7 @@ class PathCurve:
         (m, k) array
         """
         part, used = first_branch(response, names[0])[0], self._used(drive)
-        found = np.full((len(drive), len(parameters)), np.nan)
+        table = np.full((len(drive), len(parameters)), np.nan)
         for k, parameter in enumerate(parameters):
             x, y = (slope_name(name, parameter) for name in names)
             if y not in part:
@@ -100,15 +97,15 @@ class PathCurve:
             rates = part.column(y)[self.rows]
             moves = part.column(x)[self.rows] if x in part else np.zeros(len(self.rows))
             if np.isfinite(rates[used]).all() and np.isfinite(moves[used]).all():
-                found[:, k] = self._moved(drive, np.where(used, moves, 0.0), np.where(used, rates, 0.0))
-        return found
+                table[:, k] = self._moved(drive, np.where(used, moves, 0.0), np.where(used, rates, 0.0))
+        return table
 
     def _moved(self, drive: Array, moves: Array, rates: Array) -> Array:
         """Derivative of the interpolation where the points move at rates; the two ends are moved a little."""
         far = float(np.ptp(self.values)) or 1.0
-        steps = [NUDGE * far / max(float(np.abs(rates).max()), 1e-300)]
+        steps = [CALIBRATION.nudge * far / max(float(np.abs(rates).max()), 1e-300)]
         if moves.any():
-            steps.append(DRIVE_NUDGE * float(np.diff(self.drive).min()) / float(np.abs(moves).max()))
+            steps.append(CALIBRATION.nudge * float(np.diff(self.drive).min()) / float(np.abs(moves).max()))
         step = min(steps)
         ends = [PathCurve(self.drive + s * moves, self.values + s * rates, self.rows).at(drive) for s in (step, -step)]
         return (ends[0] - ends[1]) / (2 * step)

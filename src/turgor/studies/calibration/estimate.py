@@ -10,23 +10,10 @@ from scipy.stats import norm, t
 from turgor.studies.calibration.objective import Objective
 from turgor.studies.calibration.parameter import Parameter
 from turgor.studies.calibration.search import Found
+from turgor.studies.calibration.settings import CALIBRATION
+from turgor.studies.runs.settings import LEVEL
 
 Array = NDArray[np.float64]
-
-#: Level of the intervals.
-LEVEL = 0.95
-
-#: A combination of parameters is not determined if its standard deviation is above this: 30 % of a positive parameter,
-#: or a quarter of the range of another one …
-MOST_RELATIVE, MOST_OF_RANGE = 0.3, 0.25
-#: … or if its effect on the curves is below this share of the strongest one: finite differences see no less.
-LEAST_EFFECT = 1e-4
-
-#: Parameters with a smaller share in a combination are not named.
-LEAST_SHARE = 0.2
-
-#: Standard errors above this correlation of neighboring differences are too small.
-MOST_CORRELATED = 0.5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -111,7 +98,7 @@ def estimate(objective: Objective, found: Found) -> Estimate:
 
 def _at_bound(objective: Objective, found: Found) -> NDArray[np.bool_]:
     low, high = objective.limits
-    near = 1e-4 * np.array([each.width for each in objective.parameters])
+    near = CALIBRATION.smallest_step * np.array([each.width for each in objective.parameters])
     return (found.at - low < near) | (high - found.at < near)
 
 
@@ -132,19 +119,19 @@ def _undetermined(parameters: Sequence[Parameter], jacobian: Array, factor: floa
     _, sizes, directions = np.linalg.svd(jacobian, full_matrices=True)
     sizes = np.append(sizes, np.zeros(len(parameters) - len(sizes)))
     limits = np.array([
-        min(MOST_RELATIVE, MOST_OF_RANGE * each.width) if each.logarithmic else MOST_OF_RANGE for each in parameters
+        CALIBRATION.undetermined * (min(1.0, each.width) if each.logarithmic else 1.0) for each in parameters
     ])  # fmt: skip
     sentences = []
     for size, direction in zip(sizes, directions, strict=True):
         allowed = float(np.min(limits / np.maximum(np.abs(direction), 1e-9)))
-        if size <= LEAST_EFFECT * sizes[0] or factor / size > allowed:
+        if size <= CALIBRATION.least_effect * sizes[0] or factor / size > allowed:
             sentences.append(_sentence(parameters, direction))
     return tuple(sentences)
 
 
 def _sentence(parameters: Sequence[Parameter], direction: Array) -> str:
     share = np.abs(direction) / np.abs(direction).max()
-    part = [(each, float(x)) for each, x, s in zip(parameters, direction, share, strict=True) if s >= LEAST_SHARE]
+    part = [(each, float(x)) for each, x, s in zip(parameters, direction, share, strict=True) if s >= CALIBRATION.named]
     names = [each.name for each, _ in part]
     known = [each.name for each, _ in part if each.prior is not None]
     if len(part) == 1:
@@ -191,7 +178,7 @@ def _notes(objective: Objective, residuals: Array, scatter: float) -> tuple[str,
         first += len(each.value)
         if len(rows) >= 8 and rows.std() > 0:
             alike = float(np.sum(rows[1:] * rows[:-1]) / np.sum(rows**2))
-            if alike > MOST_CORRELATED:
+            if alike > CALIBRATION.correlated:
                 notes.append(
                     f"Neighboring differences of {each.trial.name} are alike (correlation {alike:.2f}): the curve is "
                     "missed in shape, not by noise, and the standard errors are too small."

@@ -10,13 +10,8 @@ from turgor.studies.calibration.curve import PathCurve
 from turgor.studies.calibration.result import Calibration, Fitted
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import BLUE, COLORS
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
-
-#: Points of a computed curve, and size of a panel [inch].
-POINTS, WIDTH, HEIGHT = 200, 4.6, 4.6
-
-#: Panels in one row.
-MOST_IN_ROW = 3
 
 
 def calibration_figure(found: Calibration) -> PlotFigure:
@@ -33,9 +28,9 @@ def calibration_figure(found: Calibration) -> PlotFigure:
         the values that were found; below, what remains.
     """
     fits = [(each, False) for each in found.fits] + [(each, True) for each in found.held_out]
-    columns = min(len(fits), MOST_IN_ROW)
+    columns = min(len(fits), PLOT.columns)
     rows = -(-len(fits) // columns)
-    figure = PlotFigure(figsize=(max(WIDTH * columns, 5.4), HEIGHT * rows))
+    figure = PlotFigure(figsize=(max(4.6 * columns, 5.4), 4.6 * rows))
     axes = figure.subplots(2 * rows, columns, squeeze=False, height_ratios=(3, 1) * rows)
     for k in range(rows * columns):
         upper, lower = axes[2 * (k // columns), k % columns], axes[2 * (k // columns) + 1, k % columns]
@@ -60,7 +55,9 @@ def _panel(upper: Any, lower: Any, each: Fitted, held_out: bool) -> None:
     for response, style, label in ((each.start, "--", "start"), (each.fitted, "-", "calibrated")):
         known = first_branch(response, data.x)[0].column(data.x)
         at = np.linspace(
-            np.nanmin(known), min(float(np.nanmax(known)), 1.1 * float(np.max(rows.columns[0].values))), POINTS
+            np.nanmin(known),
+            min(float(np.nanmax(known)), 1.1 * float(np.max(rows.columns[0].values))),
+            PLOT.curve_points,
         )
         curve = Column(data.y, y.unit, PathCurve.of(response, data.x, data.y).at(at))
         ends[label] = curve.in_unit

@@ -9,18 +9,12 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
 from turgor.studies.calibration.parameter import OFFSET, SCALE, Parameter, values_at
+from turgor.studies.calibration.settings import CALIBRATION
 from turgor.studies.calibration.trial import Data
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.run_outcome import Ended
 
 Array = NDArray[np.float64]
-
-#: Weighted difference of every row where a run failed: far above what a curve that misses the measured one has, and
-#: small enough to be squared.
-FAILED = 1e3
-
-#: Smallest scatter that assumed spreads are lowered to: differences of a made-up curve may be zero.
-LEAST_SCATTER = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,7 +53,7 @@ class Objective:
         for each in self.data:
             rows = residuals[first : first + len(each.value)]
             first += len(each.value)
-            scatter = max(float(np.sqrt(np.mean(rows**2))), LEAST_SCATTER)
+            scatter = max(float(np.sqrt(np.mean(rows**2))), CALIBRATION.least_scatter)
             data.append(replace(each, spread=each.spread * scatter) if each.assumed else each)
         return replace(self, data=tuple(data))
 
@@ -74,8 +68,8 @@ class Objective:
         runs = [
             each.trial.run(values_at(self.parameters, at), each.taken, slopes) for at in points for each in self.data
         ]
-        found, count = self.evaluations.of(runs), len(self.data)
-        return [found[k * count : (k + 1) * count] for k in range(len(points))]
+        outcomes, count = self.evaluations.of(runs), len(self.data)
+        return [outcomes[k * count : (k + 1) * count] for k in range(len(points))]
 
     def responses(self, at: Array) -> list[Response | None]:
         """Return what the trials compute at a point; None where a run failed."""
@@ -116,7 +110,7 @@ class Objective:
                 rows[:, : self.models] = np.nan
             else:
                 rows = each.slopes(response, values, names) / each.spread[:, None]
-                far = np.abs(each.differences(response, values) / each.spread) >= FAILED
+                far = np.abs(each.differences(response, values) / each.spread) >= CALIBRATION.failed
                 rows[far] = np.where(np.isnan(rows[far]), np.nan, 0.0)
             parts.append(rows)
         priors = [(np.array(names) == each.name) / each.prior[1] for each in self.parameters if each.prior is not None]
@@ -147,9 +141,11 @@ class Objective:
         values = values_at(self.parameters, at)
         parts = []
         for each, response in zip(self.data, responses, strict=True):
-            rows = np.full(len(each.value), FAILED)
+            rows = np.full(len(each.value), CALIBRATION.failed)
             if response is not None:
-                rows = np.clip(each.differences(response, values) / each.spread, -FAILED, FAILED)
+                rows = np.clip(
+                    each.differences(response, values) / each.spread, -CALIBRATION.failed, CALIBRATION.failed
+                )
             parts.append(rows)
         priors = [
             (values[each.name] - each.prior[0]) / each.prior[1] for each in self.parameters if each.prior is not None

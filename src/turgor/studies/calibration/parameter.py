@@ -8,13 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError
+from turgor.studies.calibration.settings import CALIBRATION
 from turgor.studies.runs.rounding import rounded
 from turgor.units import unit_value
 
 Array = NDArray[np.float64]
-
-#: Bounds of a positive parameter where none are given: its starting value over and times this factor.
-DEFAULT_FACTOR = 10.0
 
 #: Ends of the names of parameters of the rig: what is added to a measured column, and what it is multiplied by.
 OFFSET, SCALE = "_offset", "_scale"
@@ -58,7 +56,7 @@ class Parameter:
     upper: float | None = None
     prior: tuple[float, float] | None = None
     unit: str = ""
-    step: float = 0.01
+    step: float = CALIBRATION.step
 
     def __post_init__(self) -> None:
         if not self.name:
@@ -90,8 +88,8 @@ class Parameter:
     def bounds(self) -> tuple[float, float]:
         """Lower and upper bound [SI]."""
         positive = self.start > 0
-        low = self.lower if self.lower is not None else self.start / DEFAULT_FACTOR if positive else -inf
-        high = self.upper if self.upper is not None else self.start * DEFAULT_FACTOR if positive else inf
+        low = self.lower if self.lower is not None else self.start / CALIBRATION.bounds if positive else -inf
+        high = self.upper if self.upper is not None else self.start * CALIBRATION.bounds if positive else inf
         return rounded(low), rounded(high)
 
     @property
@@ -117,8 +115,8 @@ class Parameter:
         """Return the value at a coordinate of the search, within the bounds."""
         low, high = self.bounds
         far = min(max(coordinate - 1, -self.width), self.width)
-        found = self.start * exp(far) if self.logarithmic else self.start + far * (high - low)
-        return min(max(rounded(found), low), high)
+        number = self.start * exp(far) if self.logarithmic else self.start + far * (high - low)
+        return min(max(rounded(number), low), high)
 
     def slope(self, value: float) -> float:
         """Return the derivative of the value by the coordinate."""

@@ -176,13 +176,13 @@ class Calibration:
         return "\n".join(lines)
 
     def _correlated(self) -> list[str]:
-        found = []
+        sentences = []
         for i, one in enumerate(self.parameters):
             for j, other in enumerate(self.parameters[:i]):
                 value = self.correlation[i, j]
                 if np.isfinite(value) and abs(value) >= 0.9:
-                    found.append(f"The errors of {other.name} and {one.name} are correlated ({value:+.3f}).")
-        return found
+                    sentences.append(f"The errors of {other.name} and {one.name} are correlated ({value:+.3f}).")
+        return sentences
 
 
 def rms(values: Sequence[float] | Array) -> float:

@@ -8,29 +8,9 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares, lsq_linear
 
 from turgor.studies.calibration.objective import Objective, known_columns
+from turgor.studies.calibration.settings import CALIBRATION
 
 Array = NDArray[np.float64]
-
-#: The search ends where one more step would gain less than a fifth of a standard error: this share of the variance of
-#: the differences, in half the sum of squares …
-LEAST_GAIN = 0.02
-#: … where the differences count as no smaller than this share of an assumed spread: 0.1 % of the measured range, which
-#: neither rigs nor meshes resolve …
-RESOLVED = 0.05
-#: … or would move every coordinate by less than this: 0.02 % of a positive parameter.
-SMALLEST_STEP = 2e-4
-
-#: Relative gain at which the search between two fresh Jacobians ends.
-RELATIVE_GAIN = 1e-3
-
-#: Runs that change next to nothing, the first point included, after which it ends as well: a fresh Jacobian knows more.
-MOST_IDLE = 2
-
-#: What changes next to nothing may be higher by this many of the least gains.
-IDLE_GAINS = 20
-
-#: Fresh Jacobians at most.
-MOST_ROUNDS = 12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -83,22 +63,20 @@ def search(objective: Objective, start: Array, most: int) -> Found:
     """
     at, residuals = start, objective.residuals(start)
     jacobian = objective.jacobian(at)
-    for _ in range(MOST_ROUNDS):
-        if no_step_left(objective, at, residuals, jacobian):
-            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
+    while not no_step_left(objective, at, residuals, jacobian):
         to = _one_round(objective, at, jacobian, most)
         if to is None:
-            break
+            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=False)
         if np.array_equal(to, at):
-            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
+            break
         before, at, residuals = residuals, to, objective.residuals(to)
         jacobian = objective.jacobian(at)
         if _cost(before) - _cost(residuals) < _least_gain(objective, residuals):  # rough, as meshes that change are
-            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
-        if len(objective.evaluations.ended) >= most:
             break
-    done = no_step_left(objective, at, residuals, jacobian)
-    return Found(at=at, residuals=residuals, jacobian=jacobian, converged=done)
+        if len(objective.evaluations.ended) >= most:
+            done = no_step_left(objective, at, residuals, jacobian)
+            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=done)
+    return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
 
 
 def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> Array | None:
@@ -110,15 +88,15 @@ def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> A
     def residuals(to: Array) -> Array:
         if len(objective.evaluations.ended) >= most:
             raise _SpentError
-        found = objective.residuals(to)
-        gain = best["cost"] - _cost(found)
+        there = objective.residuals(to)
+        gain = best["cost"] - _cost(there)
         if gain > 0:
-            best.update(at=to.copy(), cost=_cost(found))
+            best.update(at=to.copy(), cost=_cost(there))
         least = _least_gain(objective, here)
-        best["idle"] += -IDLE_GAINS * least < gain < least
-        if best["idle"] > MOST_IDLE:
+        best["idle"] += -CALIBRATION.idle_gains * least < gain < least
+        if best["idle"] > CALIBRATION.idle_runs:
             raise _IdleError
-        return found
+        return there
 
     spent = False
     try:
@@ -130,7 +108,7 @@ def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> A
         follow = _Following(objective, at, jacobian)
         least_squares(
             residuals, np.clip(begun, low, high), jac=follow, bounds=(low, high),
-            ftol=RELATIVE_GAIN, xtol=SMALLEST_STEP, gtol=None, max_nfev=8 + 2 * len(at),
+            ftol=CALIBRATION.round_gain, xtol=CALIBRATION.smallest_step, gtol=None, max_nfev=8 + 2 * len(at),
         )  # fmt: skip
     except _IdleError:
         pass
@@ -182,14 +160,14 @@ def no_step_left(objective: Objective, at: Array, residuals: Array, jacobian: Ar
     """
     step = _linear_step(objective, at, residuals, jacobian)
     gain = _cost(residuals) - _cost(residuals + jacobian @ step)
-    return bool(gain < _least_gain(objective, residuals) or np.abs(step).max() < SMALLEST_STEP)
+    return bool(gain < _least_gain(objective, residuals) or np.abs(step).max() < CALIBRATION.smallest_step)
 
 
 def _least_gain(objective: Objective, residuals: Array) -> float:
     """Gain that is not worth a step: small against the scatter of the differences, or their known spread."""
     freedom = max(len(residuals) - len(objective.parameters), 1)
     variance = 2 * _cost(residuals) / freedom
-    return LEAST_GAIN * max(variance, RESOLVED**2 if objective.assumed else 1.0)
+    return CALIBRATION.least_gain * max(variance, CALIBRATION.resolved**2 if objective.assumed else 1.0)
 
 
 def _linear_step(objective: Objective, at: Array, residuals: Array, jacobian: Array) -> Array:

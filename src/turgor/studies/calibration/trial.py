@@ -15,13 +15,10 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
 from turgor.studies.calibration.curve import PathCurve
 from turgor.studies.calibration.parameter import OFFSET, SCALE, Parameter
+from turgor.studies.calibration.settings import CALIBRATION
 from turgor.studies.runs.run import Computed, Run
 
 Array = NDArray[np.float64]
-
-#: Standard deviation of a measurement where it is not known, as a share of the measured range: it weighs experiments
-#: against each other, and the standard errors are scaled by what remains.
-ASSUMED_SPREAD = 0.02
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -120,10 +117,10 @@ class Data:
 
     def corrected(self, rig: Mapping[str, float]) -> tuple[Array, Array]:
         """Return the measured drive and values with the offsets and scales of the rig."""
-        found = []
+        columns = []
         for name, values in ((self.x, self.drive), (self.y, self.value)):
-            found.append(values * rig.get(name + SCALE, 1.0) + rig.get(name + OFFSET, 0.0))
-        return found[0], found[1]
+            columns.append(values * rig.get(name + SCALE, 1.0) + rig.get(name + OFFSET, 0.0))
+        return columns[0], columns[1]
 
     def differences(self, computed: Response, rig: Mapping[str, float]) -> Array:
         """Return computed minus measured, (n,) [SI]; beyond its ends the computed curve goes on straight."""
@@ -137,16 +134,16 @@ class Data:
         """
         drive, _ = self.corrected(rig)
         curve = PathCurve.of(computed, self.x, self.y)
-        found = np.zeros((len(drive), len(names)))
+        table = np.zeros((len(drive), len(names)))
         taken = [k for k, name in enumerate(names) if name in self.taken]
-        found[:, taken] = curve.slopes(drive, computed, (self.x, self.y), [names[k] for k in taken])
+        table[:, taken] = curve.slopes(drive, computed, (self.x, self.y), [names[k] for k in taken])
         one = np.ones(len(drive))
         of_rig = {self.y + OFFSET: -one, self.y + SCALE: -self.value}  # of one name the drive comes first
         of_rig |= {self.x + OFFSET: curve.rise(drive), self.x + SCALE: curve.rise(drive) * self.drive}
         for k, name in enumerate(names):
             if name in of_rig:
-                found[:, k] = of_rig[name]
-        return found
+                table[:, k] = of_rig[name]
+        return table
 
     def beyond(self, computed: Response, rig: Mapping[str, float]) -> int:
         """Count the measured rows beyond the computed range."""
@@ -176,14 +173,14 @@ def data_of(trial: Trial, computed: Response, taken: tuple[str, ...]) -> Data:
     TurgorError
         If the two cannot be compared.
     """
-    found = compare(computed, trial.measured, trial.y, x=trial.x)
-    drive, value = trial.measured.column(found.measured_x), trial.measured.column(found.measured_y)
+    comparison = compare(computed, trial.measured, trial.y, x=trial.x)
+    drive, value = trial.measured.column(comparison.measured_x), trial.measured.column(comparison.measured_y)
     known = np.isfinite(drive) & np.isfinite(value)
-    spread, assumed = _spread(trial, found.measured_y, value[known], known)
+    spread, assumed = _spread(trial, comparison.measured_y, value[known], known)
     return Data(
-        trial=trial, x=found.x, y=found.y, measured_x=found.measured_x, measured_y=found.measured_y,
+        trial=trial, x=comparison.x, y=comparison.y, measured_x=comparison.measured_x, measured_y=comparison.measured_y,
         drive=drive[known], value=value[known], spread=spread, assumed=assumed, taken=taken,
-        notes=tuple(note for note in found.notes if "beyond" not in note),
+        notes=tuple(note for note in comparison.notes if "beyond" not in note),
     )  # fmt: skip
 
 
@@ -197,8 +194,10 @@ def _spread(trial: Trial, name: str, values: Array, known: NDArray[np.bool_]) ->
     if name + SPREAD in trial.measured:
         spread = np.array(trial.measured.column(name + SPREAD)[known])
         # where repeated runs meet, such as at zero, their spread says nothing about the gauge
-        return np.maximum(np.nan_to_num(spread), 0.25 * float(np.nanmedian(spread)) or ASSUMED_SPREAD * reach), False
-    return np.full(len(values), ASSUMED_SPREAD * reach), True
+        return np.maximum(
+            np.nan_to_num(spread), 0.25 * float(np.nanmedian(spread)) or CALIBRATION.assumed_spread * reach
+        ), False
+    return np.full(len(values), CALIBRATION.assumed_spread * reach), True
 
 
 def check_taken(trials: Sequence[Trial], parameters: Sequence[Parameter]) -> None:

@@ -13,6 +13,7 @@ from turgor.foundation.response import COLUMN_UNITS, unit_text
 from turgor.studies.optimization.goals import MET, Goal, Limit, Minimize, TipPath
 from turgor.studies.optimization.result import Optimization
 from turgor.studies.optimization.row_values import Read
+from turgor.views.pictures.settings import FRAMING
 from turgor.views.pictures.state_picture import shared_view, state_figure
 from turgor.views.plots.figures import PlotFigure, png_of
 from turgor.views.plots.response_plots import BLUE, COLORS
@@ -21,15 +22,6 @@ from turgor.views.plots.styling import INK, style_axes
 
 #: Gray of candidates that are not the best, and of those that miss a target or pass a limit.
 FAINT = "#9aa3ad"
-
-#: Letters of one line above a picture.
-TITLE_LETTERS = 90
-
-#: Width of each of two pictures [pixels].
-PICTURE_WIDTH = 900
-
-#: Height of one panel [inch].
-PANEL = 1.9
 
 
 def optimization_figure(found: Optimization) -> PlotFigure:
@@ -47,7 +39,7 @@ def optimization_figure(found: Optimization) -> PlotFigure:
     objectives = [each for each in found.goals if isinstance(each, Minimize)]
     if len(objectives) > 1:
         return _front_figure(found, objectives[:2])
-    figure = PlotFigure(figsize=(6.4, PANEL * len(found.goals) + 0.6))
+    figure = PlotFigure(figsize=(6.4, 1.9 * len(found.goals) + 0.6))
     panels = np.atleast_1d(figure.subplots(len(found.goals), 1, sharex=True))
     for axes, goal in zip(panels, found.goals, strict=True):
         _history(axes, found, goal)
@@ -84,7 +76,7 @@ def before_and_after(found: Optimization, states: Sequence[State] = ()) -> PlotF
     pictures = [row.ended.found.picture if row.ended.found is not None else b"" for _, _, row in rows]
     if states:
         shown = [StateFields(state) for state in states]
-        view = shared_view(shown, PICTURE_WIDTH)
+        view = shared_view(shown, FRAMING.design_width)
         pictures = [png_of(state_figure(each, view, title=pressure_text(each.state))) for each in shown]
     if not all(pictures):
         return None
@@ -92,7 +84,7 @@ def before_and_after(found: Optimization, states: Sequence[State] = ()) -> PlotF
     for name, number, row in rows:
         reached = "; ".join(f"{each.name} {each.short}" for each in found.reads(number))
         text = f"{name}: {found.study.values_text(row.values)}\n{reached}"
-        titles.append("\n".join(fill(line, TITLE_LETTERS) for line in text.splitlines()))
+        titles.append("\n".join(fill(line, width=90) for line in text.splitlines()))
     return pictures_in_row(list(zip(titles, pictures, strict=True)), (11.0, 4.4))
 
 
@@ -101,11 +93,17 @@ def _history(axes: Any, found: Optimization, goal: Goal) -> None:
     reads = [goal.reading(row) for row in found.study.rows]
     shown = reads[found.best or 0]
     values, numbers = _in_unit(reads, shown.unit), np.arange(1, len(reads) + 1)
-    kept = np.array([each.kept for each in found.scores])
+    within = np.array([each.kept for each in found.scores])
     axes.plot(numbers, values, color=FAINT, lw=0.8, zorder=1)
-    axes.scatter(numbers[kept], values[kept], color=BLUE, s=18, zorder=2, label="within the limits")
+    axes.scatter(numbers[within], values[within], color=BLUE, s=18, zorder=2, label="within the limits")
     axes.scatter(
-        numbers[~kept], values[~kept], facecolor="white", edgecolor=FAINT, s=18, zorder=2, label="not within the limits"
+        numbers[~within],
+        values[~within],
+        facecolor="white",
+        edgecolor=FAINT,
+        s=18,
+        zorder=2,
+        label="not within the limits",
     )
     if found.best is not None:
         errors = _in_unit([shown], shown.unit, error=True)

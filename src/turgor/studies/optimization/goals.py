@@ -16,15 +16,6 @@ from turgor.units import mm
 
 Array = NDArray[np.float64]
 
-#: A target is met within this share of its scale.
-TARGET_TOLERANCE = 0.01
-
-#: A limit counts as kept up to this share of its scale: the surfaces that the search moves on are no better.
-LIMIT_TOLERANCE = 0.002
-
-#: A path is met within this distance [m].
-PATH_TOLERANCE = 1 * mm
-
 #: Points at which a path is compared.
 PATH_POINTS = 9
 
@@ -64,7 +55,7 @@ class Target:
     _: KW_ONLY
     at: At = None
     scale: float | None = None
-    tolerance: float = TARGET_TOLERANCE
+    tolerance: float = 0.01
     unit: str = ""
 
     def __post_init__(self) -> None:
@@ -127,7 +118,7 @@ class Limit:
     least: float | None = None
     at: At = None
     scale: float | None = None
-    tolerance: float = LIMIT_TOLERANCE
+    tolerance: float = 0.002
     unit: str = ""
 
     def __post_init__(self) -> None:
@@ -152,8 +143,8 @@ class Limit:
         """Return signed divisors and limits of each end; a value beyond 0 passes the limit, beyond 1 too far."""
         unit = _size(self.scale) * self.tolerance
         ends = [(unit, self.most), (-unit, self.least)]
-        kept = [(sign, end) for sign, end in ends if end is not None]
-        return np.array([sign for sign, _ in kept]), np.array([end for _, end in kept])
+        given = [(sign, end) for sign, end in ends if end is not None]
+        return np.array([sign for sign, _ in given]), np.array([end for _, end in given])
 
     def reading(self, row: Row) -> Read:
         """Return the value in words."""
@@ -255,7 +246,7 @@ class TipPath:
     _: KW_ONLY
     at: tuple[str, Sequence[float]] | None = None
     measures: tuple[str, ...] = ("tip_displacement_x", "tip_displacement_z")
-    tolerance: float = PATH_TOLERANCE
+    tolerance: float = 1 * mm
 
     def __post_init__(self) -> None:
         given = np.array(self.points, dtype=np.float64)
@@ -317,13 +308,13 @@ MET = (Target, TipPath)
 
 def with_scales(goals: Sequence[Goal], row: Row) -> tuple[Goal, ...]:
     """Give goals without a scale that of their value in a row."""
-    found: list[Goal] = []
+    scaled: list[Goal] = []
     for each in goals:
         if isinstance(each, Minimize) and each.scale is None:
             size = abs(float(each.read(row)[0]))
             each = replace(each, scale=size if isfinite(size) and size > 0 else 1.0)
-        found.append(each)
-    return tuple(found)
+        scaled.append(each)
+    return tuple(scaled)
 
 
 def _scale(goal: Target | Limit, value: float) -> float:

@@ -147,17 +147,17 @@ def readings_of(goals: Sequence[Goal], factors: Collection[str]) -> list[list[An
     list of [str, str or None, float]
         Empty if a goal has no derivative: a function, a workspace, or a path compared at shares of its length.
     """
-    found: list[list[Any]] = []
+    readings: list[list[Any]] = []
     for goal in goals:
         if isinstance(goal, TipPath):
             if goal.at is None:
                 return []
-            found += [[each, goal.at[0], float(value)] for value in goal.at[1] for each in goal.measures]
+            readings += [[each, goal.at[0], float(value)] for value in goal.at[1] for each in goal.measures]
         elif not isinstance(goal.measure, str) or goal.measure in REACHED:
             return []
         elif goal.measure not in factors:
-            found.append([goal.measure, *(goal.at or (None, 0.0))])
-    return found
+            readings.append([goal.measure, *(goal.at or (None, 0.0))])
+    return readings
 
 
 def _measures(job: Job, plan: OptimizationPlan) -> tuple[str, ...]:

@@ -138,10 +138,10 @@ def _verified(problem: Problem, best: Candidate) -> Candidate:
     """Compute the best design once more with the arguments of the nominal run, such as for its mesh error."""
     place = next(number for number, each in enumerate(problem.candidates) if each is best)
     extra = replace(problem, most=len(problem.candidates) + 1, candidates=list(problem.candidates))
-    (found,) = extra.compute([best.at], nominal=True)
-    if found.known:
-        problem.candidates[place] = found
-        return found
+    (computed,) = extra.compute([best.at], nominal=True)
+    if computed.known:
+        problem.candidates[place] = computed
+        return computed
     return best
 
 

@@ -138,12 +138,12 @@ class Problem:
 
     def values(self, at: Array) -> dict[str, Value]:
         """Return the values of the factors at shares of their ranges [SI]."""
-        found: dict[str, Value] = {}
+        numbers: dict[str, Value] = {}
         for each, share in zip(self.factors, self.snapped(at), strict=True):
             low, high = each.bounds
             value = low + float(share) * (high - low)
-            found[each.name] = round(value) if each.whole else rounded(min(max(value, low), high))
-        return found
+            numbers[each.name] = round(value) if each.whole else rounded(min(max(value, low), high))
+        return numbers
 
     def shares(self, values: Mapping[str, Value]) -> Array:
         """Return shares of the ranges at values."""
@@ -227,8 +227,8 @@ def check_factors(factors: Sequence[Factor]) -> None:
 
 
 def _largest(values: Sequence[float]) -> float:
-    found = np.array(values)
-    return float("nan") if np.isnan(found).any() else float(found.max())
+    numbers = np.array(values)
+    return float("nan") if np.isnan(numbers).any() else float(numbers.max())
 
 
 def _count(goal: Goal) -> int:

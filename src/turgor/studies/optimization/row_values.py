@@ -91,11 +91,11 @@ def read(row: Row, measure: Measure, at: At = None) -> float:
     if row.response is None:
         return float("nan")
     if not isinstance(measure, str):
-        found = measure(row.response)
+        reading = measure(row.response)
         try:
-            return float(found)
+            return float(reading)
         except (TypeError, ValueError):
-            raise TurgorError(f"{words_of(measure)} returned {found!r}; it must return a number.") from None
+            raise TurgorError(f"{words_of(measure)} returned {reading!r}; it must return a number.") from None
     known = [each.name for each in row.response.quantities]
     for name in (measure, at[0] if at is not None else measure):
         if name not in row.response:

@@ -5,10 +5,8 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.studies.runs.factor import Value
-
-#: What a margin may be below zero: values are rounded to nine digits.
-ROUNDING = 1e-9
 
 Margin: TypeAlias = Callable[[Mapping[str, Value]], float]
 
@@ -48,4 +46,4 @@ class Rule:
             margin = float(self.margin(values))
         except TurgorError as error:
             return f"{self.name}: {error}"
-        return "" if margin >= -ROUNDING else self.name
+        return "" if margin >= -ROUND_OFF.same else self.name

@@ -19,11 +19,11 @@ def slopes_of(row: Row, measure: Measure, at: At, factors: Sequence[str]) -> Arr
         return np.full(len(factors), np.nan)
     if measure in row.values:
         return np.array([float(name == measure) for name in factors])
-    found = _column_slopes(row, measure, at, factors)
+    slopes = _column_slopes(row, measure, at, factors)
     if at is None or at[0] in row.values:
-        return found
+        return slopes
     moved = np.nan_to_num(_column_slopes(row, at[0], at, factors))  # a drive without slopes is the same for all designs
-    return found - _rise(row.response, measure, at) * moved if moved.any() else found
+    return slopes - _rise(row.response, measure, at) * moved if moved.any() else slopes
 
 
 def _column_slopes(row: Row, measure: str, at: At, factors: Sequence[str]) -> Array:

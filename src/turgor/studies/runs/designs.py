@@ -63,12 +63,12 @@ def design_table(factors: Sequence[Factor], values: Sequence[Mapping[str, Value]
     >>> design_table([wall], factorial([wall]).values)
     {'wall (mm)': [1.0, 2.0]}
     """
-    found: dict[str, Cells] = {}
+    table: dict[str, Cells] = {}
     for each in factors:
         given = [row[each.name] for row in values]
         unit = unit_value(each.unit)
-        found[header(each.name, each.unit)] = [x if isinstance(x, str | int) else rounded(x / unit) for x in given]
-    return found
+        table[header(each.name, each.unit)] = [x if isinstance(x, str | int) else rounded(x / unit) for x in given]
+    return table
 
 
 def factorial(factors: Sequence[Factor]) -> Designs:

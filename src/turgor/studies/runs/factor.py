@@ -9,13 +9,11 @@ from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.store.limits import most_designs
+from turgor.studies.runs.settings import RUNS
 from turgor.units import unit_value
 
 Array = NDArray[np.float64]
 Value = float | int | str
-
-#: Levels of a factorial where only a range is given.
-LEVELS = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -129,7 +127,7 @@ class Factor:
             return self.levels
         if count is not None and not 1 <= count <= most_designs():
             raise TurgorError(f"levels of '{self.name}' is {count}; allowed is 1 to {most_designs()}.")
-        values = np.linspace(*self.bounds, count or LEVELS)
+        values = np.linspace(*self.bounds, count or RUNS.range_levels)
         return tuple(dict.fromkeys(round(float(each)) for each in values)) if self.whole else tuple(values.tolist())
 
     def shown(self, value: Value) -> str:

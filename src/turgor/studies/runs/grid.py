@@ -33,13 +33,13 @@ class Grid:
     @staticmethod
     def of(study: Study) -> "Grid | None":
         """Return the grid of a study; None where there is none."""
-        found: dict[str, list[Value]] = {}
+        levels_of: dict[str, list[Value]] = {}
         for each in study.factors:
             values = list(dict.fromkeys(row.values[each.name] for row in study.rows))
             if len(values) > 1:
-                found[each.name] = values if each.is_choice else sorted(values)
-        factors = tuple(each for each in study.factors if each.name in found)
-        levels = tuple(found.values())
+                levels_of[each.name] = values if each.is_choice else sorted(values)
+        factors = tuple(each for each in study.factors if each.name in levels_of)
+        levels = tuple(levels_of.values())
         places = {tuple(row.values[each.name] for each in factors): k for k, row in enumerate(study.rows)}
         points = list(product(*levels))
         if not factors or len(points) != len(study.rows) or any(point not in places for point in points):

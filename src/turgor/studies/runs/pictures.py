@@ -13,18 +13,13 @@ from turgor.studies.runs.study import Study
 from turgor.units import unit_value
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import plot_response
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.studies.effects import plot_effects, shades
 from turgor.views.plots.studies.heat_map import plot_heat_map
 from turgor.views.plots.studies.parallel import Coordinate, plot_parallel
 from turgor.views.plots.styling import INK
 
 At = tuple[str, float] | None
-
-#: Size of a panel [inch], and the most panels of one row.
-WIDTH, HEIGHT, MOST_IN_ROW = 4.4, 3.5, 3
-
-#: Most lines of a panel, and most panels, of small multiples.
-MOST_LINES, MOST_PANELS = 8, 9
 
 
 def study_picture(study: Study, measure: str, at: At = None) -> PlotFigure:
@@ -56,7 +51,7 @@ def study_picture(study: Study, measure: str, at: At = None) -> PlotFigure:
         return curves_picture(study, measure, at)
     if len(grid.factors) == 2:
         return map_picture(study, measure, at)
-    few = len(grid.factors) == 3 and len(grid.levels[2]) <= MOST_PANELS and len(grid.levels[1]) <= MOST_LINES
+    few = len(grid.factors) == 3 and max(len(grid.levels[2]), len(grid.levels[1])) <= PLOT.levels
     return multiples_picture(study, measure, at) if few else parallel_picture(study, measure, at)
 
 
@@ -78,7 +73,7 @@ def curves_picture(study: Study, measure: str, at: At = None) -> PlotFigure:
         If more than one factor varies.
     """
     grid = _grid(study, 1)
-    figure = PlotFigure(figsize=(2 * WIDTH, HEIGHT))
+    figure = PlotFigure(figsize=(2 * PLOT.panel_width, PLOT.panel_height))
     left, right = figure.subplots(1, 2)
     values, errors = _read(study, measure, at)
     for color, row, level in zip(shades(grid.rows.size), grid.rows, grid.levels[0], strict=True):
@@ -116,13 +111,13 @@ def map_picture(study: Study, measure: str, at: At = None) -> PlotFigure:
         If the rows are no full grid of two factors.
     """
     grid = _grid(study, 2)
-    figure = PlotFigure(figsize=(2.15 * WIDTH, HEIGHT))
+    figure = PlotFigure(figsize=(2.15 * PLOT.panel_width, PLOT.panel_height))
     left, right = figure.subplots(1, 2)
     values, errors = _read(study, measure, at)
     first, second = grid.factors
     effects = [
         grid.effect(values, errors, 0, (k,), second.shown(level)) for k, level in enumerate(grid.levels[1])
-    ][:: max(1, -(-len(grid.levels[1]) // MOST_LINES))]  # fmt: skip
+    ][:: max(1, -(-len(grid.levels[1]) // PLOT.levels))]  # fmt: skip
     label = _label(study, measure, at)
     plot_effects(left, grid.ticks(0), effects, _axis(study, first), label)
     left.legend(frameon=False, labelcolor=INK, fontsize=8, title=_name(study, second), title_fontsize=8)
@@ -151,8 +146,8 @@ def multiples_picture(study: Study, measure: str, at: At = None) -> PlotFigure:
     """
     grid = _grid(study, 3)
     panels = len(grid.levels[2])
-    columns = min(panels, MOST_IN_ROW)
-    figure = PlotFigure(figsize=(0.82 * WIDTH * columns, 0.92 * HEIGHT * -(-panels // columns)))
+    columns = min(panels, PLOT.columns)
+    figure = PlotFigure(figsize=(0.82 * PLOT.panel_width * columns, 0.92 * PLOT.panel_height * -(-panels // columns)))
     every = figure.subplots(-(-panels // columns), columns, squeeze=False, sharex=True, sharey=True).ravel()
     values, errors = _read(study, measure, at)
     first, second, third = grid.factors
@@ -194,7 +189,9 @@ def parallel_picture(study: Study, measure: str, at: At = None) -> PlotFigure:
             scaled = [x if isinstance(x, str) else x / unit_value(each.unit) for x in given]
             coordinates.append(Coordinate(label=_axis(study, each), values=scaled))
     coordinates.append(Coordinate(label=_label(study, measure, at), values=values.tolist()))
-    figure = PlotFigure(figsize=(max(1.7 * len(coordinates) + 1.0, 2 * WIDTH * 0.9), HEIGHT * 1.15))
+    figure = PlotFigure(
+        figsize=(max(1.7 * len(coordinates) + 1.0, 2 * PLOT.panel_width * 0.9), PLOT.panel_height * 1.15)
+    )
     plot_parallel(figure.subplots(), coordinates)
     return figure
 
@@ -243,8 +240,8 @@ def hidden_by_mesh(study: Study, measure: str, at: At = None) -> tuple[str, ...]
 def _grid(study: Study, count: int) -> Grid:
     grid = Grid.of(study)
     if grid is None or len(grid.factors) != count:
-        found = "no full grid" if grid is None else f"a grid of {len(grid.factors)}"
-        raise TurgorError(f"this picture needs all combinations of {count} factors; the study has {found}.")
+        given = "no full grid" if grid is None else f"a grid of {len(grid.factors)}"
+        raise TurgorError(f"this picture needs all combinations of {count} factors; the study has {given}.")
     return grid
 
 

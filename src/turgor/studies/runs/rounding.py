@@ -1,8 +1,6 @@
 """Rounding of the values that functions are called with."""
 
-#: Digits of the values that functions are called with: the last ones of a float may differ from machine to machine,
-#: and a run is found again by its values.
-DIGITS = 9
+from turgor.studies.runs.settings import RUNS
 
 
 def rounded(value: float) -> float:
@@ -21,7 +19,7 @@ def rounded(value: float) -> float:
     >>> rounded(0.1 + 0.2)
     0.3
     """
-    return float(f"{value:.{DIGITS}g}")
+    return float(f"{value:.{RUNS.digits}g}")
 
 
 def percent(share: float) -> str:

@@ -11,9 +11,7 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
 from turgor.foundation.store.codec import Encoder
 from turgor.studies.runs.executors.code import code_digest
-
-#: Letters of the hash in a file's name.
-KEY_LETTERS = 10
+from turgor.studies.runs.settings import RUNS
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -110,7 +108,7 @@ class Run:
             parts.append(self.code)
         if self.design is not None:
             parts.append(self.written_design)
-        return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:KEY_LETTERS]
+        return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[: RUNS.letters]
 
     @property
     def written_design(self) -> Any:

@@ -41,13 +41,13 @@ def with_slopes(response: Response, slopes: Mapping[str, Mapping[str, ArrayLike]
     for measure, by in slopes.items():
         for factor, given in by.items():
             values = np.full(len(response), np.nan)
-            found = np.asarray(given, dtype=np.float64)
-            if found.shape not in ((), (len(response),)):
+            table = np.asarray(given, dtype=np.float64)
+            if table.shape not in ((), (len(response),)):
                 raise TurgorError(
-                    f"slopes of '{measure}' by '{factor}' have the shape {found.shape}; give one number, or "
+                    f"slopes of '{measure}' by '{factor}' have the shape {table.shape}; give one number, or "
                     f"{len(response)}, one for each state."
                 )
-            values[-1 if found.ndim == 0 else slice(None)] = found
+            values[-1 if table.ndim == 0 else slice(None)] = table
             columns.append(Column(slope_name(measure, factor), "", values))
     return replace(response, columns=tuple(columns))
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import COLUMN_UNITS, MESH_ERROR, Response
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.foundation.source import Source
 from turgor.studies.runs.designs import design_table
 from turgor.studies.runs.executors.run_outcome import Ended
@@ -19,8 +20,6 @@ from turgor.studies.runs.optional_parts import needed
 
 Array = NDArray[np.float64]
 
-#: Relative difference up to which the end of a path is the requested value.
-SAME = 1e-9
 
 #: Status of a row whose run gave no response.
 FAILED = "failed"
@@ -105,8 +104,8 @@ class Study:
     @property
     def measures(self) -> tuple[str, ...]:
         """Names of the columns that any response has, those of mesh errors left out."""
-        found = [each.name for row in self.rows if row.response is not None for each in row.response.quantities]
-        return tuple(dict.fromkeys(found))
+        names = [each.name for row in self.rows if row.response is not None for each in row.response.quantities]
+        return tuple(dict.fromkeys(names))
 
     def factor(self, name: str) -> Factor:
         """Return a factor; an unknown name fails with the near match."""
@@ -166,17 +165,17 @@ class Study:
             Values of the factors; ``status``, ``problem`` and ``cpu_seconds``; then each measure, with its mesh error
             behind it where any row has one.
         """
-        found: dict[str, Cells] = {**design_table(self.factors, [row.values for row in self.rows])}
-        found["status"] = [row.status for row in self.rows]
-        found["problem"] = [row.problem for row in self.rows]
-        found["cpu_seconds"] = [row.seconds for row in self.rows]
+        cells: dict[str, Cells] = {**design_table(self.factors, [row.values for row in self.rows])}
+        cells["status"] = [row.status for row in self.rows]
+        cells["problem"] = [row.problem for row in self.rows]
+        cells["cpu_seconds"] = [row.seconds for row in self.rows]
         for name in measures or self.measures:
             unit = self.unit(name)
-            found[header(name, unit)] = (self.column(name, at) / COLUMN_UNITS[unit]).tolist()
+            cells[header(name, unit)] = (self.column(name, at) / COLUMN_UNITS[unit]).tolist()
             errors = self.mesh_error(name, at) / COLUMN_UNITS[unit]
             if np.isfinite(errors).any():
-                found[header(name + MESH_ERROR, unit)] = errors.tolist()
-        return found
+                cells[header(name + MESH_ERROR, unit)] = errors.tolist()
+        return cells
 
     def to_csv(self, path: str | Path, measures: Sequence[str] = (), at: tuple[str, float] | None = None) -> None:
         """Write `table` as CSV; `turgor.studies.load_study` reads it."""
@@ -245,7 +244,7 @@ def place_on(drive: Array, value: float) -> tuple[int, float] | None:
         drive, value = -drive, -value
     falls = np.flatnonzero(np.diff(drive) <= 0)
     way = drive[: int(falls[0]) + 1] if len(falls) else drive
-    same = np.flatnonzero(np.isclose(way, value, rtol=SAME, atol=0.0))
+    same = np.flatnonzero(np.isclose(way, value, rtol=ROUND_OFF.same, atol=0.0))
     if len(same):
         return int(same[0]), 0.0
     if not way[0] < value < way[-1]:

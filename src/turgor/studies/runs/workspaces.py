@@ -86,9 +86,9 @@ class WorkspaceRuns:
             names = list(self.pressures[0])
             table.writerow([*(f"{name} (kPa)" for name in names), *(f"{name} (mm)" for name in COLUMNS), "problem"])
             for values, each in zip(self.pressures, self.ended, strict=True):
-                found = None if each.found is None else each.found.response
-                tip = ["" if found is None else f"{found[name][-1] / mm:.6g}" for name in COLUMNS]
-                problem = each.problem if found is None else found.message
+                response = None if each.found is None else each.found.response
+                tip = ["" if response is None else f"{response[name][-1] / mm:.6g}" for name in COLUMNS]
+                problem = each.problem if response is None else response.message
                 table.writerow([*(f"{values[name] / kPa:.6g}" for name in names), *tip, problem])
 
 

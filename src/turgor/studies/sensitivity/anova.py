@@ -13,12 +13,10 @@ from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column
 from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.runs.rounding import percent
+from turgor.studies.runs.settings import RUNS
 from turgor.studies.runs.study import Study
 
 Array = NDArray[np.float64]
-
-#: Levels beyond which values are those of a sample, not of a factorial.
-MOST_LEVELS = 12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -201,7 +199,7 @@ def is_factorial(study: Study) -> bool:
     rows = [row.values for row in study.rows]
     counts = [len({row[each.name] for row in rows}) for each in study.factors]
     designs = {tuple(row[each.name] for each in study.factors) for row in rows}
-    return max(counts) <= MOST_LEVELS and len(designs) == prod(counts)
+    return max(counts) <= RUNS.most_levels and len(designs) == prod(counts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,10 +214,10 @@ class _Error:
 def _codes(factor: Factor, rows: Sequence[Mapping[str, Value]]) -> Array:
     """Deviations from the mean of the levels, (rows, levels - 1)."""
     levels = _levels(factor, rows)
-    if len(levels) > MOST_LEVELS:
+    if len(levels) > RUNS.most_levels:
         raise TurgorError(
             f"'{factor.name}' has {len(levels)} values; an analysis of variance takes a factorial of up to "
-            f"{MOST_LEVELS} levels. For samples fit a surrogate and ask for its Sobol indices."
+            f"{RUNS.most_levels} levels. For samples fit a surrogate and ask for its Sobol indices."
         )
     table = np.zeros((len(rows), len(levels) - 1))
     for number, row in enumerate(rows):
@@ -229,10 +227,10 @@ def _codes(factor: Factor, rows: Sequence[Mapping[str, Value]]) -> Array:
 
 
 def _levels(factor: Factor, rows: Sequence[Mapping[str, Value]]) -> list[Value]:
-    found = {row[factor.name] for row in rows}
+    values = {row[factor.name] for row in rows}
     if factor.is_choice:
-        return [level for level in factor.levels if level in found]
-    return sorted(found, key=float)
+        return [level for level in factor.levels if level in values]
+    return sorted(values, key=float)
 
 
 def _divided(
@@ -266,8 +264,8 @@ def _matrix(parts: Sequence[Array], rows: int) -> Array:
 
 def _left(matrix: Array, y: Array) -> float:
     """Sum of squares that a linear model leaves."""
-    found = np.linalg.lstsq(matrix, y, rcond=None)[0]
-    return float(((y - matrix @ found) ** 2).sum())
+    coefficients = np.linalg.lstsq(matrix, y, rcond=None)[0]
+    return float(((y - matrix @ coefficients) ** 2).sum())
 
 
 def _error_term(mesh: Array, rows: Sequence[Mapping[str, Value]], names: Sequence[str], y: Array) -> "_Error | None":
@@ -293,7 +291,7 @@ def _term(names: tuple[str, ...], squares: float, freedom: int, total: float, er
 
 
 def _means(codes: Array, factor: Factor, rows: Sequence[Mapping[str, Value]], y: Array) -> dict[Value, float]:
-    found = {}
+    means = {}
     for level in _levels(factor, rows):
-        found[level] = float(np.mean([value for row, value in zip(rows, y, strict=True) if row[factor.name] == level]))
-    return found
+        means[level] = float(np.mean([value for row, value in zip(rows, y, strict=True) if row[factor.name] == level]))
+    return means

@@ -12,13 +12,14 @@ from turgor.foundation.response import Column
 from turgor.studies.runs.factor import Value
 from turgor.studies.runs.optional_parts import needed
 from turgor.studies.runs.rounding import percent
+from turgor.studies.runs.settings import LEVEL
 from turgor.studies.sensitivity.predictors import Predictor, Problem, problem_of
 from turgor.studies.uncertainty.spread import Spread
 
 Array = NDArray[np.float64]
 
-#: Resamples behind the intervals, and their level.
-RESAMPLES, LEVEL = 200, 0.95
+#: Resamples behind the intervals: SALib's own number is half of it.
+RESAMPLES = 200
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -198,13 +199,13 @@ def _indices(problem: Problem, name: str, values: Array, seed: int) -> Indices:
     """Divide the variance of a measure at the points of a sample."""
     _check_varies(name, values)
     analyzed: Any = needed("SALib.analyze.sobol", "a sensitivity")
-    found = analyzed.analyze(
+    sobol = analyzed.analyze(
         problem.salib, values, calc_second_order=False, num_resamples=RESAMPLES, conf_level=LEVEL, seed=seed
     )
     return Indices(
-        measure=name, unit=problem.predictor.units[name], factors=tuple(problem.names), first=np.asarray(found["S1"]),
-        total=np.asarray(found["ST"]), first_error=np.asarray(found["S1_conf"]),
-        total_error=np.asarray(found["ST_conf"]), deviation=float(values.std()),
+        measure=name, unit=problem.predictor.units[name], factors=tuple(problem.names), first=np.asarray(sobol["S1"]),
+        total=np.asarray(sobol["ST"]), first_error=np.asarray(sobol["S1_conf"]),
+        total_error=np.asarray(sobol["ST_conf"]), deviation=float(values.std()),
         unexplained=_unexplained(problem, name), fixed=problem.fixed,
         count=len(values),
         normal=tuple(each.name for each in problem.spreads),
@@ -250,20 +251,20 @@ def screening(
     sample = needed("SALib.sample.morris", "a sensitivity").sample(problem.salib, trajectories, num_levels=4, seed=seed)
     values, units = problem.values(sample), predictor.units
     analyzed: Any = needed("SALib.analyze.morris", "a sensitivity")
-    found = []
+    screenings = []
     for name in names:
         column = values[:, predictor.measures.index(name)]
         analysis = analyzed.analyze(
             problem.salib, sample, column, num_levels=4, num_resamples=RESAMPLES, conf_level=LEVEL, seed=seed
         )
-        found.append(
+        screenings.append(
             Screening(
                 measure=name, unit=units[name], factors=tuple(problem.names), size=np.asarray(analysis["mu_star"]),
                 size_error=np.asarray(analysis["mu_star_conf"]), spread=np.asarray(analysis["sigma"]),
                 count=len(sample),
             )
         )  # fmt: skip
-    return tuple(found)
+    return tuple(screenings)
 
 
 def _names(predictor: Predictor, measures: Sequence[str] | None) -> tuple[str, ...]:

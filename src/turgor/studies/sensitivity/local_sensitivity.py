@@ -144,7 +144,7 @@ def local_sensitivities(
     for each in tolerances:
         designs += [nominal | {each.name: each.nominal + sign * each.off} for sign in (1, -1)]
     study = _study(function, tolerances, designs, evaluations or Evaluations())
-    found = []
+    sensitivities = []
     for name in measures:
         values = study.column(name, at)
         _check(study, values)
@@ -157,8 +157,8 @@ def local_sensitivities(
                     derivative=float(above + below) / (2 * each.off), error=abs(float(above - below)) / (2 * each.off),
                 )
             )  # fmt: skip
-        found += sorted(lines, key=lambda each: -abs(each.change))
-    return tuple(found)
+        sensitivities += sorted(lines, key=lambda each: -abs(each.change))
+    return tuple(sensitivities)
 
 
 def sensitivities_of(
@@ -187,17 +187,17 @@ def sensitivities_of(
     TurgorError
         If a derivative is missing.
     """
-    found = []
+    sensitivities = []
     for each in tolerances:
         if each.name not in derivatives:
             raise unknown("derivative", each.name, derivatives)
-        found.append(
+        sensitivities.append(
             LocalSensitivity(
                 measure=measure, unit=unit, tolerance=each, value=value, derivative=derivatives[each.name],
                 error=float("nan"),
             )
         )  # fmt: skip
-    return tuple(sorted(found, key=lambda each: -abs(each.change)))
+    return tuple(sorted(sensitivities, key=lambda each: -abs(each.change)))
 
 
 def _study(

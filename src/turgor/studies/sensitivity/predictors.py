@@ -96,17 +96,17 @@ class Direct:
     def means(self, points: Array) -> Array:
         """Return the measures at points [SI]: (q, k) to (q, m); a run that fails is an error."""
         study = self.study(points)
-        found = np.stack([study.column(name, self.at) for name in self.measures], axis=1)
-        bad = np.flatnonzero(~np.isfinite(found).all(axis=1))
+        table = np.stack([study.column(name, self.at) for name in self.measures], axis=1)
+        bad = np.flatnonzero(~np.isfinite(table).all(axis=1))
         if len(bad):
             row = study.rows[int(bad[0])]
             why = row.problem or "its path does not reach the requested value."
             raise TurgorError(
-                f"{len(bad)} of {len(found)} runs give no value, such as that with {study.values_text(row.values)}: "
+                f"{len(bad)} of {len(table)} runs give no value, such as that with {study.values_text(row.values)}: "
                 f"{why} "
                 "Narrow the ranges, or fit a surrogate to the runs that end."
             )
-        return found
+        return table
 
     def error(self, name: str) -> None:
         """Return None: it is computed."""

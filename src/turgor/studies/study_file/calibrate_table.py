@@ -17,14 +17,12 @@ from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, read_table
 from turgor.studies.calibration.job_calibration import CalibrationPlan
 from turgor.studies.calibration.parameter import Parameter
+from turgor.studies.calibration.settings import CALIBRATION
 from turgor.studies.runs.jobs.job_numbers import JobNumber, mean_and_deviation, read_number, shared_number
 from turgor.studies.study_file.job_base import JobBase
 
 #: The table of a calibration.
 CALIBRATE = ("calibrate",)
-
-#: Steps of the finite differences: of numbers that change the mesh, and of others.
-MESHED_STEP, STEP = 0.03, 0.01
 
 
 class CalibrateTable(Table):
@@ -90,7 +88,7 @@ def read_calibrate(
         problems.add((*CALIBRATE, "experiments"), "nothing is fitted; name a table of a laboratory, or several.")
     lists = {key: [problems.attempt((*CALIBRATE, key), partial(_measured, folder / name, table)) for name in names]
              for key, names in (("experiments", table.experiments), ("hold_out", table.hold_out))}  # fmt: skip
-    measured = [each for found in lists.values() for each in found if each is not None]
+    measured = [each for several in lists.values() for each in several if each is not None]
     spreads = problems.attempt((*CALIBRATE, "spread"), partial(_spreads, table.spread, measured))
     if problems.found or spreads is None:
         return None
@@ -130,9 +128,10 @@ def parameter_of(key: str, given: Any, numbers: Mapping[str, JobNumber]) -> Para
         raise TurgorError("a parameter has both ends, low and high, or neither.")
     values = {end: read_number(str(given[end]), number, end) for end in ("start", "low", "high") if end in given}
     prior = mean_and_deviation(str(given["prior"]), number, "prior") if "prior" in given else None
+    step = CALIBRATION.meshed_step if name.startswith("actuator.") else CALIBRATION.step
     return Parameter(
         name=name, start=values.get("start", number.value), lower=values.get("low"), upper=values.get("high"),
-        prior=prior, unit=number.unit, step=MESHED_STEP if name.startswith("actuator.") else STEP,
+        prior=prior, unit=number.unit, step=step,
     )  # fmt: skip
 
 
@@ -143,7 +142,7 @@ def _measured(file: Path, table: CalibrateTable) -> Response:
 
 def _spreads(texts: Sequence[str], measured: Sequence[Response]) -> list[float | None]:
     """Read standard deviations; each is that of the experiments with a column in its unit."""
-    found: list[float | None] = [None] * len(measured)
+    spreads: list[float | None] = [None] * len(measured)
     for text in texts:
         number, _, unit = text.strip().partition(" ")
         fitting = [n for n, each in enumerate(measured) if any(unit and unit in c.units for c in each.columns)]
@@ -155,5 +154,5 @@ def _spreads(texts: Sequence[str], measured: Sequence[Response]) -> list[float |
             units = ", ".join(sorted({c.unit for each in measured for c in each.columns if c.unit}))
             raise TurgorError(f"'{text}' is no spread; write a number and a unit of the experiments ({units}).")
         for n in fitting:
-            found[n] = value
-    return found
+            spreads[n] = value
+    return spreads

@@ -1,13 +1,11 @@
 """``[[optimize.targets]]`` and the other goals of a study file."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from turgor.foundation.errors import TurgorError
 from turgor.studies.optimization.goals import (
-    LIMIT_TOLERANCE,
-    PATH_TOLERANCE,
-    TARGET_TOLERANCE,
     Goal,
     Limit,
     Maximize,
@@ -65,15 +63,14 @@ def read_goal(kind: str, table: Table) -> Goal:
     if "measure" not in table:
         raise TurgorError("'measure' is missing; name one, such as measure = \"bending_angle\".")
     name, scale = str(table["measure"]), numbers.get("scale")
+    tolerance = {"tolerance": numbers["tolerance"]} if "tolerance" in numbers else {}
     if kind == "limits":
-        tolerance = numbers.get("tolerance", LIMIT_TOLERANCE)
         unit = unit_in(table.get("most", table.get("least")))
         ends = numbers.get("most"), numbers.get("least")
-        return Limit(name, most=ends[0], least=ends[1], at=at, scale=scale, tolerance=tolerance, unit=unit)
+        return Limit(name, most=ends[0], least=ends[1], at=at, scale=scale, unit=unit, **tolerance)
     if "value" not in numbers:
         raise TurgorError("'value' is missing; write the target with its unit, such as \"60 deg\".")
-    tolerance = numbers.get("tolerance", TARGET_TOLERANCE)
-    return Target(name, numbers["value"], at=at, scale=scale, tolerance=tolerance, unit=unit_in(table["value"]))
+    return Target(name, numbers["value"], at=at, scale=scale, unit=unit_in(table["value"]), **tolerance)
 
 
 #: Keys of goals that hold numbers.
@@ -94,8 +91,8 @@ def _path(table: Table) -> TipPath:
         raise TurgorError(f"x has {len(lists['x'])} numbers and z {len(lists['z'])}; give as many of both.")
     points = list(zip(lists["x"], lists["z"], strict=True))
     at = ("pressure", lists["pressure"]) if "pressure" in lists else None
-    tolerance = number_in(table["tolerance"], "tolerance") if "tolerance" in table else PATH_TOLERANCE
-    return TipPath(points, at=at, tolerance=tolerance)
+    path = TipPath(points, at=at)
+    return replace(path, tolerance=number_in(table["tolerance"], "tolerance")) if "tolerance" in table else path
 
 
 def _at(given: Any) -> At:

@@ -76,7 +76,7 @@ def read_optimize(
 
 
 def _goals(given: Table, problems: Problems) -> tuple[Goal, ...]:
-    found: list[Goal] = []
+    goals: list[Goal] = []
     for kind in GOAL_KEYS:
         tables = given.get(kind, [])
         if not isinstance(tables, list) or not all(isinstance(each, Mapping) for each in tables):
@@ -84,8 +84,8 @@ def _goals(given: Table, problems: Problems) -> tuple[Goal, ...]:
             continue
         for number, table in enumerate(tables, start=1):
             goal = problems.attempt((*OPTIMIZE, kind, str(number)), partial(read_goal, kind, table))
-            found += [] if goal is None else [goal]
-    return tuple(found)
+            goals += [] if goal is None else [goal]
+    return tuple(goals)
 
 
 def _search(given: Table) -> Search:

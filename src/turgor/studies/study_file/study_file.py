@@ -142,22 +142,22 @@ def _plans(content: Mapping[str, Any], base: JobBase, folder: Path, problems: Pr
     kinds = [kind] if kind else [each for each in KINDS if each in content]
     if not set(kinds) & {"sweep", *SEARCHES}:
         kinds = ["sweep", *kinds]
-    found: dict[str, Any] = {}
+    plans: dict[str, Any] = {}
     for each in kinds:
         given = content.get(each, {})
         if each in ANALYSES:
             table = SensitivityTable if each == "sensitivity" else SurrogateTable
-            found[each] = read_table(table, given, (each,), problems)
+            plans[each] = read_table(table, given, (each,), problems)
         else:
-            found[each] = READERS[each](given, factors, base, folder, problems)
-    return found
+            plans[each] = READERS[each](given, factors, base, folder, problems)
+    return plans
 
 
 def _factors(given: Any, problems: Problems) -> dict[tuple[str, ...], Any]:
     if not isinstance(given, Mapping):
         problems.add(("factors",), f"{given!r} is not a table; write [factors] and its keys below it.")
         return {}
-    found = dict(flat_keys(given))
-    for place, value in found.items():
+    factors = dict(flat_keys(given))
+    for place, value in factors.items():
         problems.attempt(("factors", *place), partial(check_factor, value))
-    return found
+    return factors

@@ -111,8 +111,8 @@ def read_sweep(
 
 def read_measures(given: Sequence[str] | None, key: tuple[str, ...], problems: Problems) -> tuple[str, ...]:
     """Return the names of measures of a table; none if it names none."""
-    found = [problems.attempt((*key, "measures"), partial(_measure, each)) for each in given or ()]
-    return tuple(each for each in found if each is not None)
+    measures = [problems.attempt((*key, "measures"), partial(_measure, each)) for each in given or ()]
+    return tuple(each for each in measures if each is not None)
 
 
 def read_at(

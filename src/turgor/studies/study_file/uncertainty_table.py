@@ -73,21 +73,21 @@ def read_uncertainty(
     table: UncertaintyTable | None = read_table(UncertaintyTable, given, UNCERTAINTY, problems)
     if table is None:
         return None
-    found: list[Input | None] = []
+    entries: list[Input | None] = []
     for place, value in factors.items():
         if isinstance(value, Mapping) and "spread" in value:
-            found.append(problems.attempt(("factors", *place), partial(_spread, ".".join(place), value, base)))
+            entries.append(problems.attempt(("factors", *place), partial(_spread, ".".join(place), value, base)))
     for label, file in table.sets.items():
-        found.append(
+        entries.append(
             problems.attempt((*UNCERTAINTY, "sets", label), partial(read_set, label, folder / file, base.numbers))
         )
     for keys, label in table.records.items():
         listed = partial(read_records, keys, label, base.job, leave_out_doubtful=table.leave_out_doubtful)
-        found.append(problems.attempt((*UNCERTAINTY, "records"), listed))
+        entries.append(problems.attempt((*UNCERTAINTY, "records"), listed))
     at = None
     if table.at is not None:
         at = problems.attempt(UNCERTAINTY, partial(read_number, table.at, PRESSURE, "at"))
-    inputs = tuple(each for each in found if each is not None)
+    inputs = tuple(each for each in entries if each is not None)
     problems.attempt((*UNCERTAINTY, "records"), partial(check_records, inputs))
     if problems.found:
         return None

@@ -8,11 +8,9 @@ from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError
 from turgor.studies.runs.factor import Factor
+from turgor.studies.runs.settings import RUNS
 
 Array = NDArray[np.float64]
-
-#: Levels of a choice: each takes an input of its own, and rows to learn it from.
-MOST_LEVELS = 10
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,27 +47,27 @@ class Coding:
 
     def inputs(self, points: Array) -> Array:
         """Return the inputs at points, (..., k) to (..., w)."""
-        found = np.empty((*points.shape[:-1], self.width))
+        table = np.empty((*points.shape[:-1], self.width))
         for n, each in enumerate(self.factors):
             values = points[..., n, None]
             if each.is_choice:
-                found[..., self.columns(n)] = values == np.arange(len(each.levels))
+                table[..., self.columns(n)] = values == np.arange(len(each.levels))
             else:
                 low, high = each.bounds
-                found[..., self.columns(n)] = (values - low) / (high - low if high > low else 1.0)
-        return found
+                table[..., self.columns(n)] = (values - low) / (high - low if high > low else 1.0)
+        return table
 
     def points(self, inputs: Array) -> Array:
         """Return the points of inputs, (..., w) to (..., k)."""
-        found = np.empty((*inputs.shape[:-1], len(self.factors)))
+        table = np.empty((*inputs.shape[:-1], len(self.factors)))
         for n, each in enumerate(self.factors):
             given = inputs[..., self.columns(n)]
             if each.is_choice:
-                found[..., n] = given.argmax(axis=-1)
+                table[..., n] = given.argmax(axis=-1)
             else:
                 low, high = each.bounds
-                found[..., n] = low + given[..., 0] * (high - low)
-        return found
+                table[..., n] = low + given[..., 0] * (high - low)
+        return table
 
 
 def check_levels(factors: Sequence[Factor]) -> None:
@@ -80,8 +78,8 @@ def check_levels(factors: Sequence[Factor]) -> None:
     factors : sequence of Factor
     """
     for each in factors:
-        if each.is_choice and len(each.levels) > MOST_LEVELS:
+        if each.is_choice and len(each.levels) > RUNS.most_levels:
             raise TurgorError(
-                f"the factor '{each.name}' is a choice of {len(each.levels)}; a surrogate takes up to {MOST_LEVELS}. "
-                "Fit one surrogate to the rows of each choice."
+                f"the factor '{each.name}' is a choice of {len(each.levels)}; a surrogate takes up to "
+                f"{RUNS.most_levels}. Fit one surrogate to the rows of each choice."
             )

@@ -5,14 +5,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from turgor.foundation.response import Column
-from turgor.studies.surrogates.held_out import INTERVALS
+from turgor.studies.runs.settings import HALF_WIDTH
 from turgor.studies.surrogates.surrogate import Surrogate
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import BLUE, COLORS
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
-
-#: Side of a panel [inch], panels of one row, and points with bars beyond which bars are left out.
-PANEL, MOST_COLUMNS, MOST_BARS = 3.6, 3, 400
 
 
 def surrogate_figure(surrogate: Surrogate, measures: Sequence[str] = ()) -> PlotFigure:
@@ -29,15 +27,15 @@ def surrogate_figure(surrogate: Surrogate, measures: Sequence[str] = ()) -> Plot
     matplotlib.figure.Figure
     """
     shown = [surrogate.error(name) for name in measures or surrogate.measures]
-    columns = min(len(shown), MOST_COLUMNS)
+    columns = min(len(shown), PLOT.columns)
     rows = -(-len(shown) // columns)
-    figure = PlotFigure(figsize=(PANEL * columns + 0.3, PANEL * rows))
+    figure = PlotFigure(figsize=(3.6 * columns + 0.3, 3.6 * rows))
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes, each in zip(grid, shown, strict=False):
         computed, predicted, deviation = (
             Column(each.name, each.unit, values).in_unit for values in (each.computed, each.predicted, each.deviation)
         )
-        half = INTERVALS[1][1] * deviation
+        half = HALF_WIDTH * deviation
         outside = np.abs(computed - predicted) > half
         ends = [float(min(computed.min(), predicted.min())), float(max(computed.max(), predicted.max()))]
         axes.plot(ends, ends, color=QUIET, lw=1)
@@ -45,7 +43,7 @@ def surrogate_figure(surrogate: Surrogate, measures: Sequence[str] = ()) -> Plot
             if not among.any():
                 continue
             name = f"{label}: {int(among.sum())}"
-            if len(computed) > MOST_BARS:
+            if len(computed) > PLOT.marks:
                 axes.plot(computed[among], predicted[among], ".", ms=3, color=color, label=name)
                 continue
             axes.errorbar(

@@ -9,17 +9,9 @@ from numpy.typing import NDArray
 
 from turgor.studies.runs.optional_parts import needed
 from turgor.studies.surrogates.gaussian_process import GaussianProcess, conditioned, scaling
+from turgor.studies.surrogates.settings import SURROGATE
 
 Array = NDArray[np.float64]
-
-#: Bounds of a, of ℓ as a share of the range, and of the variance of the scatter, in units of the outputs' deviation.
-AMPLITUDE, LENGTHS, SCATTER = (1e-2, 1e3), (0.03, 100.0), (1e-10, 1.0)
-
-#: Starts of the search for a kernel.
-STARTS = 3
-
-#: Points from which a kernel is searched at most; its time grows with their cube. All points condition the process.
-MOST_SEARCHED = 400
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -42,9 +34,9 @@ class GaussianProcessTrainer:
         center, scale = scaling(targets)
         scaled, deviation = (targets - center) / scale, noise / scale
         some = np.arange(len(inputs))
-        if len(inputs) > MOST_SEARCHED:
-            some = np.random.default_rng(0).choice(some, MOST_SEARCHED, replace=False)
-        found = [
+        if len(inputs) > SURROGATE.kernel_points:
+            some = np.random.default_rng(0).choice(some, SURROGATE.kernel_points, replace=False)
+        kernels = [
             _best(self._candidates(n, inputs[some], scaled[some, n], deviation[some, n]))
             for n in range(targets.shape[1])
         ]
@@ -52,10 +44,10 @@ class GaussianProcessTrainer:
             inputs,
             targets,
             noise,
-            amplitude=np.array([each.amplitude for each in found]),
-            lengths=np.array([each.lengths for each in found]),
-            smooth=np.array([each.smooth for each in found]),
-            scatter=np.array([each.scatter for each in found]),
+            amplitude=np.array([each.amplitude for each in kernels]),
+            lengths=np.array([each.lengths for each in kernels]),
+            smooth=np.array([each.smooth for each in kernels]),
+            scatter=np.array([each.scatter for each in kernels]),
         )
 
     def from_there(self, fitted: GaussianProcess) -> "GaussianProcessTrainer":
@@ -74,7 +66,7 @@ class GaussianProcessTrainer:
             _Kernel(smooth=smooth, amplitude=1.0, lengths=np.ones(inputs.shape[1]), scatter=1e-2, likelihood=0.0)
             for smooth in (False, True)
         ]
-        return [_searched(start, inputs, targets, noise, starts=STARTS) for start in starts]
+        return [_searched(start, inputs, targets, noise, starts=SURROGATE.kernel_starts) for start in starts]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -93,11 +85,13 @@ def _best(kernels: list[_Kernel]) -> _Kernel:
 def _searched(start: _Kernel, inputs: Array, targets: Array, noise: Array, *, starts: int) -> _Kernel:
     process: Any = needed("sklearn.gaussian_process", "training a surrogate")
     kernels: Any = needed("sklearn.gaussian_process.kernels", "training a surrogate")
-    lengths = np.clip(start.lengths, *LENGTHS)
-    shape = kernels.RBF(lengths, LENGTHS) if start.smooth else kernels.Matern(lengths, LENGTHS, nu=2.5)
-    low, high = AMPLITUDE
+    lengths = np.clip(start.lengths, *SURROGATE.lengths)
+    shape = (
+        kernels.RBF(lengths, SURROGATE.lengths) if start.smooth else kernels.Matern(lengths, SURROGATE.lengths, nu=2.5)
+    )
+    low, high = SURROGATE.amplitude
     scattered = kernels.ConstantKernel(np.clip(start.amplitude, low, high) ** 2, (low**2, high**2)) * shape
-    scattered += kernels.WhiteKernel(np.clip(start.scatter**2, *SCATTER), SCATTER)
+    scattered += kernels.WhiteKernel(np.clip(start.scatter**2, *SURROGATE.scatter), SURROGATE.scatter)
     regressor = process.GaussianProcessRegressor(
         scattered, alpha=noise**2 + 1e-10, n_restarts_optimizer=starts - 1, random_state=0
     )
@@ -105,11 +99,11 @@ def _searched(start: _Kernel, inputs: Array, targets: Array, noise: Array, *, st
         # a length at its bound means an input without influence, which is no problem
         warnings.simplefilter("ignore")
         regressor.fit(inputs, targets)
-    found = regressor.kernel_
+    kernel = regressor.kernel_
     return _Kernel(
         smooth=start.smooth,
-        amplitude=float(np.sqrt(found.k1.k1.constant_value)),
-        lengths=np.atleast_1d(np.asarray(found.k1.k2.length_scale, dtype=np.float64)),
-        scatter=float(np.sqrt(found.k2.noise_level)),
+        amplitude=float(np.sqrt(kernel.k1.k1.constant_value)),
+        lengths=np.atleast_1d(np.asarray(kernel.k1.k2.length_scale, dtype=np.float64)),
+        scatter=float(np.sqrt(kernel.k2.noise_level)),
         likelihood=float(regressor.log_marginal_likelihood_value_),
     )

@@ -7,17 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.response import Column
+from turgor.studies.runs.settings import HALF_WIDTH, LEVEL
 from turgor.studies.surrogates.fit_gaussian_process import GaussianProcessTrainer
 from turgor.studies.surrogates.gaussian_process import GaussianProcess
+from turgor.studies.surrogates.settings import SURROGATE
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
-
-#: Half widths of the intervals that hold 68.27 % and 95 % of normal deviates, in standard deviations.
-INTERVALS = ((0.6827, 1.0), (0.95, 1.959964))
-
-#: Bounds of the factor of standard deviations: where a few rows are reproduced exactly it says nothing.
-FACTORS = (0.1, 1000.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -174,8 +170,8 @@ def factor_of(off: Array) -> float:
     -------
     float
     """
-    wide = float(np.quantile(off, INTERVALS[1][0])) / INTERVALS[1][1]
-    return float(np.clip(max(np.sqrt(np.mean(off**2)), wide), *FACTORS))
+    wide = float(np.quantile(off, LEVEL)) / HALF_WIDTH
+    return float(np.clip(max(np.sqrt(np.mean(off**2)), wide), *SURROGATE.factors))
 
 
 def _coverage(off: Array, parts: Whole) -> tuple[float, float]:
@@ -184,5 +180,5 @@ def _coverage(off: Array, parts: Whole) -> tuple[float, float]:
     for part in np.unique(parts):
         out = parts == part
         scaled[out] = off[out] / factor_of(off[~out])
-    near, wide = (float(np.mean(scaled <= half)) for _, half in INTERVALS)
+    near, wide = (float(np.mean(scaled <= half)) for half in (1.0, HALF_WIDTH))
     return near, wide

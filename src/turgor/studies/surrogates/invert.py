@@ -14,18 +14,10 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column
 from turgor.studies.runs.factor import Value
 from turgor.studies.runs.study import values_text
+from turgor.studies.surrogates.settings import SURROGATE
 from turgor.studies.surrogates.surrogate import Prediction, Surrogate
 
 Array = NDArray[np.float64]
-
-#: Points of the range that are tried (a power of two), and searches that start from the best of them.
-TRIED, STARTS = 512, 6
-
-#: Distance below which wanted outputs count as reached, as a share of the range of each.
-REACHED = 1e-4
-
-#: Combinations of choices that are searched one by one.
-MOST_COMBINATIONS = 100
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -117,11 +109,11 @@ def invert(
     fixed = fixed or {}
     ends = [(each, end) for each in _searches(surrogate, wanted, fixed, prefer or {}) for end in each.ends()]
     best = min(search.distance(end) for search, end in ends)
-    good = [(each, end) for each, end in ends if each.distance(end) <= max(REACHED, best * (1 + 1e-3))]
+    good = [(each, end) for each, end in ends if each.distance(end) <= max(SURROGATE.reached, best * (1 + 1e-3))]
     nearest = [(search, search.nearest(end)) for search, end in good]
     nearest.sort(key=lambda each: each[0].from_preferred(each[1]))
     search, share = nearest[0]
-    reached = search.distance(share) <= REACHED
+    reached = search.distance(share) <= SURROGATE.reached
     values = search.values(share)
     return Inverse(
         values=values,
@@ -139,13 +131,13 @@ def _others(nearest: "Sequence[tuple[_Search, Array]]") -> "list[tuple[_Search, 
 
     With fewer outputs than numbers, the solutions of one combination of choices are a continuum, of which one counts.
     """
-    found = [nearest[0]]
+    distinct = [nearest[0]]
     for search, share in nearest[1:]:
-        same = [other for each, other in found if each is search]
+        same = [other for each, other in distinct if each is search]
         isolated = len(search.outputs) >= len(search.free)
         if not same or (isolated and all(float(np.abs(share - other).max(initial=0.0)) > 0.02 for other in same)):
-            found.append((search, share))
-    return found[1:]
+            distinct.append((search, share))
+    return distinct[1:]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -206,18 +198,18 @@ class _Search:
         """Return where searches from the best points of the range end."""
         if not self.free:
             return [np.zeros(0)]
-        tried = qmc.Sobol(len(self.free), seed=0).random(TRIED)
-        points = np.tile(self.point, (TRIED, 1))
+        tried = qmc.Sobol(len(self.free), seed=0).random(SURROGATE.tried)
+        points = np.tile(self.point, (SURROGATE.tried, 1))
         points[:, self.columns] = tried
         off = (self.surrogate.model.mean(points)[:, self.outputs] - self.wanted) / self.scale
-        starts = [self.preferred, *_far_apart(tried, (off**2).sum(axis=1), STARTS)]
-        found = []
+        starts = [self.preferred, *_far_apart(tried, (off**2).sum(axis=1), SURROGATE.starts)]
+        ends = []
         for start in starts:
             # a start on a bound cannot move along it
             inner = np.clip(start, 1e-6, 1 - 1e-6)
             ended = least_squares(self.off, inner, self.slope, bounds=(0.0, 1.0), xtol=1e-12, ftol=1e-12, gtol=1e-12)
-            found.append(np.asarray(ended.x))
-        return found
+            ends.append(np.asarray(ended.x))
+        return ends
 
     def nearest(self, share: Array) -> Array:
         """Return the inputs nearest to the preferred ones that give the same outputs."""
@@ -234,7 +226,7 @@ class _Search:
             options={"ftol": 1e-12, "maxiter": 200},
         )
         at = np.clip(ended.x, 0.0, 1.0)
-        return at if float(np.abs(self.off(at) - same).max()) < REACHED / 2 else share
+        return at if float(np.abs(self.off(at) - same).max()) < SURROGATE.reached / 2 else share
 
     def values(self, share: Array) -> dict[str, Value]:
         """Return the factors [SI] at shares of the free ones."""
@@ -246,13 +238,13 @@ class _Search:
         slope = self.slope(share)
         spread = deviation[0][self.outputs] / self.scale
         back = np.linalg.pinv(slope, rcond=1e-9) * spread
-        found = {}
+        deviations = {}
         for n, place in enumerate(self.free):
             factor = self.surrogate.factors[place]
             low, high = factor.bounds
             size = float(np.sqrt((back[n] ** 2).sum()))
-            found[factor.name] = size * (high - low) if np.abs(slope[:, n]).max() > 1e-9 else float("inf")
-        return found
+            deviations[factor.name] = size * (high - low) if np.abs(slope[:, n]).max() > 1e-9 else float("inf")
+        return deviations
 
     def _whole(self, share: Array) -> Array:
         point = self.point.copy()
@@ -267,21 +259,21 @@ def _searches(
     _check(surrogate, wanted, (*fixed, *prefer))
     choices = [each for each in surrogate.factors if each.is_choice and each.name not in fixed]
     count = prod(len(each.levels) for each in choices)
-    if count > MOST_COMBINATIONS:
+    if count > SURROGATE.tried:
         raise TurgorError(
-            f"{count} combinations of choices are too many; up to {MOST_COMBINATIONS} are searched. Hold some."
+            f"{count} combinations of choices are too many; up to {SURROGATE.tried} are searched. Hold some."
         )
     free = [n for n, each in enumerate(surrogate.factors) if not each.is_choice and each.name not in fixed]
     if not free and not choices:
         names = ", ".join(each.name for each in surrogate.factors)
         raise TurgorError(f"all factors are fixed ({names}); there is nothing to search.")
     wished = {each.name: each.levels[int(each.number(prefer[each.name]))] for each in choices if each.name in prefer}
-    found = []
+    searches = []
     for levels in product(*(each.levels for each in choices)):
         chosen = {each.name: level for each, level in zip(choices, levels, strict=True)}
         apart = sum(chosen[name] != level for name, level in wished.items())
-        found.append(_search(surrogate, wanted, {**prefer, **fixed, **chosen}, free, apart))
-    return found
+        searches.append(_search(surrogate, wanted, {**prefer, **fixed, **chosen}, free, apart))
+    return searches
 
 
 def _check(surrogate: Surrogate, wanted: Mapping[str, float], given: Sequence[str]) -> None:
@@ -316,10 +308,10 @@ def _search(
 
 def _far_apart(points: Array, costs: Array, count: int) -> list[Array]:
     """The best points of which none lies near a better one."""
-    found: list[Array] = []
+    apart: list[Array] = []
     for n in np.argsort(costs):
-        if all(float(np.abs(points[n] - each).max()) > 0.15 for each in found):
-            found.append(points[n])
-        if len(found) == count:
+        if all(float(np.abs(points[n] - each).max()) > 0.15 for each in apart):
+            apart.append(points[n])
+        if len(apart) == count:
             break
-    return found
+    return apart

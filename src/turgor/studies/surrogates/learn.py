@@ -16,8 +16,8 @@ from turgor.studies.runs.study import Row, Study
 from turgor.studies.surrogates.coding import Coding, check_levels
 from turgor.studies.surrogates.fit import surrogate
 from turgor.studies.surrogates.next_design import next_design
+from turgor.studies.surrogates.settings import SURROGATE
 from turgor.studies.surrogates.surrogate import Surrogate
-from turgor.studies.surrogates.training import FEWEST
 
 #: Value of each factor.
 Design = Mapping[str, float | int | str]
@@ -60,8 +60,10 @@ class Goal:
             raise TurgorError("the goal names no measure.")
         if not self.error > 0:
             raise TurgorError(f"error is {self.error:g}; allowed is above 0.")
-        if self.runs < FEWEST or self.batch < 1:
-            raise TurgorError(f"runs is {self.runs} and batch is {self.batch}; allowed are {FEWEST} and 1 or more.")
+        if self.runs < SURROGATE.rows or self.batch < 1:
+            raise TurgorError(
+                f"runs is {self.runs} and batch is {self.batch}; allowed are {SURROGATE.rows} and 1 or more."
+            )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -127,7 +129,7 @@ def learn(
     computation = function if isinstance(function, Computation) else Computation(function=function)
     where = evaluations or Evaluations()
     check_levels(factors)
-    count = min(max(2 * Coding(factors=tuple(factors)).width + 2, FEWEST), goal.runs)
+    count = min(max(2 * Coding(factors=tuple(factors)).width + 2, SURROGATE.rows), goal.runs)
     points = qmc.Sobol(len(factors), seed=0).random(1 << (count - 1).bit_length())[:count]
     designs: list[Design] = [
         {each.name: each.at(float(u)) for each, u in zip(factors, point, strict=True)} for point in points
@@ -140,12 +142,12 @@ def learn(
         fitted = surrogate(study, goal.measures, at=goal.at, along=goal.along)
         errors.append((len(rows), max(each.share for each in fitted.held_out)))
         reached = errors[-1][1] <= goal.error
-        found = Learned(surrogate=fitted, study=study, errors=tuple(errors), reached=reached)
+        learned = Learned(surrogate=fitted, study=study, errors=tuple(errors), reached=reached)
         if progress is not None:
-            progress(found)
+            progress(learned)
         left = min(goal.batch, goal.runs - len(rows))
         if reached or left <= 0:
-            return found
+            return learned
         failed = [row.values for row in rows if row.response is None]
         designs = list(next_design(fitted, left, avoid=failed, seed=len(rows)))
 

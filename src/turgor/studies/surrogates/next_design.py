@@ -10,15 +10,10 @@ from scipy.stats import qmc
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.surrogates.coding import Coding
+from turgor.studies.surrogates.settings import SURROGATE
 from turgor.studies.surrogates.surrogate import Surrogate
 
 Array = NDArray[np.float64]
-
-#: Candidates (a power of two), and values of the drive at which each is looked at where the drive is an input.
-CANDIDATES, DRIVES = 256, 4
-
-#: Draws behind an expected improvement.
-DRAWS = 200
 
 
 def next_design(
@@ -58,22 +53,22 @@ def next_design(
     TurgorError
         If ``count`` is below 1 or a measure is unknown.
     """
-    if not 1 <= count <= CANDIDATES:
-        raise TurgorError(f"count is {count}; allowed is 1 to {CANDIDATES}.")
+    if not 1 <= count <= SURROGATE.tried:
+        raise TurgorError(f"count is {count}; allowed is 1 to {SURROGATE.tried}.")
     for name in target or {}:
         if name not in surrogate.measures:
             raise unknown("measure of the surrogate", name, surrogate.measures)
     candidates = _candidates(surrogate, avoid, seed)
     chosen = candidates.for_target(count, target) if target else candidates.to_learn(count)
     varied = [each for each in surrogate.factors if each.name != surrogate.along]
-    found = []
+    designs = []
     for number in chosen:
         design = surrogate.values_at(candidates.points[number * candidates.each])
         for each in varied:
             if each.whole:
                 design[each.name] = round(float(design[each.name]))
-        found.append({each.name: design[each.name] for each in varied})
-    return tuple(found)
+        designs.append({each.name: design[each.name] for each in varied})
+    return tuple(designs)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -126,10 +121,10 @@ class _Candidates:
         computed = np.stack([self.surrogate.held_out[n].computed for n in places], axis=1)
         best = float((((computed - wanted) / scale) ** 2).sum(axis=1).min())
         mean, deviation = self.surrogate.spreads(self.surrogate.coding.points(self.points))
-        draws = np.random.default_rng(0).standard_normal((DRAWS, 1, len(places)))
+        draws = np.random.default_rng(0).standard_normal((SURROGATE.tried, 1, len(places)))
         off = (mean[:, places] + draws * deviation[:, places] - wanted) / scale
-        distance = (off**2).sum(axis=2).reshape(DRAWS, self.count, self.each).min(axis=2)
-        brought = np.full(DRAWS, best)
+        distance = (off**2).sum(axis=2).reshape(SURROGATE.tried, self.count, self.each).min(axis=2)
+        brought = np.full(SURROGATE.tried, best)
         chosen: list[int] = []
         for _ in range(count):
             gain = np.maximum(brought[:, None] - distance, 0.0).mean(axis=0)
@@ -169,7 +164,7 @@ def _candidates(surrogate: Surrogate, avoid: Sequence[Mapping[str, float | int |
     coding = Coding(factors=surrogate.factors[:k])
     failed = [[each.number(design[each.name]) for each in coding.factors] for design in avoid]
     avoided = coding.inputs(np.array(failed, dtype=np.float64).reshape(-1, k))
-    designs = qmc.Sobol(k, seed=seed).random(CANDIDATES)
+    designs = qmc.Sobol(k, seed=seed).random(SURROGATE.tried)
     # the variance is often largest at the corners, which no sample has
     corners = np.array(np.meshgrid(*[(0.0, 1.0)] * k)).reshape(k, -1).T if k <= 6 else np.zeros((0, k))
     drawn = np.concatenate([corners, designs]).tolist()
@@ -177,6 +172,6 @@ def _candidates(surrogate: Surrogate, avoid: Sequence[Mapping[str, float | int |
     designs = coding.inputs(np.array(points))
     if not surrogate.along:
         return _Candidates(surrogate=surrogate, points=designs, each=1, avoided=avoided)
-    drives = np.tile(np.linspace(0.25, 1.0, DRIVES), len(designs))
-    along = np.column_stack([np.repeat(designs, DRIVES, axis=0), drives])
-    return _Candidates(surrogate=surrogate, points=along, each=DRIVES, avoided=avoided)
+    drives = np.tile(np.linspace(0.25, 1.0, SURROGATE.points), len(designs))
+    along = np.column_stack([np.repeat(designs, SURROGATE.points, axis=0), drives])
+    return _Candidates(surrogate=surrogate, points=along, each=SURROGATE.points, avoided=avoided)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.foundation.source import Source
 from turgor.foundation.store.saved_objects import Saved
 from turgor.studies.runs.factor import Factor, Value
@@ -17,9 +18,6 @@ from turgor.studies.surrogates.gaussian_process import GaussianProcess
 from turgor.studies.surrogates.held_out import HeldOut
 
 Array = NDArray[np.float64]
-
-#: How far beyond its range an input may be, as a share of it: round-off of units, no more.
-ROUND_OFF = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -176,14 +174,14 @@ class Surrogate(Saved):
         point = self.point(values)
         self._beyond(point[None], False)
         table = self.model.slope(self.shares(point))
-        found: dict[str, dict[str, float]] = {name: {} for name in self.measures}
+        by_measure: dict[str, dict[str, float]] = {name: {} for name in self.measures}
         for n, each in enumerate(self.factors):
             if not each.is_choice:
                 low, high = each.bounds
                 slopes = table[:, self.coding.columns(n)][:, 0] / (high - low)
                 for name, slope in zip(self.measures, slopes.tolist(), strict=True):
-                    found[name][each.name] = slope
-        return found
+                    by_measure[name][each.name] = slope
+        return by_measure
 
     def response(self, values: Mapping[str, Value], *, points: int = 21, extrapolate: bool = False) -> Response:
         """Return the path of one design: its measures against the drive, as a run gives them.
@@ -228,11 +226,11 @@ class Surrogate(Saved):
         missing = [name for name in wanted if name not in values]
         if missing:
             raise TurgorError(f"the surrogate needs a value of {', '.join(missing)} too.")
-        found = np.array([each.number(values[each.name]) for each in self.factors if each.name in wanted])
-        if not np.isfinite(found).all():
+        numbers = np.array([each.number(values[each.name]) for each in self.factors if each.name in wanted])
+        if not np.isfinite(numbers).all():
             wrong = next(name for name in wanted if not np.isfinite(values[name]))
             raise TurgorError(f"'{wrong}' is {values[wrong]}; a finite number is needed.")
-        return found
+        return numbers
 
     @property
     def coding(self) -> Coding:
@@ -270,7 +268,7 @@ class Surrogate(Saved):
             if each.is_choice and not np.isin(points[:, place], np.arange(len(each.levels))).all():
                 raise TurgorError(f"'{each.name}' is a choice: points have its place, 0 to {len(each.levels) - 1}.")
         off = np.maximum(low - points, points - high) / (high - low)
-        if not (off > ROUND_OFF).any():
+        if not (off > ROUND_OFF.same).any():
             return ()
         row, n = np.unravel_index(np.argmax(off), off.shape)
         factor = self.factors[n]

@@ -6,26 +6,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.results.error_text import NOT_SHOWN
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import COLUMN_UNITS, Column, Response
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.studies.runs.factor import Factor
 from turgor.studies.runs.study import Row, Study
 from turgor.studies.surrogates.coding import Coding, check_levels
+from turgor.studies.surrogates.settings import SURROGATE
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
 #: Columns that no surrogate is fitted to unless they are named.
 WITHOUT = ("load_factor", "time", "stage")
-
-#: Values of the drive that each path gives, where the drive is an input.
-POINTS = 7
-
-#: Rows below which there is nothing to hold out.
-FEWEST = 5
-
-#: Measures that stay below this in their unit are round-off.
-ROUND_OFF = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -72,7 +66,7 @@ def training(
     *,
     at: tuple[str, float] | None = None,
     along: str = "",
-    points: int = POINTS,
+    points: int = SURROGATE.points,
 ) -> Training:
     """Read the numbers of a study that a surrogate is fitted to.
 
@@ -107,19 +101,19 @@ def training(
     names = _names(study, measures, {along, at[0] if at else ""} | {each.name for each in varied})
     drive, values = ("", None) if at is None else at
     grid = _grid(study, along, points) if along else np.array([np.nan if values is None else values])
-    found, problems = [], []
+    lines_read, problems = [], []
     for number, row in enumerate(study.rows):
         lines = _read(row, names, along or drive, grid)
         problems += [] if len(lines) else [study.values_text(row.values)]
-        found += [(number, *line) for line in lines]
-    rows = np.array([line[0] for line in found], dtype=np.int64)
+        lines_read += [(number, *line) for line in lines]
+    rows = np.array([line[0] for line in lines_read], dtype=np.int64)
     used = len(set(rows.tolist()))
-    if used < FEWEST:
+    if used < SURROGATE.rows:
         raise TurgorError(
             f"{used} of {len(study)} rows of the study give {', '.join(names)}{_where(study, at)}; a surrogate needs "
-            f"{FEWEST} or more. {' '.join(study.problems[:1])}".strip()
+            f"{SURROGATE.rows} or more. {' '.join(study.problems[:1])}".strip()
         )
-    table = np.array([line[1:] for line in found], dtype=np.float64)
+    table = np.array([line[1:] for line in lines_read], dtype=np.float64)
     inputs = np.array([[each.number(study.rows[number].values[each.name]) for each in varied] for number in rows])
     factors = (*varied, _drive(study, along, grid)) if along else varied
     return Training(
@@ -179,8 +173,8 @@ def measures_that_vary(study: Study, at: tuple[str, float] | None = None, inputs
 def _varies(study: Study, name: str) -> bool:
     values = study.column(name)
     known = values[np.isfinite(values)]
-    least = ROUND_OFF * COLUMN_UNITS[study.unit(name)]  # forces at the supports of a free actuator are smaller
-    return bool(len(known) and np.ptp(known) > 1e-9 * abs(known).max() and abs(known).max() > least)
+    least = NOT_SHOWN * COLUMN_UNITS[study.unit(name)]  # forces at the supports of a free actuator are smaller
+    return bool(len(known) and np.ptp(known) > ROUND_OFF.same * abs(known).max() and abs(known).max() > least)
 
 
 def _grid(study: Study, along: str, points: int) -> Array:

@@ -39,11 +39,11 @@ def read_records(keys: str, label: str, job: Job, *, leave_out_doubtful: bool = 
     if len(rubbers) > 1:
         raise TurgorError(f"the materials '{keys}' have different records; name one key each.")
     library, record = rubbers.pop()
-    found = library_alternatives(
+    alternatives = library_alternatives(
         ",".join(names), library, nominal=record, leave_out_doubtful=leave_out_doubtful, label=label
     )
-    sets = tuple({name: f"{library}/{value}" for name, value in each.items()} for each in found.sets)
-    return replace(found, sets=sets)
+    sets = tuple({name: f"{library}/{value}" for name, value in each.items()} for each in alternatives.sets)
+    return replace(alternatives, sets=sets)
 
 
 def check_records(inputs: Sequence[Input]) -> None:

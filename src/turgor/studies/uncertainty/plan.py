@@ -61,9 +61,9 @@ class Plan:
         values = nominal_values(inputs, drives)
         if not computation.gather:
             check_inputs(list(values), [name for name in takes if name not in computation.values])
-        kept = {name: value for name, value in values.items() if computation.gather or name in takes}
+        taken = {name: value for name, value in values.items() if computation.gather or name in takes}
         return cls(
-            computation=computation, inputs=inputs, method=method, values=kept, evaluations=evaluations,
+            computation=computation, inputs=inputs, method=method, values=taken, evaluations=evaluations,
             before=len(evaluations.ended),
         )  # fmt: skip
 

@@ -14,11 +14,12 @@ from turgor.studies.runs.computation import Computation
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.run_outcome import Ended
 from turgor.studies.runs.run import Computed
+from turgor.studies.runs.settings import HALF_WIDTH
 from turgor.studies.uncertainty.band import Band, Uncertainty
 from turgor.studies.uncertainty.cases import Case
 from turgor.studies.uncertainty.plan import METHODS, Plan
 from turgor.studies.uncertainty.spread import Input
-from turgor.studies.uncertainty.surface import NORMAL_95, Surface, check_points, fit_surface, range_of
+from turgor.studies.uncertainty.surface import Surface, check_points, fit_surface, range_of
 
 Array = NDArray[np.float64]
 
@@ -107,9 +108,11 @@ def _cases(plan: Plan, nominal: Response, drive: str, at: Array, names: Sequence
         for name, codes, numbers in zip(group.names, doubts, group.sets, strict=bool(group.names)):
             ended = plan.of_set(numbers)
             problem = plan.problem_of(ended, nominal, drive)
-            found = ended.found
+            computed = ended.found
             curves = (
-                {} if problem or found is None else {y: PathCurve.of(found.response, drive, y).at(at) for y in names}
+                {}
+                if problem or computed is None
+                else {y: PathCurve.of(computed.response, drive, y).at(at) for y in names}
             )
             cases.append(Case(label=group.label, name=name, doubts=codes, problem=problem, curves=curves))
     return tuple(cases)
@@ -129,7 +132,7 @@ def _band(plan: Plan, nominal: Response, name: str, drive: str, at: Array) -> tu
     variance = _variance(plan, surface, tables, slope)
     deviation = np.sqrt(sum(variance.values()) + surface.together)
     mean = middle + surface.second.sum(axis=0) + sum((table.mean(axis=0) for table in tables), np.zeros(len(at)))
-    low, high = mean - NORMAL_95 * deviation, mean + NORMAL_95 * deviation
+    low, high = mean - HALF_WIDTH * deviation, mean + HALF_WIDTH * deviation
     if plan.quadratic and np.isfinite(surface.first).all():
         gauges = [np.outer(_normal_points(), slope * each.standard[1]) for each in plan.drives]
         low, high = range_of(surface, [*tables, *gauges])
@@ -155,13 +158,13 @@ def _surface(plan: Plan, curve: Curve, middle: Array) -> Surface:
 
 def _tables(plan: Plan, curve: Curve, middle: Array, drive: str) -> list[Array]:
     """Differences of the sets of each group from the nominal curve."""
-    found = []
+    tables = []
     nominal = plan.nominal()
     for group in plan.sets:
-        kept = plan.kept_sets(group, nominal, drive)
-        values = [value for value in (curve(plan.of_set(numbers)) for numbers in kept) if value is not None]
-        found.append(np.array(values) - middle)
-    return found
+        sets = plan.kept_sets(group, nominal, drive)
+        values = [value for value in (curve(plan.of_set(numbers)) for numbers in sets) if value is not None]
+        tables.append(np.array(values) - middle)
+    return tables
 
 
 def _variance(plan: Plan, surface: Surface, tables: Sequence[Array], slope: Array) -> dict[str, Array]:

@@ -119,10 +119,10 @@ def nominal_values(inputs: Sequence[Input], drives: Sequence[str]) -> dict[str, 
         raise TurgorError("nothing has a spread; name one number or more.")
     values: dict[str, float | str] = {}
     for each in inputs:
-        found: Mapping[str, float | str] = (
+        nominal: Mapping[str, float | str] = (
             each.sets[0] if isinstance(each, Alternatives) else {each.name: each.standard[0]}
         )
-        for name, value in found.items():
+        for name, value in nominal.items():
             if name in values:
                 raise TurgorError(f"'{name}' has two spreads; give it one.")
             if not _is_known(value) and name not in drives:

@@ -26,12 +26,7 @@ from turgor.views.report import describe
 from turgor.views.report.describe import Rows
 from turgor.views.report.describe_procedure import ending
 from turgor.views.report.response_table import response_table
-
-#: Width of pictures [pixels] and resolution of plots [dots per inch].
-WIDTH, DPI = 560, 80
-
-#: Width of the picture of a geometry, which has two views [pixels].
-WIDE = 860
+from turgor.views.report.settings import PAGE
 
 #: Word for each severity of a finding.
 _MARKS = {Severity.NOTE: "note", Severity.WARNING: "warning", Severity.ERROR: "error"}
@@ -41,7 +36,7 @@ def material(of: Material) -> str:
     """Show a material: its curve, its coefficients, its range and its source."""
     words = describe.material([], of)
     rows: Rows = [("law", words.law), *words.values, ("source", words.source), ("doubts", "\n".join(words.doubts))]
-    curve = "" if isinstance(of.law, Hooke) else image(png_of(law_figure(of), DPI), f"stress of {of.name}")
+    curve = "" if isinstance(of.law, Hooke) else image(png_of(law_figure(of), PAGE.dpi), f"stress of {of.name}")
     return card(of.name, curve, facts(rows), line=type(of.law).__name__)
 
 
@@ -57,14 +52,18 @@ def geometry(of: Geometry) -> str:
         ("faces", ", ".join(of.faces)),
         ("findings", "\n".join(map(str, of.findings))),
     ]
-    return card(of.name, image(picture(of, title="", width=WIDE).png, of.name), facts(rows))
+    return card(of.name, image(picture(of, title="", width=PAGE.wide).png, of.name), facts(rows))
 
 
 def mesh(of: Mesh) -> str:
     """Show a mesh: its cells colored by their shape, and its counts."""
     rows = [*describe.mesh(of, quality(of)), ("faces", ", ".join(f"{name} {len(f):,}" for name, f in of.faces.items()))]
     findings = "\n".join(map(str, of.findings))
-    return card(of.name, image(picture(of, title="", width=WIDTH).png, of.name), facts([*rows, ("findings", findings)]))
+    return card(
+        of.name,
+        image(picture(of, title="", width=PAGE.small).png, of.name),
+        facts([*rows, ("findings", findings)]),
+    )
 
 
 def model(of: Model) -> str:
@@ -85,7 +84,7 @@ def model(of: Model) -> str:
 
 def state(of: State) -> str:
     """Show a state: its picture, load factor, stability and contact."""
-    return card(caption(of), image(picture(of, title="", width=WIDTH).png, caption(of)), facts(state_rows(of)))
+    return card(caption(of), image(picture(of, title="", width=PAGE.small).png, caption(of)), facts(state_rows(of)))
 
 
 def state_rows(of: State) -> Rows:
@@ -112,7 +111,7 @@ def solution(of: Solution) -> str:
         ("limit points", "\n".join(f"{each.kind} at load factor {each.load_factor:.4g}" for each in of.limit_points)),
         ("steps", _steps(of)),
     ]
-    shown = picture(of, width=WIDTH) if of.states else None
+    shown = picture(of, width=PAGE.small) if of.states else None
     drawn = image(shown.png, shown.caption) if shown else ""
     return card(f"Solution of {of.model.mesh.name}", facts(rows), drawn, _path(of))
 
@@ -135,7 +134,7 @@ def _path(of: Solution) -> str:
 def response(of: Response) -> str:
     """Show a response: its table, each column in the unit that its heading names, and its plot."""
     line = ", ".join(part for part in (of.status.replace("_", " "), str(of.source)) if part)
-    drawn = image(png_of(response_figure(of), DPI), "the response against its drive") if _worth_a_plot(of) else ""
+    drawn = image(png_of(response_figure(of), PAGE.dpi), "the response against its drive") if _worth_a_plot(of) else ""
     return card(f"Response, {len(of)} rows", _table(of), drawn, line=line)
 
 
@@ -159,12 +158,12 @@ def test(of: MaterialTest) -> str:
         ("edits", "\n".join(edit.text for edit in of.edits)),
         ("source", str(of.source)),
     ]
-    return card(f"Test {of.name}", image(png_of(figure, DPI), f"test {of.name}"), facts(rows), line=of.mode)
+    return card(f"Test {of.name}", image(png_of(figure, PAGE.dpi), f"test {of.name}"), facts(rows), line=of.mode)
 
 
 def fit(of: Fit) -> str:
     """Show a fit: the curve against its tests, the parameters with their errors, and the findings."""
-    drawn = image(png_of(fit_figure([of]), DPI), f"fit of {of.spec.name}")
+    drawn = image(png_of(fit_figure([of]), PAGE.dpi), f"fit of {of.spec.name}")
     by_mode = [(mode, list(each)) for mode, each in groupby(of.quality, key=lambda test: test.mode)]
     rows: Rows = [
         ("parameters", of.describe()),

@@ -12,15 +12,13 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.inspection import Inspection
 from turgor.units import mm
+from turgor.views.pictures.settings import LOOK
 from turgor.views.plots.figures import check_ending, write_figure
 
 Array = NDArray[np.float64]
 
 #: Colors of named faces, distinct for color-blind readers too (Okabe and Ito 2008); the outside is gray.
 COLORS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#0072b2", "#d55e00", "#f0e442")
-
-#: Opacity of the outside and of named faces.
-FAINT, CLEAR = 0.08, 0.55
 
 #: Sides of the bounding box that are shorter than this share of the longest have ticks at their ends only.
 SHORT = 0.5
@@ -75,7 +73,7 @@ def named_faces_figure(title: str, faces: Sequence[tuple[str, Array]], marks: Se
                 Poly3DCollection(
                     triangles / mm,
                     facecolors=colors.get(name, "#808080"),
-                    alpha=CLEAR if named else FAINT,
+                    alpha=LOOK.named_face if named else LOOK.outside,
                     edgecolors="none",
                 )
             )
@@ -89,7 +87,7 @@ def named_faces_figure(title: str, faces: Sequence[tuple[str, Array]], marks: Se
             if ends[1] - ends[0] < SHORT * float((high - low).max()):  # the labels of more ticks would overlap
                 axis.set_ticks([round(float(end), 3) for end in ends])
         axes.view_init(raised, turned)
-    patches = [Patch(color=color, alpha=CLEAR, label=name) for name, color in colors.items()]
+    patches = [Patch(color=color, alpha=LOOK.named_face, label=name) for name, color in colors.items()]
     figure.legend(handles=patches, loc="lower center", ncols=min(len(patches), 6) or 1, frameon=False)
     size = f"{' × '.join(f'{side:.4g}' for side in high - low)} mm"
     figure.suptitle(f"{title} · {size}" if title else size)

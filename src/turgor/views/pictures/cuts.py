@@ -14,13 +14,11 @@ from turgor.core.engine.cells.reference import tables_at
 from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.views.pictures.skin import Skin
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A plane is moved by this share of the size of the part, so that no node lies on it.
-ASIDE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,7 +49,8 @@ class Cut:
         """Distance (k,) [m] of points at rest behind the plane; ``whole`` (2, 3) are the extents of the actuator."""
         number = "xyz".index(self.axis)
         middle = float(whole[:, number].mean()) if self.position is None else self.position
-        return np.asarray(points[:, number] - middle - ASIDE * float(np.ptp(whole, axis=0).max()))
+        aside = ROUND_OFF.mesh_digits * float(np.ptp(whole, axis=0).max())  # no node lies on the plane
+        return np.asarray(points[:, number] - middle - aside)
 
 
 def cut_away(at: StateFields, skin: Skin, rest: Array, cut: Cut, values: Array) -> Skin:
@@ -102,9 +101,9 @@ def clipped(skin: Skin, level: Array) -> Skin:
         ab, ac = (start + np.arange(len(rows)) + k * len(rows) for k in (0, 1))
         start += 2 * len(rows)
         made += [(a, b), (a, c)]
-        found = [(a, ab, ac)] if inside == 1 else [(ab, b, c), (ab, c, ac)]
-        pieces += [np.stack(each, axis=1) for each in found]
-        owners += [rows] * len(found)
+        corners = [(a, ab, ac)] if inside == 1 else [(ab, b, c), (ab, c, ac)]
+        pieces += [np.stack(each, axis=1) for each in corners]
+        owners += [rows] * len(corners)
     first, second = (np.concatenate([pair[k] for pair in made]) for k in (0, 1))
     share = (level[first] / (level[first] - level[second]))[:, None]
     owner = np.concatenate(owners)
@@ -140,10 +139,12 @@ def _cut_face(at: StateFields, cut: Cut, whole: Array, values: Array) -> Skin:
     for image in at.facts.images:
         level = cut.level(image.of(before).reshape(-1, 3), whole)
         parts.append(_crossed(corners, level, (image.of(now).reshape(-1, 3), field.ravel()), owner))
-    points, normals, found, patch = (np.concatenate(each) for each in zip(*parts, strict=True))
+    points, normals, face_values, patch = (np.concatenate(each) for each in zip(*parts, strict=True))
     triangles = np.arange(len(points)).reshape(-1, 3)
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
-    return Skin(points=points, normals=np.repeat(normals, 3, axis=0), values=found, triangles=triangles, patch=patch)
+    return Skin(
+        points=points, normals=np.repeat(normals, 3, axis=0), values=face_values, triangles=triangles, patch=patch
+    )
 
 
 def _crossed(corners: Ints, level: Array, of: tuple[Array, Array], owner: Ints) -> tuple[Array, Array, Array, Ints]:

@@ -15,15 +15,9 @@ from numpy.typing import NDArray
 from turgor.foundation.response import COLUMN_UNITS
 from turgor.units import mm
 from turgor.views.pictures.colors import DIVERGING
-from turgor.views.pictures.rendering import MARGIN, View
-from turgor.views.pictures.shading import INK
-
-#: Pixels above the actuator for the title, and below it for the color bar, in a picture of full width [pixels].
-HEAD, FOOT = 90, 140
-FULL_WIDTH = 1600
-
-#: Smallest scale of letters in narrow pictures.
-SMALLEST_SCALE = 0.45
+from turgor.views.pictures.rendering import View
+from turgor.views.pictures.settings import FRAMING
+from turgor.views.plots.styling import INK
 
 
 class _Pixels(FigureImage):
@@ -75,31 +69,31 @@ def framed(picture: NDArray[np.uint8], view: View, texts: tuple[str, str], color
     FigureCanvasAgg(figure)
     figure.add_artist(_Pixels(figure, picture, foot))
     title, note = texts
-    figure.text(MARGIN / width, 1 - 0.5 * head / height, title, fontsize=24 * scale, va="center", color=_hex(INK))
+    figure.text(FRAMING.margin / width, 1 - 0.5 * head / height, title, fontsize=24 * scale, va="center", color=INK)
     if colors is not None:
-        bar = figure.add_axes((MARGIN / width, 62 * scale / height, 0.42, 22 * scale / height))
+        bar = figure.add_axes((FRAMING.margin / width, 62 * scale / height, 0.42, 22 * scale / height))
         extend = "both" if view.field.colors == DIVERGING else "max"
         colorbar = figure.colorbar(colors, cax=bar, orientation="horizontal", extend=extend, extendfrac=0.03)
         colorbar.outline.set_visible(False)
-        bar.tick_params(labelsize=16 * scale, colors=_hex(INK), length=5 * scale)
-        figure.text(MARGIN / width, 92 * scale / height, note, fontsize=16 * scale, va="bottom", color=_hex(INK))
+        bar.tick_params(labelsize=16 * scale, colors=INK, length=5 * scale)
+        figure.text(FRAMING.margin / width, 92 * scale / height, note, fontsize=16 * scale, va="bottom", color=INK)
     draw_axes(figure, view)
     return figure
 
 
 def write_text(figure: Figure, place: tuple[float, float], text: str, size: float) -> None:
     """Write a line of text into a figure; ``place`` is its left end, in shares of width and height."""
-    figure.text(*place, text, fontsize=size, va="center", color=_hex(INK))
+    figure.text(*place, text, fontsize=size, va="center", color=INK)
 
 
 def scale_of(width: int) -> float:
     """Scale of the letters of a picture of some width [pixels]: 1 at full width, less in narrow pictures."""
-    return float(np.clip(width / FULL_WIDTH, SMALLEST_SCALE, 1.0))
+    return float(np.clip(width / FRAMING.full_width, FRAMING.smallest_scale, 1.0))
 
 
 def bands(width: int) -> tuple[int, int]:
     """Heights of the bands above and below the actuator in a picture of some width [pixels]."""
-    return round(HEAD * scale_of(width)), round(FOOT * scale_of(width))
+    return round(FRAMING.head * scale_of(width)), round(FRAMING.foot * scale_of(width))
 
 
 def draw_axes(figure: Figure, view: View) -> None:
@@ -107,25 +101,21 @@ def draw_axes(figure: Figure, view: View) -> None:
     width, height = figure.get_size_inches() * 100
     scale = scale_of(round(width))
     length = _round_length(72 * scale * view.pixel)
-    corner = np.array([width - MARGIN - 1.35 * length / view.pixel, 46.0 * scale])
+    corner = np.array([width - FRAMING.margin - 1.35 * length / view.pixel, 46.0 * scale])
     directions = view.eye.project(np.eye(3))[:, :2]
     for name, direction in zip("xyz", directions, strict=True):
         end = corner + direction * length / view.pixel
-        line = Line2D([corner[0], end[0]], [corner[1], end[1]], color=_hex(INK), lw=2 * scale, solid_capstyle="round")
+        line = Line2D([corner[0], end[0]], [corner[1], end[1]], color=INK, lw=2 * scale, solid_capstyle="round")
         line.set_transform(IdentityTransform())
         figure.add_artist(line)
         x, y = (end + direction / np.linalg.norm(direction) * 14 * scale) / [width, height]
-        figure.text(x, y, name, fontsize=15 * scale, ha="center", va="center", color=_hex(INK))
+        figure.text(x, y, name, fontsize=15 * scale, ha="center", va="center", color=INK)
     label = f"each axis {length / mm:g} mm"
     x, y = corner[0] / width, 12 * scale / height
-    figure.text(x, y, label, fontsize=14 * scale, va="center", ha="center", color=_hex(INK))
+    figure.text(x, y, label, fontsize=14 * scale, va="center", ha="center", color=INK)
 
 
 def _round_length(about: float) -> float:
     """Largest of 1, 2, 5, 10 … mm that does not exceed a length."""
     power = 10.0 ** np.floor(np.log10(about / mm))
     return float(max(step * power for step in (1, 2, 5) if step * power <= about / mm)) * mm
-
-
-def _hex(color: tuple[int, int, int]) -> str:
-    return "#{:02x}{:02x}{:02x}".format(*color)

@@ -20,9 +20,6 @@ from turgor.views.pictures.mesh_picture import mesh_figure
 from turgor.views.pictures.state_picture import Style, shared_view, state_figure
 from turgor.views.plots.figures import check_ending, png_of
 
-#: Width of a geometry's figure, which has two views [inch].
-_GEOMETRY_WIDTH = 12
-
 
 class _Look(NamedTuple):
     """How something is drawn."""
@@ -194,7 +191,7 @@ def geometry_figure(geometry: Geometry, title: str, width: int) -> Figure:
     from turgor.views.pictures.cad_picture import named_faces_figure
 
     figure = named_faces_figure(title, faces)
-    figure.set_dpi(width / _GEOMETRY_WIDTH)
+    figure.set_dpi(width / figure.get_figwidth())
     return figure
 
 

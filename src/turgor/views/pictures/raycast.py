@@ -11,15 +11,10 @@ from embreex.mesh_construction import TriangleMesh
 from embreex.rtcore_scene import EmbreeScene
 from numpy.typing import NDArray
 
+from turgor.views.pictures.settings import RENDERING
 from turgor.views.pictures.skin import Skin
 
 Array = NDArray[np.float64]
-
-#: Side of a tile in samples; tiles without triangles nearby are skipped.
-TILE = 16
-
-#: Rays per point for the ambient occlusion.
-SKY_RAYS = 32
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -149,7 +144,7 @@ class Scene:
     def near(self, raster: Raster) -> NDArray[np.bool_]:
         """Return the samples that a triangle may cover, (rows, columns), tile by tile; the others need no ray."""
         flat = self.eye.project(self.skin.points)[:, :2][self.skin.triangles]
-        tile = max(TILE, int(np.ceil(np.ptp(flat, axis=1).max() / raster.step)))
+        tile = max(1, int(np.ceil(np.ptp(flat, axis=1).max() / raster.step)))
         down, aside = -(-raster.rows // tile), -(-raster.columns // tile)
         corners = flat.reshape(-1, 2)
         column = np.floor((corners[:, 0] - raster.left) / raster.step / tile).astype(int)
@@ -183,10 +178,10 @@ class Scene:
         origins = self._scaled(points + 1e-3 * reach * normals)
         limit = np.full(len(points), reach / self._size, dtype=np.float32)
         hidden = np.zeros(len(points))
-        for x, y, z in _cosine_directions(SKY_RAYS):
+        for x, y, z in _cosine_directions(RENDERING.sky_rays):
             direction = (x * tangent + y * second + z * normals).astype(np.float32)
             hidden += self._scene.run(origins, direction, dists=limit, query="OCCLUDED") >= 0
-        return 1 - hidden / SKY_RAYS
+        return 1 - hidden / RENDERING.sky_rays
 
 
 def _both(skin: Skin) -> tuple[Array, Array]:

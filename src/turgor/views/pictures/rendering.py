@@ -24,12 +24,10 @@ from turgor.views.pictures.overlays.contact_patches import draw_patches, laid_ov
 from turgor.views.pictures.overlays.fiber_lines import Thread, draw_threads, visible_threads
 from turgor.views.pictures.overlays.obstacle_skin import draw_obstacles
 from turgor.views.pictures.raycast import Camera, Hits, Raster, Scene, camera
+from turgor.views.pictures.settings import FRAMING, LOOK, RENDERING
 from turgor.views.pictures.shading import (
-    DEEP_SHADOW,
-    DEPTH_JUMP,
     GHOST,
     INK,
-    SHADOW,
     Bytes,
     Look,
     Mask,
@@ -42,33 +40,8 @@ from turgor.views.pictures.skin import Skin
 
 Array = NDArray[np.float64]
 
-#: Samples along each side of a pixel (supersampling).
-SAMPLES = 2
-
-#: Rows of pixels that are rendered together.
-BAND = 96
-
-#: Azimuth of the camera, and azimuth for contact pressure: the walls between chambers are visible more from the side.
-FRONT, ASIDE = 20 * deg, 40 * deg
-
-#: Margin around the actuator in pixels.
-MARGIN = 50
-
-#: Walls closer to each other than this share of the size of the actuator count as touching in pictures.
-THIN = 0.02
-
-#: Reach of the ambient occlusion, as a share of the size of the actuator.
-SKY_REACH = 0.12
-
-#: Opacity of a transparent actuator in front of its cavities.
-VEIL = 0.3
-
-#: Margin around the actuator in which obstacles are shown, as a share of its size.
-AROUND = 0.3
-
-
-#: A picture is at least this share of its width wide, however slender the actuator is, so that its legend has room.
-NARROWEST = 0.6
+#: Samples along each side of a pixel.
+SAMPLES = RENDERING.samples
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,7 +68,7 @@ class View:
         end a little beyond these.
     """
 
-    azimuth: float = FRONT
+    azimuth: float = FRAMING.front
     elevation: float = 18 * deg
     left: float
     right: float
@@ -115,13 +88,13 @@ class View:
     @property
     def pixel(self) -> float:
         """Side length of a pixel [m]."""
-        return max(self.right - self.left, self.height) / (self.width - 2 * MARGIN)
+        return max(self.right - self.left, self.height) / (self.width - 2 * FRAMING.margin)
 
     @property
     def columns(self) -> int:
         """Width of every picture in pixels: as wide as what it shows, with a margin."""
-        needed = round((self.right - self.left) / self.pixel) + 2 * MARGIN
-        return min(max(needed, round(NARROWEST * self.width)), self.width)
+        needed = round((self.right - self.left) / self.pixel) + 2 * FRAMING.margin
+        return min(max(needed, round(FRAMING.narrowest * self.width)), self.width)
 
     @property
     def edge(self) -> float:
@@ -145,7 +118,7 @@ def frame(skins: Sequence[Skin], obstacles: Skin | None, eye: Camera) -> tuple[A
     flat = np.concatenate([eye.project(skin.points)[:, :2] for skin in skins])
     low, high = flat.min(axis=0), flat.max(axis=0)
     if obstacles is not None:
-        around = AROUND * float((high - low).max())
+        around = FRAMING.around * float((high - low).max())
         projected = eye.project(obstacles.points)[:, :2]
         low = np.minimum(low, np.maximum(projected.min(axis=0), low - around))
         high = np.maximum(high, np.minimum(projected.max(axis=0), high + around))
@@ -196,18 +169,18 @@ def render(
     """
     overlays = overlays or Overlays()
     low, high = frame(skins, overlays.obstacles, view.eye)
-    rows = int(np.ceil((high[1] - low[1]) / view.pixel)) + MARGIN
+    rows = int(np.ceil((high[1] - low[1]) / view.pixel)) + FRAMING.margin
     raster = Raster(
         left=view.edge, top=float(high[1] + low[1] + rows * view.pixel) / 2,
         step=view.pixel / SAMPLES, rows=rows * SAMPLES, columns=view.columns * SAMPLES,
     )  # fmt: skip
     layers = _Layers(skins, view, colors, overlays, raster)
     image = np.empty((rows, view.columns, 3), dtype=np.uint8)
-    for start in range(0, rows, BAND):  # rendered in bands to save memory; lines need the rows next to a band
-        first, last = max(start - 2, 0), min(start + BAND + 2, rows)
+    for start in range(0, rows, RENDERING.rows):  # rendered in bands to save memory; lines need the rows next to a band
+        first, last = max(start - 2, 0), min(start + RENDERING.rows + 2, rows)
         samples = slice(first * SAMPLES, last * SAMPLES)
         drawn = reduced(layers.draw(raster.band(samples.start, samples.stop), samples), SAMPLES)
-        image[start : start + BAND] = drawn[start - first : start - first + BAND]
+        image[start : start + RENDERING.rows] = drawn[start - first : start - first + RENDERING.rows]
     return image
 
 
@@ -228,9 +201,9 @@ class _Layers:
     def __init__(
         self, skins: list[Skin], view: View, colors: Colormap | None, overlays: Overlays, raster: Raster
     ) -> None:
-        reach = SKY_REACH * float(np.ptp(skins[0].points, axis=0).max())
+        reach = RENDERING.sky_reach * float(np.ptp(skins[0].points, axis=0).max())
 
-        def layer(skin: Skin, lit: Colormap | None = None, shadow: float = SHADOW) -> _Layer:
+        def layer(skin: Skin, lit: Colormap | None = None, shadow: float = LOOK.shadow) -> _Layer:
             scene = Scene(skin, view.eye)
             sky = None if lit is None else scene.openness(reach)
             look = None if lit is None or sky is None else Look(lit, view.limit, sky, view.floor, shadow)
@@ -238,7 +211,9 @@ class _Layers:
 
         self._view, self._overlays = view, overlays
         plain = colors or (plain_rubber() if overlays.inside is not None else None)
-        self._front = layer(skins[0], plain or view.field.color_map(), SHADOW if plain is None else DEEP_SHADOW)
+        self._front = layer(
+            skins[0], plain or view.field.color_map(), LOOK.shadow if plain is None else LOOK.deep_shadow
+        )
         self._ghosts = [layer(skin) for skin in skins[1:]]
         self._inside = None if overlays.inside is None else layer(overlays.inside, view.field.color_map())
         self._obstacles = None if overlays.obstacles is None else layer(overlays.obstacles)
@@ -280,7 +255,7 @@ class _Layers:
         scene, seen = self._inside.scene, self._inside.hits(band, rows)
         within = paint(scene.skin, seen, scene.eye, self._inside.look)
         draw_lines(within, find_lines(scene.skin, seen), INK, 0.6 * SAMPLES, 0.5)
-        veil = np.where(hits.triangle >= 0, np.where(seen.triangle >= 0, VEIL, 1.0), 0.0)[..., None]
+        veil = np.where(hits.triangle >= 0, np.where(seen.triangle >= 0, LOOK.see_through, 1.0), 0.0)[..., None]
         return (within * (1 - veil) + image * veil + 0.5).astype(np.uint8), lines
 
     def _of_tension(self, values: Array) -> Array:
@@ -293,6 +268,6 @@ class _Layers:
         for scene, near, _ in self._patches:
             hits = scene.look(band, near[rows])
             seen = values_seen(scene.skin, hits, self._view.limit)
-            value, place = laid_over((value, place), (seen, scene.distance(hits)), THIN * size)
-        behind = place > distance + DEPTH_JUMP * size
+            value, place = laid_over((value, place), (seen, scene.distance(hits)), RENDERING.touching * size)
+        behind = place > distance + RENDERING.depth_jump * size
         draw_patches(image, value, behind, color_map(CONTACT_PRESSURE), self._view.limit)

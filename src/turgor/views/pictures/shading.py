@@ -8,29 +8,18 @@ from matplotlib.colors import Colormap
 from numpy.typing import NDArray
 
 from turgor.views.pictures.raycast import Camera, Hits
+from turgor.views.pictures.settings import LOOK, RENDERING
 from turgor.views.pictures.skin import Skin
+from turgor.views.plots import styling
 
 Bytes = NDArray[np.uint8]
 Mask = NDArray[np.bool_]
 
-#: Colors of lines, of outlines behind the actuator, and of the background.
-INK = (38, 43, 52)
+#: Colors of lines, as in plots, and of outlines behind the actuator.
+INK = tuple(bytes.fromhex(styling.INK[1:]))
 GHOST = (176, 182, 190)
-PAPER = (255, 255, 255)
 
-#: Share of the light from the lamp at the upper left; the rest is ambient light, reduced by the ambient occlusion.
-LAMP = 0.45
-
-#: Direction of the lamp along right, up and forward.
-LAMP_PLACE = (-0.45, 0.75, -0.65)
-
-#: Largest share of the light that shadow takes from a color that means a value, and from plain rubber.
-SHADOW, DEEP_SHADOW = 0.26, 0.62
-
-#: A jump in depth of more than this share of the size of the body is an edge.
-DEPTH_JUMP = 0.006
-
-#: Exponent from stored colors to light.
+#: Exponent from stored colors to light, about that of sRGB.
 GAMMA = 2.2
 
 
@@ -55,7 +44,7 @@ class Look:
     limit: float
     openness: NDArray[np.float64]
     floor: float = 0.0
-    shadow: float = SHADOW
+    shadow: float = LOOK.shadow
 
 
 def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
@@ -64,7 +53,7 @@ def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
     Light multiplies red, green and blue alike (in linear light) by a factor from 1 − ``shadow`` to 1. So their ratios
     are those of the color bar everywhere, and a value can be read off the color of a pixel.
     """
-    image = np.full((*hits.triangle.shape, 3), PAPER, dtype=np.uint8)
+    image = np.full((*hits.triangle.shape, 3), 255, dtype=np.uint8)
     seen = hits.triangle >= 0
     fields = np.column_stack([skin.values, look.openness, skin.normals]).astype(np.float32)
     corners = skin.triangles[hits.triangle[seen]]
@@ -75,11 +64,12 @@ def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
     table = (look.colors(np.linspace(0, 1, 1024))[:, :3] ** GAMMA).astype(np.float32)
     value = np.nan_to_num(value, nan=look.floor)  # a field of a cell turned inside out
     color = table[np.clip((value - look.floor) * (1023 / (look.limit - look.floor)), 0, 1023).astype(np.int32)]
-    lamp = _unit(LAMP_PLACE[0] * eye.right + LAMP_PLACE[1] * eye.up + LAMP_PLACE[2] * eye.forward)
+    right, up, forward = LOOK.lamp_place
+    lamp = _unit(right * eye.right + up * eye.up + forward * eye.forward)
     length = np.sqrt(np.einsum("si,si->s", normal, normal))
     normal *= (-np.sign(normal @ eye.forward.astype(np.float32)) / np.maximum(length, 1e-12))[:, None]
-    light = (1 - LAMP) * (0.25 + 0.75 * sky) * (0.8 + 0.2 * normal[:, 2])
-    light += LAMP * np.maximum(normal @ lamp, 0) * (0.4 + 0.6 * sky)
+    light = (1 - LOOK.lamp) * (0.25 + 0.75 * sky) * (0.8 + 0.2 * normal[:, 2])
+    light += LOOK.lamp * np.maximum(normal @ lamp, 0) * (0.4 + 0.6 * sky)
     color *= (1 - look.shadow * (1 - np.clip(light, 0, 1)))[:, None]
     levels = (np.linspace(0, 1, 4096) ** (1 / GAMMA) * 255 + 0.5).astype(np.uint8)
     image[seen] = levels[(np.clip(color, 0, 1) * 4095).astype(np.int32)]
@@ -93,7 +83,7 @@ def _unit(vector: NDArray[Any]) -> NDArray[np.float32]:
 def find_lines(skin: Skin, hits: Hits) -> tuple[Mask, Mask]:
     """Return masks of the samples on the outline of the body, and of the samples on edges within the outline."""
     patch = np.where(hits.triangle >= 0, skin.patch.astype(np.int32)[hits.triangle], -1)
-    jump = DEPTH_JUMP * float(np.ptp(skin.points, axis=0).max())
+    jump = RENDERING.depth_jump * float(np.ptp(skin.points, axis=0).max())
     outline, inner = np.zeros(patch.shape, dtype=bool), np.zeros(patch.shape, dtype=bool)
     for axis in (0, 1):
         here, there = _but_last(patch, axis), _but_first(patch, axis)
@@ -124,7 +114,7 @@ def _mark(mask: Mask, where: Mask, axis: int) -> None:
 
 
 def draw_lines(
-    image: Bytes, lines: tuple[Mask, Mask], ink: tuple[int, int, int], width: float, strength: float = 1.0
+    image: Bytes, lines: tuple[Mask, Mask], ink: tuple[int, ...], width: float, strength: float = 1.0
 ) -> None:
     """Draw outline and inner edges into an image; the outline is ``width`` samples wide, ``strength`` their opacity."""
     for mask, share, full in zip(lines, (1.0, 0.6), (0.95, 0.6), strict=True):
@@ -143,8 +133,8 @@ def thickened(mask: Mask, radius: float) -> tuple[NDArray[np.int64], NDArray[np.
             if down**2 + aside**2 <= max(radius, 0.5) ** 2:
                 at = np.clip(rows + down, 0, mask.shape[0] - 1), np.clip(columns + aside, 0, mask.shape[1] - 1)
                 wide[at] = True
-    found = np.nonzero(wide)
-    return found[0], found[1]
+    rows, columns = np.nonzero(wide)
+    return rows, columns
 
 
 def reduced(image: Bytes, samples: int) -> Bytes:

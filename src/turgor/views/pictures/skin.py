@@ -15,19 +15,10 @@ from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.results.fields.state_fields import Image, MeshFacts
-from turgor.units import deg
+from turgor.views.pictures.settings import RENDERING
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Surfaces that meet at more than this angle in the undeformed actuator have a sharp edge between them.
-EDGE_ANGLE = 30 * deg
-
-#: Number of parts of each side of a six-node triangle, so that curved faces look curved.
-PARTS = 4
-
-#: Beyond this many flat triangles the sides are cut into two parts only, because the mesh is fine enough.
-MANY = 60_000
 
 
 class Drawn(Protocol):
@@ -76,10 +67,10 @@ class Skin:
     blocks: tuple[Array, Ints] | None = None
     side: Ints | None = None
 
-    def part(self, kept: NDArray[np.bool_]) -> "Skin":
+    def part(self, chosen: NDArray[np.bool_]) -> "Skin":
         """Return the skin of some of the triangles (t,)."""
-        side = None if self.side is None else self.side[kept]
-        return replace(self, triangles=self.triangles[kept], patch=self.patch[kept], side=side)
+        side = None if self.side is None else self.side[chosen]
+        return replace(self, triangles=self.triangles[chosen], patch=self.patch[chosen], side=side)
 
     @property
     def areas(self) -> Array:
@@ -115,7 +106,8 @@ def visible_skin(
     if chosen is not None:
         triangles, patch = triangles[chosen], patch[chosen]
         corners, normals = corners[chosen], normals[chosen]
-    parts = parts or (PARTS if len(triangles) * PARTS**2 * mesh.symmetry_factor <= MANY else 2)
+    many = len(triangles) * RENDERING.parts**2 * mesh.symmetry_factor > RENDERING.triangles
+    parts = parts or (2 if many else RENDERING.parts)
     N, pieces = _subdivision(parts)
     count = len(N)
     fine_values = np.einsum("qa,fa->fq", N, corners)
@@ -176,7 +168,7 @@ def _smooth_patches(mesh: Mesh, triangles: Ints) -> Ints:
     order = np.lexsort((key[:, 1], key[:, 0]))
     same = (key[order[1:]] == key[order[:-1]]).all(axis=1)
     first, second = order[:-1][same], order[1:][same]
-    smooth = np.einsum("ei,ei->e", normals[first], normals[second]) > cos(EDGE_ANGLE)
+    smooth = np.einsum("ei,ei->e", normals[first], normals[second]) > cos(RENDERING.sharp_edge)
     a, b = owner[first[smooth]], owner[second[smooth]]
     return groups_of(len(triangles), a, b)
 

@@ -32,14 +32,12 @@ from turgor.views.pictures.cuts import Cut, cut_away
 from turgor.views.pictures.framing import bar_of, framed
 from turgor.views.pictures.overlays.contact_patches import contact_skin, pressed
 from turgor.views.pictures.overlays.obstacle_skin import obstacle_skin
-from turgor.views.pictures.rendering import ASIDE, FRONT, Overlays, View, frame, render
+from turgor.views.pictures.rendering import Overlays, View, frame, render
+from turgor.views.pictures.settings import FRAMING, RENDERING
 from turgor.views.pictures.skin import Skin, cavity_parts, visible_skin
 from turgor.views.plots.figures import check_ending, write_figure
 
 Array = NDArray[np.float64]
-
-#: A field that is nowhere larger than this share of the range of the colors shows none.
-FAINTEST = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -103,7 +101,7 @@ def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_
         raise TurgorError("a view needs at least one state to show.")
     shown = [_fields(state) for state in states]
     extents = extents_of(shown)
-    azimuth = ASIDE if shown_field.name == CONTACT_PRESSURE else FRONT
+    azimuth = FRAMING.aside if shown_field.name == CONTACT_PRESSURE else FRAMING.front
     plain = View(azimuth=azimuth, left=0.0, right=1.0, limit=1.0)
     low, high, limit, tallest = np.full(2, np.inf), np.full(2, -np.inf), shown_field.floor, 0.0
     for at in shown:
@@ -231,8 +229,8 @@ def shows_values(state: State | StateFields, view: View) -> bool:
     """Return whether a picture of a state has any color but that of rubber, and so needs a color bar."""
     at, shown = _fields(state), view.field
     if shown.name == FIBER_TENSION:
-        return maximum_tension(at) > FAINTEST * view.limit
-    return float(np.abs(shown.read(at) - shown.floor).max()) > FAINTEST * (view.limit - shown.floor)
+        return maximum_tension(at) > RENDERING.unseen * view.limit
+    return float(np.abs(shown.read(at) - shown.floor).max()) > RENDERING.unseen * (view.limit - shown.floor)
 
 
 def _rendered(shown: Sequence[StateFields], view: View, style: Style) -> NDArray[np.uint8]:

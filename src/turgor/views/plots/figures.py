@@ -10,6 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from turgor.foundation.errors import TurgorError
+from turgor.views.plots.settings import PLOT
 
 Kind = Literal["plot", "picture"]
 
@@ -26,9 +27,6 @@ METADATA: Mapping[str, Any] = {
 
 #: Key of the note in a PNG file.
 NOTE = "Comment"
-
-#: How hard PNG files are packed, 1 to 9: a tenth larger than at 6, and written twice as fast.
-PACKED = 4
 
 
 class PlotFigure(Figure):
@@ -134,5 +132,5 @@ def svg_of(figure: Figure) -> str:
 def _save(figure: Figure, to: Path | BytesIO | StringIO, form: str, dpi: float | None, note: str = "") -> None:
     said = {NOTE: note} if note and form == "png" else {}
     with matplotlib.rc_context({"svg.hashsalt": "turgor"}):
-        packed: dict[str, Any] = {"pil_kwargs": {"compress_level": PACKED}} if form == "png" else {}
+        packed: dict[str, Any] = {"pil_kwargs": {"compress_level": PLOT.png_level}} if form == "png" else {}
         figure.savefig(to, format=form, dpi=dpi or figure.dpi, metadata=METADATA[form] | said, **packed)

@@ -12,7 +12,9 @@ from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.fitting.result import Fit
 from turgor.core.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.foundation.errors import TurgorError
+from turgor.units import MPa
 from turgor.views.plots.figures import PlotFigure, write_figure
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
 
 #: Colors of laws, in turn, distinct for color-blind readers too (mostly Okabe and Ito 2008).
@@ -26,14 +28,6 @@ TITLES = {
     "simple_shear": "Simple shear",
     "biaxial": "General biaxial",
 }
-MPA = 1e6
-_POINTS = 200
-
-#: Largest strain that a panel shows, as a multiple of the largest strain that was used.
-WIDEST = 2.0
-
-#: Largest number of crosses for removed points; thousands of crosses would merge into a bar.
-MOST_CROSSES = 150
 
 
 def plot_test(axes: Axes, test: MaterialTest, *, color: str = INK) -> Axes:
@@ -51,20 +45,20 @@ def plot_test(axes: Axes, test: MaterialTest, *, color: str = INK) -> Axes:
     raw = test.raw or test
     removed = [edit for edit in test.edits if len(edit.stretch)]
     if test.raw is not None:
-        axes.plot(raw.stretch, raw.nominal_stress / MPA, ".", color="#c3c9d1", ms=3, label="raw", zorder=1)
+        axes.plot(raw.stretch, raw.nominal_stress / MPa, ".", color="#c3c9d1", ms=3, label="raw", zorder=1)
     if removed:
         gone = np.concatenate([edit.stretch for edit in removed])
         stress = np.concatenate([edit.nominal_stress for edit in removed])
-        every = -(-len(gone) // MOST_CROSSES)
-        gone, stress = gone[::every], stress[::every] / MPA
+        every = -(-len(gone) // PLOT.marks)
+        gone, stress = gone[::every], stress[::every] / MPa
         axes.plot(gone, stress, "x", color="#b3402a", ms=3.5, mew=0.7, alpha=0.7, label="removed", zorder=2)
     if test.spread is not None:
         low, high = test.nominal_stress - test.spread, test.nominal_stress + test.spread
         axes.fill_between(
-            test.stretch, low / MPA, high / MPA, color=color, alpha=0.15, lw=0, label="± 1 standard deviation"
+            test.stretch, low / MPa, high / MPa, color=color, alpha=0.15, lw=0, label="± 1 standard deviation"
         )
     axes.plot(
-        test.stretch, test.nominal_stress / MPA, "o", color=color, ms=3.5, alpha=0.55, mew=0, label="used", zorder=3
+        test.stretch, test.nominal_stress / MPa, "o", color=color, ms=3.5, alpha=0.55, mew=0, label="used", zorder=3
     )
     return _styled(axes, test.mode)
 
@@ -89,9 +83,9 @@ def plot_law(axes: Axes, fit: Fit, mode: str, upto: float, *, color: str) -> Axe
     rest = 0.0 if mode == "simple_shear" else 1.0
     low = min([rest, *(lowest for lowest, _ in ranges)])
     fitted = (low, max([rest, *(highest for _, highest in ranges)]))
-    grid = np.linspace(low, max(upto, fitted[1]), _POINTS)
+    grid = np.linspace(low, max(upto, fitted[1]), PLOT.curve_points)
     component = (0, 1) if mode == "simple_shear" else (0, 0)
-    stress = nominal_stress(fit.law, DEFORMATIONS[mode](grid))[:, component[0], component[1]] / MPA
+    stress = nominal_stress(fit.law, DEFORMATIONS[mode](grid))[:, component[0], component[1]] / MPa
     inside = (grid >= fitted[0]) & (grid <= fitted[1] * (1 + 1e-9))
     if inside.sum() > 1:
         axes.plot(grid[inside], stress[inside], "-", color=color, lw=1.5, label=fit.spec.name, zorder=4)
@@ -117,8 +111,8 @@ def plot_biaxial(axes: Axes, fit: Fit, test: MaterialTest, *, color: str) -> Axe
     color : str
         Color of the points.
     """
-    measured = test.measured / MPA
-    axes.plot(measured, test.predicted(fit.law) / MPA, ".", color=color, ms=4, label=fit.spec.name)
+    measured = test.measured / MPa
+    axes.plot(measured, test.predicted(fit.law) / MPa, ".", color=color, ms=4, label=fit.spec.name)
     _styled(axes, "biaxial")
     axes.set_xlabel("measured nominal stress [MPa]", color=INK)
     axes.set_ylabel("fitted nominal stress [MPa]", color=INK)
@@ -176,7 +170,7 @@ def _panel(axes: Axes, fits: Sequence[Fit], tests: Sequence[MaterialTest], mode:
         for test in tests:
             for fit, color in zip(fits, _colors(fits), strict=True):
                 plot_biaxial(axes, fit, test, color=color)
-        edges = [float(edge) for test in tests for edge in (test.measured.min() / MPA, test.measured.max() / MPA)]
+        edges = [float(edge) for test in tests for edge in (test.measured.min() / MPa, test.measured.max() / MPa)]
         axes.plot([min(edges), max(edges)], [min(edges), max(edges)], color=QUIET, lw=0.8, zorder=0)
         return
     for test in tests:
@@ -186,13 +180,13 @@ def _panel(axes: Axes, fits: Sequence[Fit], tests: Sequence[MaterialTest], mode:
     if mode != "simple_shear":
         upto = max(upto, fits[0].stretch[1])
     left, _, bottom, top = *axes.get_xlim(), *axes.get_ylim()
-    end = min(upto, 1 + WIDEST * (used - 1)) if mode != "simple_shear" else upto
+    end = min(upto, 1 + PLOT.beyond_fit * (used - 1)) if mode != "simple_shear" else upto
     if end < upto:  # removed points must not squeeze the used ones into a corner
         further = f"tests go on to {upto:.3g} →"
         axes.text(1.0, 1.0, further, transform=axes.transAxes, ha="right", va="bottom", fontsize=8, color=INK)
         raws = [test.raw or test for test in tests]
-        top = 1.05 / MPA * max(float(raw.nominal_stress[raw.stretch <= end].max()) for raw in raws)
-        bottom = 1.05 / MPA * min(0.0, *(float(raw.nominal_stress.min()) for raw in raws))
+        top = 1.05 / MPa * max(float(raw.nominal_stress[raw.stretch <= end].max()) for raw in raws)
+        bottom = 1.05 / MPa * min(0.0, *(float(raw.nominal_stress.min()) for raw in raws))
     for fit, color in zip(fits, _colors(fits), strict=True):
         plot_law(axes, fit, mode, upto, color=color)
     # a law that grows fast outside its range must not squeeze the measurements

@@ -12,14 +12,11 @@ from turgor.core.materials.history.stress_history import stress_history
 from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.material import Material
 from turgor.foundation.errors import TurgorError
+from turgor.units import kPa
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.fits import COLORS, TITLES
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
-
-KPA = 1e3
-
-#: Approximate number of points that are drawn of each test.
-_POINTS = 3000
 
 
 def history_figure(material: Material, tests: Sequence[MaterialTest], *, title: str = "") -> Figure:
@@ -49,7 +46,7 @@ def history_figure(material: Material, tests: Sequence[MaterialTest], *, title: 
 def _row(row: Sequence, material: Material, test: MaterialTest) -> None:
     law = material.law
     assert isinstance(law, Law)
-    part = HistoryPart(law, test, _POINTS)  # refuses tests without time
+    part = HistoryPart(law, test, PLOT.test_points)  # refuses tests without time
     stretch = part.F[:, 0, 0]
     computed = stress_history(material, test.mode, part.time, stretch)  # type: ignore[arg-type]
     alone = stress_history(Material(name="law", law=law), test.mode, part.time, stretch)  # type: ignore[arg-type]
@@ -59,11 +56,11 @@ def _row(row: Sequence, material: Material, test: MaterialTest) -> None:
     along = np.where(shown, stretch, np.nan)  # lines break where the specimen rests
     line = np.where(shown, computed.nominal_stress, np.nan)
     for axes, x, x_all in ((row[0], stretch[shown], along), (row[1], time, part.time)):
-        axes.plot(x, measured / KPA, ".", color=QUIET, ms=3, mew=0, label="measured")
-        axes.plot(x_all, line / KPA, "-", color=COLORS[0], lw=0.9, label="fitted rubber")
+        axes.plot(x, measured / kPa, ".", color=QUIET, ms=3, mew=0, label="measured")
+        axes.plot(x_all, line / kPa, "-", color=COLORS[0], lw=0.9, label="fitted rubber")
         axes.set_ylabel("nominal stress [kPa]", color=INK)
-    row[2].plot(stretch[shown], (measured - bare) / KPA, ".", color=QUIET, ms=3, mew=0)
-    row[2].plot(along, (line - alone.nominal_stress) / KPA, "-", color=COLORS[0], lw=0.9)
+    row[2].plot(stretch[shown], (measured - bare) / kPa, ".", color=QUIET, ms=3, mew=0)
+    row[2].plot(along, (line - alone.nominal_stress) / kPa, "-", color=COLORS[0], lw=0.9)
     row[2].set_ylabel("difference from the law alone [kPa]", color=INK)
     labels = ("stretch [-]", "time [s]", "stretch [-]")
     for axes, label in zip(row, labels, strict=True):

@@ -12,12 +12,8 @@ from turgor.units import MPa, kPa
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.materials import MODES
 from turgor.views.plots.response_plots import COLORS
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, style_axes
-
-#: Largest stretch that is drawn where the range of the tests is unknown.
-REACH = 2.5
-
-_POINTS = 160
 
 
 def law_figure(material: Material) -> Figure:
@@ -51,8 +47,8 @@ def _curves(axes: Axes, material: Material) -> None:
     if isinstance(law, Hooke):
         raise TurgorError(f"material '{material.name}' is linear elastic; its curve is a straight line.")
     known = material.stretch_range is not None and material.stretch_range[1] > 1
-    reach = material.stretch_range[1] if material.stretch_range is not None and known else REACH
-    across = np.linspace(1.0, reach, _POINTS)
+    reach = material.stretch_range[1] if material.stretch_range is not None and known else PLOT.unknown_stretch
+    across = np.linspace(1.0, reach, PLOT.curve_points)
     with np.errstate(all="ignore"):  # no stress beyond a limiting stretch
         curves = {mode: nominal_stress(law, DEFORMATIONS[mode](across))[..., 0, 0] for mode in MODES}
     most = max(float(np.nanmax(np.where(np.isfinite(each), each, 0.0))) for each in curves.values())

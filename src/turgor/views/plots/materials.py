@@ -20,15 +20,13 @@ from turgor.core.materials.library.records import find_record
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Severity
 from turgor.views.plots.figures import PlotFigure, check_ending, write_figure
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, style_axes
 
 Array = NDArray[np.float64]
 
 #: Modes that have a panel, in this order.
 MODES = ("uniaxial", "planar", "equibiaxial")
-
-#: Largest stretch that is drawn by default; stiff parts, which are linear elastic, are drawn to 1 % strain.
-REACH, STIFF_REACH = 4.0, 1.01
 
 
 def plot_records(axes: Axes, chosen: Sequence[Record], stretch: Array, mode: str = "uniaxial") -> Axes:
@@ -160,8 +158,8 @@ def write_material_plot(
 def _stretches(chosen: Sequence[Record], tests: Sequence[MaterialTest]) -> Array:
     if tests:
         low = min(1.0, *(float(test.stretch.min()) for test in tests))
-        return _between(low, min(REACH, max(float(test.stretch.max()) for test in tests)))
-    return _between(1.0, STIFF_REACH if all(_stiff(record) for record in chosen) else REACH)
+        return _between(low, min(PLOT.stretch, max(float(test.stretch.max()) for test in tests)))
+    return _between(1.0, PLOT.stiff_stretch if all(_stiff(record) for record in chosen) else PLOT.stretch)
 
 
 def _between(low: float, high: float) -> Array:

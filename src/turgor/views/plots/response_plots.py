@@ -12,15 +12,13 @@ from turgor.core.results.measures.headlines import HEADLINE, headlines, with_par
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response, unit_text
 from turgor.views.plots.figures import PlotFigure, check_ending, svg_of, write_figure
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, style_axes
 
 BLUE = "#1f5fa8"
 
 #: Colors of lines that share a panel, in this order, distinct for color-blind readers too (Okabe and Ito 2008).
 COLORS = (BLUE, "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
-
-#: Names of stages that have more letters in total than this are turned, so that they do not overlap below a panel.
-MOST_LETTERS = 36
 
 #: Headlines without a panel of their own: the bending angle tells more than the displacement of the tip.
 LEFT_OUT = ("tip_displacement",)
@@ -76,7 +74,7 @@ def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str 
 def _name_stages(axes: Axes, names: list[str]) -> None:
     """Write the names of stages below their parts of the axis, with a grid line where a stage ends."""
     axes.set_xticks(range(len(names) + 1), labels=[""] * (len(names) + 1))
-    turned = sum(map(len, names)) > MOST_LETTERS
+    turned = sum(map(len, names)) > PLOT.stage_letters
     how = {"rotation": 30, "ha": "right", "rotation_mode": "anchor"} if turned else {}
     axes.set_xticks([number + 0.5 for number in range(len(names))], labels=names, minor=True, color=INK, **how)
     axes.tick_params(axis="x", which="minor", length=0)

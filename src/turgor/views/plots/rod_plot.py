@@ -12,13 +12,8 @@ from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import COLORS
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
-
-#: Half the length of the marks of sections, over the length of the rod, where the section has no contact radius.
-MARK = 0.02
-
-#: Opacity of the first state; that of the last is 1.
-FAINTEST = 0.25
 
 
 def plot_rods(solution: RodSolution, states: Iterable[int] = (0, -1), *, view: str = "xz", axes: Any = None) -> Figure:
@@ -59,9 +54,9 @@ def plot_rods(solution: RodSolution, states: Iterable[int] = (0, -1), *, view: s
         axes = PlotFigure(figsize=(4.8, 3.6)).add_subplot()
     system = RodSystem(solution.model)
     chosen = [solution.states[index] for index in states]
-    for state, shade in zip(chosen, np.linspace(FAINTEST, 1.0, len(chosen)), strict=True):
+    for state, shade in zip(chosen, np.linspace(PLOT.first_state, 1.0, len(chosen)), strict=True):
         for k, (rod, shape) in enumerate(zip(solution.model.rods, shapes_of(system, state), strict=True)):
-            half = rod.section.contact_radius or MARK * rod.length
+            half = rod.section.contact_radius or PLOT.rod_mark * rod.length
             color = COLORS[k % len(COLORS)]
             for side in shape.frames[:, :, 1:].transpose(2, 0, 1):
                 ends = np.stack([shape.position - half * side, shape.position + half * side]) / mm

@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from turgor.fast_models.section.solution import SectionSolution
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 from turgor.views.plots.figures import PlotFigure, check_ending, write_figure
 from turgor.views.plots.response_plots import BLUE, plot_response
@@ -14,9 +15,6 @@ from turgor.views.plots.styling import INK, QUIET, style_axes
 
 #: Columns that get a panel if they change along the path.
 SHOWN = ("curvature_y", "curvature_z", "twist", "stretch", "cavity_ballooning", "outside_ballooning")
-
-#: What counts as no change.
-STILL = 1e-9
 
 
 def plot_section(axes: Axes, solution: SectionSolution) -> Axes:
@@ -59,7 +57,7 @@ def section_figure(solution: SectionSolution, title: str = "") -> Figure:
     drive = response.names[0]
     rest = {"stretch": 1.0, "cavity_ballooning": 1.0, "outside_ballooning": 1.0}
     shown = [name for name in SHOWN if name in response]
-    shown = [name for name in shown if np.abs(response[name] - rest.get(name, 0.0)).max(initial=0.0) > STILL]
+    shown = [name for name in shown if np.abs(response[name] - rest.get(name, 0.0)).max(initial=0.0) > ROUND_OFF.same]
     panels = len(shown) + 1
     columns = min(panels, 3)
     figure = PlotFigure(figsize=(4.0 * columns, 3.2 * -(-panels // columns)))

@@ -13,16 +13,11 @@ from numpy.typing import ArrayLike
 from turgor.foundation.response import Response
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import COLORS, plot_response
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, style_axes
 
-#: Sizes of a panel and of a row of pictures [inch].
-PANEL_WIDTH, PANEL_HEIGHT, PICTURE_HEIGHT = 4.2, 3.2, 2.0
-
-#: Pictures of one row.
-MOST_PICTURES = 5
-
-#: Letters of one line above a picture.
-TITLE_LETTERS = 18
+#: Height of a row of pictures [inch].
+PICTURE_HEIGHT = 2.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -85,8 +80,8 @@ def study_figure(panels: Sequence[Panel], pictures: Sequence[tuple[str, bytes]] 
     1
     """
     shown = _spread(pictures)
-    heights = [PANEL_HEIGHT] * bool(panels) + [PICTURE_HEIGHT] * bool(shown)
-    width = max(PANEL_WIDTH * len(panels), 1.6 * PANEL_WIDTH if shown else 0.0)
+    heights = [PLOT.panel_height] * bool(panels) + [PICTURE_HEIGHT] * bool(shown)
+    width = max(PLOT.panel_width * len(panels), 1.6 * PLOT.panel_width if shown else 0.0)
     figure = PlotFigure(figsize=(width, sum(heights)))
     rows = iter(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0])
     if panels:
@@ -98,7 +93,7 @@ def study_figure(panels: Sequence[Panel], pictures: Sequence[tuple[str, bytes]] 
         for axes, (name, png) in zip(row.subplots(1, len(shown), squeeze=False)[0], shown, strict=True):
             axes.imshow(imread(BytesIO(png), format="png"))
             axes.set_axis_off()
-            axes.set_title(fill(name, TITLE_LETTERS), color=INK, fontsize=9)
+            axes.set_title(fill(name, PLOT.title_letters), color=INK, fontsize=9)
     return figure
 
 
@@ -125,9 +120,9 @@ def pictures_in_row(pictures: Sequence[tuple[str, bytes]], size: tuple[float, fl
 
 def _spread(pictures: Sequence[tuple[str, bytes]]) -> list[tuple[str, bytes]]:
     drawn = [each for each in pictures if each[1]]
-    if len(drawn) <= MOST_PICTURES:
+    if len(drawn) <= PLOT.pictures:
         return drawn
-    return [drawn[round(k)] for k in np.linspace(0, len(drawn) - 1, MOST_PICTURES)]
+    return [drawn[round(k)] for k in np.linspace(0, len(drawn) - 1, PLOT.pictures)]
 
 
 def _panel(axes: Any, panel: Panel) -> None:

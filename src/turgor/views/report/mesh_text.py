@@ -6,9 +6,7 @@ from numpy.typing import NDArray
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.cell_quality import cell_shapes, jacobian_ratios, quality
 from turgor.units import mm
-
-#: Letters that the longest bar of a histogram is long, and the number of its bars from 0 to 1.
-BAR, BINS = 40, 10
+from turgor.views.report.settings import PAGE
 
 
 def describe_mesh(mesh: Mesh) -> str:
@@ -44,18 +42,18 @@ def describe_mesh(mesh: Mesh) -> str:
             f"  shape of the cells (1 is regular, 0 is flat): worst {stats.min_shape:.2g}, mean {stats.mean_shape:.2g}",
             *_histogram(cell_shapes(mesh)),
             f"  Jacobian ratio of the curved cells (1 is straight): worst {stats.min_jacobian_ratio:.2g}",
-            *(_histogram(jacobian_ratios(mesh)) if stats.min_jacobian_ratio < 1 - 1 / BINS else ()),
+            *(_histogram(jacobian_ratios(mesh)) if stats.min_jacobian_ratio < 1 - 1 / PAGE.bars else ()),
         ]
     )
 
 
 def _histogram(values: NDArray[np.float64]) -> list[str]:
     """Bars from 0 to 1, the empty ones at the lower end left out."""
-    place = np.clip(np.floor(values * BINS + 1e-9), 0, BINS - 1).astype(np.int64)
-    counts = np.bincount(place, minlength=BINS)
+    place = np.clip(np.floor(values * PAGE.bars + 1e-9), 0, PAGE.bars - 1).astype(np.int64)
+    counts = np.bincount(place, minlength=PAGE.bars)
     first = int(np.flatnonzero(counts)[0])
-    bars = [max(1, round(BAR * count / counts.max())) if count else 0 for count in counts]
+    bars = [max(1, round(PAGE.longest_bar * count / counts.max())) if count else 0 for count in counts]
     return [
-        f"    {i / BINS:.1f} to {(i + 1) / BINS:.1f} {counts[i]:>8,} {'#' * bars[i]}".rstrip()
-        for i in range(first, BINS)
+        f"    {i / PAGE.bars:.1f} to {(i + 1) / PAGE.bars:.1f} {counts[i]:>8,} {'#' * bars[i]}".rstrip()
+        for i in range(first, PAGE.bars)
     ]

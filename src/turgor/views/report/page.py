@@ -34,15 +34,13 @@ from turgor.views.report.job_text import tidy
 from turgor.views.report.material_plots import law_plot
 from turgor.views.report.references import references
 from turgor.views.report.response_table import is_zero, parted, response_table
+from turgor.views.report.settings import PAGE
 from turgor.views.report.templating import rendered
 from turgor.views.viewer.curves import Measured
 from turgor.views.viewer.scene import Scene, scene_of
+from turgor.views.viewer.settings import VIEWER
 from turgor.views.viewer.viewer import viewer_markup, viewer_scripts, viewer_style
 
-#: Largest width and height of a picture on the page, in its pixels.
-PAGE_WIDTH, PICTURE_HEIGHT = 984, 760
-#: Size of a page that can be sent by mail [bytes].
-MOST_BYTES = 10_000_000
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
@@ -105,7 +103,7 @@ def write_report(path: str | Path, report: Report) -> None:
     """Write a report as one HTML file that needs no other: viewer, pictures, plots and style are inside.
 
     Where the browser has no WebGL, and in print, the still pictures take the place of the viewer. The viewer shows as
-    many states as fit on a page of `MOST_BYTES`, and two at least.
+    many states as fit on a page that can be sent by mail, and two at least.
 
     Parameters
     ----------
@@ -116,7 +114,7 @@ def write_report(path: str | Path, report: Report) -> None:
     """
     scene = _scene(report)
     page = _page(report, scene)
-    while scene is not None and (excess := len(page) - MOST_BYTES) > 0:
+    while scene is not None and (excess := len(page) - VIEWER.page_bytes) > 0:
         fewer = _scene(report, max(0, scene.letters - excess))
         if fewer is None or fewer.steps == scene.steps:  # the rest of the page is too large by itself
             break
@@ -177,7 +175,7 @@ def _model(report: Report, staged: bool) -> dict[str, object]:
     }
 
 
-def _scene(report: Report, most_text: int | None = None) -> Scene | None:
+def _scene(report: Report, most_text: int = VIEWER.page_bytes) -> Scene | None:
     """What the viewer shows in so many letters, if two states need no more; nothing of a solution without states."""
     if not report.solution.states:
         return None
@@ -237,12 +235,12 @@ def _mesh_errors(response: Response) -> list[tuple[str, str]]:
 
 def _picture_width(pictures: tuple[Picture, ...]) -> int:
     """Width at which none of the pictures is too tall, in pixels of the page; one for all keeps their scale equal."""
-    widths = [float(PAGE_WIDTH)]
+    widths = [float(PAGE.width)]
     for picture in pictures:
         if picture.png[:8] != PNG_SIGNATURE:
             raise TurgorError(f"picture '{picture.caption}' is no PNG.")
         width, height = struct.unpack(">II", picture.png[16:24])
-        widths.append(PICTURE_HEIGHT * width / height)
+        widths.append(PAGE.picture_height * width / height)
     return int(min(widths))
 
 

@@ -7,12 +7,7 @@ import numpy as np
 from turgor.core.results.drive import drive_of, pressures_in
 from turgor.core.results.error_text import NOT_SHOWN, with_error
 from turgor.foundation.response import Column, Response
-
-#: Rows that a page shows at most; the file has all.
-ROWS = 13
-
-#: Columns of a table at most, so that it fits a printed page.
-COLUMNS = 8
+from turgor.views.report.settings import PAGE
 
 
 def response_table(response: Response) -> dict[str, Any]:
@@ -47,7 +42,7 @@ def response_table(response: Response) -> dict[str, Any]:
     }
 
 
-def parted(table: dict[str, Any], most: int = COLUMNS) -> list[dict[str, Any]]:
+def parted(table: dict[str, Any], most: int = PAGE.columns) -> list[dict[str, Any]]:
     """Part a table with many columns into tables below each other, each with the first column.
 
     Parameters
@@ -81,7 +76,7 @@ def shown_rows(count: int) -> list[int]:
     >>> shown_rows(4), len(shown_rows(1000))
     ([0, 1, 2, 3], 13)
     """
-    step = max(1, -(-(count - 1) // (ROWS - 1)))
+    step = max(1, -(-(count - 1) // (PAGE.rows - 1)))
     return [*range(0, count - 1, step), count - 1]
 
 

@@ -15,9 +15,7 @@ from turgor.views.pictures.state_picture import picture_title, shared_view, stat
 from turgor.views.plots.figures import png_of
 from turgor.views.report.headline import headline
 from turgor.views.report.page import Report, write_report
-
-#: Width of the still picture [pixels].
-STILL = 1000
+from turgor.views.report.settings import PAGE
 
 
 def report(of: Solution, path: str | Path, *, response: Response | None = None, title: str | None = None) -> Path:
@@ -78,7 +76,7 @@ def _picture(fields: PathFields, response: Response, name: str) -> Picture:
     first, last = fields.at(0), fields.at(-1)
     figure = state_figure(
         last,
-        shared_view([first, last], STILL),
+        shared_view([first, last], PAGE.width),
         title=picture_title(response, -1, name),
         ghost=first if len(fields.solution.states) > 1 else None,
     )

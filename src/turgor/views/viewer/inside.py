@@ -7,13 +7,10 @@ from numpy.typing import NDArray
 
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.results.fields.state_fields import StateFields
+from turgor.views.viewer.settings import VIEWER
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Bytes of positions and fields of all steps, before they shrink, up to which the tetrahedra have all nodes of the
-#: cells, and up to which there are any.
-FINE_BYTES, MOST_BYTES = 2_000_000, 3_000_000
 
 #: Tetrahedra of a cell by its nodes: of ten-node tetrahedra, whose middle nodes count, and of the corners of hexahedra.
 _FINE = ((0, 4, 6, 7), (4, 1, 5, 8), (6, 5, 2, 9), (7, 8, 9, 3), (6, 8, 4, 5), (6, 8, 5, 9), (6, 8, 9, 7), (6, 8, 7, 4))
@@ -64,12 +61,11 @@ def inside_of(rest: StateFields, steps: int, each: int) -> Inside | None:
         None where even the corners of the cells are too many.
     """
     mesh, cells = rest.mesh, rest.facts.region_nodes.cells
-    plain = mesh.cell_type is TETRAHEDRON
-    coarse = (tuple(range(4)),) if plain else _BRICK
-    for split, most in ((_FINE if plain else coarse, FINE_BYTES), (coarse, MOST_BYTES)):
+    splits = (_FINE, (tuple(range(4)),)) if mesh.cell_type is TETRAHEDRON else (_BRICK,)
+    for split in splits:
         corners = cells[:, np.array(split)].reshape(-1, 4)
         rows, same = np.unique(corners, return_inverse=True)
-        if len(rows) * steps * each <= most:
+        if len(rows) * steps * each <= VIEWER.inside_bytes:
             node = rest.facts.region_nodes.node[rows]
             return Inside(tetrahedra=same.reshape(-1, 4), node=node, row=rows, count=len(mesh.points))
     return None

@@ -19,22 +19,14 @@ from turgor.views.pictures.state_picture import picture_title
 from turgor.views.viewer.curves import Measured, curves_of
 from turgor.views.viewer.inside import Inside, inside_of
 from turgor.views.viewer.packing import pack_index, pack_steps
+from turgor.views.viewer.settings import VIEWER
 from turgor.views.viewer.shown_fields import FIELDS, shown_fields
 from turgor.views.viewer.surface import SIDES, Surface, surface_of
 
 Array = NDArray[np.float64]
 
-#: Steps that the viewer shows at most, and bytes of all steps before they are packed (about as many on the page).
-MOST_STEPS, MOST_BYTES = 40, 8_000_000
-
-#: Letters of the scene as text beyond which every second step is left out.
-MOST_TEXT = 6_000_000
-
 #: Bytes of a vertex in a step: its position, and a value of every field.
 BYTES = 2 * (3 + sum(field.of is not None for field in FIELDS))
-
-#: Points of all threads beyond which each thread is drawn through every second, third … point.
-MOST_THREAD_POINTS = 20_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,7 +56,7 @@ def scene_of(
     response: Response | None = None,
     measured: Sequence[Measured] = (),
     fields: PathFields | None = None,
-    most_text: int | None = None,
+    most_text: int = VIEWER.page_bytes,
 ) -> Scene:
     """Collect what the viewer draws: surface, fields, fibers, obstacles and curves at evenly spaced states.
 
@@ -78,8 +70,8 @@ def scene_of(
         Experiments, drawn with the curves.
     fields : PathFields, optional
         Fields of the solution that others read, too.
-    most_text : int, optional
-        Letters of the scene as text beyond which every second step is left out; `MOST_TEXT` by default.
+    most_text : int
+        Letters of the scene as text beyond which every second step is left out.
 
     Returns
     -------
@@ -98,8 +90,7 @@ def scene_of(
     surface = surface_of(fields.at(0))
     steps = chosen_steps(len(solution.states), len(surface.node))
     values = _values(fields, response, surface, steps)
-    room = MOST_TEXT if most_text is None else most_text
-    while (letters := _letters(values)) > room and len(steps) > 2:
+    while (letters := _letters(values)) > most_text and len(steps) > 2:
         steps = [*steps[:-1:2], steps[-1]]
         values = _values(fields, response, surface, steps)
     values["curves"] = None if response is None else curves_of(response, steps, measured)
@@ -145,7 +136,7 @@ def chosen_steps(count: int, vertices: int) -> list[int]:
     >>> chosen_steps(4, 1000), len(chosen_steps(500, 1000)), len(chosen_steps(500, 100_000))
     ([0, 1, 2, 3], 40, 5)
     """
-    most = max(2, min(MOST_STEPS, MOST_BYTES // (BYTES * vertices)))
+    most = max(2, min(VIEWER.steps, VIEWER.surface_bytes // (BYTES * vertices)))
     if count <= most:
         return list(range(count))
     return [int(k) for k in np.unique(np.rint(np.linspace(0, count - 1, most)))]
@@ -212,7 +203,7 @@ def _threads(states: Sequence[StateFields]) -> dict[str, Any] | None:
     lines = [_lines(at) for at in states]
     if not lines[0]:
         return None
-    stride = -(-sum(map(len, lines[0])) // MOST_THREAD_POINTS)
+    stride = -(-sum(map(len, lines[0])) // VIEWER.thread_points)
     thinned = [[np.concatenate([line[:-1:stride], line[-1:]]) for line in each] for each in lines]
     return {
         "lengths": pack_index(np.array([len(line) for line in thinned[0]])),

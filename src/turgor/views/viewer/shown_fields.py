@@ -14,6 +14,7 @@ from turgor.core.engine.percentiles import PERCENTILE
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.units import kPa, mm
 from turgor.views.pictures.colors import CONTACT_PRESSURE, RUBBER, VON_MISES, color_map
+from turgor.views.pictures.settings import LOOK
 from turgor.views.viewer.inside import Inside
 from turgor.views.viewer.packing import pack_steps
 from turgor.views.viewer.surface import Surface
@@ -22,9 +23,6 @@ Array = NDArray[np.float64]
 
 #: Colors of a color bar.
 COLORS = 256
-
-#: Share of the color bar of the contact pressure that keeps the color of rubber: where nothing touches.
-UNTOUCHED = 0.02
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -154,5 +152,5 @@ def _colors(key: str) -> str:
         place = 0.05 + 0.75 * place if key != "displacement" else 0.1 + 0.85 * place
     colors = chosen(place)[:, :3]
     if key == CONTACT_PRESSURE:
-        colors[: round(UNTOUCHED * COLORS)] = to_rgb(RUBBER)
+        colors[: round(LOOK.faint_pressure * COLORS)] = to_rgb(RUBBER)
     return b64encode(np.rint(255 * colors).astype(np.uint8).tobytes()).decode()

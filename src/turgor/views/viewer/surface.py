@@ -8,13 +8,11 @@ from numpy.typing import NDArray
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.core.meshing.mesh import TRIANGLE_EDGES
 from turgor.core.results.fields.state_fields import StateFields
+from turgor.views.pictures.settings import RENDERING
 from turgor.views.pictures.skin import drawn_triangles, visible_skin
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Vertices of a surface beyond which the viewer gets straight triangles, which have a quarter of the vertices.
-MOST_VERTICES = 60_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -68,7 +66,7 @@ def surface_of(rest: StateFields) -> Surface:
     pieces = len(skin.triangles) // (len(nodes) * len(rest.facts.images))
     patch = skin.patch[: len(nodes) * pieces : pieces]
     surface = _numbered(rest, nodes, patch, region)
-    if len(surface.node) > MOST_VERTICES:
+    if len(surface.node) > RENDERING.triangles:  # straight triangles have a quarter of the vertices
         surface = _numbered(rest, nodes[:, :3], patch, region)
     return surface
 

@@ -11,15 +11,13 @@ from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
 from turgor.views.viewer.scene import Scene, scene_of
+from turgor.views.viewer.settings import VIEWER
 
 #: Scripts of the viewer in the order in which they stand in a page.
 SCRIPTS = (
     "1_unpack.js", "2_skin.js", "3_stage.js", "4_body.js", "5_section.js", "6_chart.js", "7_linked.js", "8_overlay.js",
     "9_viewer.js",
 )  # fmt: skip
-
-#: Height of the viewer in a notebook [pixels].
-HEIGHT = 680
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,7 +39,7 @@ class Viewer:
         """Return what a notebook shows: the page in a frame of its own."""
         return (
             f'<iframe srcdoc="{escape(self.page())}" title="{escape(self.title)}" loading="lazy" '
-            f'style="width:100%;height:{HEIGHT}px;border:0;background:#fff"></iframe>'
+            f'style="width:100%;height:{VIEWER.height}px;border:0;background:#fff"></iframe>'
         )
 
     def page(self) -> str:

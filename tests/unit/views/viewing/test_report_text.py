@@ -18,9 +18,11 @@ from turgor.views.plots.response_plots import response_figure
 from turgor.views.report.headline import headline, modeled_part
 from turgor.views.report.page import Report, write_report
 from turgor.views.report.references import LAW_SOURCES
-from turgor.views.report.response_table import COLUMNS, parted, response_table
+from turgor.views.report.response_table import parted, response_table
+from turgor.views.report.settings import PAGE
 from turgor.views.viewer.curves import Measured
 from turgor.views.viewer.scene import scene_of
+from turgor.views.viewer.settings import VIEWER
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +73,7 @@ def test_numbers_have_four_digits_and_a_minus_sign():
 def test_a_wide_table_is_parted_so_that_it_fits_a_page():
     wide = response(load_factor=("", [0, 1]), **{f"way_{k}_along": ("mm", [0, k]) for k in range(1, 21)})
     parts = parted(response_table(wide))
-    assert all(len(part["labels"]) <= COLUMNS for part in parts)
+    assert all(len(part["labels"]) <= PAGE.columns for part in parts)
     assert all(part["labels"][0] == "load factor" for part in parts)
     assert [label for part in parts for label in part["labels"][1:]] == [c.label for c in wide.columns[1:]]
     assert all(len(row) == len(part["labels"]) for part in parts for row in part["rows"])
@@ -135,7 +137,7 @@ def test_a_page_that_is_too_large_shows_fewer_states(tmp_path, monkeypatch):
     fewer = "of 5 states, to keep the page small."
     assert fewer not in file.read_text(encoding="utf-8")
     letters = len(json.dumps(scene_of(path).values))
-    monkeypatch.setattr("turgor.views.report.page.MOST_BYTES", whole - letters // 4)
+    monkeypatch.setattr("turgor.views.report.page.VIEWER", replace(VIEWER, page_bytes=whole - letters // 4))
     tg.report(path, file)
     assert file.stat().st_size < whole - letters // 4
     assert fewer in file.read_text(encoding="utf-8")

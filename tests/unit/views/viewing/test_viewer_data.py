@@ -19,7 +19,8 @@ from turgor.core.solvers.solution import Touch
 from turgor.units import kPa, mm
 from turgor.views.pictures.skin import drawn_triangles
 from turgor.views.viewer.packing import MOST, pack_index, pack_steps, unpack
-from turgor.views.viewer.scene import MOST_BYTES, chosen_steps, scene_of
+from turgor.views.viewer.scene import chosen_steps, scene_of
+from turgor.views.viewer.settings import VIEWER
 from turgor.views.viewer.surface import surface_of
 
 
@@ -141,7 +142,7 @@ def test_long_paths_and_large_surfaces_are_thinned_out():
         steps = chosen_steps(count, vertices)
         assert steps[0] == 0 and steps[-1] == count - 1
         assert np.ptp(np.diff(steps)) <= 1
-        assert len(steps) == 2 or 2 * vertices * 7 * len(steps) <= MOST_BYTES
+        assert len(steps) == 2 or 2 * vertices * 7 * len(steps) <= VIEWER.surface_bytes
 
 
 def test_a_long_path_says_what_is_left_out(half):
@@ -151,11 +152,10 @@ def test_a_long_path_says_what_is_left_out(half):
     assert found.notes == ("The viewer shows 40 of 100 states, to keep the page small.",)
 
 
-def test_a_scene_that_is_too_large_leaves_out_steps(half, monkeypatch):
+def test_a_scene_that_is_too_large_leaves_out_steps(half):
     path = replace(half, states=tuple(half.states[k % 3] for k in range(9)))
     whole = sum(len(each["data"]["data"]) for each in scene_of(path).values["fields"] if each["data"])
-    monkeypatch.setattr("turgor.views.viewer.scene.MOST_TEXT", whole)
-    found = scene_of(path)
+    found = scene_of(path, most_text=whole)
     assert len(found.steps) < 9
     assert found.steps[0] == 0 and found.steps[-1] == 8
 

@@ -7,30 +7,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.studies.optimization.problem import Candidate, Problem
 from turgor.studies.optimization.search import Ending, Search
 from turgor.studies.optimization.searches.starts import spread
 from turgor.studies.optimization.searches.surfaces import surfaces_through
+from turgor.studies.optimization.settings import PARETO
 from turgor.studies.runs.optional_parts import needed
 
 Array = NDArray[np.float64]
-
-#: Designs of a generation, and generations on surfaces.
-POPULATION, GENERATIONS = 60, 80
-
-#: Designs of a generation where the function itself is called.
-FEW = 24
-
-#: Share of the runs that the first surfaces are laid through, at least 2 n + 2 of them.
-FIRST_SHARE = 0.4
-
-#: Designs that are computed between two searches on surfaces.
-BATCH = 4
-
-#: The search ends where what the surfaces promised was computed to be on the front within this share of its range, …
-FRONT_ERROR = 0.02
-#: … so many times in a row, and no promised design is farther than this from a computed one, in the same ranges.
-QUIET, GAP = 2, 0.15
 
 
 def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
@@ -47,24 +32,24 @@ def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
     -------
     Ending
     """
-    first = max(2 * len(start) + 2, round(FIRST_SHARE * problem.most))
+    first = max(2 * len(start) + 2, round(PARETO.first_share * problem.most))
     problem.compute([start, *spread(problem, first - 1, search.seed)])
     quiet = 0
-    while problem.left > 0 and quiet < QUIET:
+    while problem.left > 0 and quiet < PARETO.quiet:
         known = problem.known
         if len(known) < len(start) + 1:
             return Ending.FAILED if not known else Ending.BUDGET
         surfaces = surfaces_through(np.array([each.at for each in known]), np.array([each.readings for each in known]))
-        points = _nondominated(problem, surfaces, (POPULATION, GENERATIONS), search.seed)
-        chosen, gap = _apart(problem, points, surfaces, min(BATCH, problem.left))
+        points = _nondominated(problem, surfaces, (PARETO.population, PARETO.generations), search.seed)
+        chosen, gap = _apart(problem, points, surfaces, min(PARETO.batch, problem.left))
         if not chosen:
             quiet += 1
             break
         before = len(problem.candidates)
-        found = [each for each in problem.compute(chosen) if each.known]
+        computed = [each for each in problem.compute(chosen) if each.known]
         if len(problem.candidates) == before:
             break
-        quiet = quiet + 1 if gap < GAP and _as_promised(problem, found, surfaces) else 0
+        quiet = quiet + 1 if gap < PARETO.gap and _as_promised(problem, computed, surfaces) else 0
     return _ended(problem, quiet > 0)
 
 
@@ -82,7 +67,7 @@ def evolution(problem: Problem, start: Array, search: Search) -> Ending:
     Ending
     """
     problem.compute([start])
-    size = min(FEW, max(problem.left, 2))
+    size = min(PARETO.computed_population, max(problem.left, 2))
 
     def readings(points: Array) -> Array:
         if problem.left > 0:
@@ -110,9 +95,9 @@ def best_of_front(problem: Problem, front: Sequence[Candidate]) -> Candidate:
 
 
 def _front(problem: Problem) -> list[Candidate]:
-    kept = [each for each in problem.known if each.score.kept]
-    values = np.array([each.score.objectives for each in kept]).reshape(len(kept), -1)
-    return [each for each, here in zip(kept, values, strict=True) if not _beaten(here, values)]
+    allowed = [each for each in problem.known if each.score.kept]
+    values = np.array([each.score.objectives for each in allowed]).reshape(len(allowed), -1)
+    return [each for each, here in zip(allowed, values, strict=True) if not _beaten(here, values)]
 
 
 def _beaten(here: Array, others: Array) -> bool:
@@ -139,10 +124,10 @@ def _pymoo_problem(problem: Problem, readings: Callable[[Array], Array]) -> Any:
     count, size = len(problem.objectives), len(problem.factors)
 
     def _evaluate(self: Any, x: Array, out: dict[str, Array], *_: Any, **__: Any) -> None:
-        found = [problem.score(each) for each in readings(np.array([problem.snapped(point) for point in x]))]
-        broken = np.array([problem.margins(point).min(initial=0.0) < -1e-9 for point in x])
-        values = np.array([each.objectives if each.known else (1e9,) * count for each in found])
-        violated = np.array([each.violation - 1.0 if each.known else 1e9 for each in found])
+        scores = [problem.score(each) for each in readings(np.array([problem.snapped(point) for point in x]))]
+        broken = np.array([problem.margins(point).min(initial=0.0) < -ROUND_OFF.same for point in x])
+        values = np.array([each.objectives if each.known else (1e9,) * count for each in scores])
+        violated = np.array([each.violation - 1.0 if each.known else 1e9 for each in scores])
         out["F"], out["G"] = values, np.column_stack([violated, broken.astype(float)])
 
     kind = type("Designs", (base,), {"_evaluate": _evaluate})
@@ -191,7 +176,7 @@ def _as_promised(problem: Problem, found: Sequence[Candidate], surfaces: Any) ->
         np.abs(np.array(each.score.objectives) - np.array(problem.score(surfaces(each.at)).objectives)) / ranges
         for each in found
     ]
-    return bool(np.max(errors) < FRONT_ERROR)
+    return bool(np.max(errors) < PARETO.front_error)
 
 
 def _ended(problem: Problem, quiet: bool) -> Ending:

@@ -10,12 +10,10 @@ from scipy.stats import qmc
 from turgor.studies.optimization.problem import Candidate, Problem
 from turgor.studies.optimization.search import Ending, Search
 from turgor.studies.optimization.searches.step import merit
+from turgor.studies.optimization.settings import TRUST_REGION
 
 Array = NDArray[np.float64]
 Descend = Callable[[Problem, Array, Search], Ending]
-
-#: Latin hypercubes that are drawn until enough designs keep the rules.
-DRAWS = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,7 +58,7 @@ def descents_of(problem: Problem, start: Array, search: Search, descend: Descend
         One for each start that was taken.
     """
     begins = [start, *spread(problem, search.starts - 1, search.seed)]
-    found: list[Descent] = []
+    descents: list[Descent] = []
     for number, begin in enumerate(begins):
         most = problem.left // (len(begins) - number)
         if most < 1:
@@ -70,10 +68,10 @@ def descents_of(problem: Problem, start: Array, search: Search, descend: Descend
         places = [_place(problem, each) for each in part.candidates]
         best = best_of(part)
         place = None if best is None else places[[each is best for each in part.candidates].index(True)]
-        found.append(Descent(start=places[0], best=place, ending=ending))
+        descents.append(Descent(start=places[0], best=place, ending=ending))
         if ending is Ending.CONVERGED and not problem.objectives:
             break
-    return tuple(found)
+    return tuple(descents)
 
 
 def best_of(problem: Problem) -> Candidate | None:
@@ -105,13 +103,13 @@ def spread(problem: Problem, count: int, seed: int) -> list[Array]:
     list of (n,) array
         Shares of the ranges; fewer than requested where the rules leave little room.
     """
-    found: list[Array] = []
-    for more in range(DRAWS if count > 0 else 0):
+    designs: list[Array] = []
+    for more in range(TRUST_REGION.tries if count > 0 else 0):
         draws = qmc.LatinHypercube(d=len(problem.factors), seed=seed + more).random(count)
-        found.extend(problem.snapped(point) for point in draws if not problem.broken(point))
-        if len(found) >= count:
+        designs.extend(problem.snapped(point) for point in draws if not problem.broken(point))
+        if len(designs) >= count:
             break
-    return found[: max(count, 0)]
+    return designs[: max(count, 0)]
 
 
 def _place(problem: Problem, candidate: Candidate) -> int:

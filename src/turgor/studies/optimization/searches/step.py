@@ -12,24 +12,10 @@ from scipy.optimize import minimize
 from turgor.studies.optimization.goals import MET, Limit
 from turgor.studies.optimization.problem import Problem, Score
 from turgor.studies.optimization.searches.surfaces import Surfaces
+from turgor.studies.optimization.settings import TRUST_REGION
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-
-#: A search aims at this violation; up to 1 counts as met.
-AIM = 0.5
-
-#: Penalty of a violation beyond the aim, in objectives over their scales, or in misfits.
-PENALTY, MISFIT_PENALTY = 1.0, 10.0
-
-#: Misfits below this length count less and less: the length has a kink where all targets are met.
-SMOOTH = 0.1
-
-#: Random beginnings of a search on the surfaces besides its center.
-BEGINNINGS = 4
-
-#: Whole numbers on both sides are tried for so many factors at most.
-MOST_WHOLE = 4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -56,8 +42,7 @@ def merit(problem: Problem, score: Score) -> float:
     """Return what a step is to lower: the objective, and a penalty of what is violated."""
     if not score.known:
         return float("inf")
-    penalty = PENALTY if problem.objectives else MISFIT_PENALTY
-    return score.objectives[0] + penalty * max(score.violation - AIM, 0.0)
+    return score.objectives[0] + max(score.violation - TRUST_REGION.aim, 0.0)
 
 
 def best_step(problem: Problem, surfaces: Surfaces, box: Box, seed: int) -> Array:
@@ -77,9 +62,9 @@ def best_step(problem: Problem, surfaces: Surfaces, box: Box, seed: int) -> Arra
         Shares of the ranges that keep the rules; the center where nothing better does.
     """
     low, high = box.limits(problem.levels)
-    draws = np.random.default_rng(seed).uniform(low, high, size=(BEGINNINGS, len(low)))
-    found = [_minimized(problem, surfaces, begin, (low, high)) for begin in (box.center, *draws)]
-    points = [each for point in found for each in _whole(problem, surfaces, point, (low, high))]
+    draws = np.random.default_rng(seed).uniform(low, high, size=(TRUST_REGION.beginnings, len(low)))
+    lowest = [_minimized(problem, surfaces, begin, (low, high)) for begin in (box.center, *draws)]
+    points = [each for point in lowest for each in _whole(problem, surfaces, point, (low, high))]
     points = [_kept(problem, box.center, point) for point in points]
     return min([box.center, *points], key=lambda at: merit(problem, problem.score(surfaces(at))))
 
@@ -95,13 +80,12 @@ def _minimized(
     low, high = limits
     if fixed is not None:
         low, high = np.where(fixed, begin, low), np.where(fixed, begin, high)
-    penalty = PENALTY if problem.objectives else MISFIT_PENALTY
     smooth = _Smooth(problem, surfaces)
     slack = max(float(smooth.conditions(begin)[0].max(initial=0.0)), 0.0)
 
     def objective(z: Array) -> tuple[float, Array]:
         value, slope = smooth.objective(z[:-1])
-        return value + penalty * z[-1], np.append(slope, penalty)
+        return value + z[-1], np.append(slope, 1.0)
 
     constraints: list[dict[str, Any]] = [
         {
@@ -133,35 +117,35 @@ class _Smooth:
             if not isinstance(goal, (*MET, Limit)):
                 return float(values[0]), slopes[0]
         goals = zip(self.problem.goals, pairs, strict=True)
-        kept = [pair for goal, pair in goals if isinstance(goal, MET)]
-        values = np.concatenate([values for values, _ in kept])
-        slopes = np.concatenate([slopes for _, slopes in kept])
-        length = float(np.sqrt(values @ values + SMOOTH**2))
+        targets = [pair for goal, pair in goals if isinstance(goal, MET)]
+        values = np.concatenate([values for values, _ in targets])
+        slopes = np.concatenate([slopes for _, slopes in targets])
+        length = float(np.sqrt(values @ values + TRUST_REGION.aim**2))
         return length, (values @ slopes) / length
 
     def conditions(self, at: Array) -> tuple[Array, Array]:
         """Return what must not be above 0, and its derivatives: limits, and targets besides an objective."""
-        found, slopes = [0.0], [np.zeros(len(at))]
+        violations, slopes = [0.0], [np.zeros(len(at))]
         for goal, (values, slope) in zip(self.problem.goals, self._scaled(at), strict=True):
             if isinstance(goal, Limit):
-                found.extend((values - AIM).tolist())
+                violations.extend((values - TRUST_REGION.aim).tolist())
                 slopes.extend(slope)
             elif isinstance(goal, MET) and self.problem.objectives:
-                length = float(np.sqrt(values @ values + SMOOTH**2))
-                found.append(length - AIM)
+                length = float(np.sqrt(values @ values + TRUST_REGION.aim**2))
+                violations.append(length - TRUST_REGION.aim)
                 slopes.append((values @ slope) / length)
-        return np.array(found), np.array(slopes)
+        return np.array(violations), np.array(slopes)
 
     def _scaled(self, at: Array) -> list[tuple[Array, Array]]:
         """Return scaled values of each goal and their derivatives."""
         parts, gradient = self.problem.parts(self.surfaces(at)), self.surfaces.gradient(at)
-        found, begun = [], 0
+        pairs, begun = [], 0
         for goal, part in zip(self.problem.goals, parts, strict=True):
             divisor, wanted = goal.linear()
             slopes = gradient[begun : begun + len(part)] / divisor[:, None]
-            found.append(((part - wanted) / divisor, slopes))
+            pairs.append(((part - wanted) / divisor, slopes))
             begun += len(part)
-        return found
+        return pairs
 
 
 def _rule(problem: Problem, number: int, center: Array) -> dict[str, Any]:
@@ -189,20 +173,20 @@ def _of_shares(relaxed: Callable[[Array], float], size: float) -> Callable[[Arra
 def _whole(problem: Problem, surfaces: Surfaces, point: Array, limits: tuple[Array, Array]) -> list[Array]:
     """Round whole numbers to both sides, and search again in the others."""
     levels = problem.levels
-    which = np.flatnonzero(levels > 0)[:MOST_WHOLE]
+    which = np.flatnonzero(levels > 0)[: TRUST_REGION.whole]
     if not len(which):
         return [point]
     choices = [
         sorted({float(np.clip(side(point[k] / levels[k]) * levels[k], *(end[k] for end in limits))) for side in _SIDES})
         for k in which
     ]
-    found = []
+    rounded = []
     for chosen in product(*choices):
         begin = problem.snapped(point)
         begin[which] = chosen
         begin = problem.snapped(begin)
-        found.append(_minimized(problem, surfaces, begin, limits, levels > 0) if len(which) < len(point) else begin)
-    return found
+        rounded.append(_minimized(problem, surfaces, begin, limits, levels > 0) if len(which) < len(point) else begin)
+    return rounded
 
 
 _SIDES = (np.floor, np.ceil)

@@ -5,11 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.studies.optimization.settings import TRUST_REGION
+
 Array = NDArray[np.float64]
-
-
-#: Points beyond the number of terms of a polynomial part from which it is used.
-SPARE = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,8 +35,8 @@ class Surfaces:
         places = np.atleast_2d(at)
         apart = np.linalg.norm(places[:, None, :] - self.points[None, :, :], axis=2)
         terms = _terms(places)[:, : len(self.polynomial)]
-        found = apart**3 @ self.weights + terms @ self.polynomial
-        return found if np.ndim(at) == 2 else found[0]
+        values = apart**3 @ self.weights + terms @ self.polynomial
+        return values if np.ndim(at) == 2 else values[0]
 
     def gradient(self, at: Array) -> Array:
         """Return the derivatives at a point, (m, n)."""
@@ -71,15 +69,15 @@ def surfaces_through(points: Array, values: Array) -> Surfaces:
     apart = np.linalg.norm(points[:, None, :] - points[None, :, :], axis=2) ** 3
     every = _terms(points)
     sizes = (1 + size, 1 + 2 * size, every.shape[1])
-    used = max(each for each in sizes if each == sizes[0] or count >= each + SPARE)
+    used = max(each for each in sizes if each == sizes[0] or count >= each + TRUST_REGION.spare)
     tail = every[:, :used]
     matrix = np.block([[apart, tail], [tail.T, np.zeros((used, used))]])
     level = values.mean(axis=0)
     right = np.vstack([values - level, np.zeros((used, values.shape[1]))])
-    found = np.linalg.lstsq(matrix, right, rcond=1e-13)[0]
-    polynomial = found[count:].copy()
+    solved = np.linalg.lstsq(matrix, right, rcond=1e-13)[0]
+    polynomial = solved[count:].copy()
     polynomial[0] += level
-    return Surfaces(points, found[:count], polynomial)
+    return Surfaces(points, solved[:count], polynomial)
 
 
 def _terms(places: Array) -> Array:

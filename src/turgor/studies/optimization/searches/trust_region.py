@@ -7,41 +7,16 @@ instead of one for the objective, as it is usual for least squares: what a goal 
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.studies.optimization.goals import MET
 from turgor.studies.optimization.problem import Candidate, Problem
 from turgor.studies.optimization.search import Ending, Search
 from turgor.studies.optimization.searches.step import Box, best_step, merit
 from turgor.studies.optimization.searches.surfaces import Surfaces, surfaces_through
+from turgor.studies.optimization.settings import TRUST_REGION
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-
-#: Width of the first region, and of the widest, in shares of the ranges.
-FIRST_RADIUS, WIDEST = 0.2, 0.5
-
-#: Shares of the promised gain below which a region shrinks and above which it grows.
-POOR, GOOD = 0.1, 0.7
-
-#: Points span the region where the least singular value of their directions is at least this, …
-SPANNED = 0.1
-#: … counting those within so many radii.
-NEAR = 2.0
-
-#: Slopes are given to the surfaces as points at this share of the radius from each candidate.
-SLOPE_STEP = 0.05
-
-#: A step below the precision ends the search where the region is at most so many times the precision.
-LAST_REGION = 5.0
-
-#: A promised gain below this share of the merit is none.
-LEAST_GAIN = 1e-6
-
-#: A step below the precision counts where it promises at least this: of an objective over its scale, and of the misfits
-#: in tolerances.
-WORTH, WORTH_OF_MISFITS = 1e-4, 0.1
-
-#: Points tried where the start gives no response.
-OTHER_STARTS = 8
 
 
 def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
@@ -62,17 +37,17 @@ def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
     if begun is None:
         return Ending.FAILED if problem.left <= 0 or not problem.known else Ending.BUDGET
     problem.compute(_around(problem, begun))
-    center, radius = _lowest(problem), FIRST_RADIUS
+    center, radius = _lowest(problem), TRUST_REGION.first_radius
     while problem.left > 0:
         if _all_met(problem, center):
             return Ending.CONVERGED
-        surfaces = _surfaces(problem, SLOPE_STEP * radius)
+        surfaces = _surfaces(problem, TRUST_REGION.spanned / 2 * radius)
         box = Box(center=center.at, radius=radius)
         to = best_step(problem, surfaces, box, search.seed + len(problem.candidates))
         step = float(np.abs(to - center.at).max())
         missing = _missing_direction(problem, center, radius)
         if _is_idle(problem, surfaces, center, to, search.precision):
-            if missing is None and radius <= LAST_REGION * search.precision:
+            if missing is None and radius <= TRUST_REGION.last_region * search.precision:
                 return _ended(problem, center)
             center, radius = _narrowed(problem, center, radius, missing, search)
             continue
@@ -80,12 +55,12 @@ def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
         (there,) = problem.compute([to]) or [center]
         gained = merit(problem, center.score) - merit(problem, there.score)
         share = gained / promised if np.isfinite(gained) else -1.0
-        if share < POOR and missing is not None and problem.left > 0:
+        if share < TRUST_REGION.poor and missing is not None and problem.left > 0:
             problem.compute([missing])
-        elif share < POOR:
+        elif share < TRUST_REGION.poor:
             radius = max(radius / 4, min(radius, step) / 2)
-        elif share > GOOD and step > 0.9 * radius:
-            radius = min(2 * radius, WIDEST)
+        elif share > TRUST_REGION.good and step > 0.9 * radius:
+            radius = min(2 * radius, 1.0)
         center = _lowest(problem)
         if radius < search.precision:
             return _ended(problem, center)
@@ -94,7 +69,7 @@ def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
 
 def _begun(problem: Problem, start: Array, search: Search) -> Candidate | None:
     """Compute the start, or other points until one gives a response."""
-    draws = np.random.default_rng(search.seed).uniform(0, 1, size=(OTHER_STARTS, len(start)))
+    draws = np.random.default_rng(search.seed).uniform(0, 1, size=(TRUST_REGION.tries, len(start)))
     near = [start + (other - start) / 2 for other in draws]
     for point in (start, *near):
         if not problem.broken(point):
@@ -108,14 +83,14 @@ def _begun(problem: Problem, start: Array, search: Search) -> Candidate | None:
 
 def _around(problem: Problem, begun: Candidate) -> list[Array]:
     """Return a point near the start along each factor without slopes, on the side with more room within the rules."""
-    found, center = [], begun.at
+    around, center = [], begun.at
     for direction in np.eye(len(center))[~begun.sloped]:
-        reach = max(FIRST_RADIUS, float(problem.levels @ direction))
+        reach = max(TRUST_REGION.first_radius, float(problem.levels @ direction))
         sides = (1.0, -1.0) if direction @ center <= 0.5 else (-1.0, 1.0)
         points = [problem.snapped(center + share * side * reach * direction) for share in (1.0, 0.5) for side in sides]
-        kept = [point for point in points if np.any(point != center) and not problem.broken(point)]
-        found.extend(kept[:1])
-    return found
+        allowed = [point for point in points if np.any(point != center) and not problem.broken(point)]
+        around.extend(allowed[:1])
+    return around
 
 
 def _surfaces(problem: Problem, step: float) -> Surfaces:
@@ -151,9 +126,8 @@ def _is_idle(problem: Problem, surfaces: Surfaces, center: Candidate, to: Array,
     """Whether a step is too small, or promises nothing."""
     here = merit(problem, center.score)
     gain = here - merit(problem, problem.score(surfaces(to)))
-    worth = WORTH if problem.objectives else WORTH_OF_MISFITS
     small = bool(np.abs(to - center.at).max() < precision)
-    return (small and gain < worth) or gain < LEAST_GAIN * max(abs(here), LEAST_GAIN)
+    return small or gain < ROUND_OFF.same * max(abs(here), ROUND_OFF.same)
 
 
 def _narrowed(
@@ -165,20 +139,19 @@ def _narrowed(
         problem.compute([missing])
         if len(problem.candidates) > before:
             return _lowest(problem), radius
-    return center, max(radius / 4, LAST_REGION * search.precision) if radius > LAST_REGION * search.precision else (
-        radius / 2
-    )
+    last = TRUST_REGION.last_region * search.precision
+    return center, max(radius / 4, last) if radius > last else radius / 2
 
 
 def _missing_direction(problem: Problem, candidate: Candidate, radius: float) -> Array | None:
     """Return a point in the direction that no candidate in the region lies in; None where they or slopes span it."""
-    center, moving = candidate.at, (problem.levels <= NEAR * radius) & ~candidate.sloped
+    center, moving = candidate.at, (problem.levels <= TRUST_REGION.near * radius) & ~candidate.sloped
     if not moving.any():
         return None
     away = np.array([each.at - center for each in problem.known]) / radius
-    near = away[np.abs(away).max(axis=1) <= NEAR][:, moving]
+    near = away[np.abs(away).max(axis=1) <= TRUST_REGION.near][:, moving]
     _, sizes, directions = np.linalg.svd(near, full_matrices=True)
-    if len(sizes) == moving.sum() and sizes[-1] >= SPANNED:
+    if len(sizes) == moving.sum() and sizes[-1] >= TRUST_REGION.spanned:
         return None
     return _toward(problem, center, radius, moving, directions[-1])
 
@@ -187,13 +160,13 @@ def _toward(problem: Problem, center: Array, radius: float, moving: Flags, direc
     step = np.zeros(len(center))
     step[moving] = direction / direction[np.argmax(np.abs(direction))]  # the sign of a singular vector is round-off
     points = [problem.snapped(center + side * radius * step) for side in (1.0, -1.0)]
-    tried = [each.at for each in problem.candidates]
-    kept = [
+    tried, apart = [each.at for each in problem.candidates], TRUST_REGION.spanned * radius
+    new = [
         point
         for point in points
-        if not problem.broken(point) and min(np.abs(point - each).max() for each in tried) > SPANNED * radius
+        if not problem.broken(point) and min(np.abs(point - each).max() for each in tried) > apart
     ]
-    return max(kept, key=lambda point: float(np.abs(point - center).max()), default=None)
+    return max(new, key=lambda point: float(np.abs(point - center).max()), default=None)
 
 
 def _ended(problem: Problem, center: Candidate) -> Ending:

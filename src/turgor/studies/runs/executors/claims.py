@@ -11,9 +11,6 @@ from filelock import BaseFileLock, FileLock, SoftFileLock, Timeout
 from turgor.studies.runs.executors.run_outcome import Ended, ended_before
 from turgor.studies.runs.run import Run
 
-#: Time [s] after which runs that are computed elsewhere are looked at again.
-POLL = 0.1
-
 
 class Claims:
     """Runs that wait to be computed, handed out one after the other.

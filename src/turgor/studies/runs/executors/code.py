@@ -9,8 +9,7 @@ from textwrap import dedent
 from types import FunctionType
 from typing import Any
 
-#: Letters of the hash.
-LETTERS = 10
+from turgor.studies.runs.settings import RUNS
 
 
 def code_digest(function: Callable[..., Any]) -> str:
@@ -51,7 +50,7 @@ def code_digest(function: Callable[..., Any]) -> str:
                 sources[name] = repr(member)
     if not any(sources.values()):
         return ""
-    return hashlib.sha256(repr(sorted(sources.items())).encode()).hexdigest()[:LETTERS]
+    return hashlib.sha256(repr(sorted(sources.items())).encode()).hexdigest()[: RUNS.letters]
 
 
 def _source(each: Any) -> str:

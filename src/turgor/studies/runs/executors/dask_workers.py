@@ -9,16 +9,11 @@ from time import sleep
 from typing import Any
 
 from turgor.foundation.errors import TurgorError
-from turgor.studies.runs.executors.claims import POLL, Claims
+from turgor.studies.runs.executors.claims import Claims
 from turgor.studies.runs.executors.run_outcome import Ended, compute, keep_ended
 from turgor.studies.runs.optional_parts import needed
 from turgor.studies.runs.run import Run
-
-#: Time [s] in which the scheduler must answer.
-PATIENCE = 10.0
-
-#: Runs that the scheduler has at once: this process holds a lock of each, and may open about a thousand files.
-MOST = 500
+from turgor.studies.runs.settings import RUNS
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,7 +54,7 @@ class OnDask:
 
     def _client(self, dask: Any) -> Any:
         try:
-            return dask.Client(self.scheduler, timeout=PATIENCE, set_as_default=False)
+            return dask.Client(self.scheduler, timeout=RUNS.patience, set_as_default=False)
         except (OSError, TimeoutError, ValueError) as error:
             raise TurgorError(
                 f"the Dask scheduler at '{self.scheduler}' does not answer ({type(error).__name__}); "
@@ -71,7 +66,7 @@ def _ended(client: Any, ending: Any, claims: Claims, folder: Path | None) -> Ite
     """Hand runs to the scheduler, and give each as it ends."""
     waiting: dict[Any, Run] = {}
     while claims or waiting:
-        taken = claims.take() if len(waiting) < MOST else None
+        taken = claims.take() if len(waiting) < RUNS.dask_runs else None
         if isinstance(taken, Run):
             # pure=False: what a run computes is known by its key, and a failed one may be tried again
             future = client.submit(_computed, taken, str(Path.cwd()), pure=False)
@@ -80,7 +75,7 @@ def _ended(client: Any, ending: Any, claims: Claims, folder: Path | None) -> Ite
         elif taken is not None:
             yield taken
         elif not waiting:
-            sleep(POLL)
+            sleep(RUNS.poll)
         else:
             future = next(ending)
             run = waiting.pop(future)

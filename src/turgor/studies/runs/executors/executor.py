@@ -8,9 +8,10 @@ from pathlib import Path
 from time import sleep
 from typing import Protocol
 
-from turgor.studies.runs.executors.claims import POLL, Claims
+from turgor.studies.runs.executors.claims import Claims
 from turgor.studies.runs.executors.run_outcome import Ended, compute
 from turgor.studies.runs.run import Run
+from turgor.studies.runs.settings import RUNS
 
 
 class Executor(Protocol):
@@ -45,7 +46,7 @@ class Here:
                 elif taken is not None:
                     yield taken
                 else:
-                    sleep(POLL)
+                    sleep(RUNS.poll)
 
     def close(self) -> None:
         """Do nothing: nothing waits."""

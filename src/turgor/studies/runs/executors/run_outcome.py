@@ -71,7 +71,7 @@ def compute(run: Run, folder: Path | None = None) -> Ended:
 def _called(run: Run) -> Ended:
     begun = process_time()
     try:
-        found = run.call()
+        answer = run.call()
     except TurgorError as error:
         if isinstance(error, NotSolved) and error.interrupted:
             raise KeyboardInterrupt from None  # Ctrl-C ends the study; this run has not ended
@@ -80,7 +80,7 @@ def _called(run: Run) -> Ended:
         if isinstance(error, OSError) and error.errno in _NO_ROOM:
             raise
         return Ended(run=run, found=None, problem=traceback.format_exc().strip())
-    computed = Computed(response=found) if isinstance(found, Response) else found
+    computed = Computed(response=answer) if isinstance(answer, Response) else answer
     return Ended(run=run, found=replace(computed, seconds=computed.seconds or process_time() - begun))
 
 
@@ -121,8 +121,8 @@ def ended_before(run: Run, folder: Path) -> Ended | None:
     Ended or None
         None where it has not ended.
     """
-    found = kept(run, folder)
-    if found is not None:
-        return Ended(run=run, found=found, again=True)
+    computed = kept(run, folder)
+    if computed is not None:
+        return Ended(run=run, found=computed, again=True)
     problem = kept_problem(run, folder)
     return Ended(run=run, found=None, problem=problem, again=True, final=True) if problem else None

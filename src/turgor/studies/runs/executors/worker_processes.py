@@ -13,16 +13,14 @@ from time import sleep
 from typing import cast
 
 from turgor.foundation.errors import TurgorError
-from turgor.studies.runs.executors.claims import POLL, Claims
+from turgor.studies.runs.executors.claims import Claims
 from turgor.studies.runs.executors.run_outcome import Ended, ended_before
 from turgor.studies.runs.executors.worker import READY, serve
 from turgor.studies.runs.run import Run
+from turgor.studies.runs.settings import RUNS
 
 #: Variables that give each worker one thread: of the kernels, the linear solver and the libraries below NumPy.
 ONE_THREAD = ("NUMBA_NUM_THREADS", "RAYON_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
-
-#: Time [s] in which a process that has closed its end says how it ended.
-PATIENCE = 5.0
 
 
 @dataclass(slots=True, eq=False)
@@ -100,9 +98,9 @@ class Workers:
     def _answers(self, busy: dict[Connection, tuple[_Worker, Run]], elsewhere: bool) -> Iterator[tuple[Run, object]]:
         """Wait until runs have ended; where others are computed elsewhere, for a short time only."""
         if not busy:
-            sleep(POLL)
+            sleep(RUNS.poll)
             return
-        for connection in cast("list[Connection]", wait(list(busy), POLL if elsewhere else None)):
+        for connection in cast("list[Connection]", wait(list(busy), RUNS.poll if elsewhere else None)):
             worker, run = busy[connection]
             answer = _answer(worker)
             if answer == READY:
@@ -158,7 +156,7 @@ def _answer(worker: _Worker) -> object:
     try:
         return worker.connection.recv()
     except (EOFError, OSError):
-        worker.process.join(PATIENCE)
+        worker.process.join(RUNS.patience)
         code = worker.process.exitcode
         worker.end()
     if not worker.ready and code is not None and code > 0:

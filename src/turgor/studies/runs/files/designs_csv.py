@@ -11,12 +11,10 @@ from turgor.studies.runs.designs import Designs
 from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.runs.jobs.job_numbers import JobNumber
 from turgor.studies.runs.rounding import rounded
+from turgor.studies.runs.settings import RUNS
 from turgor.units import UNITS, unit_value
 
 _HEAD = re.compile(r"\s*([^()\[\]]+?)\s*(?:[(\[](.+)[)\]])?\s*")
-
-#: A column with more values than these has a range, not levels.
-MOST_LEVELS = 12
 
 
 def read_designs(file: str | Path, numbers: Mapping[str, JobNumber] | None = None, first: int | None = None) -> Designs:
@@ -80,7 +78,7 @@ def _column(
     whole = number.whole if number is not None else not unit and all(each == int(each) for each in plain)
     values: list[Value] = [int(x) if whole and x == int(x) else rounded(x * unit_value(unit)) for x in plain]
     levels = tuple(dict.fromkeys(sorted(values)))
-    if len(levels) > MOST_LEVELS:
+    if len(levels) > RUNS.most_levels:  # those of a sample
         low, high = float(levels[0]), float(levels[-1])
         return Factor(name=name, low=low, high=high, unit=unit, whole=whole), values
     return Factor(name=name, levels=levels, unit=unit, whole=whole), values

@@ -49,9 +49,9 @@ def write_study(
     (folder / RUNS).mkdir(parents=True, exist_ok=True)
     rows = []
     for row in study.rows:
-        run, found = row.ended.run, row.ended.found
-        if found is not None and kept(run, folder / RUNS) is None:
-            keep(run, found, folder / RUNS)
+        run, computed = row.ended.run, row.ended.found
+        if computed is not None and kept(run, folder / RUNS) is None:
+            keep(run, computed, folder / RUNS)
         rows.append({"values": dict(row.values), "name": run.name, "key": run.key, "problem": row.ended.problem})
     factors = [{item.name: getattr(each, item.name) for item in fields(each)} for each in study.factors]
     content = {"source": str(study.source), "factors": factors, "rows": rows}
@@ -100,10 +100,10 @@ def not_computed() -> Response:
 
 
 def _row(each: Mapping[str, Any], folder: Path) -> Row:
-    found = None if each["problem"] else kept_as(each["key"], folder)
-    problem = each["problem"] or ("" if found is not None else f"its files are not in '{folder}'.")
+    computed = None if each["problem"] else kept_as(each["key"], folder)
+    problem = each["problem"] or ("" if computed is not None else f"its files are not in '{folder}'.")
     run = Run(name=each["name"], function=not_computed, values=each["values"])
-    return Row(values=each["values"], ended=Ended(run=run, found=found, problem=problem, again=True))
+    return Row(values=each["values"], ended=Ended(run=run, found=computed, problem=problem, again=True))
 
 
 def _from_table(path: Path) -> Study:
@@ -118,14 +118,14 @@ def _from_table(path: Path) -> Study:
         status, problem, seconds, *cells = line[place:]
         run = Run(name=", ".join(f"{name} {value}" for name, value in values.items()), function=not_computed,
                   values=values)  # fmt: skip
-        found = None
+        computed = None
         if status != FAILED:
             response = Response(
                 columns=_columns(heads[place + 3 :], cells), source=Source(text=path.name), status=status,
                 message=problem,
             )  # fmt: skip
-            found = Computed(response=response, seconds=float(seconds))
-        rows.append(Row(values=values, ended=Ended(run=run, found=found, problem=problem, again=True)))
+            computed = Computed(response=response, seconds=float(seconds))
+        rows.append(Row(values=values, ended=Ended(run=run, found=computed, problem=problem, again=True)))
     return Study(factors=designs.factors, rows=tuple(rows), source=Source(text=path.name))
 
 

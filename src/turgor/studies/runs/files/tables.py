@@ -6,12 +6,10 @@ from pathlib import Path
 
 from turgor.foundation.store.atomic_files import whole
 from turgor.studies.runs.optional_parts import needed
+from turgor.studies.runs.settings import RUNS
 
 #: A column of a table: numbers or texts; NaN is an empty cell of a file.
 Cells = Sequence[float | int | str]
-
-#: Significant digits of numbers in CSV: those that runs are called with, and more.
-DIGITS = 10
 
 
 def write_csv(columns: Mapping[str, Cells], path: str | Path) -> None:
@@ -61,5 +59,5 @@ def header(name: str, unit: str) -> str:
 
 def _cell(value: float | int | str) -> str:
     if isinstance(value, float):
-        return "" if value != value else f"{value:.{DIGITS}g}"
+        return "" if value != value else f"{value:.{RUNS.digits + 1}g}"
     return str(value)

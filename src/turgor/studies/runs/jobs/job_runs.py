@@ -26,19 +26,15 @@ from turgor.studies.runs.jobs.job_changes import job_changes
 from turgor.studies.runs.jobs.job_slopes import SlopeRequest, with_requested_slopes
 from turgor.studies.runs.jobs.solid_volume import SOLID_VOLUME, solid_volume_of
 from turgor.studies.runs.run import Computed
+from turgor.studies.runs.settings import RUNS
 from turgor.views.pictures.picture import picture
+from turgor.views.pictures.settings import FRAMING
 
 #: Folder next to the job for paths that are being followed: each goes when its run has ended, the folder with the last.
 PATHS = "paths"
 
 #: Folder of the last states of runs, next to the job.
 LAST_STATES = "last-states"
-
-#: Width of the pictures of designs in pixels.
-PICTURE_WIDTH = 700
-
-#: How often the folder of a path is made: other runs may remove the one above it while it is empty.
-ATTEMPTS = 10
 
 
 def solved_job(
@@ -93,7 +89,7 @@ def solved_job(
         response, notes = with_requested_slopes(changed, solution, response, numbers, slopes)
     drawn = b""
     if as_design and solution.states:
-        drawn = picture(solution, width=PICTURE_WIDTH).png
+        drawn = picture(solution, width=FRAMING.design_width).png
         last = last_state_of(job, digest, numbers)
         last.parent.mkdir(parents=True, exist_ok=True)
         replace(solution, states=solution.states[-1:]).save(last)
@@ -197,7 +193,7 @@ def _followed(job: Job, options: EngineOptions, folder: Path) -> Solution:
 
 def _make(folder: Path) -> None:
     """Make the folder of a path, again if a run that ended has removed the empty one above it in between."""
-    for _ in range(ATTEMPTS):
+    for _ in range(RUNS.attempts):
         with suppress(FileNotFoundError):
             folder.mkdir(parents=True, exist_ok=True)
             return

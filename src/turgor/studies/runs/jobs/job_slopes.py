@@ -20,6 +20,7 @@ from turgor.job.job import Job
 from turgor.studies.runs.factor import Value
 from turgor.studies.runs.jobs.job_gradients import NearbyJobs, is_of_path, nearby_jobs
 from turgor.studies.runs.jobs.solid_volume import SOLID_VOLUME, solid_volume
+from turgor.studies.runs.settings import RUNS
 from turgor.studies.runs.slopes import with_slopes
 from turgor.studies.runs.study import place_on
 
@@ -33,9 +34,6 @@ USUAL_DRIVES = ("pressure", "time")
 
 #: Columns that the load factor alone determines, and numbers of the procedure.
 PRESCRIBED = ("load_factor", "time", "stage", "injected_volume", "gas_mass_ratio")
-
-#: Slopes count as exact up to this estimate of their relative error.
-ACCURATE = 0.01
 
 
 class SlopeRequest(TypedDict, total=False):
@@ -217,7 +215,7 @@ class _Question:
             found = self.nearby.gradient(keys, self.measures, row, EngineOptions(threads=1))
         except TurgorError as error:
             return None, str(error).removeprefix("the gradient is not computed: ")
-        return (found, "") if found.left < ACCURATE else (None, f"their error is about {found.left:.1%}.")
+        return (found, "") if found.left < RUNS.exact_slopes else (None, f"their error is about {found.left:.1%}.")
 
 
 def left_out(keys: Sequence[str], refused: Mapping[str, str]) -> tuple[str, ...]:

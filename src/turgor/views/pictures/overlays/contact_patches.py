@@ -8,20 +8,11 @@ from numpy.typing import NDArray
 
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.views.pictures.raycast import Camera, Hits
+from turgor.views.pictures.settings import LOOK, RENDERING
 from turgor.views.pictures.shading import Bytes
 from turgor.views.pictures.skin import Skin, drawn_triangles, visible_skin
 
 Array = NDArray[np.float64]
-
-#: Smallest pressure that is drawn, as a share of the upper end of the colors. Smaller pressures occur in the last cells
-#: of a patch, where the pressure decays.
-FAINT = 0.06
-
-#: Parts of each edge of a side in contact, and radius of the average of its pressure as a share of the edge.
-FINE, BLUR = 6, 0.25
-
-#: Opacity of a patch behind the actuator.
-THROUGH = 0.72
 
 
 def contact_skin(at: StateFields) -> Skin:
@@ -49,13 +40,13 @@ def _contact_skin(at: StateFields) -> Skin:
     for _ in range(2):  # with the sides around those that touch
         chosen = np.asarray(touched[triangles].any(axis=1))
         touched[triangles[chosen]] = True
-    skin = visible_skin(at, at.contact_pressure, chosen=chosen, parts=FINE)
+    skin = visible_skin(at, at.contact_pressure, chosen=chosen, parts=RENDERING.contact_parts)
     if not chosen.any():
         return skin
     from scipy.spatial import cKDTree  # slow to load, and few states have walls that touch
 
     corners = at.points[triangles[chosen][:, :3]]
-    reach = BLUR * float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean())
+    reach = RENDERING.contact_blur * float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean())
     area = np.bincount(skin.triangles.ravel(), np.repeat(skin.areas / 3, 3), minlength=len(skin.points))
     patch, values = np.empty(len(skin.points), dtype=np.int64), np.zeros(len(skin.points))
     patch[skin.triangles] = skin.patch[:, None]
@@ -89,10 +80,10 @@ def pressed(skin: Skin, limit: float, eye: Camera) -> tuple[Skin, ...]:
     tuple of Skin
         Triangles that face away from the camera, then triangles that face the camera; empty parts are left out.
     """
-    kept = skin.values[skin.triangles].max(axis=1) > FAINT * limit
+    pressed = skin.values[skin.triangles].max(axis=1) > LOOK.faint_pressure * limit
     a, b, c = (skin.points[skin.triangles[:, k]] for k in range(3))
     facing = np.cross(b - a, c - a) @ eye.forward < 0
-    parts = (kept & ~facing, kept & facing)
+    parts = (pressed & ~facing, pressed & facing)
     return tuple(skin.part(p) for p in parts if p.any())
 
 
@@ -102,7 +93,7 @@ def values_seen(skin: Skin, hits: Hits, limit: float) -> Array:
     seen = hits.triangle >= 0
     corners = skin.values[skin.triangles[hits.triangle[seen]]]
     out[seen] = corners[:, 0] * (1 - hits.u - hits.v) + corners[:, 1] * hits.u + corners[:, 2] * hits.v
-    return np.where(out > FAINT * limit, out, 0.0)
+    return np.where(out > LOOK.faint_pressure * limit, out, 0.0)
 
 
 def laid_over(below: tuple[Array, Array], above: tuple[Array, Array], thin: float) -> tuple[Array, Array]:
@@ -143,5 +134,5 @@ def draw_patches(image: Bytes, value: Array, behind: NDArray[np.bool_], colors: 
     shown = value > 0
     table = colors(np.linspace(0, 1, 1024))[:, :3] * 255
     color = table[np.clip(value[shown] * (1023 / limit), 0, 1023).astype(np.int32)]
-    share = np.where(behind[shown], THROUGH, 1.0)[:, None]
+    share = np.where(behind[shown], LOOK.overlay, 1.0)[:, None]
     image[shown] = (image[shown] * (1 - share) + color * share + 0.5).astype(np.uint8)

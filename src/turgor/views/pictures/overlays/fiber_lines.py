@@ -6,15 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.views.pictures.raycast import Hits, Raster, Scene
-from turgor.views.pictures.shading import DEPTH_JUMP, INK, Bytes, thickened
+from turgor.views.pictures.settings import LOOK, RENDERING
+from turgor.views.pictures.shading import INK, Bytes, thickened
 
 Array = NDArray[np.float64]
 
 #: Points along a thread (k, 3) [m], and a value at each of them.
 Thread = tuple[Array, Array]
-
-#: Opacity of a thread.
-OPACITY = 0.7
 
 
 def visible_threads(scene: Scene, hits: Hits, raster: Raster, threads: Sequence[Thread]) -> Array:
@@ -48,7 +46,7 @@ def visible_threads(scene: Scene, hits: Hits, raster: Raster, threads: Sequence[
     line = np.floor((raster.top - upward) / raster.step).astype(np.int64)
     inside = (column >= 0) & (column < raster.columns) & (line >= 0) & (line < raster.rows)
     column, line, depth, row = column[inside], line[inside], scene.depth(points[inside]), row[inside]
-    below = DEPTH_JUMP * float(np.ptp(scene.skin.points, axis=0).max())
+    below = RENDERING.depth_jump * float(np.ptp(scene.skin.points, axis=0).max())
     seen = (hits.triangle[line, column] >= 0) & (depth <= hits.depth[line, column] + below)
     painted[line[seen], column[seen]] = values[row[seen]]
     return painted
@@ -70,7 +68,7 @@ def draw_threads(image: Bytes, painted: Array, width: float, colors: Callable[[A
     """
     if colors is None:
         place = thickened(np.isfinite(painted), width / 2)
-        image[place] = (image[place] * (1 - OPACITY) + np.array(INK) * OPACITY).astype(np.uint8)
+        image[place] = (image[place] * (1 - LOOK.overlay) + np.array(INK) * LOOK.overlay).astype(np.uint8)
         return
     wide, reach = painted.copy(), int(np.ceil(width / 2))
     rows, columns = np.nonzero(np.isfinite(painted))

@@ -10,18 +10,15 @@ from turgor.core.results.fields.contact import drawn_obstacles, place_of
 from turgor.core.results.fields.obstacle_shapes import outline
 from turgor.core.results.fields.state_fields import ITSELF, MeshFacts, MirrorPlane, StateFields
 from turgor.views.pictures.raycast import Camera, Hits
+from turgor.views.pictures.settings import LOOK, RENDERING
 from turgor.views.pictures.shading import Bytes, draw_lines, find_lines
-from turgor.views.pictures.skin import EDGE_ANGLE, Skin, with_images
+from turgor.views.pictures.skin import Skin, with_images
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Color of obstacles, color of their edges, and their opacity.
+#: Color of obstacles, and color of their edges.
 GRAY, EDGE = (124, 135, 149), (100, 109, 120)
-VEIL = 0.45
-
-#: An obstacle is its own mirror image if its ends differ from the image's by less than this share of its size.
-SAME = 1e-3
 
 
 def obstacle_skin(at: StateFields, extents: Mapping[str, Array]) -> Skin | None:
@@ -56,7 +53,7 @@ def _skin(points: Array, triangles: Ints) -> Skin:
     order = np.lexsort((edges[:, 1], edges[:, 0]))
     same = (edges[order[1:]] == edges[order[:-1]]).all(axis=1)
     a, b = owner[order[:-1][same]], owner[order[1:][same]]
-    smooth = np.einsum("ei,ei->e", flat[a], flat[b]) > np.cos(EDGE_ANGLE)
+    smooth = np.einsum("ei,ei->e", flat[a], flat[b]) > np.cos(RENDERING.sharp_edge)
     patch = groups_of(len(triangles), a[smooth], b[smooth])
     # a point has one copy for each patch that meets there, so that normals jump at sharp edges only
     key, corner = np.unique(patch[:, None] * len(points) + triangles, return_inverse=True)
@@ -77,9 +74,9 @@ def _mirrored(skin: Skin, facts: MeshFacts) -> Skin:
 
 
 def _own_image(skin: Skin, plane: MirrorPlane) -> bool:
-    """Whether an obstacle is its own image in a mirror plane."""
+    """Whether an obstacle is its own image in a mirror plane: the ends of both differ so little that no one sees it."""
     across = skin.points[:, plane.axis] - plane.position
-    return bool(abs(across.min() + across.max()) < SAME * float(np.ptp(skin.points, axis=0).max()))
+    return bool(abs(across.min() + across.max()) < RENDERING.unseen * float(np.ptp(skin.points, axis=0).max()))
 
 
 def joined(skins: list[Skin]) -> Skin:
@@ -121,6 +118,6 @@ def draw_obstacles(image: Bytes, skin: Skin, hits: Hits, nearer: NDArray[np.bool
     shade = np.zeros(seen.shape)
     shade[seen] = 0.62 + 0.5 * facing
     color = np.clip(np.array(GRAY) * shade[nearer][:, None], 0, 255)
-    image[nearer] = (image[nearer] * (1 - VEIL) + color * VEIL).astype(np.uint8)
+    image[nearer] = (image[nearer] * (1 - LOOK.obstacle) + color * LOOK.obstacle).astype(np.uint8)
     outside, inner = find_lines(skin, hits)
     draw_lines(image, (outside & nearer, inner & nearer), EDGE, width)

@@ -58,7 +58,7 @@ def frames(solution: Solution, field: Field, count: int) -> Iterator[StateFields
     """
     place, wanted = frame_times(solution, count)
     distinct = np.concatenate([[True], np.diff(place) > 1e-9 * place[-1]])
-    states = [state for state, kept in zip(solution.states, distinct, strict=True) if kept]
+    states = [state for state, is_new in zip(solution.states, distinct, strict=True) if is_new]
     place, facts = place[distinct], MeshFacts(solution.model.mesh)
     moved = PchipInterpolator(place, np.array([state.displacement for state in states]))
     steady = field.name in (CONTACT_PRESSURE, FIBER_TENSION)

@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.views.pictures.colors import CONTACT_PRESSURE, FIBER_TENSION
 from turgor.views.pictures.rendering import View
+from turgor.views.pictures.settings import RENDERING
+from turgor.views.pictures.shading import GAMMA
 from turgor.views.pictures.skin import Skin, visible_skin
 
 Array = NDArray[np.float64]
@@ -24,12 +26,6 @@ FLOAT, UNSIGNED, VERTICES, INDICES, TRIANGLES = 5126, 5125, 34962, 34963, 4
 
 #: Turn by a quarter about x, as a quaternion: height is along y in glTF.
 UPRIGHT = [-(0.5**0.5), 0.0, 0.0, 0.5**0.5]
-
-#: With more sides than this, each is drawn as one triangle.
-MANY = 20_000
-
-#: Exponent from stored colors to light.
-GAMMA = 2.2
 
 
 def write_glb(path: Path, shapes: Sequence[StateFields], view: View, *, seconds: float, back: bool) -> None:
@@ -138,7 +134,8 @@ class _Buffer:
 def _surfaces(shapes: Sequence[StateFields], view: View) -> list[Skin]:
     """Surfaces of all shapes with the same points, those that sides of cells share once."""
     field = view.field
-    fine = 2 if len(shapes[0].facts.surface) * len(shapes[0].facts.images) < MANY else 1
+    many = 4 * len(shapes[0].facts.surface) * len(shapes[0].facts.images) > RENDERING.triangles
+    fine = 1 if many else 2
     plain = field.name in (CONTACT_PRESSURE, FIBER_TENSION)
     skins = [visible_skin(at, np.zeros(len(at.points)) if plain else field.read(at), parts=fine) for at in shapes]
     first = skins[0]

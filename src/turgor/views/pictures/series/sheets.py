@@ -13,15 +13,10 @@ from turgor.core.solvers.solution import Solution, State
 from turgor.foundation.errors import TurgorError
 from turgor.views.pictures.colors import VON_MISES, Field
 from turgor.views.pictures.framing import bands, bar_of, framed, scale_of, write_text
-from turgor.views.pictures.rendering import MARGIN, View
+from turgor.views.pictures.rendering import View
+from turgor.views.pictures.settings import FRAMING
 from turgor.views.pictures.state_picture import Style, pixels_of, shared_view, shows_values
 from turgor.views.plots.figures import check_ending, write_figure
-
-#: Columns of a sheet: more pictures go into further rows. Space between pictures, in pixels of a full width.
-MOST_COLUMNS, SPACE = 4, 26
-
-#: Height of a caption in pixels of a full width.
-CAPTION = 52
 
 
 def small_multiples(
@@ -129,8 +124,8 @@ def sheet_figure(
     rows = -(-len(pictures) // columns)
     scale = scale_of(view.columns * columns)
     high, wide = max(each.shape[0] for each in pictures), max(each.shape[1] for each in pictures)
-    line = round(CAPTION * scale)
-    cell = (high + line, wide + round(SPACE * scale))
+    line = round(FRAMING.caption * scale)
+    cell = (high + line, wide + round(FRAMING.space * scale))
     image = np.full((rows * cell[0], columns * cell[1], 3), 255, dtype=np.uint8)
     for number, each in enumerate(pictures):
         row, column = divmod(number, columns)
@@ -142,7 +137,10 @@ def sheet_figure(
     height = image.shape[0] + head + foot
     for number, text in enumerate(captions):
         row, column = divmod(number, columns)
-        place = (column * cell[1] + MARGIN * scale) / image.shape[1], 1 - (head + row * cell[0] + line / 2) / height
+        place = (
+            (column * cell[1] + FRAMING.margin * scale) / image.shape[1],
+            1 - (head + row * cell[0] + line / 2) / height,
+        )
         write_text(figure, place, text, 19 * scale)
     return figure
 
@@ -155,9 +153,9 @@ def columns_for(count: int) -> int:
     >>> [columns_for(count) for count in (1, 2, 4, 5, 6, 8)]
     [1, 2, 4, 3, 3, 4]
     """
-    if count <= MOST_COLUMNS:
+    if count <= FRAMING.columns:
         return count
-    return 3 if count in (5, 6, 9) else MOST_COLUMNS
+    return 3 if count in (5, 6, 9) else FRAMING.columns
 
 
 def spread(solution: Solution, count: int) -> list[int]:
@@ -181,7 +179,7 @@ def _view(states: Sequence[State | StateFields], color_by: str | Field, width: i
 def _within(picture: NDArray[np.uint8], view: View) -> NDArray[np.uint8]:
     """The picture without the white on both sides of the widest state, but for a small margin."""
     content = round((view.right - view.left) / view.pixel)
-    spare = max(0, (view.columns - content) // 2 - MARGIN // 3)
+    spare = max(0, (view.columns - content) // 2 - FRAMING.margin // 3)
     return picture[:, spare : picture.shape[1] - spare]
 
 

@@ -9,15 +9,13 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
 
 Array = NDArray[np.float64]
 
-#: Colors of ordered levels, without the light end, which vanishes on white.
-SCALE, LIGHTEST = "viridis", 0.88
-
-#: Levels that have a tick each.
-MOST_TICKS = 8
+#: Colors of ordered levels.
+SCALE = "viridis"
 
 #: Words for the segments that mesh errors hide.
 HIDDEN = "difference within the mesh error"
@@ -49,7 +47,7 @@ class Effect:
 
 def shades(count: int) -> list[Any]:
     """Return colors of levels in their order, from dark to light."""
-    return [colormaps[SCALE](share) for share in np.linspace(0.0, LIGHTEST, max(count, 2))][:count]
+    return [colormaps[SCALE](share) for share in np.linspace(0.0, PLOT.lightest_level, max(count, 2))][:count]
 
 
 def plot_effects(axes: Axes, levels: Sequence[float | str], effects: Sequence[Effect], x: str, y: str) -> Axes:
@@ -80,7 +78,7 @@ def plot_effects(axes: Axes, levels: Sequence[float | str], effects: Sequence[Ef
     if named:
         axes.set_xticks(at, labels=[_wrapped(str(each)) for each in levels])
         axes.set_xlim(-0.4, len(levels) - 0.6)
-    elif len(at) <= MOST_TICKS:
+    elif len(at) <= PLOT.levels:
         axes.set_xticks(at, labels=[f"{each:.4g}" for each in at])
     labeled = False
     for color, each in zip(shades(len(effects)), effects, strict=True):

@@ -9,13 +9,11 @@ from matplotlib.colors import Normalize
 from numpy.typing import NDArray
 
 from turgor.views.plots.response_plots import COLORS
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.studies.effects import HIDDEN, SCALE
 from turgor.views.plots.styling import INK, QUIET
 
 Array = NDArray[np.float64]
-
-#: Most cells whose values are written into them.
-MOST_WRITTEN = 100
 
 
 def plot_heat_map(
@@ -60,7 +58,7 @@ def plot_heat_map(
     axes.set_yticks(np.arange(-0.5, len(up)), minor=True)
     axes.grid(which="minor", color="white", lw=2)
     axes.tick_params(which="minor", length=0)
-    if values.size <= MOST_WRITTEN:
+    if values.size <= PLOT.cells:
         _write(axes, values)
     _dots(axes, values, errors)
     return axes

@@ -1,0 +1,73 @@
+"""Settings of mesh errors and of meshes that are refined: every number that was chosen, with its reason.
+
+The truth set (`docs/truth.md`) and `tests/unit/accuracy/adaptivity` need them.
+"""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class MeshErrorSettings:
+    """Settings of the estimate.
+
+    Parameters
+    ----------
+    places : tuple of float
+        Places of the states that are solved for again, as shares of the length of the path; the last one first.
+    state_work, state_work_touching : float
+        Factorizations of the first mesh that pay for a state on a second one of the same size, without and with
+        contact: it needs 2.5 and 15, and the estimate may take half the work of the solve.
+    cost_exponent : float
+        A factorization of n unknowns takes n to this power.
+    growth : float
+        Growth of the number of cells beyond which more states are solved for again rather than more cells are cut. On a
+        mesh that was refined already, where the error is spread over many cells, it is the least.
+    least_growth, least_growth_hexahedra : float
+        Least growth on other meshes of tetrahedra and of hexahedra.
+    captured_power : float
+        The estimate is the difference between the meshes over the captured share of the error to this power.
+    negligible : float
+        A measure that differs between two meshes by less than this share of its change was prescribed, and one that is
+        smaller than this share of its largest value has no relative error.
+    noted, doubted : float
+        Relative mesh errors above which a measure gets a note, and a warning.
+    """
+
+    places: tuple[float, ...] = (1.0, 0.5, 0.2)
+    state_work: float = 5.0
+    state_work_touching: float = 30.0
+    cost_exponent: float = 1.5
+    growth: float = 3.0
+    least_growth: float = 2.0
+    least_growth_hexahedra: float = 2.5
+    captured_power: float = 0.7
+    negligible: float = 1e-5
+    noted: float = 0.02
+    doubted: float = 0.05
+
+
+MESH_ERROR = MeshErrorSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class RefinementSettings:
+    """Settings of meshes that are refined until an error is met.
+
+    Parameters
+    ----------
+    unknowns, rounds : int
+        Unknowns at which it stops unless another limit is given, and most rounds.
+    least_growth, most_growth : float
+        Growth of the mesh from one round to the next.
+    new_cells : float
+        Cells that come with each tetrahedron whose edges are all cut, its neighbors included, as measured.
+    """
+
+    unknowns: int = 200_000
+    rounds: int = 6
+    least_growth: float = 1.6
+    most_growth: float = 4.0
+    new_cells: float = 13.0
+
+
+REFINEMENT = RefinementSettings()
