@@ -35,6 +35,7 @@ def line(name: str, value: Any, width: int) -> str:
     half, double = len(marks.get("half", ())), len(marks.get("double", ()))
     note = "used as a number" if marks.get("number") else "" if used else "not used"
     note = "compiled" if name in PLAN.compiled else "no probe" if name in PLAN.unprobed else note
+    note = "changed" if name in PLAN.changed else note
     return f"{name:{width}} {value:<12.6g} {used:6} {half:6} {double:6}  {note}"
 
 

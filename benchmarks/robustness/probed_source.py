@@ -28,7 +28,10 @@ PLAN = Plan()
 
 def made(name: str, value: Any) -> Any:
     """What stands for a number of the source: a probe, another value, or the number where kernels compile it."""
-    value = PLAN.changed.get(name, plain(value))
+    if name in PLAN.changed:
+        PLAN.values[name] = PLAN.changed[name]
+        return PLAN.changed[name]
+    value = plain(value)
     if not isinstance(value, NUMBERS) or not name.startswith(PLAN.prefixes):
         return value
     PLAN.values[name] = value
@@ -119,14 +122,15 @@ def install(prefixes: list[str], unprobed: list[str], changed: list[str]) -> Non
     PLAN.compiled = set(compiled_numbers(Path(spec.origin).parent))
     PLAN.unprobed = set(unprobed)
     PLAN.changed = {name: ast.literal_eval(value) for name, _, value in (text.partition("=") for text in changed)}
-    modules = tuple(f"turgor.{name}" for name in (*prefixes, *(name.rsplit(".", 1)[0] for name in PLAN.changed)))
+    folders = tuple(f"turgor.{name}" for name in prefixes)
     ordinary = SourceFileLoader.get_code
 
     def get_code(loader: SourceFileLoader, name: str) -> CodeType | None:
-        path = loader.get_filename(name)
-        if not name.startswith(modules) or path.endswith(".pyc"):
+        path, module = loader.get_filename(name), name.removeprefix("turgor.")
+        changes = any(each.startswith(f"{module}.") for each in PLAN.changed)
+        if not (changes or name.startswith(folders)) or path.endswith(".pyc"):
             return ordinary(loader, name)
-        tree = with_probes(Path(path).read_text("utf-8"), name.removeprefix("turgor."))
+        tree = with_probes(Path(path).read_text("utf-8"), module)
         return compile(tree, path, "exec", dont_inherit=True)
 
     SourceFileLoader.get_code = get_code  # type: ignore[method-assign]
