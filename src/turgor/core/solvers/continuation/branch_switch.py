@@ -168,9 +168,9 @@ def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) 
     rest, first = (float(weights @ chambers.volumes(at)) for at in (np.zeros(system.size), unknowns))
     target = WorkTarget(chambers, weights, first, first + (first - rest))
     stepping = StepControl(
-        length=min(procedure.first_step, BRANCH_SWITCH.first_volume_step),
+        length=procedure.first_step,
         max_step=BRANCH_SWITCH.longest_volume_step * procedure.max_step,
-        min_step=min(procedure.min_step, BRANCH_SWITCH.first_volume_step),
+        min_step=procedure.min_step,
         targets=(inf,),
     )
 

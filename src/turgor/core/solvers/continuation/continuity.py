@@ -95,7 +95,7 @@ def _differ(last: Point, now: Point) -> bool:
 def _bifurcation(run: Run, last: Point, now: Point) -> tuple[Point, Point] | None:
     """Points close to the first bifurcation between two, one point twice if there is none; None at a jump."""
     allowed = _chord(run, last, now)
-    for halving in range(CONTINUITY.halvings):
+    for _ in range(CONTINUITY.halvings):
         parameter = 0.5 * (last.parameter + now.parameter)
         result = solve_at(run, parameter, between([last, now], parameter), silent)
         if not result.converged or result.evaluation is None:
@@ -108,9 +108,6 @@ def _bifurcation(run: Run, last: Point, now: Point) -> tuple[Point, Point] | Non
         else:
             return now, now
         allowed *= 0.5
-        rise = abs(float((now.scalars - last.scalars)[0]))
-        if halving + 1 >= CONTINUITY.fewest_halvings and rise <= CONTINUITY.close * abs(float(now.scalars[0])):
-            break
     smooth = (
         _chord(run, last, now) <= CONTINUITY.bifurcation_jump * allowed
         and last.state.unstable_modes != now.state.unstable_modes

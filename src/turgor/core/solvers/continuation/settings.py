@@ -16,11 +16,14 @@ class BranchJumpSettings:
     jump_ratio : float
         A step in which a body moves this many times as much for its load as in the step before may have jumped.
         Towards a limit point steps get shorter, and the factor from one to the next stays at two or three.
+    farther_than_rates : float
+        A step that moves a body this many times as far as the faster of the rates at its ends has left the path.
     still_share : float
         A step that moves a body by less than this share of its displacement is no jump.
     """
 
     jump_ratio: float = 5.0
+    farther_than_rates: float = 2.0
     still_share: float = 1e-2
 
 
@@ -35,8 +38,6 @@ class BranchSwitchSettings:
     ----------
     longest_volume_step : float
         Longest step by volume, in the injected volume at which it takes over, over the longest step of the load.
-    first_volume_step : float
-        First step by volume at most, in the same measure: load control has failed, so a limit point is near.
     longest_arc : float
         Longest arc over the longest step of the load.
     auto_min_step : float
@@ -44,7 +45,6 @@ class BranchSwitchSettings:
     """
 
     longest_volume_step: float = 4.0
-    first_volume_step: float = 0.05
     longest_arc: float = 2.0
     auto_min_step: float = 2e-3
 
@@ -63,9 +63,8 @@ class ContinuitySettings:
     corner_chord, corner_cuts : float, int
         At a corner of the path, as where walls meet, no step is short enough for that: this much suffices after so
         many cuts.
-    fewest_halvings, halvings, close : int, int, float
-        Halvings of the step in which a bifurcation lies, fewest and most, and the share of its load to which it is
-        found.
+    halvings : int
+        Halvings of the step in which a bifurcation lies.
     bifurcation_jump : float
         The remaining step may be longer than along a smooth path by this factor; beyond that it is a jump.
     """
@@ -73,29 +72,11 @@ class ContinuitySettings:
     straight_chord: float = 0.8
     corner_chord: float = 0.4
     corner_cuts: int = 4
-    fewest_halvings: int = 6
-    halvings: int = 10
-    close: float = 1e-3
+    halvings: int = 8
     bifurcation_jump: float = 4.0
 
 
 CONTINUITY = ContinuitySettings()
-
-
-@dataclass(frozen=True, slots=True)
-class ExtremaSettings:
-    """Settings of extrema.
-
-    Parameters
-    ----------
-    flat_slope : float
-        A slope times the width of the step is flat below this share of the value.
-    """
-
-    flat_slope: float = 1e-6
-
-
-EXTREMA = ExtremaSettings()
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,11 +85,13 @@ class LimitPointsSettings:
 
     Parameters
     ----------
-    solves : int
-        Solves at most to find one limit point.
+    solves, flat_slope : int, float
+        Solves at most to find one limit point, and the slope times the width of the step, as a share of the value,
+        below which it is found.
     """
 
     solves: int = 8
+    flat_slope: float = 1e-6
 
 
 LIMIT_POINTS = LimitPointsSettings()
@@ -120,20 +103,13 @@ class LoadControlSettings:
 
     Parameters
     ----------
-    relaxations, reach, shorter_reach : int, float, float
-        Pseudo-transient continuation is tried this often in a run where no step succeeds, over at most this share of
-        the load, and if that fails over a smaller one.
-    fold_share : float
-        Where a film wrinkles, such a state may be this share of the displacement away: the film snaps from fold to
-        fold.
+    reach : float
+        Where no step succeeds, pseudo-transient continuation is tried over at most this share of the load.
     long_first_step : float
         If the first step is at least this share of the load, the response to a small load is computed first.
     """
 
-    relaxations: int = 20
     reach: float = 0.05
-    shorter_reach: float = 0.1
-    fold_share: float = 0.1
     long_first_step: float = 0.2
 
 
@@ -219,8 +195,6 @@ class StepControlSettings:
         With the usual smallest step they advance farther; a run that may take steps of 1e-8 made 945 attempts.
     stretch : float
         The last stretch to a target is taken whole if it is no longer than this many steps.
-    round_off : float
-        A requested load factor this near a kink is the kink.
     smallest_tolerance : float
         In steps shorter than the first one the tolerance shrinks with them, to no less than this. Of twelve columns
         bowed by 5e-6 to 5e-5 of their length, eleven pass their buckling load so, and seven or eight with the same
@@ -238,25 +212,8 @@ class StepControlSettings:
     creeping_attempts: int = 60
     creeping_advance: float = 1e-3
     stretch: float = 1.25
-    round_off: float = 1e-12
     smallest_tolerance: float = 1e-9
     load_digits: int = 6
 
 
 STEP_CONTROL = StepControlSettings()
-
-
-@dataclass(frozen=True, slots=True)
-class TangentResponseSettings:
-    """Settings of tangent response.
-
-    Parameters
-    ----------
-    farther_than_rates : float
-        A step that moves a body this many times as far as the faster of the rates at its ends has left the path.
-    """
-
-    farther_than_rates: float = 2.0
-
-
-TANGENT_RESPONSE = TangentResponseSettings()
