@@ -36,16 +36,14 @@ class BranchSwitchSettings:
 
     Parameters
     ----------
-    longest_volume_step : float
-        Longest step by volume, in the injected volume at which it takes over, over the longest step of the load.
-    longest_arc : float
-        Longest arc over the longest step of the load.
+    longest_step : float
+        Longest arc, and longest step by volume in the injected volume at which it takes over, over the longest step of
+        the load.
     auto_min_step : float
         Smallest step of load control before `Auto` prescribes the volume or the arc length instead.
     """
 
-    longest_volume_step: float = 4.0
-    longest_arc: float = 2.0
+    longest_step: float = 2.0
     auto_min_step: float = 2e-3
 
 

@@ -152,9 +152,8 @@ class PseudoTransientSettings:
         The first viscous step moves no node by more than about this many edge lengths.
     almost_rigid : float
         Viscosity over the stiffness of the body with which that move is foreseen.
-    quick_iterations, after_quick, after_step, after_failure : int, float, float, float
-        After a step of few iterations the viscosity falls by the first factor, after others by the second; where a
-        step fails it rises by the third.
+    after_step, after_failure : float, float
+        After a step the viscosity falls by the first factor; where a step fails it rises by the second.
     iterations : int
         Iterations at most.
     faded : float
@@ -166,8 +165,6 @@ class PseudoTransientSettings:
 
     first_move: float = 0.5
     almost_rigid: float = 100.0
-    quick_iterations: int = 4
-    after_quick: float = 0.1
     after_step: float = 0.3
     after_failure: float = 8.0
     iterations: int = 150
