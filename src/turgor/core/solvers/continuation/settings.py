@@ -135,8 +135,6 @@ class PredictorSettings:
     stays_on : float
         Where a smaller share of the points that touch would still touch along the tangent, it leads off a curved
         body. Of 63 points of a belt that slides on a drum, the tangent kept 12.
-    shortenings : int
-        An extrapolation is shortened this often at most where it presses walls into each other.
     """
 
     history: int = 5
@@ -144,7 +142,6 @@ class PredictorSettings:
     wrinkling_history: int = 3
     good_prediction: float = 0.05
     stays_on: float = 0.8
-    shortenings: int = 3
 
 
 PREDICTOR = PredictorSettings()

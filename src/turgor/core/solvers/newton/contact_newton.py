@@ -42,7 +42,7 @@ def newton_with_contact(
         (friction, _), stiffened = contact.settled(at.contacts), contact.stiffen(at.contacts)
         constraint = constraint.with_friction(friction)
         residual = relative_residual(constraint.scalar_unknowns.system, at)
-        if not stiffened and residual <= CONTACT_NEWTON.after_search * settings.tolerance:
+        if not stiffened and residual <= settings.tolerance:
             return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
         again = find(constraint, Start(at.unknowns, constraint.scalar_unknowns.system.stresses(at), result.scalars))
         result = replace(again, reason=result.reason) if again.converged and again.reason is None else again

@@ -88,11 +88,7 @@ def _descend(
                 reason=Reason(Cause.INERTIA_CORRECTED),
             )
         if length == 1:
-            shift = (
-                0.0
-                if residual < INERTIA_CORRECTION.unshifted_below or shift <= INERTIA_CORRECTION.first_shift
-                else shift / INERTIA_CORRECTION.shift_factor
-            )
+            shift = 0.0 if shift <= INERTIA_CORRECTION.first_shift else shift / INERTIA_CORRECTION.shift_factor
         at = new
     return _failed(at, INERTIA_CORRECTION.updates, residual)
 

@@ -15,12 +15,9 @@ class ContactNewtonSettings:
     ----------
     passes : int
         Times that friction and stiffness are renewed at most.
-    after_search : float
-        A state is accepted if the residual is at most this many times the tolerance after a new search for contact.
     """
 
     passes: int = 20
-    after_search: float = 10.0
 
 
 CONTACT_NEWTON = ContactNewtonSettings()
@@ -70,8 +67,6 @@ class InertiaCorrectionSettings:
     first_shift, shift_factor, largest_shift : float
         The first shift of the diagonal, in scaled units, in which a cube of rubber has a stiffness of about 3; the
         factor from one to the next, and the largest.
-    unshifted_below : float
-        No shift is tried first once the residual is this small.
     least_share : float
         Smallest factor from one share of an update that is tried to the next.
     """
@@ -81,7 +76,6 @@ class InertiaCorrectionSettings:
     first_shift: float = 0.016
     shift_factor: float = 4.0
     largest_shift: float = 100.0
-    unshifted_below: float = 1e-3
     least_share: float = 0.1
 
 
