@@ -58,19 +58,15 @@ class ContinuitySettings:
     ----------
     straight_chord : float
         The chord of a step has this cosine at least with the directions of the path at both of its ends.
-    corner_chord, corner_cuts : float, int
-        At a corner of the path, as where walls meet, no step is short enough for that: this much suffices after so
+    corner_cuts : int
+        At a corner of the path, as where walls meet, no step is short enough for that: half of it suffices after so
         many cuts.
-    halvings : int
-        Halvings of the step in which a bifurcation lies.
     bifurcation_jump : float
         The remaining step may be longer than along a smooth path by this factor; beyond that it is a jump.
     """
 
     straight_chord: float = 0.8
-    corner_chord: float = 0.4
     corner_cuts: int = 4
-    halvings: int = 8
     bifurcation_jump: float = 4.0
 
 
@@ -84,8 +80,8 @@ class LimitPointsSettings:
     Parameters
     ----------
     solves, flat_slope : int, float
-        Solves at most to find one limit point, and the slope times the width of the step, as a share of the value,
-        below which it is found.
+        Solves at most to find one limit point, and to find one bifurcation; the slope times the width of the step, as
+        a share of the value, below which a limit point is found.
     """
 
     solves: int = 8
