@@ -87,7 +87,7 @@ class StepControl:
         0.175
         """
         comfortable = max(self.comfortable, STEP_CONTROL.touching_iterations) if touches else self.comfortable
-        factor = min(2.0, max(0.5, comfortable / max(iterations, 1)))
+        factor = min(STEP_CONTROL.touching_growth if touches else 2.0, max(0.5, comfortable / max(iterations, 1)))
         if self.patience < 2:
             factor = min(factor, 1.0)
         least = STEP_CONTROL.touching_share * self.length if touches else self.length

@@ -136,7 +136,7 @@ class _Newton:
         if now.residuals[-1] <= settings.tolerance and not now.jump.any():
             return CONVERGED
         last = now.lengths[-CONVERGENCE.stagnating_updates :]
-        if system.contact.parts and max(last) <= LINE_SEARCH.shortest_touching:
+        if system.contact.parts and max(last) <= LINE_SEARCH.shortest:
             return Reason(Cause.DEEP_PENETRATION)
         if iteration >= FACTORS.vain_updates and _in_vain(now):
             vain = f": walls touch, and {iteration} updates did not halve the residual"

@@ -88,8 +88,8 @@ class LineSearchSettings:
 
     Parameters
     ----------
-    shortest, shortest_touching : float
-        Shortest update that the line search tries; and where walls are pressed into each other.
+    shortest : float
+        Shortest update that is tried.
     overshot : float
         With friction, and in the inertia correction, an update is too long if the force along it reverses and exceeds
         this share of its former size.
@@ -99,8 +99,7 @@ class LineSearchSettings:
         10, 20 and 80 took 869, 843 and 870 iterations, and 880 without this limit.
     """
 
-    shortest: float = 1.0 / 64
-    shortest_touching: float = 1.0 / 32
+    shortest: float = 1.0 / 32
     overshot: float = 0.9
     overshot_touching: float = 20.0
 
