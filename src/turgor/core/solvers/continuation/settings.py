@@ -60,9 +60,10 @@ class ContinuitySettings:
         The chord of a step has this cosine at least with the directions of the path at both of its ends.
     corner_cuts : int
         At a corner of the path, as where walls meet, no step is short enough for that: half of it suffices after so
-        many cuts.
+        many cuts: `test_a_sharp_turn_is_cut_and_a_corner_taken_in_the_end`.
     bifurcation_jump : float
-        The remaining step may be longer than along a smooth path by this factor; beyond that it is a jump.
+        The remaining step may be longer than along a smooth path by this factor; beyond that it is a jump. Needed by
+        `test_path_continuity.py`.
     """
 
     straight_chord: float = 0.8
@@ -100,7 +101,8 @@ class LoadControlSettings:
     reach : float
         Where no step succeeds, pseudo-transient continuation is tried over at most this share of the load.
     long_first_step : float
-        If the first step is at least this share of the load, the response to a small load is computed first.
+        If the first step is at least this share of the load, the response to a small load is computed first. Needed by
+        `test_a_long_first_step_uses_the_factors_of_the_state_at_rest`.
     """
 
     reach: float = 0.05
@@ -184,6 +186,7 @@ class StepControlSettings:
     creeping_attempts, creeping_advance : int, float
         A run ends where half of so many attempts failed and the others advanced by less than this share of the load.
         With the usual smallest step they advance farther; a run that may take steps of 1e-8 made 945 attempts.
+        `test_steps_that_creep_are_in_vain` has it.
     stretch : float
         The last stretch to a target is taken whole if it is no longer than this many steps.
     smallest_tolerance : float

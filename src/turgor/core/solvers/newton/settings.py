@@ -14,7 +14,7 @@ class ContactNewtonSettings:
     Parameters
     ----------
     passes : int
-        Times that friction and stiffness are renewed at most.
+        Times that friction and stiffness are renewed at most: no case comes to the end of them.
     """
 
     passes: int = 20
@@ -66,9 +66,10 @@ class InertiaCorrectionSettings:
         is not due to a few points that separate.
     first_shift, shift_factor, largest_shift : float
         The first shift of the diagonal, in scaled units, in which a cube of rubber has a stiffness of about 3; the
-        factor from one to the next, and the largest.
+        factor from one to the next, and the largest, at which it gives up. "plate that drags" needs shifts.
     least_share : float
-        Smallest factor from one share of an update that is tried to the next.
+        Smallest factor from one share of an update that is tried to the next; without it "plate that drags" takes 587
+        iterations instead of 213.
     """
 
     updates: int = 40
@@ -146,7 +147,8 @@ class PseudoTransientSettings:
     almost_rigid : float
         Viscosity over the stiffness of the body with which that move is foreseen.
     after_step, after_failure : float, float
-        After a step the viscosity falls by the first factor; where a step fails it rises by the second.
+        After a step the viscosity falls by the first factor; where a step fails it rises by the second. With a faster
+        fall after easy steps, "plate of 0.1 mm blown up" takes 88 iterations instead of 73.
     iterations : int
         Iterations at most.
     faded : float
