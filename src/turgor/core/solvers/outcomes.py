@@ -31,8 +31,6 @@ AT_REST = (
     "wall that resists its load too little may start with the procedure stabilized, or from a slightly curved shape."
 )
 
-#: How steps were found that a real body makes at once.
-SNAPPED = (Cause.INERTIA_CORRECTED, Cause.FOLD_SNAPPED)
 
 #: On the way to a limit point a body moves this many times as much for the load as before at least.
 SOFTENING = 1.5
@@ -93,7 +91,7 @@ def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> O
 
 def _falls(model: Model, steps: Sequence[Step]) -> str:
     """Where contact opened, or a film folded, and the body jumped to another equilibrium close by."""
-    falls = [step.load_factor for step in steps if step.accepted and step.cause in SNAPPED]
+    falls = [step.load_factor for step in steps if step.accepted and step.cause is Cause.INERTIA_CORRECTED]
     if not falls:
         return ""
     more = f", first of {len(falls)} times" if len(falls) > 1 else ""

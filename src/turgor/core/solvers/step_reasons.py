@@ -20,7 +20,6 @@ class Cause(Enum):
     INERTIA_CORRECTED = auto()
     INERTIA_CORRECTION_FAILED = auto()
     PSEUDO_TRANSIENT = auto()
-    FOLD_SNAPPED = auto()
     PSEUDO_TRANSIENT_FAILED = auto()
     STABILITY_LOST = auto()
     UNSTABLE = auto()
@@ -44,7 +43,6 @@ TEXTS = {
     Cause.INERTIA_CORRECTED: "found by inertia correction, where Newton's method failed",
     Cause.INERTIA_CORRECTION_FAILED: "inertia correction found no stable equilibrium",
     Cause.PSEUDO_TRANSIENT: "found by pseudo-transient continuation, where no step of Newton's method succeeded",
-    Cause.FOLD_SNAPPED: "a film snapped to another fold; found by pseudo-transient continuation",
     Cause.PSEUDO_TRANSIENT_FAILED: "pseudo-transient continuation did not come to rest either",
     Cause.STABILITY_LOST: "stability was lost",
     Cause.UNSTABLE: "the equilibrium is unstable",

@@ -11,7 +11,7 @@ from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.material import Material
 from turgor.fast_models.formulas.formula import Formula, beyond_tests, law_of, not_so_simple, path_of, too_short
 from turgor.fast_models.formulas.inversion import inverted, rising
-from turgor.fast_models.formulas.thick_walled import ELASTIC
+from turgor.fast_models.formulas.thick_walled import ELASTIC, HIGHEST
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response
@@ -21,9 +21,6 @@ from turgor.units import deg, kPa
 Array = NDArray[np.float64]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(16)
-
-#: Largest stretch at the top of the wall that is looked at.
-HIGHEST = 8.0
 
 FIBER_REINFORCED = Formula(
     name="fiber_reinforced_bender",

@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 Tube = ExtendingCylinder | FiberReinforcedCylinder | ContractingTube | TwistingTube
 TUBES = ("ExtendingCylinder", "FiberReinforcedCylinder", "ContractingTube", "TwistingTube")
 
-#: Largest stretch of the inner wall to which pressures are followed, and samples up to there.
+#: Largest stretch of a wall to which pressures are followed, and samples up to there.
 HIGHEST, SAMPLES = 6.0, 60
 
 ELASTIC = "The rubber is incompressible and elastic: no relaxation, no softening."

@@ -20,17 +20,32 @@ Array = NDArray[np.float64]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(16)
 
-#: Newton's method: most iterations, relative residual at its end, step of the differences.
-PASSES, CLOSE, STEP = 12, 1e-11, 1e-7
 
-#: Principal stretches whose squares differ by less than twice this share count as equal.
-ALIKE = 1e-6
+@dataclass(frozen=True, slots=True)
+class WoundTubeSettings:
+    """How the equations of wound tubes are solved; all are without unit.
 
-#: States that continue the path, and how far from the last one that may lead, relative.
-PARABOLA, NEAR = 3, 0.1
+    Parameters
+    ----------
+    iterations, small_residual, difference : int, float, float
+        Newton's method: most iterations, relative residual at its end, step of the differences.
+    equal_stretches : float
+        Principal stretches whose squares differ by less than twice this share count as equal.
+    near : float
+        How far from the last state the parabola through three may lead, relative.
+    finest_step : float
+        Finest cut of a step of the pressure, as a share.
+    """
 
-#: Finest cut of a step of the pressure, as a share.
-FINEST = 1 / 1024
+    iterations: int = 12
+    small_residual: float = 1e-11
+    difference: float = 1e-7
+    equal_stretches: float = 1e-6
+    near: float = 0.1
+    finest_step: float = 1 / 1024
+
+
+SETTINGS = WoundTubeSettings()
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +130,7 @@ class WoundWall:
         l2 = axial * np.sqrt(g) / (R * l1)  # from the determinant of C, which does not lose digits
         l3 = 1 / (l1 * l2)
         _, W1, W2, W3, W11, _, _, W12, *_ = stretch_derivatives(self.law, l1, l2, l3)
-        close = half < ALIKE * mean
+        close = half < SETTINGS.equal_stretches * mean
         with np.errstate(invalid="ignore", divide="ignore"):
             apart = (W1 / l1 - W2 / l2) / (2 * half)
         by_C = np.where(close, ((W11 - W12) - W1 / l1) / (2 * l1**2), apart)  # S = own I + by_C C
@@ -171,21 +186,21 @@ class WoundWall:
                 if reached is not None:
                     path.append((target, reached))
                 share = min(1.0, 2 * share) if reached is not None else share / 2
-                if share < FINEST:
+                if share < SETTINGS.finest_step:
                     return found
             found.append(path[-1][1])
         return found
 
     def _next(self, path: Sequence[tuple[float, Point]], pressure: float, *, stretch_fixed: bool) -> Point | None:
         """State at the next pressure, from the path so far continued as a parabola, or from its last state."""
-        if len(path) > PARABOLA:
-            knots = np.array([before for before, _ in path[-PARABOLA:]])
-            states = np.concatenate([self._row(at) for _, at in path[-PARABOLA:]])
+        if len(path) > 3:
+            knots = np.array([before for before, _ in path[-3:]])
+            states = np.concatenate([self._row(at) for _, at in path[-3:]])
             weights = [
                 np.prod([(pressure - other) / (knot - other) for other in knots if other != knot]) for knot in knots
             ]
             a, axial, twist, *rigid = (np.array(weights) @ states).tolist()
-            near = abs(axial / states[-1, 1] - 1) + abs(a / states[-1, 0] - 1) < NEAR
+            near = abs(axial / states[-1, 1] - 1) + abs(a / states[-1, 0] - 1) < SETTINGS.near
             if near and (
                 reached := self._solved(Point(a, axial, twist, tuple(rigid)), pressure, stretch_fixed=stretch_fixed)
             ):
@@ -259,19 +274,19 @@ class WoundWall:
         free = np.flatnonzero([True, not stretch_fixed, not self.symmetric, *[True] * rigid])
         x = self._row(start)[0] / scale
         steps = np.zeros((2 * len(free) + 1, len(x)))  # the state itself, then one step ahead and back in each unknown
-        steps[1 + np.arange(len(free)), free] = STEP
-        steps[1 + len(free) + np.arange(len(free)), free] = -STEP
+        steps[1 + np.arange(len(free)), free] = SETTINGS.difference
+        steps[1 + len(free) + np.arange(len(free)), free] = -SETTINGS.difference
         size = max(1.0, pressure / self.law.shear_modulus)
-        for _ in range(PASSES):
+        for _ in range(SETTINGS.iterations):
             around = self._forces((x + steps) * scale, pressure)[:, free] * weight[free]
             r, ahead, back = around[0], around[1 : 1 + len(free)], around[1 + len(free) :]
             if not np.isfinite(around).all():
                 return None
-            if float(np.abs(r).max()) < CLOSE * size:
+            if float(np.abs(r).max()) < SETTINGS.small_residual * size:
                 a, axial, twist, *tension = (x * scale).tolist()
                 return Point(a, axial, twist, tuple(tension))
             try:
-                change = np.linalg.solve((ahead - back).T / (2 * STEP), -r)
+                change = np.linalg.solve((ahead - back).T / (2 * SETTINGS.difference), -r)
             except np.linalg.LinAlgError:
                 return None
             shape = np.abs(change[free < 3]).max()

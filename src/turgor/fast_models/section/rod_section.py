@@ -4,15 +4,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.fast_models.rod.sections.chamber import PressureTable, RodChamber
-from turgor.fast_models.rod.sections.section import RodSection
+from turgor.fast_models.rod.sections.section import UNIFORM, RodSection
 from turgor.fast_models.section.plane import tables
 from turgor.fast_models.section.solution import SectionSolution
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: Places of stretch, twist and the two curvatures among the six strains of a rod.
-UNIFORM = (0, 3, 4, 5)
 
 
 def rod_section(

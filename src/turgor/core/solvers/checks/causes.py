@@ -17,7 +17,7 @@ from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.laws.stability import Mode, first_instability
 from turgor.core.materials.material import Material
 from turgor.core.solvers.checks.membranes import Compression, bears_compression
-from turgor.core.solvers.checks.settings import CAUSES
+from turgor.core.solvers.checks.settings import CAUSES, REPORTS
 from turgor.core.solvers.pressures import pressures_of
 from turgor.core.solvers.solution import State
 
@@ -72,7 +72,7 @@ def wrinkled_film(state: State) -> Why | None:
     """Say which membrane is compressed so much that it must wrinkle on its rubber."""
     for name in bears_compression(state.model):
         compression = Compression.of(state, name)
-        if compression.wrinkled > CAUSES.wrinkled_area:
+        if compression.wrinkled > REPORTS.notable_share:
             return Why(
                 f" The film on '{name}' is compressed in {100 * compression.wrinkled:.0f} % of its area, by up to "
                 f"{compression.largest:.3g} N/m; it has no bending stiffness and wrinkles there.",

@@ -14,7 +14,7 @@ from turgor.core.meshing.wedge import sectors
 from turgor.core.model.contact import SELF
 from turgor.core.model.drive import common_pressure, drive_text, pressed_together, rises
 from turgor.core.model.model import Model
-from turgor.core.solvers.checks.settings import CONTACT_CHECKS
+from turgor.core.solvers.checks.settings import REPORTS
 from turgor.core.solvers.solution import State
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm, um
@@ -64,7 +64,7 @@ def deep_penetrations(states: Sequence[State]) -> tuple[Finding, ...]:
     """
     findings = []
     for name, touch in states[-1].touches.items() if states else ():
-        if touch.share > 1 + CONTACT_CHECKS.penetration_round_off:
+        if touch.share > 1:
             who = "Walls of the actuator penetrate each other" if name == SELF else f"The actuator penetrates '{name}'"
             findings.append(
                 Finding(
@@ -99,7 +99,7 @@ def elastic_slips(system: System, states: Sequence[State]) -> tuple[Finding, ...
     findings, moved = [], float(np.linalg.norm(states[-1].displacement, axis=1).max())
     for part, history in zip(system.contact.parts, states[-1].memory.friction, strict=False):
         slip = 0.0 if history is None else mean_elastic_slip(history) * system.length
-        if slip > CONTACT_CHECKS.elastic_share * moved:
+        if slip > REPORTS.large_share * moved:
             who = "The actuator slips on itself" if part.name == SELF else f"The actuator slips on '{part.name}'"
             findings.append(
                 Finding(

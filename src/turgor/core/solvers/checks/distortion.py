@@ -4,6 +4,7 @@ import numpy as np
 
 from turgor.core.engine.fields import cell_fields
 from turgor.core.materials.material import Material
+from turgor.core.solvers.checks.plausibility.of_materials import NO_RUBBER
 from turgor.core.solvers.checks.settings import DISTORTION
 from turgor.core.solvers.solution import State
 
@@ -24,8 +25,7 @@ def worst_volume(state: State) -> tuple[float, tuple[float, float, float]] | Non
     hard = [
         np.asarray(model.mesh.regions[name])
         for name, material in model.materials.items()
-        if isinstance(material, Material)
-        and material.bulk_modulus >= DISTORTION.hard_rubber * material.law.shear_modulus
+        if isinstance(material, Material) and material.bulk_modulus >= NO_RUBBER * material.law.shear_modulus
     ]
     if not hard:
         return None

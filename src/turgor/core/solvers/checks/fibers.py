@@ -11,7 +11,7 @@ from turgor.core.engine.fibers.smeared import Course, course_of, wound_sides
 from turgor.core.meshing.quality.cell_quality import cell_volumes
 from turgor.core.model.fibers import DISCRETE, SMEARED, Fibers
 from turgor.core.model.model import Model
-from turgor.core.solvers.checks.settings import FIBERS
+from turgor.core.solvers.checks.settings import FIBERS, REPORTS
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import deg, mm
 
@@ -84,9 +84,9 @@ def _other_spacing(fibers: Fibers, course: Course) -> list[Finding]:
     if fibers.form != DISCRETE or fibers.winding.spacing is None:
         return []
     laid = laid_spacing(course)
-    if abs(laid - course.spacing) <= FIBERS.other_spacing * course.spacing:
+    if abs(laid - course.spacing) <= REPORTS.notable_share * course.spacing:
         return []
-    wrong = abs(laid - course.spacing) > FIBERS.wrong_spacing * course.spacing
+    wrong = abs(laid - course.spacing) > REPORTS.large_share * course.spacing
     return [
         Finding(
             code="B21",
@@ -139,10 +139,11 @@ def stiff_threads_text(model: Model) -> str:
         course = course_of(model.mesh, fibers)
         ratio = stiffness_over_wall(model, fibers, course)
         if fibers.compression == 0 and ratio > FIBERS.too_stiff:
-            enough = fibers.stretching_stiffness * FIBERS.rigid / ratio
+            rigid = FIBERS.too_stiff / 10
+            enough = fibers.stretching_stiffness * rigid / ratio
             return (
                 "Give them compression = 1 if they stay tight everywhere, as hoops around a cavity under pressure do. "
-                f"Otherwise give a smaller modulus: a thread of E A = {enough:.2g} N is {FIBERS.rigid:,.0f} times "
+                f"Otherwise give a smaller modulus: a thread of E A = {enough:.2g} N is {rigid:,.0f} times "
                 "as stiff as the wall, which is as good as rigid."
             )
     return ""

@@ -12,7 +12,7 @@ from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.drive import drive_text
 from turgor.core.model.model import Model
 from turgor.core.model.sheets import Membrane, Shell
-from turgor.core.solvers.checks.settings import CAUSES
+from turgor.core.solvers.checks.settings import CAUSES, REPORTS
 from turgor.core.solvers.solution import State
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
@@ -87,9 +87,9 @@ def compressed_membranes(model: Model, states: Sequence[State]) -> tuple[Finding
         path = [Compression.of(state, name) for state in states]
         little = CAUSES.little_compression * max((float(np.abs(each.force).max()) for each in path), default=0.0)
         shares = [each.share(little) for each in path]
-        if max(shares, default=0.0) > CAUSES.wrinkled_area:
+        if max(shares, default=0.0) > REPORTS.notable_share:
             worst = int(np.argmax([each.mean for each in path]))
-            first = next(i for i, share in enumerate(shares) if share > CAUSES.wrinkled_area)
+            first = next(i for i, share in enumerate(shares) if share > REPORTS.notable_share)
             since = f" (from {_load(model, states[first])} on)" if first != worst else ""
             where = f"in {100 * shares[worst]:.0f} % of its area at {_load(model, states[worst])}{since}"
             findings.append(_compressed(model, name, where, path[worst], states[worst]))
@@ -101,9 +101,9 @@ def _load(model: Model, state: State) -> str:
 
 
 def _compressed(model: Model, name: str, where: str, pushed: Compression, state: State) -> Finding:
-    wrinkles, bent = pushed.wrinkled > CAUSES.wrinkled_area, _bending_share(model, name, state)
+    wrinkles, bent = pushed.wrinkled > REPORTS.notable_share, _bending_share(model, name, state)
     what = "so that it wrinkles" if wrinkles else "and wrinkles on finer meshes"
-    counts = bent is not None and bent > CAUSES.bending_counts
+    counts = bent is not None and bent > REPORTS.notable_share
     return Finding(
         code="N05",
         severity=Severity.WARNING if wrinkles or counts else Severity.NOTE,

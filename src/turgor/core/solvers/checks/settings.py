@@ -24,14 +24,9 @@ class CausesSettings:
         A cavity of this many times its volume at rest is a balloon.
     breaks : float
         Stretch that elastomers bear (strains over 500 %, Xavier et al. 2021), where the tests of a law are not known.
-    wrinkled_area : float
-        Share of the area of a film that is compressed enough to wrinkle, from which wrinkles are named as the cause.
     little_compression : float
         Compression that counts, as a share of the largest force per width in the sheet: less is round-off of a taut
         sheet.
-    bending_counts : float
-        Energy of the bending that a membrane leaves out, over that of the actuator, from which it changes the result:
-        five chambers on paper of 0.1 mm, with 6 %, bend by 9 % less once it counts.
     """
 
     turns_ahead: float = 1.05
@@ -39,31 +34,32 @@ class CausesSettings:
     stretched: float = 1.15
     balloon: float = 1.3
     breaks: float = 6.0
-    wrinkled_area: float = 0.02
     little_compression: float = 1e-3
-    bending_counts: float = 0.02
 
 
 CAUSES = CausesSettings()
 
 
 @dataclass(frozen=True, slots=True)
-class ContactCheckSettings:
-    """Settings of contact.
+class ReportSettings:
+    """From which size on an effect is reported.
 
     Parameters
     ----------
-    penetration_round_off : float
-        A tolerance that is just met is met.
-    elastic_share : float
-        Share of the largest displacement from which elastic slip of points that stick is reported.
+    notable_share : float
+        Share of the area of a film that wrinkles; of the energy of an actuator that is in the bending that a membrane
+        leaves out (five chambers on paper of 0.1 mm, with 6 %, bend by 9 % less once it counts); and of the requested
+        spacing by which discrete threads are off.
+    large_share : float
+        Share of the requested spacing by which threads are off, from which it is a warning; and of the largest
+        displacement that points which stick slip elastically.
     """
 
-    penetration_round_off: float = 1e-6
-    elastic_share: float = 0.1
+    notable_share: float = 0.02
+    large_share: float = 0.1
 
 
-CONTACT_CHECKS = ContactCheckSettings()
+REPORTS = ReportSettings()
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,12 +89,9 @@ class DistortionSettings:
     kept_volume : float
         Rubber keeps its volume, a mesh keeps it on average. Where a point of a cell has less than this share of its
         volume left, or the inverse of it, the cell bends in a way that the rubber cannot.
-    hard_rubber : float
-        Rubber whose bulk modulus is this many times its shear modulus or more keeps its volume.
     """
 
     kept_volume: float = 0.5
-    hard_rubber: float = 50.0
 
 
 DISTORTION = DistortionSettings()
@@ -113,26 +106,18 @@ class FibersSettings:
     cells_between, share_of_perimeter : float
         Distance between smeared threads, in cells and as a share of the perimeter, from which smearing them is
         doubtful.
-    other_spacing, wrong_spacing : float
-        Difference between the distance of discrete threads and the requested one, from which it is reported, and
-        from which it is a warning.
     nearly_hoops : float [rad]
         Angle from the axis [rad], 80°, from which threads of both hands are nearly hoops, and count twice.
     too_stiff : float
         Stiffness of slack-prone threads over that of the wall below them, per width, from which they are too stiff to
         be solved: which of them are slack changes from iteration to iteration. Tubes with 10,000 times took 140
-        iterations, with 50,000 times none converged; Kevlar of 0.18 mm every 2 mm has 800.
-    rigid : float
-        A stiffness of this many times the wall is as good as rigid.
+        iterations, with 50,000 times none converged; Kevlar of 0.18 mm every 2 mm has 800. A tenth is as good as rigid.
     """
 
     cells_between: float = 1.5
     share_of_perimeter: float = 0.25
-    other_spacing: float = 0.02
-    wrong_spacing: float = 0.1
     nearly_hoops: float = 1.396
     too_stiff: float = 20_000.0
-    rigid: float = 2_000.0
 
 
 FIBERS = FibersSettings()

@@ -134,7 +134,7 @@ def continue_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
         problem.listeners.rejected(len(problem.steps), problem.steps[-1])
     ends = bounds(Bounds(procedure.max_stretch))
     if watch.good is None:
-        lengths = STEP_CONTROL.step_cut * procedure.first_step, BRANCH_SWITCH.longest_arc * procedure.max_step
+        lengths = STEP_CONTROL.step_cut * procedure.first_step, BRANCH_SWITCH.longest_step * procedure.max_step
         return from_rest(problem, procedure, lengths, ends)
     watch.good.restore(system)
     problem = slowly(problem, watch.good.state.memory)
@@ -156,7 +156,7 @@ def _arcs(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> tu
     moved = displacement_of(system, unknowns - unknowns_of(system, before))
     size = displacement_scale(problem, unknowns, load)
     step = float(np.hypot(np.linalg.norm(moved) / size, load - before.load_factor))
-    return STEP_CONTROL.step_cut * step, BRANCH_SWITCH.longest_arc * procedure.max_step
+    return STEP_CONTROL.step_cut * step, BRANCH_SWITCH.longest_step * procedure.max_step
 
 
 def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> Run:
@@ -168,9 +168,9 @@ def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) 
     rest, first = (float(weights @ chambers.volumes(at)) for at in (np.zeros(system.size), unknowns))
     target = WorkTarget(chambers, weights, first, first + (first - rest))
     stepping = StepControl(
-        length=min(procedure.first_step, BRANCH_SWITCH.first_volume_step),
-        max_step=BRANCH_SWITCH.longest_volume_step * procedure.max_step,
-        min_step=min(procedure.min_step, BRANCH_SWITCH.first_volume_step),
+        length=procedure.first_step,
+        max_step=BRANCH_SWITCH.longest_step * procedure.max_step,
+        min_step=procedure.min_step,
         targets=(inf,),
     )
 
@@ -196,7 +196,7 @@ def _by_arc(problem: Problem, procedure: Auto, volume: Run) -> Run:
     here = replace(last, parameter=0.0)
     upward = Arc(np.zeros(system.size), 1.0)
     target = ArcTarget(system, volume.size, 0.0, last.unknowns, last.scalars, upward).onward(before, here)
-    longest = BRANCH_SWITCH.longest_arc * procedure.max_step
+    longest = BRANCH_SWITCH.longest_step * procedure.max_step
     chord = displacement_of(system, last.unknowns - before.unknowns)
     step = float(np.hypot(np.linalg.norm(chord) / volume.size, (last.scalars - before.scalars)[0]))
     stepping = StepControl(

@@ -15,7 +15,7 @@ import numpy as np
 
 from turgor.core.solvers.continuation.path_points import between, point_at, solve_at
 from turgor.core.solvers.continuation.path_run import Bifurcation, Point, Run
-from turgor.core.solvers.continuation.settings import CONTINUITY
+from turgor.core.solvers.continuation.settings import CONTINUITY, LIMIT_POINTS
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.step_reasons import Cause, Reason
 
@@ -34,7 +34,7 @@ def judged(run: Run, last: Point, now: Point) -> Verdict:
         return Verdict()
     straight = straightness(run, last, now)
     if straight < CONTINUITY.straight_chord and (
-        straight < CONTINUITY.corner_chord or _cuts(run) < CONTINUITY.corner_cuts
+        straight < 0.5 * CONTINUITY.straight_chord or _cuts(run) < CONTINUITY.corner_cuts
     ):
         return Verdict(Reason(Cause.SHARP_TURN))
     passed: list[Bifurcation] = []
@@ -95,7 +95,7 @@ def _differ(last: Point, now: Point) -> bool:
 def _bifurcation(run: Run, last: Point, now: Point) -> tuple[Point, Point] | None:
     """Points close to the first bifurcation between two, one point twice if there is none; None at a jump."""
     allowed = _chord(run, last, now)
-    for halving in range(CONTINUITY.halvings):
+    for _ in range(LIMIT_POINTS.solves):
         parameter = 0.5 * (last.parameter + now.parameter)
         result = solve_at(run, parameter, between([last, now], parameter), silent)
         if not result.converged or result.evaluation is None:
@@ -108,9 +108,6 @@ def _bifurcation(run: Run, last: Point, now: Point) -> tuple[Point, Point] | Non
         else:
             return now, now
         allowed *= 0.5
-        rise = abs(float((now.scalars - last.scalars)[0]))
-        if halving + 1 >= CONTINUITY.fewest_halvings and rise <= CONTINUITY.close * abs(float(now.scalars[0])):
-            break
     smooth = (
         _chord(run, last, now) <= CONTINUITY.bifurcation_jump * allowed
         and last.state.unstable_modes != now.state.unstable_modes

@@ -3,7 +3,7 @@
 from turgor.core.solvers.continuation.extrema import turning_points
 from turgor.core.solvers.continuation.path_points import between, point_at, solve_at
 from turgor.core.solvers.continuation.path_run import Ending, Point, Run
-from turgor.core.solvers.continuation.settings import EXTREMA, LIMIT_POINTS
+from turgor.core.solvers.continuation.settings import LIMIT_POINTS
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.solution import LimitPoint
 
@@ -63,7 +63,7 @@ def _turning_point(run: Run, before: Point, after: Point, index: int) -> Point |
             return nearest
         nearest = nearer
         assert before.slope is not None
-        if abs(nearer.slope[index]) * width <= EXTREMA.flat_slope * max(abs(nearer.scalars[index]), 1e-12):
+        if abs(nearer.slope[index]) * width <= LIMIT_POINTS.flat_slope * max(abs(nearer.scalars[index]), 1e-12):
             return nearest
         if nearer.slope[index] * before.slope[index] > 0:
             before = nearer

@@ -191,22 +191,20 @@ class LoadStrategy:
         ending = stuck(model, run.states, run.steps, memory.lost_stability)
         if not self._may_relax(run, ending):
             return Rescue(None, ending, memory)
-        memory = replace(memory, relaxations=memory.relaxations + 1)
-        for share in (1.0, LOAD_CONTROL.shorter_reach):
-            point = _pseudo_transient(run, _reach(run, share))
-            if point is not None:
-                return Rescue(point, None, replace(memory, rate=inf))
+        point = _pseudo_transient(run, _reach(run))
+        if point is not None:
+            return Rescue(point, None, replace(memory, rate=inf))
         if in_vain(run.steps):
             ending = stuck(model, run.states, run.steps, memory.lost_stability)
         return Rescue(None, ending, memory)
 
     def _may_relax(self, run: Run, ending: Outcome) -> bool:
         """Whether pseudo-transient continuation may find what no step finds."""
-        if in_vain(run.steps) or run.memory.relaxations >= LOAD_CONTROL.relaxations:
+        if in_vain(run.steps):
             return False
         if not self.patient and len(run.states) > 1:  # at rest a film is slack
             return False
-        # films snap from fold to fold
+        # where sheets wrinkle, the tangent may lose stability for a moment
         if ending.status is not Status.STEP_TOO_SMALL and not run.task.system.model.sheets_wrinkle:
             return False
         return not distortion_text(run.states[-1])  # where a cell has collapsed, nothing beyond it is of the body
@@ -230,34 +228,22 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
     report = task.problem.listeners.reporter(len(run.steps) + 1, load)
     result = pseudo_transient(run.constraint, task.tangent, last.unknowns, load, task.settings, report)
     why = why_rejected(system, run.states, run.history, result) if result.converged else None
-    folds = why is not None and system.model.sheets_wrinkle and _folds(run, result, why)
+    slack = len(run.states) == 1 and system.model.sheets_wrinkle  # folds of a film at rest may be unstable
+    folds = slack and why is not None and why.cause is Cause.STABILITY_LOST
     accepted = result.converged and (why is None or folds)
-    snapped = folds and len(run.states) > 1
-    how = Reason(Cause.FOLD_SNAPPED if snapped else Cause.PSEUDO_TRANSIENT) if accepted else result.reason or why
+    how = Reason(Cause.PSEUDO_TRANSIENT) if accepted else result.reason or why
     noted(run, result, (load, perf_counter() - began), Judgment(last if accepted else None, how))
     if not accepted or result.evaluation is None:
         return None
     return plain_point(run, result.evaluation, (load, result.scalars), result.unstable_modes), result
 
 
-def _folds(run: Run, result: NewtonResult, why: Reason) -> bool:
-    """Whether a film snapped to the next fold, or started from rest with folds that are unstable."""
-    assert result.evaluation is not None
-    if why.cause is Cause.STABILITY_LOST:
-        return len(run.states) == 1
-    if why.cause is not Cause.LONG_MOVE:
-        return False
-    last, moving = run.history[-1].unknowns, run.task.system.moving
-    moved = float(np.linalg.norm((result.evaluation.unknowns - last)[moving]))
-    return moved <= LOAD_CONTROL.fold_share * float(np.linalg.norm(last[moving]))
-
-
-def _reach(run: Run, share: float) -> float:
-    """Load factor for pseudo-transient continuation: a share of the steps taken before they were cut."""
+def _reach(run: Run) -> float:
+    """Load factor for pseudo-transient continuation: as far as the steps that were taken before they were cut."""
     factors = [point.parameter for point in run.history]
     taken = max((b - a for a, b in pairwise(factors)), default=LOAD_CONTROL.reach)
     now = factors[-1]
     return min(
-        now + share * min(taken, LOAD_CONTROL.reach),
+        now + min(taken, LOAD_CONTROL.reach),
         *(target for target in run.stepping.targets if target > now),
     )

@@ -95,8 +95,6 @@ class StepMemory:
         Whether an attempt since the last state had unstable modes.
     rate : float
         Motion of the nodes with the load factor at the last state; infinite where it is not known.
-    relaxations : int
-        Uses of pseudo-transient continuation.
     failed_guides : int
         Attempts that started from the guide and found no state.
     guided_until : float or None
@@ -105,7 +103,6 @@ class StepMemory:
 
     lost_stability: bool = False
     rate: float = inf
-    relaxations: int = 0
     failed_guides: int = 0
     guided_until: float | None = None
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from math import isclose
 
 from turgor.core.solvers.continuation.settings import STEP_CONTROL
 from turgor.core.solvers.procedures.step_options import StepOptions
@@ -44,9 +45,7 @@ class StepControl:
         >>> [StepControl.of(Static(), wrinkling=one).accepted(0.05, 9).length for one in (True, False)]
         [0.05, 0.03333333333333333]
         """
-        requested = {
-            factor for factor in procedure.at if all(abs(factor - kink) > STEP_CONTROL.round_off for kink in kinks)
-        }
+        requested = {factor for factor in procedure.at if not any(isclose(factor, kink) for kink in kinks)}
         targets = tuple(sorted({*requested, *kinks, 1.0}))
         return StepControl(
             length=procedure.first_step,

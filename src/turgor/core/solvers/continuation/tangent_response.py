@@ -13,7 +13,7 @@ from turgor.core.engine.algebra.linear import ROUGH, SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import NUDGE, Constraint
-from turgor.core.solvers.continuation.settings import TANGENT_RESPONSE
+from turgor.core.solvers.continuation.settings import BRANCH_JUMP
 from turgor.core.solvers.newton.border import push
 
 Array = NDArray[np.float64]
@@ -66,4 +66,4 @@ def others_move(system: System, before: float, after: float) -> bool:
 def exceeds_tangent(system: System, change: Array, rise: float, rates: tuple[float, float]) -> bool:
     """Whether a change of the unknowns is too far for a rise of the load factor and the rates before and after it."""
     moved = float(np.linalg.norm(change[system.moving]))
-    return moved > TANGENT_RESPONSE.farther_than_rates * max(rates) * rise
+    return moved > BRANCH_JUMP.farther_than_rates * max(rates) * rise

@@ -7,7 +7,6 @@ from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.model.drive import extremes
-from turgor.core.solvers.dynamics.settings import INITIAL_STIFFNESS
 
 Array = NDArray[np.float64]
 
@@ -18,7 +17,8 @@ def initial_stiffness(system: System, tangent: Tangent, at: Evaluation, mass: Ar
     A body with free rigid motions has no such response; the stiffness of a bar of rubber of its size replaces it.
     """
     if free:
-        return INITIAL_STIFFNESS.free_stiffness / float(np.ptp(system.points, axis=0).max()) ** 2
+        youngs_modulus = 3.0  # of rubber, in shear moduli
+        return 0.5 * youngs_modulus / float(np.ptp(system.points, axis=0).max()) ** 2
     factor = max(extremes(system.model), key=lambda each: float(np.linalg.norm(system.external(at.unknowns, each))))
     jump = system.prescribed_values(factor) - at.unknowns[system.prescribed]
     try:

@@ -53,12 +53,13 @@ def came_to_rest(states: Sequence[State], steps: Sequence[Step]) -> Outcome:
     )
 
 
-def no_state(last: State, step: Step, raised: float) -> Outcome:
-    """The step fell below the smallest, whatever the viscosity."""
+def no_state(last: State, step: Step) -> Outcome:
+    """The step fell below the smallest."""
     return Outcome(
         Status.STEP_TOO_SMALL,
-        f"No state was found beyond {_load(last)}, even with {raised:g} times the viscosity: {step.reason}.",
-        "There may be no equilibrium at this load; look at the last state, or drive by volume instead of pressure.",
+        f"No state was found beyond {_load(last)}: {step.reason}.",
+        "There may be no equilibrium at this load; look at the last state, raise the stabilization, or drive by volume "
+        "instead of pressure.",
     )
 
 

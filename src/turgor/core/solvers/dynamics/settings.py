@@ -24,23 +24,6 @@ INITIAL_MOTION = InitialMotionSettings()
 
 
 @dataclass(frozen=True, slots=True)
-class InitialStiffnessSettings:
-    """Settings of initial stiffness.
-
-    Parameters
-    ----------
-    free_stiffness : float
-        Half the stiffness of a body that nothing holds, in shear moduli over the square of its size; as of a bar of
-        rubber.
-    """
-
-    free_stiffness: float = 1.5
-
-
-INITIAL_STIFFNESS = InitialStiffnessSettings()
-
-
-@dataclass(frozen=True, slots=True)
 class ModesSettings:
     """Settings of modes.
 
@@ -78,16 +61,12 @@ class StabilizationSettings:
         shorter.
     small_move : float
         A step that moves nothing by more than this many edge lengths is no jump.
-    raise_factor, raises : float, int
-        Where steps fall below the smallest, the viscosity is raised by this factor, so many times.
     hold_growth, holds : float, int
         While the load is constant, each step is this many times as long as the last, up to so many.
     """
 
     energy_error: float = 1e-2
     small_move: float = 1e-3
-    raise_factor: float = 10.0
-    raises: int = 3
     hold_growth: float = 2.0
     holds: int = 80
 
@@ -107,8 +86,6 @@ class TimeStepControlSettings:
         Share of the length at which the error is expected to meet the accuracy, and the largest growth.
     steady : (float, float)
         Changes of the length between these factors are not worth new factors of the tangent.
-    cut : float
-        A step in which Newton's method failed is tried again with this share of its length.
     stretch : float
         The last stretch to a target is taken whole if it is no longer than this many steps, in two halves up to twice
         that.
@@ -118,7 +95,6 @@ class TimeStepControlSettings:
     safety: float = 0.9
     grow: float = 1.5
     steady: tuple[float, float] = (0.85, 1.25)
-    cut: float = 0.5
     stretch: float = 1.05
 
 

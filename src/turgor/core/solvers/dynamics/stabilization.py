@@ -56,7 +56,6 @@ class _Run:
     history: History
     free: bool = False
     softened: float = 0.0
-    raised: int = 0
     rest_steps: int = 0
     hold: float = 0.0
 
@@ -123,11 +122,7 @@ def _advance(run: _Run) -> Outcome | None:
     run.problem.listeners.rejected(len(run.steps), run.steps[-1])
     shorter = run.control.failed(load - now)
     if shorter is None:
-        if run.raised >= STABILIZATION.raises:
-            return no_state(run.states[-1], run.steps[-1], STABILIZATION.raise_factor**run.raised)
-        run.raised += 1
-        run.viscosity *= STABILIZATION.raise_factor
-        shorter = run.control.turned(run.procedure.first_step)
+        return no_state(run.states[-1], run.steps[-1])
     run.control = _turned(run, shorter)
     return None
 
@@ -225,11 +220,7 @@ def _come_to_rest(run: _Run) -> Outcome | None:
     if not result.converged or _too_far(run, result):
         run.problem.listeners.rejected(len(run.steps), run.steps[-1])
         run.hold = 0.25 * length
-        return (
-            no_state(run.states[-1], run.steps[-1], STABILIZATION.raise_factor**run.raised)
-            if run.hold < run.procedure.min_step
-            else None
-        )
+        return no_state(run.states[-1], run.steps[-1]) if run.hold < run.procedure.min_step else None
     ended = _accept(run, result, length)
     if ended is not None:
         return ended

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from turgor.core.solvers.continuation.settings import STEP_CONTROL
 from turgor.core.solvers.dynamics.settings import TIME_STEP_CONTROL
 from turgor.core.solvers.procedures.dynamic import Dynamic
 
@@ -55,7 +56,7 @@ class TimeControl:
 
     def failed(self, length: float) -> "TimeControl | None":
         """Cut the step; None when it would fall below the shortest."""
-        shorter = TIME_STEP_CONTROL.cut * length
+        shorter = STEP_CONTROL.step_cut * length
         return None if shorter < self.min_step else replace(self, length=shorter)
 
     def after(self, length: float, error: float) -> tuple["TimeControl", bool]:

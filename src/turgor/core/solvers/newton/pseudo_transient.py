@@ -74,8 +74,7 @@ def pseudo_transient(
             motion.viscosity *= PSEUDO_TRANSIENT.after_failure
             continue
         motion.at = result.evaluation
-        quick = result.iterations <= PSEUDO_TRANSIENT.quick_iterations
-        motion.viscosity *= PSEUDO_TRANSIENT.after_quick if quick else PSEUDO_TRANSIENT.after_step
+        motion.viscosity *= PSEUDO_TRANSIENT.after_step
         if motion.viscosity > smallest:
             continue
         last = _without(constraint, tangent, motion, settings, report)

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 STRAINS = ("stretch", "shear_y", "shear_z", "twist", "curvature_y", "curvature_z")
 
 #: Places of stretch, twist and the two curvatures among the strains.
-_UNIFORM = [0, 3, 4, 5]
+UNIFORM = (0, 3, 4, 5)
 
 
 class Shape(Protocol):
@@ -163,7 +163,7 @@ class RodSection:
         if given.shape != (4, 4):
             raise TurgorError(f"section: stiffness has shape {given.shape}; 4 x 4 numbers are needed here.")
         full = np.diag([0.0, *_pair("shear", shear), 0.0, 0.0, 0.0])
-        full[np.ix_(_UNIFORM, _UNIFORM)] = given
+        full[np.ix_(UNIFORM, UNIFORM)] = given
         return cls(stiffness=full, mass_per_length=mass_per_length)
 
     @classmethod

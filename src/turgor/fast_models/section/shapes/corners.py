@@ -8,14 +8,9 @@ from numpy.typing import NDArray
 from turgor.core.geometry.extrusion import Layer
 from turgor.core.meshing.coinciding_points import same_places
 from turgor.core.meshing.sweeping.section import is_solid, names_at
+from turgor.fast_models.section.shapes.settings import SECTION_MESH
 
 Array = NDArray[np.float64]
-
-#: Share of the full angle around a corner from which solids make it sharp: 216°. Less hardly disturbs the stress.
-SHARP = 0.6
-
-#: Directions in which it is seen what lies around a corner, and how far away, as a share of the size of the section.
-DIRECTIONS, NEAR = 40, 1e-4
 
 
 def sharp_corners(layer: Layer, mirrors: Sequence[int] = ()) -> Array:
@@ -40,10 +35,10 @@ def sharp_corners(layer: Layer, mirrors: Sequence[int] = ()) -> Array:
     """
     corners = np.array([corner for _, outline in layer.fill for corner in outline.corners])
     corners = corners[same_places(corners)[1]]
-    turn = 2 * np.pi * (np.arange(DIRECTIONS) + 0.5) / DIRECTIONS
-    around = NEAR * np.ptp(corners, axis=0).max() * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    turn = 2 * np.pi * (np.arange(SECTION_MESH.directions) + 0.5) / SECTION_MESH.directions
+    around = SECTION_MESH.near * np.ptp(corners, axis=0).max() * np.stack([np.cos(turn), np.sin(turn)], axis=1)
     points = (corners[:, None] + around).reshape(-1, 2)
     for axis in mirrors:
         points[:, axis - 1] = np.abs(points[:, axis - 1])
     solid = np.array([is_solid(name) for name in names_at([layer], points)[0]]).reshape(len(corners), -1).mean(axis=1)
-    return np.asarray(corners[(solid >= SHARP) & (solid < 1)])
+    return np.asarray(corners[(solid >= SECTION_MESH.sharp_angle) & (solid < 1)])

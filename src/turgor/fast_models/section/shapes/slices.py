@@ -15,23 +15,11 @@ from turgor.core.meshing.sweeping.naming import assemble
 from turgor.core.meshing.sweeping.section import Fineness, is_solid, names_at
 from turgor.core.meshing.sweeping.swept import section_of
 from turgor.fast_models.section.shapes.corners import sharp_corners
+from turgor.fast_models.section.shapes.settings import SECTION_MESH
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 Ints = NDArray[np.int64]
-
-#: A section is that of the longest layer, which must be at least this share of an actuator.
-PRISMATIC = 0.5
-
-#: Cells that the default size would make if the solids were a square lattice.
-CELLS = 60
-
-#: Length of the cells at sharp corners, as a share of the size. An omnidirectional actuator with half-round chambers,
-#: their flat side outward, bends at 20 kPa by 7 % too little without short cells, by 3 % with 1/4, by 1 % with this.
-SHORTEST = 0.08
-
-#: Points along each side of the square in which the area of the solids is counted.
-LATTICE = 160
 
 #: What to do about an actuator without a uniform section.
 ADVICE = (
@@ -83,7 +71,7 @@ def meshed(name: str, regions: tuple[str, ...], sweep: Sweep, layer: Layer, size
     thin = Sweep(layers=(replace(layer, start=middle - half, end=middle + half),), names=rules)
     mirrors = [rule.axis for rule in rules if isinstance(rule, PlaneName) and rule.name.startswith("symmetry")]
     corners = tuple((float(y), float(z)) for y, z in sharp_corners(layer, mirrors))
-    fine = Fineness(size=chosen, edge=SHORTEST * chosen if corners else None, corners=corners)
+    fine = Fineness(size=chosen, edge=SECTION_MESH.corner_edge * chosen if corners else None, corners=corners)
     flat = Geometry(
         name=name, smallest_wall=chosen, cavity_volumes={}, solid_volume=0.0, regions=regions, faces=(), _shape=None
     )
@@ -106,10 +94,10 @@ def default_size(layer: Layer) -> float:
     """
     corners = np.array([corner for _, outline in layer.fill for corner in outline.corners])
     reach = max(float(np.linalg.norm(corners - corners.mean(axis=0), axis=1).max()), 1e-9)
-    ticks = (np.arange(LATTICE) + 0.5) / LATTICE * 4 * reach - 2 * reach
+    ticks = (np.arange(SECTION_MESH.lattice) + 0.5) / SECTION_MESH.lattice * 4 * reach - 2 * reach
     points = np.stack([axis.ravel() for axis in np.meshgrid(ticks, ticks)], axis=1) + corners.mean(axis=0)
     solid = [is_solid(name) for name in names_at([layer], points)[0]]
-    return float(np.sqrt(np.mean(solid) * (4 * reach) ** 2 / CELLS))
+    return float(np.sqrt(np.mean(solid) * (4 * reach) ** 2 / SECTION_MESH.cells))
 
 
 def _uniform(geometry: Geometry, sweep: Sweep) -> Layer:
@@ -123,7 +111,7 @@ def _uniform(geometry: Geometry, sweep: Sweep) -> Layer:
     longest = max(joined, key=lambda layer: layer.end - layer.start)
     whole = sweep.layers[-1].end - sweep.layers[0].start
     share = (longest.end - longest.start) / whole
-    if share < PRISMATIC:
+    if share < SECTION_MESH.uniform_share:
         raise TurgorError(
             f"'{geometry.name}' has no uniform cross-section: the longest piece of one is "
             f"{(longest.end - longest.start) / mm:.4g} mm of {whole / mm:.4g} mm ({share:.0%}); {ADVICE}"

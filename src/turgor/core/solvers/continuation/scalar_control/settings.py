@@ -49,7 +49,7 @@ class PathReversalSettings:
         Share of the largest load below which a path is compared with the way there; nearer to it both are alike.
     near : float
         A path that goes on is at least as far from the former path as that is from the turn; a path that returns is
-        nearer than this share.
+        nearer than this share. Needed by `test_path_continuity.py`.
     """
 
     fallen: float = 0.95
