@@ -5,11 +5,9 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.cells import kernels, kernels_geometry
 from turgor.core.engine.system import System
+from turgor.foundation.symmetric import COLUMNS, ROWS
 
 Array = NDArray[np.float64]
-
-#: Six components of a symmetric tensor: 11 22 33 12 23 13.
-FIRST, SECOND = [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]
 
 
 class StrainRateDamping:
@@ -77,7 +75,7 @@ class StrainRateDamping:
         product = np.swapaxes(F, -1, -2) @ G
         rate = 0.5 * (product + np.swapaxes(product, -1, -2))
         rate -= np.trace(rate, axis1=-2, axis2=-1)[..., None, None] / 3 * np.eye(3)
-        return np.ascontiguousarray(self._viscosity[:, None, None] * rate[..., FIRST, SECOND])
+        return np.ascontiguousarray(self._viscosity[:, None, None] * rate[..., ROWS, COLUMNS])
 
 
 def gradient_stiffness(system: System) -> Array:

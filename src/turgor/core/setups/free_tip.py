@@ -19,13 +19,12 @@ from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.solution import State
 from turgor.core.solvers.solve import follow_question
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 
 #: Share of the load up to which the free actuator is followed, or farther until its tip moves. Sheets that bear tension
 #: only are taut long before: above films of 0.1 mm of paper and 0.5 mm of silk the direction is the same from 0.003 on.
 FIRST_SHARE = 0.05
 
-#: Share of the size of the actuator by which a tip that moves has moved: what is less is round-off.
-MOVED = 1e-9
 
 #: Share of the whole motion from which a part of it counts: a bender leaves its plane by what its mesh is askew.
 CLEAR = 0.01
@@ -61,7 +60,7 @@ def first_direction(model: Model, face: str, axes: str, notify: Callable[[str], 
         If the face does not move, the supports leave a rigid motion free, or no equilibrium is found.
     """
     mesh, picked = model.mesh, ["xyz".index(axis) for axis in axes]
-    least = MOVED * float(np.ptp(mesh.points))
+    least = ROUND_OFF.same * float(np.ptp(mesh.points))
 
     def seen(state: State) -> str | None:
         far = state.load_factor >= FIRST_SHARE * (1 - 1e-9)

@@ -8,12 +8,10 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.contact.friction import FrictionHistory
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Scaled depth that counts as zero.
-ROUND_OFF = 1e-12
 
 
 class SearchMode(Enum):
@@ -67,7 +65,7 @@ class Found:
     @property
     def inside(self) -> NDArray[np.bool_]:
         """Which points (s, q) are inside; round-off does not count."""
-        return np.asarray(self.gap < -ROUND_OFF)
+        return np.asarray(self.gap < -ROUND_OFF.zero)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

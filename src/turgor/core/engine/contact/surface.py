@@ -12,6 +12,7 @@ from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import cell_sides, corner_keys
 from turgor.core.model.model import Model
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -24,7 +25,7 @@ STIFFNESS = 20.0
 
 #: Foot points may lie this far beyond an edge that joins two sides smoothly, whose kink leaves wedges in front of it;
 #: beyond a sharp edge there is nothing.
-OVERHANG, SHARP_OVERHANG = 0.03, 1e-6
+OVERHANG = 0.03
 
 #: Cosine between the normals of two sides that join smoothly: below 37°.
 SMOOTH = 0.8
@@ -125,7 +126,7 @@ def overhangs(points: Array, sides: Ints, mirrored: NDArray[np.bool_]) -> Array:
     edge = edge.ravel()
     order = np.argsort(edge, kind="stable")
     start = np.cumsum(count) - count
-    out = np.full(len(edges), SHARP_OVERHANG)
+    out = np.full(len(edges), ROUND_OFF.mesh_digits)
     twice = start[count == 2]
     first, second = order[twice], order[twice + 1]
     smooth = np.einsum("ei,ei->e", normal[owner[first]], normal[owner[second]]) > SMOOTH

@@ -12,6 +12,7 @@ from turgor.core.engine.contact.closest import foot_point, overhang, place, shap
 from turgor.core.geometry.wedge import Wedge
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import outer_triangles
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Point = tuple[float, float, float]
@@ -21,9 +22,6 @@ SAMPLES = 5
 
 #: So many of the nearest samples are looked at more closely.
 CANDIDATES = 12
-
-#: Of sectors that are as near, up to this [m], the modeled one is taken, or else the next one.
-NEARER = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -106,12 +104,15 @@ def attach(mesh: Mesh, point: Point, planes: Sequence[tuple[int, float]]) -> Att
 
 
 def _in_sector(mesh: Mesh, wedge: Wedge, point: Array) -> Attached:
-    """The nearest place of all sectors, as that of the modeled one and the turn that leads to it."""
+    """The nearest place of all sectors, as that of the modeled one and the turn that leads to it.
+
+    Of sectors that are as near, the modeled one is taken, or else the next one.
+    """
     surface = _surface(mesh)
     back = [wedge.images(point, -sector) for sector in range(wedge.fold)]
     nearest = [_nearest(surface, each) for each in back]
-    least = min(away for away, _, _ in nearest)
-    sector = next(i for i, (away, _, _) in enumerate(nearest) if away <= least + NEARER)
+    least = min(away for away, _, _ in nearest) + ROUND_OFF.same * float(np.ptp(mesh.points))
+    sector = next(i for i, (away, _, _) in enumerate(nearest) if away <= least)
     _, side, place_on = nearest[sector]
     foot, frame = _frame(surface.corners[side], place_on)
     return Attached(

@@ -17,6 +17,7 @@ from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.points import RIGID
 from turgor.core.model.sheets import Shell
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 
 Array = NDArray[np.float64]
@@ -38,9 +39,6 @@ EDGE_POINTS = {3: ((0.5, 1.0),), 4: ((0.5 - 0.75**0.5 / 3, 0.5), (0.5 + 0.75**0.
 #: A side of the body that is fixed keeps the slope of a sheet that ends at it, if it goes on across the sheet: the
 #: smallest sine of the angle between both.
 ACROSS = 0.5
-
-#: Share of a normal that may be free where a side is fixed along it.
-ROUND_OFF = 1e-6
 
 
 def plate_terms(setting: Setting) -> Sequence[Term]:
@@ -147,7 +145,7 @@ def _fixed_sides(setting: Setting, triangles: Ints, rim: Edges) -> tuple[Edges, 
         if point.coupling == RIGID:
             prescribed[mesh.face_nodes(point.face)] = True
     freedom = np.abs(_normals(points, outer))[:, None] * ~prescribed[outer]
-    sides = edges_of(outer[(freedom < ROUND_OFF).all(axis=(1, 2))])
+    sides = edges_of(outer[(freedom < ROUND_OFF.mesh_digits).all(axis=(1, 2))])
     sides = sides[np.isin(sides.keys, rim.keys)]
     sorter = np.argsort(rim.keys)
     ending = rim[sorter[np.searchsorted(rim.keys, sides.keys, sorter=sorter)]] if len(sides.keys) else rim[sides.place]

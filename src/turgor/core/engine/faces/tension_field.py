@@ -22,6 +22,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.foundation.round_off import ROUND_OFF
+
 Array = NDArray[np.float64]
 
 #: The toe over the stiffness of the sheet in scaled units: a tension of the rubber's modulus times an edge of the mesh
@@ -84,7 +86,7 @@ class TensionField:
         by_strain[..., 0, 1] = by_strain[..., 1, 0] = nu * across
         by_strain[..., 1, 1] = across
         apart = e1 - e2
-        alike = apart <= ALIKE * (np.abs(e1) + self.toe)
+        alike = apart <= ROUND_OFF.same * (np.abs(e1) + self.toe)
         shear = self.moduli[2, 2] * along / self._young  # the limit of equal strains
         by_strain[..., 2, 2] = np.where(alike, shear, 0.5 * (s1 - s2) / np.where(alike, 1.0, apart))
         relaxed = np.swapaxes(turn, -1, -2) @ by_strain @ turn
@@ -129,10 +131,6 @@ class TensionField:
     @property
     def _toe_across(self) -> float:
         return self.toe * (1 + self._poisson)
-
-
-#: Principal strains count as equal where they differ by less than this share of them and of the toe.
-ALIKE = 1e-9
 
 
 def tension_field(moduli: Array, compression: float) -> TensionField:

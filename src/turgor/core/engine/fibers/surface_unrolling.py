@@ -17,6 +17,7 @@ from turgor.core.engine.faces.membranes import MEMBRANE_QUADRATURE_DEGREE
 from turgor.core.engine.fibers.contour import Contour, contour_of
 from turgor.core.meshing.cells import side_type
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 
 if TYPE_CHECKING:
@@ -33,9 +34,6 @@ SEEDS = 5
 
 #: Sides that are tried for a point, nearest first, and Newton's iterations in each.
 TRIES, ITERATIONS = 10, 12
-
-#: A point belongs to a side if its reference coordinates are within it up to this much.
-INSIDE = 1e-9
 
 _POWERS = {
     6: ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)),
@@ -115,7 +113,7 @@ class UnrolledSurface:
             at, candidate = open_[fresh], candidate[fresh]
             moved = points[at] - np.c_[shift[candidate], np.zeros(len(at))]
             places = self.place(owner[candidate], moved, seed[candidate])
-            good = _outside(self.sides.shape[1], places) <= INSIDE
+            good = _outside(self.sides.shape[1], places) <= ROUND_OFF.same
             side[at[good]], place[at[good]] = owner[candidate[good]], places[good]
             open_ = open_[side[open_] < 0]
             if not len(open_):

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, stretch_derivatives
 from turgor.core.materials.laws.laws import Law
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Mode = Literal["uniaxial", "equibiaxial", "planar"]
@@ -27,9 +28,6 @@ CRITERIA = ("nominal", "cauchy", "drucker")
 
 #: Stretches at which a sign is looked for, evenly spaced in ln λ, in each of tension and compression.
 _SAMPLES = 1000
-
-#: Slopes below this part of the initial one count as falling; round-off alone stays far below.
-_FLAT = 1e-12
 
 
 def first_instability(
@@ -111,7 +109,7 @@ def _first(law: Law, mode: Mode, criterion: Criterion, initial: float, end: floa
     """First stretch between 1 and an end where the margin is gone; beyond a locking stretch there is none."""
     stretches = np.exp(np.linspace(0.0, np.log(end), _SAMPLES))
     margin = _margin(law, mode, criterion, stretches)
-    bad = np.flatnonzero(margin <= _FLAT * initial)
+    bad = np.flatnonzero(margin <= ROUND_OFF.zero * initial)
     if end == 1 or not len(bad):
         return None
     at = int(bad[0])
