@@ -25,7 +25,6 @@ from turgor.foundation.round_off import ROUND_OFF
 #: only are taut long before: above films of 0.1 mm of paper and 0.5 mm of silk the direction is the same from 0.003 on.
 FIRST_SHARE = 0.05
 
-
 #: Share of the whole motion from which a part of it counts: a bender leaves its plane by what its mesh is askew.
 CLEAR = 0.01
 

@@ -10,20 +10,12 @@ from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.part import Found, SearchMode, Ties, dofs, groups, nodal
 from turgor.core.engine.contact.points_part import PointsPart
 from turgor.core.engine.contact.search import Grid, centers_of, find_partners, follow_partners, points_of
+from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.obstacles import Obstacle
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A foot point may cross so many sides between two searches.
-WALK = 4
-
-#: In a global search, a partner is replaced by one that is nearer by this share of the cell behind it.
-NEARER = 1e-3
-
-#: Ties are kept ready for points nearer than this share of the cell behind them.
-READY = 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -126,13 +118,13 @@ class PairPart(PointsPart):
         every = self._all(position, place)
         if known is None:
             return Found(x, normal, growth, *self._search(x, normal, position, every), place)
-        walk = 0 if how is SearchMode.KEEP else WALK
+        walk = 0 if how is SearchMode.KEEP else CONTACT_SEARCH.walk
         partner, at, gap = follow_partners(
             (x, normal), every, p.sides, known.partner, known.at, p.around, p.overhang, walk
         )
         if how is SearchMode.GLOBAL:
             others, places, gaps = self._search(x, normal, position, every)
-            nearer = np.abs(gaps) < np.abs(gap) - NEARER * s.height[:, None]
+            nearer = np.abs(gaps) < np.abs(gap) - CONTACT_SEARCH.nearer * s.height[:, None]
             change = ~np.isfinite(gap) | ~np.isfinite(gaps) | nearer
             partner, gap = np.where(change, others, partner), np.where(change, gaps, gap)
             at = np.where(change[:, :, None], places, at)
@@ -206,7 +198,7 @@ class PairPart(PointsPart):
 
     def ready_keys(self, found: Found) -> Ints:
         """Ties that the tangent may need soon: of points that are near, with the sides around their partners."""
-        near = np.argwhere(found.gap < READY * self.surface.height[:, None])
+        near = np.argwhere(found.gap < CONTACT_SEARCH.near * self.surface.height[:, None])
         side, partner = near[:, 0], found.partner[near[:, 0], near[:, 1]]
         start, around = self.partners.around
         count = start[partner + 1] - start[partner]

@@ -15,6 +15,7 @@ from turgor.core.engine.contact import friction
 from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.pairs import tie_tangents
 from turgor.core.engine.contact.part import Found, Ties, groups, nodal
+from turgor.core.engine.contact.settings import CONTACT_SEARCH, FRICTION
 from turgor.core.engine.contact.surface import Surface
 
 Array = NDArray[np.float64]
@@ -207,11 +208,11 @@ class PointsPart(ABC):
             return a, False
         limit = self._limits(found, a.points)
         largest = float(max(limit.max(), a.limit.max()))
-        return replace(a, limit=limit), bool(np.abs(limit - a.limit).max() > friction.SETTLED * largest)
+        return replace(a, limit=limit), bool(np.abs(limit - a.limit).max() > FRICTION.settled * largest)
 
     def anchored(self, position: Array, found: Found) -> FrictionHistory:
         """Friction history of the points that touch or soon may, with the tractions that they have."""
-        points = np.argwhere(found.gap < friction.NEAR * self.surface.height[:, None])
+        points = np.argwhere(found.gap < CONTACT_SEARCH.near * self.surface.height[:, None])
         i, q = points.T
         normal = self._normals(position, found, points)
         traction, a = np.zeros((len(points), 3)), self.bound(found)

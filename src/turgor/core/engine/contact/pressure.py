@@ -3,11 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.cells.reference import reference_cell
+from turgor.core.engine.cells.reference import side_tables
 from turgor.core.engine.contact.pair_part import PairPart
 from turgor.core.engine.contact.part import Found
 from turgor.core.engine.contact.shape_part import ShapePart
-from turgor.core.engine.contact.surface import DEGREE
 from turgor.core.meshing.cells import side_type
 
 Array = NDArray[np.float64]
@@ -17,7 +16,7 @@ def nodal_pressure(part: PairPart | ShapePart, found: Found, count: int) -> Arra
     """Scaled contact pressure per deformed area at ``count`` nodes, zero where nothing touches."""
     surface = part.surface
     nodes = surface.sides.shape[1]
-    kind, r = side_type(nodes), reference_cell(nodes, DEGREE[nodes])
+    kind, r = side_type(nodes), side_tables(nodes)
     touches = found.inside.any(axis=1)  # the others would dilute the pressure at a sharp rim
     deformed = (found.growth * r.weights)[touches]
     force = part.pressures(found)[touches] * surface.weights[touches]
@@ -35,4 +34,4 @@ def nodal_pressure(part: PairPart | ShapePart, found: Found, count: int) -> Arra
 def contact_area(part: PairPart | ShapePart, found: Found) -> float:
     """Scaled contact area on the deformed surface."""
     nodes = part.surface.sides.shape[1]
-    return float((found.growth * reference_cell(nodes, DEGREE[nodes]).weights)[found.inside].sum())
+    return float((found.growth * side_tables(nodes).weights)[found.inside].sum())

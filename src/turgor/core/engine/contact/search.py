@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.compiled import INNER, LOOP, calls, over
 from turgor.core.engine.contact import closest
 from turgor.core.engine.contact.closest import foot_point, overhang
+from turgor.core.engine.contact.settings import CONTACT_SEARCH
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -28,9 +29,6 @@ HOLD = 0.02
 
 #: Sides at most that are looked at for one side.
 MOST_NEAR = 4096
-
-#: Buckets of the grid at most, so that a small reach in a large room does not need gigabytes.
-BUCKETS = 400_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,7 +60,7 @@ class Grid:
         span = np.ptp(centers, axis=0)
         while True:
             counts = (span / edge).astype(np.int64) + 1
-            if counts.prod() <= BUCKETS:
+            if counts.prod() <= CONTACT_SEARCH.most_cubes:
                 break
             edge *= 1.5
         place = np.minimum(((centers - low) / edge).astype(np.int64), counts - 1)

@@ -11,27 +11,13 @@ from turgor.core.engine.contact.couplings import Layout
 from turgor.core.engine.contact.friction import Friction
 from turgor.core.engine.contact.pair_part import PairPart
 from turgor.core.engine.contact.part import Found, SearchMode
+from turgor.core.engine.contact.settings import PENALTY
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.model import Model
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: One update of Newton's method deepens no penetration by more than this share of the cell behind the surface.
-DEEPER = 0.04
-
-#: An update is shortened only if it would deepen a penetration by this factor more.
-MARGIN = 1.5
-
-#: The shortest share of an update that the limit on penetration asks for at once.
-SHORTEST = 0.1
-
-#: Share of an update that is taken if a point without partner would be deep inside a body after it.
-UNSEEN = 0.5
-
-#: The stiffness of a side grows by this factor at once at most, and altogether.
-STIFFER_AT_ONCE, STIFFER = 4.0, 64.0
 
 Part = PairPart | ShapePart
 
@@ -208,15 +194,15 @@ class ContactTerms:
         """Share of the way from old to new after which no penetration has deepened too much; 1 if none has."""
         share = 1.0
         for part, before, after in zip(self.parts, old.found, new.found, strict=True):
-            deeper = DEEPER * part.surface.height[:, None]
+            deeper = PENALTY.deeper * part.surface.height[:, None]
             allowed = np.minimum(before.gap, 0.0) - deeper
             gap = np.minimum(after.gap, part.passed(new.position, before, after))
-            bad = gap < allowed - (MARGIN - 1) * deeper
+            bad = gap < allowed - (PENALTY.margin - 1) * deeper
             if bad.any():
                 seen = bad & np.isfinite(before.gap)
                 way = (before.gap[seen] - allowed[seen]) / (before.gap[seen] - gap[seen])
-                share = min(share, float(way.min(initial=1.0)), 1.0 if seen.sum() == bad.sum() else UNSEEN)
-        return max(share, SHORTEST)
+                share = min(share, float(way.min(initial=1.0)), 1.0 if seen.sum() == bad.sum() else PENALTY.unseen)
+        return max(share, PENALTY.shortest)
 
     def rubbing(self, at: Contacts, size: int) -> sp.csc_matrix | None:
         """The unsymmetric part of the tangent (size, size): limits of friction follow the pressure; None without."""
@@ -253,8 +239,8 @@ class ContactTerms:
         raised = False
         for part, found in zip(self.parts, at.found, strict=True):
             depth = self._shares(part, found)
-            factor = np.clip(1.2 * depth, 1.0, STIFFER_AT_ONCE)
-            scale = np.where(depth > 1, np.minimum(part.penalty_scale * factor, STIFFER), part.penalty_scale)
+            factor = np.clip(1.2 * depth, 1.0, PENALTY.stiffer_at_once)
+            scale = np.where(depth > 1, np.minimum(part.penalty_scale * factor, PENALTY.stiffer), part.penalty_scale)
             raised |= bool((scale > part.penalty_scale).any())
             part.penalty_scale = scale
         return raised

@@ -13,7 +13,6 @@ Ints = NDArray[np.int64]
 #: Points and weights of Gauss with two points on (0, 1): exact for the cubic c × c' of a quadratic edge.
 _GAUSS = ((0.5 - 0.5 / 3**0.5, 0.5), (0.5 + 0.5 / 3**0.5, 0.5))
 
-
 #: Where there is no wedge.
 NO_AXIS = -1
 

@@ -35,7 +35,6 @@ TOE_PER_STIFFNESS, LONGEST_TOE = 1e-6, 1e-2
 #: stays far below 2 μ / k, at which rubber wrinkles in waves of two edges. The largest share of the sheet's stiffness.
 LEFT_STIFFNESS, LARGEST_SHARE = 0.1, 1e-3
 
-
 #: Weight of strains over stresses where Newton's method chooses what to linearize a sheet about, in scaled units. Up
 #: to 15 kPa, five chambers above a stiff film took 72 iterations with 100 and 90 with 300. In shorter steps, a chamber
 #: up to 50 kPa took 271, 204, 174 and 250 with 10, 100, 300 and 1000, and 292 with strains alone.

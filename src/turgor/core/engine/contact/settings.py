@@ -1,0 +1,113 @@
+"""Settings of contact: every number that was chosen, with its reason and the cases that need it.
+
+Lengths are shares of a length of the mesh, as stated. The cases are those of `benchmarks/robustness` in
+`robustness_cases/touching.py`, with a finger whose walls meet; each number was halved and doubled in them. Numbers of
+the compiled loops stand with these: `search` and `closest`.
+"""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class ContactSearchSettings:
+    """Settings of the search for partners.
+
+    Parameters
+    ----------
+    reach : float
+        Sides closer than this many of their mean lengths are candidates for contact.
+    near : float
+        Points nearer than this share of the cell behind them may touch in the next step. The tangent has room for
+        them, and they have a friction history, or a contact that moves over them within a step would have no friction
+        there.
+    depth : float
+        A point is taken to lie inside a side no deeper than this share of the cell behind it.
+    rigid_depth : float
+        A point that comes upon a rigid body is inside of it to this share of a mean length; known partners may lie
+        deeper.
+    overhang : float
+        Foot points may lie this far beyond an edge that joins two sides smoothly, whose kink leaves wedges in front of
+        it; beyond a sharp edge there is nothing.
+    smooth : float
+        Cosine between the normals of two sides that join smoothly: below 37°.
+    facing : float
+        Two sides with a common node face each other where each lies above the other by this share of their distance.
+    walk : int
+        A foot point may cross so many sides between two searches.
+    nearer : float
+        In a global search, a partner is replaced by one that is nearer by this share of the cell behind it.
+    most_triangles : int
+        Triangles of a rigid body at most: more do not fit into the memory.
+    most_cubes : int
+        Cubes of the grid at most, so that a small reach in a large room does not need gigabytes.
+    """
+
+    reach: float = 4.0
+    near: float = 0.5
+    depth: float = 0.25
+    rigid_depth: float = 0.5
+    overhang: float = 0.03
+    smooth: float = 0.8
+    facing: float = 0.1
+    walk: int = 4
+    nearer: float = 1e-3
+    most_triangles: int = 500_000
+    most_cubes: int = 400_000
+
+
+CONTACT_SEARCH = ContactSearchSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class PenaltySettings:
+    """Settings of the penalty.
+
+    Parameters
+    ----------
+    stiffness : float
+        Contact stiffness times the height of the cell behind, over Young's modulus at rest.
+    stiffer_at_once, stiffer : float
+        The stiffness of a side grows by the first factor at once at most, and by the second altogether.
+    deeper : float
+        One update of Newton's method deepens no penetration by more than this share of the cell behind the surface.
+    margin : float
+        An update is shortened only if it would deepen a penetration by this factor more.
+    shortest : float
+        The shortest share of an update that the limit on penetration requires at once.
+    unseen : float
+        Share of an update that is taken if a point without partner would be deep inside a body after it.
+    """
+
+    stiffness: float = 20.0
+    stiffer_at_once: float = 4.0
+    stiffer: float = 64.0
+    deeper: float = 0.04
+    margin: float = 1.5
+    shortest: float = 0.1
+    unseen: float = 0.5
+
+
+PENALTY = PenaltySettings()
+
+
+@dataclass(frozen=True, slots=True)
+class FrictionSettings:
+    """Settings of friction.
+
+    Parameters
+    ----------
+    elastic_slip : float
+        A sticking point slips elastically by this share of the length of a side before it slides, unless a length is
+        stated, whatever the pressure; so the tangential stiffness is in proportion to the pressure.
+    sticks : float
+        A point sticks while its traction is below this share of the limit.
+    settled : float
+        Saved limits are valid if none changes by more than this share of the largest.
+    """
+
+    elastic_slip: float = 0.005
+    sticks: float = 0.999
+    settled: float = 1e-4
+
+
+FRICTION = FrictionSettings()
