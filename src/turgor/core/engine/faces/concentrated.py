@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.faces.attached import attach
+from turgor.core.engine.faces.settings import ATTACHMENT
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.loads.load import Vector
@@ -13,9 +14,6 @@ from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A point force acts this near the surface, as a share of the size of the part.
-NEAR = 0.01
 
 #: Gauss points and weights on an edge from -1 to 1; shape functions of its ends and its middle, and their slopes.
 GAUSS = np.array([-np.sqrt(0.6), 0.0, np.sqrt(0.6)])
@@ -46,10 +44,10 @@ def point_force(mesh: Mesh, at: Vector, force: Vector) -> Array:
     fixed = attach(mesh, at, mesh.mirror_planes)
     size = float(np.ptp(mesh.points, axis=0).max())
     away = float(np.linalg.norm(fixed.arm))
-    if away > NEAR * size:
+    if away > ATTACHMENT.point_force_within * size:
         raise TurgorError(
             f"point force at {_text(at)}: the surface is {away / mm:.4g} mm away; it acts on the surface, or "
-            f"within {NEAR * size / mm:.3g} mm of it."
+            f"within {ATTACHMENT.point_force_within * size / mm:.3g} mm of it."
         )
     if mesh.revolved:
         raise TurgorError(

@@ -19,9 +19,6 @@ from turgor.foundation.display import brief
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Share of its stiffness that a slack thread keeps in the tangent, so that Newton's method knows where it will end.
-SLACK_TANGENT = 1e-4
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pieces:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells.reference import reference_cell, side_tables
 from turgor.core.engine.faces.membranes import MEMBRANE_QUADRATURE_DEGREE, surface_frames
 from turgor.core.engine.fibers.fiber_kernels import Pieces
+from turgor.core.engine.fibers.settings import FIBERS
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.fibers import Fibers, Winding
@@ -16,12 +17,6 @@ from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 Array = NDArray[np.float64]
-
-#: Largest difference between a spacing and the one that pitch and a whole number of threads make, as a share.
-CONTRADICTION = 0.1
-
-#: Largest cosine between the normals of a wound face and its axis.
-CYLINDER_LIKE = 0.2
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +58,7 @@ def course_of(mesh: Mesh, fibers: Fibers) -> Course:
     axis = unit_axis(winding)
     sides = wound_sides(mesh, fibers)
     frames = surface_frames(mesh.points, sides)
-    if float(np.abs(frames.normal @ axis).max()) > CYLINDER_LIKE:
+    if float(np.abs(frames.normal @ axis).max()) > FIBERS.cylinder_like:
         raise TurgorError(
             f"fibers on '{fibers.name}': parts of this face look along the axis {winding.axis}; fibers can be wound on "
             "a face that runs along the axis all around, such as the outside of a tube."
@@ -140,7 +135,7 @@ def _check_pitch(winding: Winding, angle: float, perimeter: float) -> None:
     assert winding.spacing is not None
     alone = perimeter * cos(angle)  # distance of neighboring turns of a single thread
     count = max(1, round(alone / winding.spacing))
-    if abs(alone / count - winding.spacing) > CONTRADICTION * winding.spacing:
+    if abs(alone / count - winding.spacing) > FIBERS.contradiction * winding.spacing:
         given = f"pitch of {winding.pitch / mm:.4g} mm" if winding.pitch is not None else f"{winding.turns:.4g} turns"
         many = "a single thread" if count == 1 else f"{count} threads"
         raise TurgorError(
