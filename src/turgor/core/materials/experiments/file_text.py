@@ -4,6 +4,7 @@ import codecs
 import csv
 from pathlib import Path
 
+from turgor.core.materials.experiments.settings import EXPERIMENTS
 from turgor.foundation.errors import TurgorError
 
 #: Byte order marks, which state the encoding of a file; the longer of two marks that begin alike comes first.
@@ -17,9 +18,6 @@ _MARKS = (
 
 #: First bytes of spreadsheets.
 _SPREADSHEETS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
-
-#: A text without a mark is UTF-16 if more than this share of every other byte is zero.
-_HALF_ZERO = 0.3
 
 
 def read_lines(path: Path) -> list[str]:
@@ -81,7 +79,7 @@ def _encoding(data: bytes) -> str:
     start = data[: min(len(data), 2000) // 2 * 2]
     for first, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):
         zeros, others = start[first::2].count(0), start[1 - first :: 2].count(0)
-        if len(start) >= 8 and zeros > _HALF_ZERO * len(start) / 2 and others == 0:
+        if len(start) >= 8 and zeros > EXPERIMENTS.half_zero * len(start) / 2 and others == 0:
             return encoding
     try:
         data.decode("utf-8")
