@@ -99,14 +99,12 @@ class FrictionSettings:
     elastic_slip : float
         A sticking point slips elastically by this share of the length of a side before it slides, unless a length is
         stated, whatever the pressure; so the tangential stiffness is in proportion to the pressure.
-    sticks : float
-        A point sticks while its traction is below this share of the limit.
     settled : float
-        Saved limits are valid if none changes by more than this share of the largest.
+        Saved limits are valid if none changes by more than this share of the largest; a point sticks while its traction
+        is below its limit by more than this.
     """
 
     elastic_slip: float = 0.005
-    sticks: float = 0.999
     settled: float = 1e-4
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.contact.closest import foot_point, overhang, place, shapes
-from turgor.core.engine.faces.settings import ATTACHMENT
+from turgor.core.engine.faces.settings import SIDE_SEARCH
 from turgor.core.geometry.wedge import Wedge
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import outer_triangles
@@ -150,7 +150,7 @@ def _surface(mesh: Mesh) -> _Surface:
 def _nearest(surface: _Surface, point: Array) -> tuple[float, int, Array]:
     """Distance of a point from the nearest side, that side, and the place on it."""
     corners, places = surface.corners, surface.places
-    nearest = np.atleast_1d(surface.tree.query(point, k=min(ATTACHMENT.candidates, surface.tree.n))[1])
+    nearest = np.atleast_1d(surface.tree.query(point, k=min(SIDE_SEARCH.nearest, surface.tree.n))[1])
     best = (float(np.inf), 0, places[0])
     for number in nearest:
         side, sample = divmod(int(number), len(places))
@@ -172,7 +172,7 @@ def _corners(points: Array, nodes: NDArray[np.int64]) -> Array:
 
 def _places(count: int) -> Array:
     """Places (p, 2) at which sides of ``count`` nodes are sampled, their edges among them."""
-    grid = np.linspace(0, 1, ATTACHMENT.samples)
+    grid = np.linspace(0, 1, SIDE_SEARCH.samples)
     return np.array([(r, s) for r in grid for s in grid if count != 6 or r + s <= 1 + 1e-12])
 
 

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.faces.attached import attach
-from turgor.core.engine.faces.settings import ATTACHMENT
+from turgor.core.engine.faces.settings import SIDE_SEARCH
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.loads.load import Vector
@@ -44,10 +44,10 @@ def point_force(mesh: Mesh, at: Vector, force: Vector) -> Array:
     fixed = attach(mesh, at, mesh.mirror_planes)
     size = float(np.ptp(mesh.points, axis=0).max())
     away = float(np.linalg.norm(fixed.arm))
-    if away > ATTACHMENT.point_force_within * size:
+    if away > SIDE_SEARCH.point_force_within * size:
         raise TurgorError(
             f"point force at {_text(at)}: the surface is {away / mm:.4g} mm away; it acts on the surface, or "
-            f"within {ATTACHMENT.point_force_within * size / mm:.3g} mm of it."
+            f"within {SIDE_SEARCH.point_force_within * size / mm:.3g} mm of it."
         )
     if mesh.revolved:
         raise TurgorError(

@@ -7,25 +7,25 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class AttachmentSettings:
-    """Settings of points on a face, tested in `tests/unit/core/results/test_results_markers.py`.
+class SideSearchSettings:
+    """Settings of the search for the side of a face at a point: a marker, a point force, a point of a thread.
 
     Parameters
     ----------
     samples : int
-        A side is sampled at so many places along each of its edges to find the one that is nearest.
-    candidates : int
-        The closest point is computed on so many of the sides with the nearest samples.
+        A side is sampled at so many places along each of its edges.
+    nearest : int
+        So many of the samples that are nearest to the point are starts for its place on their sides.
     point_force_within : float
         A point force acts this near the surface, as a share of the size of the part.
     """
 
     samples: int = 5
-    candidates: int = 12
+    nearest: int = 20
     point_force_within: float = 0.01
 
 
-ATTACHMENT = AttachmentSettings()
+SIDE_SEARCH = SideSearchSettings()
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,9 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells.reference import reference_cell, reference_nodes
+from turgor.core.engine.contact.closest import STEPS
 from turgor.core.engine.faces.membranes import MEMBRANE_QUADRATURE_DEGREE
+from turgor.core.engine.faces.settings import SIDE_SEARCH
 from turgor.core.engine.fibers.contour import Contour, contour_of
-from turgor.core.engine.fibers.settings import FIBERS, TRUSSES
+from turgor.core.engine.fibers.settings import FIBERS
 from turgor.core.meshing.cells import side_type
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
@@ -95,9 +97,9 @@ class UnrolledSurface:
         if not self.contour.closed:
             within &= (points[:, 0] >= -margin) & (points[:, 0] <= self.contour.length + margin)
         open_ = np.flatnonzero(within)
-        nearest = self._tree.query(points, k=TRUSSES.tries * 2)[1]
+        nearest = self._tree.query(points, k=SIDE_SEARCH.nearest)[1]
         owner, shift, seed = self._seeds
-        tried = np.full((len(points), TRUSSES.tries * 2), -1)
+        tried = np.full((len(points), SIDE_SEARCH.nearest), -1)
         for rank in range(nearest.shape[1]):
             candidate = nearest[open_, rank]
             fresh = (tried[open_] != owner[candidate][:, None]).all(axis=1)
@@ -122,7 +124,7 @@ class UnrolledSurface:
                 points = points.copy()
                 points[:, 0] -= self.contour.length * np.round((points[:, 0] - middle) / self.contour.length)
         place = guess.copy()
-        for _ in range(TRUSSES.newton_steps):
+        for _ in range(STEPS):
             N, dN = shape_values(self.sides.shape[1], place)
             error = points - np.einsum("ka,kai->ki", N, nodes)
             J = np.einsum("kad,kai->kid", dN, nodes)
@@ -199,7 +201,7 @@ def _indexed(sides: Ints, flat: Array, contour: Contour, along: Array) -> Unroll
     from scipy.spatial import cKDTree  # slow to load, and few models have threads
 
     count = sides.shape[1]
-    step = (np.arange(TRUSSES.seeds) + 0.5) / TRUSSES.seeds
+    step = (np.arange(SIDE_SEARCH.samples) + 0.5) / SIDE_SEARCH.samples
     grid = np.stack(np.meshgrid(step, step), axis=-1).reshape(-1, 2)
     if side_type(count).corners == 3:
         grid = grid[grid.sum(axis=1) <= 1.0]

@@ -4,7 +4,6 @@ import codecs
 import csv
 from pathlib import Path
 
-from turgor.core.materials.experiments.settings import EXPERIMENTS
 from turgor.foundation.errors import TurgorError
 
 #: Byte order marks, which state the encoding of a file; the longer of two marks that begin alike comes first.
@@ -79,7 +78,7 @@ def _encoding(data: bytes) -> str:
     start = data[: min(len(data), 2000) // 2 * 2]
     for first, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):
         zeros, others = start[first::2].count(0), start[1 - first :: 2].count(0)
-        if len(start) >= 8 and zeros > EXPERIMENTS.half_zero * len(start) / 2 and others == 0:
+        if len(start) >= 8 and 2 * zeros > len(start) // 2 and others == 0:  # most of every other byte
             return encoding
     try:
         data.decode("utf-8")

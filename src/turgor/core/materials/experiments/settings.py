@@ -12,8 +12,6 @@ class ExperimentSettings:
 
     Parameters
     ----------
-    half_zero : float
-        A text without a mark is UTF-16 if more than this share of every other byte is zero.
     longest_header : int
         Number of letters of a header line beyond which names without a separator are not looked for: the time of that
         search grows with the square.
@@ -27,7 +25,6 @@ class ExperimentSettings:
         Smallest step back of the stretch that counts as a reversal, as a share of the whole range.
     """
 
-    half_zero: float = 0.3
     longest_header: int = 5000
     same_dimension: float = 0.01
     shortest_series: int = 4

@@ -101,7 +101,7 @@ def windows_of(facts: MeshFacts, low: float, high: float, count: int) -> Pieces:
     centers = low + apart * (1 + np.arange(count))
     cells = _cells_between(facts, low, high)
     long = float(np.ptp(mesh.points[mesh.cells[cells], 0], axis=1).max()) / length
-    along = int(np.clip(np.ceil(SHAPE.points_apart * long / apart), SHAPE.fewest_along, SHAPE.most_along))
+    along = max(2, int(np.ceil(SHAPE.points_apart * long / apart)))  # two give the slope within a cell
     table = product_rule(mesh.cells.shape[1], 2 * along - 1)
     shape = (0,) * mesh.cells.shape[1]
     _, volumes = kernels_geometry.reference_geometry(shape, mesh.points, mesh.cells[cells], table.dN, table.weights)

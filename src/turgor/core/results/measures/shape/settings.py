@@ -18,8 +18,8 @@ class ShapeSettings:
         Cross-sections between two stations.
     fewest_points : int
         Integration points that each piece must have for its map to be known.
-    points_apart, fewest_along, most_along : int
-        Points along a cell for each distance of sections that it is long, and at least and at most so many.
+    points_apart : int
+        Points along a cell for each distance of sections that it is long.
     directions : int
         Directions across the actuator in which its width is measured, over half a turn.
     parts_of_edge : int
@@ -31,8 +31,6 @@ class ShapeSettings:
     strain_sections: int = 5
     fewest_points: int = 40
     points_apart: int = 3
-    fewest_along: int = 2
-    most_along: int = 12
     directions: int = 12
     parts_of_edge: int = 4
 
