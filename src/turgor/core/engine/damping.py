@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.cells import kernels, kernels_geometry
+from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent
 from turgor.core.engine.system import System
 from turgor.foundation.symmetric import COLUMNS, ROWS
 
@@ -54,7 +54,7 @@ class StrainRateDamping:
         system, u = self._system, self._system.split(unknowns)[0]
         moduli = np.empty((*system.dV.shape, 21))
         moduli[:] = (self._rate * self._viscosity)[:, None, None] * _deviator_moduli()
-        packed = kernels.tangent(
+        packed = kernels_tangent.tangent(
             self._cells, u, self._mean, self._response(unknowns, moduli), np.zeros((1, 1, 6)), False
         )
         rows, _ = np.tril_indices(system.cell_size)

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, cell_places, scatter_add
-from turgor.core.engine.cells import kernels, kernels_geometry
+from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent
 from turgor.core.engine.cells.cell_materials import CellMaterials, Isochoric
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.cells.internal_variables import History
@@ -106,7 +106,7 @@ class CellTerms:
         for chunk in self._chunks():
             stresses = nothing if geometric is None else geometric[chunk]
             cells, part = self._regular.part(chunk), response.part(chunk)
-            packed = kernels.tangent(cells, u, p, part, stresses, geometric is not None)
+            packed = kernels_tangent.tangent(cells, u, p, part, stresses, geometric is not None)
             scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
 
     def add_entries(self, data: Array, entries: Integers, values: Array) -> None:
