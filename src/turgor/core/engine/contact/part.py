@@ -1,4 +1,4 @@
-"""What the parts of contact share: what was found at one position, and how forces and tangents are put together."""
+"""What the parts of contact share: the gaps at one position, and how forces and tangents are put together."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -15,7 +15,7 @@ Ints = NDArray[np.int64]
 
 
 class SearchMode(Enum):
-    """How partners of contact are found: kept, followed from side to side, or searched for globally."""
+    """How partners of contact are found: unchanged, followed from side to side, or searched for globally."""
 
     KEEP = "keep"
     FOLLOW = "follow"
@@ -23,7 +23,7 @@ class SearchMode(Enum):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
+class Gaps:
     """How near the points of a surface are to what they may touch, at one position.
 
     Parameters
@@ -58,7 +58,7 @@ class Found:
         """Side and quadrature point (k, 2) of the points inside."""
         return np.argwhere(self.inside)
 
-    def also(self, other: "Found") -> Ints:
+    def also(self, other: "Gaps") -> Ints:
         """Side and quadrature point (k, 2) of the points inside here and there."""
         return np.argwhere(self.inside & other.inside)
 

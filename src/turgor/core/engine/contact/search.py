@@ -23,8 +23,8 @@ Ints = NDArray[np.int64]
 #: Two sides can touch where the cosine between their normals is below this.
 OPPOSED = -0.3
 
-#: A partner is kept as long as the foot point is no further than this beyond a smooth edge of it: where two sides join
-#: in a kink, a point right above it would change from one to the other forever.
+#: A point keeps its partner as long as the foot point is no further than this beyond a smooth edge of it: where two
+#: sides join in a kink, a point right above it would change from one to the other forever.
 HOLD = 0.02
 
 #: Sides at most that are looked at for one side.
@@ -140,12 +140,12 @@ def _find_partners(begin, end, out, looking, position, sides, about, grid, allow
     depth, radii = allowed[1], other[1]
     points, near = x.shape[1], np.empty(MOST_NEAR, dtype=np.int64)
     for k in range(begin, end):
-        found = _near_sides(k, own, other, grid, depth, reach, apart, near)
-        if found == 0:
+        nearby = _near_sides(k, own, other, grid, depth, reach, apart, near)
+        if nearby == 0:
             continue
-        some, far = np.empty(found, dtype=np.int64), np.empty(found)
+        some, far = np.empty(nearby, dtype=np.int64), np.empty(nearby)
         for q in range(points):
-            few, bound = _near_point(x[k, q], n[k, q], other, depth, reach, near[:found], some, far)
+            few, bound = _near_point(x[k, q], n[k, q], other, depth, reach, near[:nearby], some, far)
             if few > 0:
                 best = (x[k, q], n[k, q], some[:few], far[:few], bound)
                 partner[k, q], at[k, q, 0], at[k, q, 1], gap[k, q] = _nearest(
@@ -182,7 +182,7 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
     (center, radius, normal), (others, radii, normals) = own, other
     low, edge, counts, start, order = grid
     first, never = apart
-    p, u, found = center[k], normal[k], 0
+    p, u, count = center[k], normal[k], 0
     c0 = int(np.floor((p[0] - low[0]) / edge))
     c1 = int(np.floor((p[1] - low[1]) / edge))
     c2 = int(np.floor((p[2] - low[2]) / edge))
@@ -196,11 +196,11 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
                     limit = reach + radii[j] + radius[k]
                     if facing > 0.3 or square > limit * limit or ahead < -depth[j] - radii[j] - radius[k]:
                         continue
-                    if found == len(near) or _listed(j, first[k], first[k + 1], never):
+                    if count == len(near) or _listed(j, first[k], first[k + 1], never):
                         continue
-                    near[found] = j
-                    found += 1
-    return found
+                    near[count] = j
+                    count += 1
+    return count
 
 
 @njit(**INNER)

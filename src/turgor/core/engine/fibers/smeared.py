@@ -168,17 +168,17 @@ def smeared_pieces(mesh: Mesh, fibers: Fibers) -> Pieces:
     points = frames.areas.shape[1]
     count = len(along)
     N = reference_cell(sides.shape[1], MEMBRANE_QUADRATURE_DEGREE[side_type(sides.shape[1]).corners]).N
-    kept = np.flatnonzero(np.tile(_within_box(mesh, fibers, sides).ravel(), count))
-    if not len(kept):
+    chosen = np.flatnonzero(np.tile(_within_box(mesh, fibers, sides).ravel(), count))
+    if not len(chosen):
         raise TurgorError(f"fibers on '{fibers.name}': nothing of this face lies within the given box.")
     return Pieces(
-        sides=np.tile(np.repeat(sides, points, axis=0), (count, 1))[kept],
-        along=np.concatenate(along)[kept],
-        weights=np.tile(frames.areas.ravel(), count)[kept],
-        stiffness=np.full(len(kept), fibers.stretching_stiffness / course.spacing),
-        pushed=np.full(len(kept), fibers.compression),
-        middle=np.tile(N, (len(sides) * count, 1))[kept],
-        hand=np.repeat(np.arange(count), len(sides) * points)[kept],
+        sides=np.tile(np.repeat(sides, points, axis=0), (count, 1))[chosen],
+        along=np.concatenate(along)[chosen],
+        weights=np.tile(frames.areas.ravel(), count)[chosen],
+        stiffness=np.full(len(chosen), fibers.stretching_stiffness / course.spacing),
+        pushed=np.full(len(chosen), fibers.compression),
+        middle=np.tile(N, (len(sides) * count, 1))[chosen],
+        hand=np.repeat(np.arange(count), len(sides) * points)[chosen],
     )
 
 

@@ -15,24 +15,24 @@ from turgor.core.meshing.cells import side_type
 def compile_search(nodes: int) -> None:
     """Compile the kernels that search for contact, which a model needs from its first step on."""
     points, part = _pressed(nodes)
-    found = part.look(points, np.zeros(3))
-    found = part.look(points, np.zeros(3), found)
-    part.passed(points, found, found)
+    gaps = part.look(points, np.zeros(3))
+    gaps = part.look(points, np.zeros(3), gaps)
+    part.passed(points, gaps, gaps)
 
 
 def compile_press(nodes: int) -> None:
     """Compile the kernels of contact forces, which a model needs once walls meet, after those that search."""
     points, part = _pressed(nodes)
-    found = part.look(points, np.zeros(3))
-    found = replace(found, friction=part.anchored(points, found))
-    part.forces(points, found)
+    gaps = part.look(points, np.zeros(3))
+    gaps = replace(gaps, friction=part.anchored(points, gaps))
+    part.forces(points, gaps)
     size = 3 * len(points)
     diagonal = Pattern(size, np.arange(size + 1, dtype=np.int64), np.arange(size, dtype=np.int32))
     layout = Layout(diagonal, np.zeros(size, dtype=bool))
-    keys = part.ready_keys(found)
+    keys = part.ready_keys(gaps)
     layout.renew(keys, [part.tied_unknowns(keys)])
     data = layout.spread(np.zeros(size))
-    for ties in part.tangents(points, found):
+    for ties in part.tangents(points, gaps):
         ties.add_to(data, layout.pattern)
 
 

@@ -201,9 +201,9 @@ class MaterialTest(Shown):
             nominal_stress=self.nominal_stress[gone],
         )
         optional = ("stretch_2", "nominal_stress_2", "spread", "time")
-        kept = {key: None if getattr(self, key) is None else getattr(self, key)[keep] for key in optional}
-        kept |= {"stretch": self.stretch[keep], "nominal_stress": self.nominal_stress[keep]}
-        return self.changed(edit, kept)
+        values = {key: None if getattr(self, key) is None else getattr(self, key)[keep] for key in optional}
+        values |= {"stretch": self.stretch[keep], "nominal_stress": self.nominal_stress[keep]}
+        return self.changed(edit, values)
 
     def changed(self, edit: Edit, values: Mapping[str, Any]) -> "MaterialTest":
         """Return the test with other values and one more edit; the raw test stays with it.

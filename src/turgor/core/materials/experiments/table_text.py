@@ -103,8 +103,8 @@ class Table:
         keep : iterable of bool
             Whether each row stays.
         """
-        kept = [n for n, stays in enumerate(keep) if stays]
-        return replace(self, rows=tuple(self.rows[n] for n in kept), lines=tuple(self.lines[n] for n in kept))
+        numbers = [n for n, stays in enumerate(keep) if stays]
+        return replace(self, rows=tuple(self.rows[n] for n in numbers), lines=tuple(self.lines[n] for n in numbers))
 
     def complete(self, indices: Iterable[int]) -> tuple["Table", str]:
         """Return the rows without a missing number, and a remark about the others.

@@ -80,8 +80,8 @@ def uncertainty_of(jacobian: Array, residual: Array, limits: Array) -> Uncertain
     Two equal columns leave the difference of their parameters open:
 
     >>> jacobian = np.column_stack([np.ones(3), np.ones(3), np.arange(3.0)])
-    >>> found = uncertainty_of(jacobian, np.array([0.1, -0.2, 0.1]), np.empty((0, 3)))
-    >>> found.errors.round(3), found.combination(["a", "b", "c"], [1e3, 2e3, 0.0], 3)
+    >>> three = uncertainty_of(jacobian, np.array([0.1, -0.2, 0.1]), np.empty((0, 3)))
+    >>> three.errors.round(3), three.combination(["a", "b", "c"], [1e3, 2e3, 0.0], 3)
     (array([ inf,  inf, 0.173]), 'a + b = 3 ± 0.00022 kPa')
     """
     count = jacobian.shape[1]

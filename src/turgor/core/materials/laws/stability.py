@@ -70,8 +70,8 @@ def first_instability(
     if not 0 < lower <= 1 <= upper < np.inf:
         raise TurgorError(f"the range {lower:g} to {upper:g} must hold stretch 1, with both ends positive and finite.")
     initial = float(_margin(law, mode, criterion, np.ones(1))[0])
-    found = [s for s in (_first(law, mode, criterion, initial, end) for end in (upper, lower)) if s is not None]
-    return min(found, key=lambda stretch: abs(np.log(stretch)), default=None)
+    stretches = [s for s in (_first(law, mode, criterion, initial, end) for end in (upper, lower)) if s is not None]
+    return min(stretches, key=lambda stretch: abs(np.log(stretch)), default=None)
 
 
 def instabilities(law: Law, mode: Mode, upper: float = 8.0, lower: float = 0.2) -> dict[Criterion, float]:
@@ -96,13 +96,13 @@ def instabilities(law: Law, mode: Mode, upper: float = 8.0, lower: float = 0.2) 
     >>> {name: round(at, 3) for name, at in instabilities(law, "equibiaxial", lower=1.0).items()}
     {'nominal': 1.389, 'drucker': 1.485, 'cauchy': 1.485}
     """
-    found: dict[Criterion, float] = {}
+    first: dict[Criterion, float] = {}
     for criterion in ("nominal", "drucker", "cauchy"):
         at = first_instability(law, mode, upper, lower, criterion)
         if at is not None:
-            found[criterion] = at
+            first[criterion] = at
     # equal but for round-off: Drucker's postulate implies that the Cauchy stress rises
-    return dict(sorted(found.items(), key=lambda item: round(abs(float(np.log(item[1]))), 9)))
+    return dict(sorted(first.items(), key=lambda item: round(abs(float(np.log(item[1]))), 9)))
 
 
 def _first(law: Law, mode: Mode, criterion: Criterion, initial: float, end: float) -> float | None:
