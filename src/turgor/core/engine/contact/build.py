@@ -253,7 +253,7 @@ def _triangles(obstacle: Obstacle, shape: RigidSurface, surface: Surface, points
         sides=sides + count,
         corners=3,
         overhang=overhangs(nodes, sides, np.zeros(len(nodes), dtype=bool)),
-        depth=np.full(len(sides), CONTACT_SEARCH.rigid_depth * size),
+        depth=np.full(len(sides), CONTACT_SEARCH.near * size),
         strangers=nothing,
         around=_around(sides, 3),
         reach=CONTACT_SEARCH.reach * size,

@@ -27,9 +27,6 @@ OPPOSED = -0.3
 #: sides join in a kink, a point right above it would change from one to the other forever.
 HOLD = 0.02
 
-#: Sides at most that are looked at for one side.
-MOST_NEAR = 4096
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Grid:
@@ -138,7 +135,7 @@ def _find_partners(begin, end, out, looking, position, sides, about, grid, allow
     own, other = about
     x, n = looking
     depth, radii = allowed[1], other[1]
-    points, near = x.shape[1], np.empty(MOST_NEAR, dtype=np.int64)
+    points, near = x.shape[1], np.empty(len(radii), dtype=np.int64)
     for k in range(begin, end):
         nearby = _near_sides(k, own, other, grid, depth, reach, apart, near)
         if nearby == 0:
@@ -196,7 +193,7 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
                     limit = reach + radii[j] + radius[k]
                     if facing > 0.3 or square > limit * limit or ahead < -depth[j] - radii[j] - radius[k]:
                         continue
-                    if count == len(near) or _listed(j, first[k], first[k + 1], never):
+                    if _listed(j, first[k], first[k + 1], never):
                         continue
                     near[count] = j
                     count += 1

@@ -19,12 +19,10 @@ class ContactSearchSettings:
     near : float
         Points nearer than this share of the cell behind them may touch in the next step. The tangent has room for
         them, and they have a friction history, or a contact that moves over them within a step would have no friction
-        there.
+        there. A point that comes upon a rigid body is inside of it to this share of a mean length; known partners may
+        lie deeper.
     depth : float
         A point is taken to lie inside a side no deeper than this share of the cell behind it.
-    rigid_depth : float
-        A point that comes upon a rigid body is inside of it to this share of a mean length; known partners may lie
-        deeper.
     overhang : float
         Foot points may lie this far beyond an edge that joins two sides smoothly, whose kink leaves wedges in front of
         it; beyond a sharp edge there is nothing.
@@ -45,7 +43,6 @@ class ContactSearchSettings:
     reach: float = 4.0
     near: float = 0.5
     depth: float = 0.25
-    rigid_depth: float = 0.5
     overhang: float = 0.03
     smooth: float = 0.8
     facing: float = 0.1
@@ -74,8 +71,6 @@ class PenaltySettings:
         An update is shortened only if it would deepen a penetration by this factor more.
     shortest : float
         The shortest share of an update that the limit on penetration requires at once.
-    unseen : float
-        Share of an update that is taken if a point without partner would be deep inside a body after it.
     """
 
     stiffness: float = 20.0
@@ -84,7 +79,6 @@ class PenaltySettings:
     deeper: float = 0.04
     margin: float = 1.5
     shortest: float = 0.1
-    unseen: float = 0.5
 
 
 PENALTY = PenaltySettings()

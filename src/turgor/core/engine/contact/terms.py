@@ -197,11 +197,9 @@ class ContactTerms:
             deeper = PENALTY.deeper * part.surface.height[:, None]
             allowed = np.minimum(before.gap, 0.0) - deeper
             gap = np.minimum(after.gap, part.passed(new.position, before, after))
-            bad = gap < allowed - (PENALTY.margin - 1) * deeper
-            if bad.any():
-                seen = bad & np.isfinite(before.gap)
-                way = (before.gap[seen] - allowed[seen]) / (before.gap[seen] - gap[seen])
-                share = min(share, float(way.min(initial=1.0)), 1.0 if seen.sum() == bad.sum() else PENALTY.unseen)
+            bad = np.isfinite(before.gap) & (gap < allowed - (PENALTY.margin - 1) * deeper)
+            way = (before.gap[bad] - allowed[bad]) / (before.gap[bad] - gap[bad])
+            share = min(share, float(way.min(initial=1.0)))
         return max(share, PENALTY.shortest)
 
     def rubbing(self, at: Contacts, size: int) -> sp.csc_matrix | None:
