@@ -142,4 +142,4 @@ def _has_both(values: Mapping[str, object]) -> bool:
 
 
 def _same(one: float, other: float) -> bool:
-    return abs(one - other) <= EXPERIMENTS.same_dimension * max(abs(one), abs(other))
+    return abs(one - other) <= EXPERIMENTS.precision * max(abs(one), abs(other))

@@ -179,7 +179,7 @@ class MaterialTest(Shown):
         if self.mode == "biaxial":
             return None  # a field of points, not a path
         stretch = self.stretch if self.stretch[-1] >= self.stretch[0] else -self.stretch
-        back = np.maximum.accumulate(stretch) - stretch > EXPERIMENTS.jitter * np.ptp(stretch)
+        back = np.maximum.accumulate(stretch) - stretch > EXPERIMENTS.precision * np.ptp(stretch)
         return int(np.argmax(back)) if back.any() else None
 
     def keeping(self, keep: NDArray[np.bool_], text: str) -> "MaterialTest":

@@ -15,21 +15,19 @@ class ExperimentSettings:
     longest_header : int
         Number of letters of a header line beyond which names without a separator are not looked for: the time of that
         search grows with the square.
-    same_dimension : float
-        Share by which two statements of a dimension may differ.
+    precision : float
+        Share to which numbers of a test are known: two statements of a dimension may differ by it, and the stretch may
+        step back by it, of the whole range, without a reversal.
     shortest_series : int
         Points of the shortest series that may be a copy of another: fewer may be equal by chance.
     half_cycle : float
         Smallest range of a half cycle, as a share of the whole range of stretch.
-    jitter : float
-        Smallest step back of the stretch that counts as a reversal, as a share of the whole range.
     """
 
     longest_header: int = 5000
-    same_dimension: float = 0.01
+    precision: float = 0.01
     shortest_series: int = 4
     half_cycle: float = 0.2
-    jitter: float = 0.01
 
 
 EXPERIMENTS = ExperimentSettings()

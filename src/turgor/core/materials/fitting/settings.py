@@ -52,15 +52,12 @@ class DeterminationSettings:
 
     Parameters
     ----------
-    takes_part : float
-        Share of an open direction beyond which a parameter takes part in it.
     correlated : float
         Correlation beyond which the tests determine only a combination of two parameters.
     large_error : float
         A parameter of a history whose standard error exceeds this share of its value counts as not determined.
     """
 
-    takes_part: float = 1e-5
     correlated: float = 0.99
     large_error: float = 0.5
 

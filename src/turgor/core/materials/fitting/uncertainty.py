@@ -7,7 +7,6 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.materials.fitting.settings import DETERMINATION
 from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
@@ -58,7 +57,7 @@ class Uncertainty:
         row = np.zeros(len(values))
         row[i], row[j] = 1.0, weight
         error = max(float(row @ self.covariance @ row), 0.0) ** 0.5
-        factor = "" if abs(abs(weight) - 1) < DETERMINATION.takes_part else f"{abs(weight):.4g} "
+        factor = "" if abs(abs(weight) - 1) < ROUND_OFF.same else f"{abs(weight):.4g} "
         total = (values[i] + weight * values[j]) / 1e3
         return f"{names[i]} {'+' if weight > 0 else '-'} {factor}{names[j]} = {total:.5g} ± {error / 1e3:.2g} kPa"
 
@@ -104,7 +103,7 @@ def uncertainty_of(jacobian: Array, residual: Array, limits: Array) -> Uncertain
     spread = free @ directions[known].T / size[known]
     covariance = spread @ spread.T * variance
     unnoticed = free @ directions[~known].T
-    lost = np.linalg.norm(unnoticed, axis=1) > DETERMINATION.takes_part
+    lost = np.linalg.norm(unnoticed, axis=1) > ROUND_OFF.same
     errors = np.where(lost, inf, np.sqrt(np.clip(np.diag(covariance), 0.0, None)))
     correlation = _correlation(np.where(np.outer(lost, lost), unnoticed @ unnoticed.T, covariance), lost)
     return Uncertainty(
