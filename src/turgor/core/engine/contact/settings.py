@@ -28,8 +28,6 @@ class ContactSearchSettings:
         it; beyond a sharp edge there is nothing.
     smooth : float
         Cosine between the normals of two sides that join smoothly: below 37°.
-    facing : float
-        Two sides with a common node face each other where each lies above the other by this share of their distance.
     nearer : float
         In a global search, a partner is replaced by one that is nearer by this share of the cell behind it.
     most_triangles : int
@@ -43,7 +41,6 @@ class ContactSearchSettings:
     depth: float = 0.25
     overhang: float = 0.03
     smooth: float = 0.8
-    facing: float = 0.1
     nearer: float = 1e-3
     most_triangles: int = 500_000
     most_cubes: int = 400_000

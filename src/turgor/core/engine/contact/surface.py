@@ -131,10 +131,7 @@ def strangers(points: Array, sides: Ints) -> tuple[Ints, Ints]:
     a, b = graph.row.astype(np.int64), graph.col.astype(np.int64)
     center, _, normal = centers_of(points, sides, kind.corners)
     apart = center[b] - center[a]
-    distance = np.linalg.norm(apart, axis=1)
-    groove = (np.einsum("pi,pi->p", apart, normal[a]) > CONTACT_SEARCH.facing * distance) & (
-        np.einsum("pi,pi->p", apart, normal[b]) < -CONTACT_SEARCH.facing * distance
-    )
+    groove = (np.einsum("pi,pi->p", apart, normal[a]) > 0) & (np.einsum("pi,pi->p", apart, normal[b]) < 0)
     return listed(a[~groove], b[~groove], len(sides))
 
 
