@@ -131,7 +131,8 @@ def strangers(points: Array, sides: Ints) -> tuple[Ints, Ints]:
     a, b = graph.row.astype(np.int64), graph.col.astype(np.int64)
     center, _, normal = centers_of(points, sides, kind.corners)
     apart = center[b] - center[a]
-    groove = (np.einsum("pi,pi->p", apart, normal[a]) > 0) & (np.einsum("pi,pi->p", apart, normal[b]) < 0)
+    flat = ROUND_OFF.mesh_digits * np.linalg.norm(apart, axis=1)
+    groove = (np.einsum("pi,pi->p", apart, normal[a]) > flat) & (np.einsum("pi,pi->p", apart, normal[b]) < -flat)
     return listed(a[~groove], b[~groove], len(sides))
 
 
