@@ -4,14 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.contact.shapes import scaled
-from turgor.core.engine.contact.surface import Surface, listed, of_face, overhangs, strangers
+from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, strangers
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.contact import SELF
 from turgor.core.model.drive import pressed_together
@@ -218,11 +217,7 @@ def _apart(partners: Partners, side: Ints, partner: Ints) -> Partners:
 
 def _around(sides: Ints, corners: int) -> tuple[Ints, Ints]:
     """Sides that share a corner with each side, itself included."""
-    nodes, local = np.unique(sides[:, :corners], return_inverse=True)
-    rows = np.repeat(np.arange(len(sides)), corners)
-    touching = sp.csr_matrix((np.ones(rows.size, np.int32), (rows, local.ravel())), shape=(len(sides), len(nodes)))
-    graph = (touching @ touching.T).tocoo()
-    return listed(graph.row.astype(np.int64), graph.col.astype(np.int64), len(sides))
+    return listed(*neighbors(sides, corners), len(sides))
 
 
 def _mirror(mesh: Mesh, name: str, surface: Surface, points: Array) -> list[PairPart | ShapePart]:

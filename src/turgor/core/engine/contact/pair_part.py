@@ -6,10 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.contact import pairs
+from turgor.core.engine.contact.closest import centers_of, points_of
 from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.part import Gaps, SearchMode, Ties, dofs, groups, nodal
 from turgor.core.engine.contact.points_part import PointsPart
-from turgor.core.engine.contact.search import Grid, centers_of, find_partners, follow_partners, points_of
+from turgor.core.engine.contact.search import Grid, find_partners, follow_partners
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.obstacles import Obstacle

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.compiled import INNER, LOOP, calls, over
 from turgor.core.engine.contact import closest
-from turgor.core.engine.contact.closest import foot_point, overhang
+from turgor.core.engine.contact.closest import foot_point, overhang, unit_cross
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 
 Array = NDArray[np.float64]
@@ -65,67 +65,6 @@ class Grid:
         order = np.argsort(key, kind="stable")
         start = np.searchsorted(key[order], np.arange(counts.prod() + 1))
         return Grid(low, float(edge), counts, start, order)
-
-
-@njit(**LOOP)
-def centers_of(position, sides, corners):
-    """Centers (s, 3) of the corners of sides, radii (s,) about them that hold all nodes, and unit normals (s, 3)."""
-    count, nodes = sides.shape
-    center, radius, normal = np.empty((count, 3)), np.empty(count), np.empty((count, 3))
-    p, q = np.empty(3), np.empty(3)
-    begin, end, other = (0, 2, 1) if corners == 4 else (0, 1, 0)  # diagonals of a quadrilateral, edges of a triangle
-    for k in range(count):
-        for i in range(3):
-            center[k, i] = 0.0
-            for a in range(corners):
-                center[k, i] += position[sides[k, a], i] / corners
-            p[i] = position[sides[k, end], i] - position[sides[k, begin], i]
-            q[i] = position[sides[k, corners - 1], i] - position[sides[k, other], i]
-        largest = 0.0
-        for a in range(nodes):
-            away = 0.0
-            for i in range(3):
-                away += (position[sides[k, a], i] - center[k, i]) ** 2
-            largest = max(largest, away)
-        radius[k] = np.sqrt(largest)
-        _unit_cross(p, q, normal[k])
-    return center, radius, normal
-
-
-@njit(**INNER)
-def _unit_cross(a, b, out):
-    """Fill the unit vector along a × b, and return the length of the product."""
-    square = 0.0
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        out[i] = a[j] * b[k] - a[k] * b[j]
-        square += out[i] * out[i]
-    length = np.sqrt(square)
-    if length > 0:
-        for i in range(3):
-            out[i] /= length
-    return length
-
-
-@njit(**LOOP)
-def points_of(position, sides, N, dN):
-    """Positions and unit normals (s, q, 3) at the quadrature points of sides, and how much their area has grown."""
-    count, nodes = sides.shape
-    points = len(N)
-    x, n, area = np.empty((count, points, 3)), np.empty((count, points, 3)), np.empty((count, points))
-    r, s = np.empty(3), np.empty(3)
-    for k in range(count):
-        for q in range(points):
-            for i in range(3):
-                at, along, across = 0.0, 0.0, 0.0
-                for a in range(nodes):
-                    c = position[sides[k, a], i]
-                    at += N[q, a] * c
-                    along += dN[q, a, 0] * c
-                    across += dN[q, a, 1] * c
-                x[k, q, i], r[i], s[i] = at, along, across
-            area[k, q] = _unit_cross(r, s, n[k, q])
-    return x, n, area
 
 
 @njit(**LOOP)
@@ -252,7 +191,7 @@ def _nearest(point, position, sides, radii, allowed, reach):
             out, over = overhang(nodes, r, s)
             if out > overhanging[j, over]:
                 continue
-            _unit_cross(d[0], d[1], unit)
+            unit_cross(d[0], d[1], unit)
             distance, opposed, ahead = 0.0, 0.0, 0.0
             for i in range(3):
                 distance += (p[i] - y[i]) * unit[i]
@@ -293,7 +232,7 @@ def _follow_partners(begin, end, out, looking, position, sides, partner, at, aro
             _corners(position, sides[j], corners)
             r, s = foot_point(p, corners, (at[k, q, 0], at[k, q, 1]), (N, D, H), (y, d, h))
             least, edge = overhang(nodes, r, s)
-            _unit_cross(d[0], d[1], unit)
+            unit_cross(d[0], d[1], unit)
             place[k, q, 0], place[k, q, 1] = r, s
             distance = _along(p, y, unit)
             while walk and least > min(HOLD, overhanging[j, edge]):  # `least` falls in every pass
@@ -303,7 +242,7 @@ def _follow_partners(begin, end, out, looking, position, sides, partner, at, aro
                     _corners(position, sides[m], corners)
                     r, s = foot_point(p, corners, (0.33, 0.33), (N, D, H), (y, d, h))
                     out, over = overhang(nodes, r, s)
-                    _unit_cross(d[0], d[1], unit)
+                    unit_cross(d[0], d[1], unit)
                     opposed = 0.0
                     for i in range(3):
                         opposed += unit[i] * n[k, q, i]

@@ -3,10 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.contact.closest import points_of
 from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.part import Gaps, SearchMode, Ties, dofs, nodal
 from turgor.core.engine.contact.points_part import PointsPart
-from turgor.core.engine.contact.search import points_of
 from turgor.core.engine.contact.shapes import Formula, signed_distance
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.obstacles import Obstacle

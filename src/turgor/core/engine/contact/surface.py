@@ -7,7 +7,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells.reference import side_tables
-from turgor.core.engine.contact.search import centers_of, points_of
+from turgor.core.engine.contact.closest import centers_of, points_of
 from turgor.core.engine.contact.settings import CONTACT_SEARCH, PENALTY
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
@@ -124,16 +124,21 @@ def strangers(points: Array, sides: Ints) -> tuple[Ints, Ints]:
     each other through air, they may close like a book.
     """
     kind = side_type(sides.shape[1])
-    nodes, local = np.unique(sides[:, : kind.corners], return_inverse=True)
-    rows = np.repeat(np.arange(len(sides)), kind.corners)
-    touching = sp.csr_matrix((np.ones(rows.size, np.int32), (rows, local.ravel())), shape=(len(sides), len(nodes)))
-    graph = (touching @ touching.T).tocoo()
-    a, b = graph.row.astype(np.int64), graph.col.astype(np.int64)
+    a, b = neighbors(sides, kind.corners)
     center, _, normal = centers_of(points, sides, kind.corners)
     apart = center[b] - center[a]
     flat = ROUND_OFF.mesh_digits * np.linalg.norm(apart, axis=1)
     groove = (np.einsum("pi,pi->p", apart, normal[a]) > flat) & (np.einsum("pi,pi->p", apart, normal[b]) < -flat)
     return listed(a[~groove], b[~groove], len(sides))
+
+
+def neighbors(sides: Ints, corners: int) -> tuple[Ints, Ints]:
+    """Pairs of sides that share a corner; each side is its own neighbor, too."""
+    nodes, local = np.unique(sides[:, :corners], return_inverse=True)
+    rows = np.repeat(np.arange(len(sides)), corners)
+    touching = sp.csr_matrix((np.ones(rows.size, np.int32), (rows, local.ravel())), shape=(len(sides), len(nodes)))
+    graph = (touching @ touching.T).tocoo()
+    return graph.row.astype(np.int64), graph.col.astype(np.int64)
 
 
 def listed(rows: Ints, values: Ints, count: int) -> tuple[Ints, Ints]:
