@@ -8,15 +8,12 @@ from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent
 from turgor.core.engine.cells.cell_materials import CellMaterials, Isochoric
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.cells.internal_variables import History
-from turgor.core.engine.cells.stabilization import volume_penalty
+from turgor.core.engine.cells.stabilization import REGULARIZATION, volume_penalty
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
-
-#: Relative compressibility added to the tangent alone: keeps it regular where the mean stress is undetermined.
-REGULARIZATION = 1e-9
 
 #: Entries of cell matrices in memory at once when the tangent is formed: few enough to be added up while the processor
 #: still has them close by, which spares a tenth of the time. And cells at least, so that threads have a share each.
