@@ -1,8 +1,8 @@
 """Settings of contact: every number that was chosen, with its reason and the cases that need it.
 
-Lengths are shares of a length of the mesh, as stated. The cases are those of `benchmarks/robustness` in
-`robustness_cases/touching.py`, with a finger whose walls meet; each number was halved and doubled in them. Numbers of
-the compiled loops stand with these: `search` and `closest`.
+Lengths are shares of a length of the mesh, as stated. The cases are twelve of `benchmarks/robustness` whose walls or
+obstacles touch; iterations are compared with one number changed. Numbers of the compiled loops are in `search` and
+`closest`.
 """
 
 from dataclasses import dataclass
@@ -15,21 +15,25 @@ class ContactSearchSettings:
     Parameters
     ----------
     reach : float
-        Sides closer than this many of their mean lengths are candidates for contact.
+        Sides closer than this many of their mean lengths are candidates for contact. With half of it no case changes;
+        without it the search would compare all sides.
     near : float
         Points nearer than this share of the cell behind them may touch in the next step. The tangent has room for
         them, and they have a friction history, or a contact that moves over them within a step would have no friction
         there. A point that comes upon a rigid body is inside of it to this share of a mean length; known partners may
         lie deeper.
     depth : float
-        A point is taken to lie inside a side no deeper than this share of the cell behind it.
+        A point is taken to lie inside a side no deeper than this share of the cell behind it. No case changes with
+        twice as much; beyond the whole cell the far face of a thin wall would be a neighbor.
     overhang : float
         Foot points may lie this far beyond an edge that joins two sides smoothly, whose kink leaves wedges in front of
         it; beyond a sharp edge there is nothing.
     smooth : float
-        Cosine between the normals of two sides that join smoothly: below 37°.
+        Cosine between the normals of two sides that join smoothly: below 37°. No case changes with 66°, as those of
+        actuators are either rounded or sharp.
     nearer : float
-        In a global search, a partner is replaced by one that is nearer by this share of the cell behind it.
+        In a global search, a partner is replaced by one that is nearer by this share of the cell behind it. Without
+        it, "walls meet, one pressed" takes 119 iterations instead of 92.
     most_triangles : int
         Triangles of a rigid body at most: more do not fit into the memory.
     most_cubes : int
@@ -62,9 +66,11 @@ class PenaltySettings:
     deeper : float
         One update of Newton's method deepens no penetration by more than this share of the cell behind the surface.
     margin : float
-        An update is shortened only if it would deepen a penetration by this factor more.
+        An update is shortened only if it would deepen a penetration by this factor more. Without it, "walls meet, one
+        step" takes 44 iterations instead of 26, and "walls meet, one pressed" 99 instead of 92.
     shortest : float
-        The shortest share of an update that the limit on penetration requires at once.
+        The shortest share of an update that the limit on penetration requires at once. With 0.01, "walls meet, one
+        pressed" takes 101 iterations instead of 92.
     """
 
     stiffness: float = 20.0
