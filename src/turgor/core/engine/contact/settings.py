@@ -20,11 +20,9 @@ class ContactSearchSettings:
     near : float
         Points nearer than this share of the cell behind them may touch in the next step. The tangent has room for
         them, and they have a friction history, or a contact that moves over them within a step would have no friction
-        there. A point that comes upon a rigid body is inside of it to this share of a mean length; known partners may
-        lie deeper.
-    depth : float
-        A point is taken to lie inside a side no deeper than this share of the cell behind it. No case changes with
-        twice as much; beyond the whole cell the far face of a thin wall would be a neighbor.
+        there. A point is taken to lie inside a side no deeper than this share of the cell behind it, or of a mean
+        length of a rigid body: beyond the whole cell the far face of a thin wall would be a neighbor. No case changes
+        with half as much depth.
     overhang : float
         Foot points may lie this far beyond an edge that joins two sides smoothly, whose kink leaves wedges in front of
         it; beyond a sharp edge there is nothing.
@@ -42,7 +40,6 @@ class ContactSearchSettings:
 
     reach: float = 4.0
     near: float = 0.5
-    depth: float = 0.25
     overhang: float = 0.03
     smooth: float = 0.8
     nearer: float = 1e-3
