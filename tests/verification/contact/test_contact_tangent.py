@@ -92,7 +92,7 @@ def _error(system, unknowns, record, name, history=None, h=1e-6):
 
 def _points_inside(system, unknowns):
     """How many points press, none of them deeper than 1 mm."""
-    found = system.evaluate(unknowns, 1.0).contacts.found
+    found = system.evaluate(unknowns, 1.0).contacts.gaps
     assert all(one.gap.min() * system.length > -1 * MM for one in found)
     return sum(len(one.touching) for one in found)
 

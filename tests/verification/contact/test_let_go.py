@@ -164,7 +164,7 @@ def test_inertia_correction_ends_stable_and_leaves_friction_as_it_was():
     found = _fallen(system, unknowns, history)
     assert found.converged
     assert found.unstable_modes == 0
-    assert [each.friction for each in found.evaluation.contacts.found] == list(history.friction)
+    assert [each.friction for each in found.evaluation.contacts.gaps] == list(history.friction)
     assert found.evaluation.history is history
 
 

@@ -193,6 +193,6 @@ def test_the_tangent_where_a_plate_presses_on_the_section(more):
     unknowns = np.where(free, 0.004 * np.random.default_rng(6).standard_normal(system.size), 0.0)
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     expected = difference(system, unknowns, 1e-6)[np.ix_(free, free)]
-    (found,) = [each for each in system.evaluate(unknowns, 1.0).contacts.found if (each.gap < 0).any()]
+    (found,) = [each for each in system.evaluate(unknowns, 1.0).contacts.gaps if (each.gap < 0).any()]
     assert (found.x[found.gap < 0][:, 2] > 0.8 * HEIGHT / system.length).any()  # beside the section
     assert np.abs(tangent - expected).max() < 1e-6 * np.abs(expected).max()

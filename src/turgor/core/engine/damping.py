@@ -3,13 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.cells import kernels, kernels_geometry
+from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent
 from turgor.core.engine.system import System
+from turgor.foundation.symmetric import COLUMNS, ROWS
 
 Array = NDArray[np.float64]
-
-#: Six components of a symmetric tensor: 11 22 33 12 23 13.
-FIRST, SECOND = [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]
 
 
 class StrainRateDamping:
@@ -56,7 +54,7 @@ class StrainRateDamping:
         system, u = self._system, self._system.split(unknowns)[0]
         moduli = np.empty((*system.dV.shape, 21))
         moduli[:] = (self._rate * self._viscosity)[:, None, None] * _deviator_moduli()
-        packed = kernels.tangent(
+        packed = kernels_tangent.tangent(
             self._cells, u, self._mean, self._response(unknowns, moduli), np.zeros((1, 1, 6)), False
         )
         rows, _ = np.tril_indices(system.cell_size)
@@ -77,7 +75,7 @@ class StrainRateDamping:
         product = np.swapaxes(F, -1, -2) @ G
         rate = 0.5 * (product + np.swapaxes(product, -1, -2))
         rate -= np.trace(rate, axis1=-2, axis2=-1)[..., None, None] / 3 * np.eye(3)
-        return np.ascontiguousarray(self._viscosity[:, None, None] * rate[..., FIRST, SECOND])
+        return np.ascontiguousarray(self._viscosity[:, None, None] * rate[..., ROWS, COLUMNS])
 
 
 def gradient_stiffness(system: System) -> Array:

@@ -9,11 +9,9 @@ from turgor.core.engine.cells.reference import reference_nodes, smooth_basis, ta
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.refining.refinement import Refinement
 from turgor.core.model.model import Model
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
-
-#: Reference coordinates of parts are distinguished to this precision: cuts halve them a few times.
-PRECISION = 1e-6
 
 
 class Transfer:
@@ -29,7 +27,7 @@ class Transfer:
 
     def __init__(self, mesh: Mesh, refinement: Refinement) -> None:
         self._mesh, self._fine = mesh, refinement
-        flat = np.rint(refinement.corners.reshape(len(refinement.parent), -1) / PRECISION)
+        flat = np.rint(refinement.corners.reshape(len(refinement.parent), -1) / ROUND_OFF.mesh_digits)
         _, first, self._kind = np.unique(flat, axis=0, return_index=True, return_inverse=True)
         self._kinds = refinement.corners[first]  # the few ways in which a part lies in its parent
         self._kind = self._kind.ravel()

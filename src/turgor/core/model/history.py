@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import plain_number
 
 #: Points (load factor, share), or an expression of the load factor ``s``.
@@ -29,8 +30,6 @@ RAMP: History = ((0.0, 0.0), (1.0, 1.0))
 #: Load factors at which an expression is looked at before it is used.
 SAMPLES = 1001
 
-#: A share this small is the round-off of an expression that is zero there, such as sin(pi*s) at 1.
-ROUND_OFF = 1e-12
 
 FUNCTIONS: Mapping[str, Callable[..., float]] = {
     "sin": math.sin, "cos": math.cos, "tan": math.tan, "tanh": math.tanh, "exp": math.exp, "sqrt": math.sqrt,
@@ -97,7 +96,7 @@ def share_at(history: History, load_factor: float) -> float:
     """
     if isinstance(history, str):
         share = _compiled(history)(load_factor)
-        return share if abs(share) > ROUND_OFF else 0.0
+        return share if abs(share) > ROUND_OFF.zero else 0.0
     if is_straight(history):  # also beyond: paths through limit points may overshoot 0 and 1
         (_, first), (_, last) = history
         return float(first + load_factor * (last - first))

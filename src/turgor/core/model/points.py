@@ -11,6 +11,7 @@ from turgor.core.model.history import RAMP, History, checked, share_at, with_his
 from turgor.core.model.supports.support import Support
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import vector
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import deg, mm
 
 Vector = tuple[float, float, float]
@@ -18,9 +19,6 @@ Vector = tuple[float, float, float]
 #: How a face is tied to its point: it moves as a rigid body with it, or the point follows its average.
 RIGID, AVERAGING = "rigid", "averaging"
 COUPLINGS = (RIGID, AVERAGING)
-
-#: A principal moment of inertia may exceed the sum of the other two by this share: round-off.
-ROUND_OFF = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +101,7 @@ class ReferencePoint(Support):
                     f"reference point '{self.name}': {key} is {getattr(self, key)}; allowed is 0 or more."
                 )
         largest = max(self.inertia)
-        if 2 * largest > sum(self.inertia) * (1 + ROUND_OFF):
+        if 2 * largest > sum(self.inertia) * (1 + ROUND_OFF.same):
             raise TurgorError(
                 f"reference point '{self.name}': inertia is {self.inertia}; of the three moments of a body none is "
                 "larger than the sum of the other two."

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from turgor.core.geometry.cad.surface.crossing import crossings, winding
 from turgor.core.model.obstacles import RigidSurface
 from turgor.foundation.errors import TurgorError, near_file, near_match
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import UNITS
 
 if TYPE_CHECKING:
@@ -18,9 +19,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A shell whose volume is below this share of the cube around it is a sheet.
-NO_VOLUME = 1e-12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -171,7 +169,7 @@ def _outward(file: Path, surface: "Triangles") -> "Triangles":
     corners = [shell.points[shell.triangles] for shell in shells]
     turned, start = [], 0
     for i, shell in enumerate(shells):
-        if abs(shell.volume) <= NO_VOLUME * float(np.ptp(shell.points, axis=0).max()) ** 3:
+        if abs(shell.volume) <= ROUND_OFF.zero * float(np.ptp(shell.points, axis=0).max()) ** 3:
             raise TurgorError(f"'{file}' encloses no volume {_around(shell.points)}; export a solid.")
         inside = sum(abs(winding(corners[i][0].mean(axis=0), corners[j])) > 0.5 for j in range(i))
         wanted = -1 if inside % 2 else 1

@@ -15,6 +15,7 @@ from turgor.core.model.points import ReferencePoint
 from turgor.core.model.supports import Fixed, Support
 from turgor.core.setups.directions import check_unmirrored
 from turgor.core.setups.free_tip import first_direction, outward
+from turgor.core.setups.settings import BLOCKED_TIP
 from turgor.core.setups.setup_values import FREE, PLATE, BlockedForce
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import one
@@ -24,9 +25,6 @@ NEAR_TIP = "near_tip"
 
 #: Reference point of a stiff tab that is glued to the tip.
 TAB = "tab"
-
-#: It reaches back from the tip over this share of the actuator's length.
-REACH = 0.25
 
 Array = NDArray[np.float64]
 
@@ -248,7 +246,7 @@ def _near(mesh: Mesh, face: str, outward: Array) -> NDArray[np.int64]:
     outside = np.array([tuple(sorted(side)) not in taken for side in sides[:, :corners].tolist()])
     along = mesh.points @ outward
     tip = float(along[mesh.face_nodes(face)].mean())
-    near = along[sides[:, :corners]].mean(axis=1) >= tip - REACH * float(np.ptp(along))
+    near = along[sides[:, :corners]].mean(axis=1) >= tip - BLOCKED_TIP.reach * float(np.ptp(along))
     return sides[outside & near]
 
 

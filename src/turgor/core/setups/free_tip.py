@@ -13,25 +13,14 @@ from turgor.core.engine.runtime import EngineOptions
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
 from turgor.core.setups.directions import unmirrored
+from turgor.core.setups.settings import BLOCKED_TIP
 from turgor.core.solvers.checkpoints.record import Question
 from turgor.core.solvers.listeners import Listeners
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.solution import State
 from turgor.core.solvers.solve import follow_question
 from turgor.foundation.errors import TurgorError
-
-#: Share of the load up to which the free actuator is followed, or farther until its tip moves. Sheets that bear tension
-#: only are taut long before: above films of 0.1 mm of paper and 0.5 mm of silk the direction is the same from 0.003 on.
-FIRST_SHARE = 0.05
-
-#: Share of the size of the actuator by which a tip that moves has moved: what is less is round-off.
-MOVED = 1e-9
-
-#: Share of the whole motion from which a part of it counts: a bender leaves its plane by what its mesh is askew.
-CLEAR = 0.01
-
-#: Tolerance of the equilibria: a direction needs no more.
-TOLERANCE = 1e-3
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 
@@ -61,16 +50,18 @@ def first_direction(model: Model, face: str, axes: str, notify: Callable[[str], 
         If the face does not move, the supports leave a rigid motion free, or no equilibrium is found.
     """
     mesh, picked = model.mesh, ["xyz".index(axis) for axis in axes]
-    least = MOVED * float(np.ptp(mesh.points))
+    least = ROUND_OFF.same * float(np.ptp(mesh.points))
 
     def seen(state: State) -> str | None:
-        far = state.load_factor >= FIRST_SHARE * (1 - 1e-9)
+        far = state.load_factor >= BLOCKED_TIP.first_share * (1 - ROUND_OFF.same)
         return "the tip has set out" if far and _largest(motion(mesh, face, state)[0][picked]) > least else None
 
-    question = Question(model=model, procedure=Static(tolerance=TOLERANCE), options=EngineOptions(notify=notify))
+    question = Question(
+        model=model, procedure=Static(tolerance=BLOCKED_TIP.tolerance), options=EngineOptions(notify=notify)
+    )
     path = follow_question(question, Listeners(stop=seen), None, throw=False)
     mean, whole = motion(mesh, face, path.states[-1])
-    clear = CLEAR * _largest(mean)
+    clear = BLOCKED_TIP.clear * _largest(mean)
     mean, whole = mean[picked], whole[picked]
     if not _largest(mean) > least:
         how = "under the load" if path.complete else f"before the free actuator stops ({path.message.rstrip('.')})"

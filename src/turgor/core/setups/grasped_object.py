@@ -14,13 +14,11 @@ from turgor.core.setups.directions import check_unmirrored
 from turgor.core.setups.setup_values import Grasp
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import one
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 
 #: Begin of the names of the mirror planes between the fingers.
 BETWEEN = "between_fingers"
-
-#: Share of the finger's length by which it may reach across a mirror plane at rest: round-off.
-TOUCHING = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -169,7 +167,7 @@ def _planes(model: Model, setup: Grasp, middle: Vector) -> tuple[Obstacle, ...]:
         across = 0.0 if setup.fingers == 2 else -side * cos(half)
         plane = Plane(point=middle, normal=(0.0, across, sin(half)))
         below = float(((np.array(middle) - model.mesh.points) @ np.array(plane.normal)).max())
-        if below > TOUCHING * float(np.ptp(model.mesh.points)):
+        if below > ROUND_OFF.same * float(np.ptp(model.mesh.points)):
             place = ", ".join(f"{part / mm:g}" for part in middle)
             raise TurgorError(
                 f"the finger reaches {below / mm:.3g} mm across the mirror plane to the next of {setup.fingers} "

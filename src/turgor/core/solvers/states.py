@@ -54,7 +54,7 @@ def touches(system: System, at: Evaluation) -> dict[str, Touch]:
     length, stress = system.length, system.stress_scale
     count = len(system.model.mesh.points)
     out: dict[str, Touch] = {}
-    for part, found in zip(system.contact.parts, at.contacts.found, strict=True):
+    for part, found in zip(system.contact.parts, at.contacts.gaps, strict=True):
         force = -part.forces(at.contacts.position, found)[:count]  # on the body: against the internal force
         one = Touch(
             force=force * stress * length**2,

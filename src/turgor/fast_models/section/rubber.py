@@ -14,16 +14,13 @@ from turgor.core.engine.cells.cell_materials import CellMaterials
 from turgor.core.engine.cells.internal_variables import History
 from turgor.core.engine.cells.mean_stress_jumps import mean_stress_numbers
 from turgor.core.engine.cells.point_stress import isochoric_invariants, stress_and_moduli
-from turgor.core.engine.cells.stabilization import STIFFNESS
+from turgor.core.engine.cells.stabilization import REGULARIZATION, STIFFNESS
 from turgor.core.model.model import Model
 from turgor.fast_models.section.kinematics import Vectors
 from turgor.fast_models.section.plane import Plane, gradients, tables
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Relative compressibility in the tangent alone, which keeps it regular.
-REGULARIZATION = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from turgor.core.results.convergence.extrapolation import MOST_ORDER
+from turgor.core.results.convergence.settings import EXTRAPOLATION
 from turgor.core.results.convergence.study import Convergence
 from turgor.foundation.response import COLUMN_UNITS
 from turgor.units import mm
@@ -46,7 +46,8 @@ def plot_convergence(axes: Axes, study: Convergence) -> Axes:
     if limit.reliable:
         label = f"extrapolated: {study.measure.text(limit.value)}"
         places = np.linspace(0, size, 50)
-        fitted = limit.value + (study.values[-1] - limit.value) * (places / size) ** min(limit.order or 1.0, MOST_ORDER)
+        order = min(limit.order or 1.0, EXTRAPOLATION.most_order)
+        fitted = limit.value + (study.values[-1] - limit.value) * (places / size) ** order
         axes.plot(places, fitted / unit, ":", color=QUIET, lw=1.2)
         axes.plot([0], [limit.value / unit], "D", color=INK, ms=5, clip_on=False, label=label)
     for x, y, count in zip(study.effective_sizes / mm, study.values / unit, study.unknowns, strict=True):

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.core.materials.laws.laws import Hooke
-from turgor.core.materials.library.doubt_checks import STIFFEST_RUBBER
 from turgor.core.materials.library.doubts import find_doubts
 from turgor.core.materials.library.record import Record
 from turgor.core.materials.library.record_files import records
 from turgor.core.materials.library.records import find_record
+from turgor.core.materials.library.settings import DOUBTS
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Severity
 from turgor.views.plots.figures import PlotFigure, check_ending, write_figure
@@ -169,7 +169,7 @@ def _between(low: float, high: float) -> Array:
 
 
 def _stiff(record: Record) -> bool:
-    return record.law == "hooke" and record.constants["E"] > STIFFEST_RUBBER
+    return record.law == "hooke" and record.constants["E"] > DOUBTS.stiffest_rubber
 
 
 def _limits(chosen: Sequence[Record], stretch: Array, mode: str, tests: Sequence[MaterialTest]) -> tuple[float, float]:

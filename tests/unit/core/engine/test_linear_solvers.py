@@ -1,5 +1,7 @@
 """Factors in single precision: refined, counted again, given up where they do not do; by every library there is."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import scipy.sparse as sp
@@ -14,6 +16,7 @@ from turgor.core.engine.algebra.linear import (
     linear_solver,
 )
 from turgor.core.engine.algebra.pattern import Pattern
+from turgor.core.engine.algebra.settings import LINEAR_SOLVER
 
 SIDE = 30
 
@@ -56,7 +59,7 @@ class Watched:
 @pytest.fixture
 def large(monkeypatch: pytest.MonkeyPatch) -> None:
     """Every matrix counts as a large one."""
-    monkeypatch.setattr(linear, "SINGLE_FROM", 1)
+    monkeypatch.setattr(linear, "LINEAR_SOLVER", replace(LINEAR_SOLVER, small=1))
 
 
 @pytest.mark.usefixtures("large")
@@ -122,7 +125,8 @@ def test_large_systems_whose_refinement_does_not_settle_are_refined_by_gmres(
     accelerated: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pattern, data, _ = saddle()
-    monkeypatch.setattr(linear, "ACCELERATED_FROM", 1 if accelerated else pattern.size + 1)
+    least = 1 if accelerated else pattern.size + 1
+    monkeypatch.setattr(linear, "LINEAR_SOLVER", replace(linear.LINEAR_SOLVER, accelerated_from=least))
     factors = Rough(Rslab(pattern, 1))
     solver = MixedPrecision(factors, pattern)
     solver.factor(data)
@@ -169,7 +173,7 @@ def test_a_singular_matrix_is_an_error_in_both_precisions() -> None:
 def test_single_precision_lifts_small_pivots_and_keeps_their_signs(softest: float) -> None:
     pattern, data, negative = saddle(softest)
     factors, right = Rslab(pattern, 1), np.ones(pattern.size)
-    for single, pivot in ((True, np.copysign(linear.FLOOR, softest)), (False, softest)):
+    for single, pivot in ((True, np.copysign(LINEAR_SOLVER.smallest_pivot, softest)), (False, softest)):
         factors.factor(data, single)
         assert factors.solve(right)[-1] == pytest.approx(1 / pivot, rel=1e-6)
         assert factors.negative_pivots() == negative + (softest < 0)

@@ -11,6 +11,7 @@ from refused import refused
 from turgor.core.engine.cells.reference import reference_nodes
 from turgor.core.engine.faces import plate_edges
 from turgor.core.engine.faces.plate_terms import HingeTerm, PlateTerm
+from turgor.core.engine.faces.settings import PLATE
 from turgor.core.engine.system import System
 from turgor.core.engine.term import Configuration
 from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
@@ -203,7 +204,8 @@ def test_branches_are_refused():
 def test_flat_sides_of_any_shape_are_stable(kind, penalty, monkeypatch):
     """No bending costs less than nothing, on stretched and skew sides, clamped or free."""
     if penalty is not None:
-        monkeypatch.setattr(plate_edges, "PENALTY", {3: penalty, 4: penalty})
+        both = replace(PLATE, penalty_triangles=penalty, penalty_quadrilaterals=penalty)
+        monkeypatch.setattr(plate_edges, "PLATE", both)
     mesh, rng = _block((3, 3, 1), False, kind), np.random.default_rng(7)
     skew = mesh.points @ np.array([[1.0, 0.7, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 1.0]])
     points, corners = skew.copy(), np.unique(mesh.cells[:, : kind.corners])

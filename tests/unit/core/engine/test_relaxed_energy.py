@@ -6,10 +6,8 @@ from scipy.optimize import minimize
 
 from refused import refused
 from turgor.core.engine.faces.membranes import plane_stress_moduli
+from turgor.core.engine.faces.settings import TENSION_FIELD
 from turgor.core.engine.faces.tension_field import (
-    LARGEST_SHARE,
-    LONGEST_TOE,
-    STRAIN_WEIGHT,
     TensionField,
     tension_field,
 )
@@ -72,7 +70,7 @@ def test_what_it_is_linearized_about(share):
     field, random = TensionField(MODULI, share, 5e-3), np.random.default_rng(3)
     strain, stress = random.normal(size=(60, 3)) * 0.05, random.normal(size=(60, 3)) * 0.05
     assert field.linearized_about(field.stress(strain), strain) == pytest.approx(strain, rel=1e-9, abs=1e-12)
-    about, weight = field.linearized_about(stress, strain), STRAIN_WEIGHT / MODULI[0, 0]
+    about, weight = field.linearized_about(stress, strain), TENSION_FIELD.strain_weight / MODULI[0, 0]
     assert field.stress(about) + weight * about @ MODULI == pytest.approx(stress + weight * strain @ MODULI, rel=1e-9)
 
 
@@ -94,9 +92,9 @@ def test_all_of_the_stiffness_in_compression_is_hookes_law():
 def test_toe_and_share_follow_the_stiffness():
     """A stiff sheet reaches the tension 1 at the same small stretch, a soft one has hardly a toe."""
     stiff, soft = tension_field(1e3 * MODULI, 0.0), tension_field(MODULI, 0.0)
-    assert stiff.share == pytest.approx(0.1 / (1e3 * MODULI[0, 0])) and soft.share == LARGEST_SHARE
+    assert stiff.share == pytest.approx(0.1 / (1e3 * MODULI[0, 0])) and soft.share == TENSION_FIELD.largest_share
     assert stiff.stress(np.array([1.42e-3, -NU * 1.42e-3, 0.0]))[0] == pytest.approx(1.0, rel=0.15)
-    assert soft.toe < 1e-5 and tension_field(1e9 * MODULI, 0.0).toe == LONGEST_TOE
+    assert soft.toe < 1e-5 and tension_field(1e9 * MODULI, 0.0).toe == TENSION_FIELD.longest_toe
     assert tension_field(MODULI, 0.2).share == 0.2
 
 

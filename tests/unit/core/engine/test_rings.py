@@ -8,9 +8,10 @@ import pytest
 
 import turgor as tg
 from turgor.accuracy.adaptivity.refine import refined, ring_sheets
-from turgor.core.engine.algebra.free_solver import MANY, solver_of
+from turgor.core.engine.algebra.free_solver import solver_of
 from turgor.core.engine.algebra.linear import linear_solver
 from turgor.core.engine.algebra.rings import rings_of
+from turgor.core.engine.algebra.settings import LINEAR_SOLVER
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.cells.mean_stress_jumps import mean_stress_numbers
 from turgor.core.engine.system import System
@@ -63,7 +64,7 @@ def test_pressure_in_a_bellows_has_a_potential(bellows):
 def test_held_unknowns_are_left_out_of_the_factorization(bellows):
     rubber = tg.Material(law=tg.laws.NeoHooke(C10=0.1 * MPa), name="rubber")
     system = System(tg.Model(bellows, {"body": rubber}, [tg.Fixed("fixed")], []))
-    assert system.prescribed.mean() > MANY
+    assert system.prescribed.mean() > LINEAR_SOLVER.many_prescribed
     data = system.tangent_data(system.evaluate(np.zeros(system.size), 0.0))
     system.apply_supports(data)
     make = partial(linear_solver, "rslab", threads=1)

@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from refused import refused
-from turgor.core.results.convergence.extrapolation import LEAST_ORDER, MOST_ORDER, SAFETY, extrapolate
+from turgor.core.results.convergence.extrapolation import extrapolate
+from turgor.core.results.convergence.settings import EXTRAPOLATION
 
 UNEVEN = np.array([4.0, 2.9, 2.2])
 
@@ -21,10 +22,15 @@ def test_manufactured_sequences_give_their_limit_and_order(sizes, order: float, 
     assert found.reliable
     assert found.order == pytest.approx(order, rel=1e-6)
     assert found.value == pytest.approx(10, rel=1e-8)
-    assert found.error == pytest.approx(SAFETY * abs(factor) * h[-1] ** order, rel=1e-5)
+    assert found.error == pytest.approx(EXTRAPOLATION.safety * abs(factor) * h[-1] ** order, rel=1e-5)
 
 
-@given(st.floats(LEAST_ORDER + 0.01, MOST_ORDER), st.floats(1.1, 3), st.floats(1.1, 3), st.floats(-5, 5))
+@given(
+    st.floats(EXTRAPOLATION.least_order + 0.01, EXTRAPOLATION.most_order),
+    st.floats(1.1, 3),
+    st.floats(1.1, 3),
+    st.floats(-5, 5),
+)
 def test_any_order_and_any_ratios(order: float, first: float, second: float, limit: float) -> None:
     h = np.array([1.0, 1 / first, 1 / first / second])
     found = extrapolate(h, limit + h**order)
@@ -63,11 +69,11 @@ def test_a_sequence_that_is_too_fast_is_not_believed() -> None:
     found = extrapolate(h, 10 + h**8)
     assert found.trust == "fast"
     assert found.order == pytest.approx(8)
-    assert found.error >= SAFETY * abs(found.value - 11)
+    assert found.error >= EXTRAPOLATION.safety * abs(found.value - 11)
     lucky = extrapolate(h, [1.0, 2.0, 2.0])  # the last two agree by chance: the error is not zero
     assert lucky.order is None
     assert lucky.value == 2
-    assert lucky.error == pytest.approx(SAFETY * 1 / (4**4 - 2**4))
+    assert lucky.error == pytest.approx(EXTRAPOLATION.safety * 1 / (4**4 - 2**4))
 
 
 def test_equal_values_have_no_order_and_no_error() -> None:

@@ -10,8 +10,9 @@ import results_cases as cases
 from turgor.core.meshing.refining.region_nodes import region_nodes
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.mesh_vtu import write_mesh_vtu
-from turgor.core.results.files.vtu import SYMMETRIC, write_series, write_state
+from turgor.core.results.files.vtu import write_series, write_state
 from turgor.core.results.measures.field_measures import von_mises_p99
+from turgor.foundation.symmetric import PAIRS
 
 vtk_io = pytest.importorskip("vtkmodules.vtkIOXML")
 numpy_support = pytest.importorskip("vtkmodules.util.numpy_support")
@@ -80,7 +81,7 @@ def test_fields_come_back(state, grid):
     np.testing.assert_allclose(array(data, "stretch"), at.stretch, rtol=1e-6)
     np.testing.assert_allclose(array(data, "mean_stress"), at.mean_stress, rtol=1e-6)
     cauchy = array(data, "cauchy_stress")
-    for k, (i, j) in enumerate(SYMMETRIC):
+    for k, (i, j) in enumerate(PAIRS):
         np.testing.assert_allclose(cauchy[:, k], at.cauchy_stress[:, i, j], rtol=1e-6)
         assert data.GetArray("cauchy_stress").GetComponentName(k) == "XYZ"[i] + "XYZ"[j]
 

@@ -7,11 +7,9 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.linear import REFINED, LinearSolver
 from turgor.core.engine.algebra.pattern import Pattern
+from turgor.core.engine.algebra.settings import LINEAR_SOLVER
 
 Array = NDArray[np.float64]
-
-#: Share of prescribed unknowns from which they are left out of the factorization: in an axisymmetric mesh, most are.
-MANY = 0.25
 
 
 class FreeSolver:
@@ -32,10 +30,10 @@ class FreeSolver:
         free = ~prescribed
         columns = np.repeat(np.arange(pattern.size), np.diff(pattern.indptr))
         number = np.cumsum(free) - 1
-        self._kept = np.flatnonzero(free[pattern.indices] & free[columns])
+        self._entries = np.flatnonzero(free[pattern.indices] & free[columns])
         self._free = np.flatnonzero(free)
-        count = np.bincount(number[columns[self._kept]], minlength=len(self._free))
-        rows = number[pattern.indices[self._kept]].astype(np.int32)
+        count = np.bincount(number[columns[self._entries]], minlength=len(self._free))
+        rows = number[pattern.indices[self._entries]].astype(np.int32)
         indptr = np.concatenate([[0], np.cumsum(count)]).astype(np.int64)
         self._inner = make(Pattern(len(self._free), indptr, rows))
         self.name = self._inner.name
@@ -56,7 +54,7 @@ class FreeSolver:
 
     def factor(self, data: Array) -> None:
         """Factor the values of the analyzed lower triangle."""
-        self._inner.factor(data[self._kept])
+        self._inner.factor(data[self._entries])
 
     def solve(self, right: Array, left: float = REFINED) -> Array:
         """Solve with the last factors."""
@@ -71,4 +69,4 @@ class FreeSolver:
 
 def solver_of(make: Callable[[Pattern], LinearSolver], pattern: Pattern, prescribed: NDArray[np.bool_]) -> LinearSolver:
     """Make a solver of all unknowns, or of the free ones where many are prescribed."""
-    return FreeSolver(make, pattern, prescribed) if prescribed.mean() > MANY else make(pattern)
+    return FreeSolver(make, pattern, prescribed) if prescribed.mean() > LINEAR_SOLVER.many_prescribed else make(pattern)

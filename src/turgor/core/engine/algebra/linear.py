@@ -13,36 +13,14 @@ from turgor.core.engine.algebra.iterative.krylov import gmres
 from turgor.core.engine.algebra.pardiso import Pardiso, load_mkl
 from turgor.core.engine.algebra.pattern import Pattern
 from turgor.core.engine.algebra.result_cache import last_results
+from turgor.core.engine.algebra.settings import LINEAR_SOLVER
 from turgor.core.engine.algebra.singular import SingularTangentError as SingularTangentError
 from turgor.foundation.errors import unknown
 
 Array = NDArray[np.float64]
 
-#: Unknowns from which single precision factors pay; below, there is nothing to gain.
-SINGLE_FROM = 10_000
-
-#: Unknowns from which two threads or more factor faster in the order of nested dissection, by a quarter at 35,000, than
-#: in the one with the fewest entries, whose tree of fronts is too narrow to share; and from which one thread does too,
-#: by a tenth at 67,000 and at 200,000, because the analysis is shorter and the fronts are larger.
-DISSECTED_FROM, DISSECTED_ALONE_FROM = 10_000, 40_000
-
 #: Name that leaves the choice, and the one that asks for GMRES, of the equations that it is for; others are factored.
 AUTO, ITERATIVE = "auto", "iterative"
-
-#: Unknowns from which it is checked whether factors fit into the memory, and the share of it that they may take.
-LARGE, SHARE_OF_MEMORY = 300_000, 0.6
-
-#: Size to which smaller scaled pivots are lifted in single precision. Incompressible rubber has zeros on the diagonal.
-#: What round-off made of them in bent states and next to paper spoiled the factors, so that double ones had to be made.
-FLOOR = 1e-5
-
-#: Refinements at most of a solution from single precision factors, and the share of the residual that each must be
-#: below: ten cost less than factors in double precision.
-REFINEMENTS, SETTLING = 10, 0.7
-
-#: Unknowns from which GMRES refines where that is not so, and its iterations at most. A solution costs a thirtieth of
-#: the factors there; at 35,000 unknowns it costs a twentieth, and the demo took a tenth longer so.
-ACCELERATED_FROM, ACCELERATED = 100_000, 12
 
 #: Relative residual that may be left: by new factors, and by those of an earlier iterate, which leave more than that of
 #: the residual anyway.
@@ -108,7 +86,7 @@ class MixedPrecision:
         self.name = factors.name
         self._factors, self._pattern = factors, pattern
         self._data = np.empty(0)
-        self.double = pattern.size < SINGLE_FROM
+        self.double = pattern.size < LINEAR_SOLVER.small
         self._single = not self.double
 
     def factor(self, data: Array) -> None:
@@ -132,12 +110,12 @@ class MixedPrecision:
         if not self._single:
             return solution
         size = last = float(np.linalg.norm(right))
-        for _ in range(REFINEMENTS + 1):
+        for _ in range(LINEAR_SOLVER.refinements + 1):
             left_over = right - self._product(solution)
             norm = float(np.linalg.norm(left_over))
             if norm <= left * size:
                 return solution
-            if not norm <= SETTLING * last:
+            if not norm <= LINEAR_SOLVER.settling * last:
                 break
             last = norm
             solution = solution + self._factors.solve(left_over)
@@ -145,8 +123,8 @@ class MixedPrecision:
 
     def _accelerated(self, right: Array, left: float) -> Array:
         """Refine a large system by GMRES; small ones, and where that does not do, need double precision from now on."""
-        if self._pattern.size >= ACCELERATED_FROM:
-            solution, _ = gmres(self._product, self._factors.solve, right, left, ACCELERATED)
+        if self._pattern.size >= LINEAR_SOLVER.accelerated_from:
+            solution, _ = gmres(self._product, self._factors.solve, right, left, LINEAR_SOLVER.accelerated)
             if solution is not None:
                 return solution
         self.double = True
@@ -174,17 +152,17 @@ def _analyzed(indptr: NDArray[np.int64], indices: NDArray[np.int32], threads: in
 
 def _analysis_of(pattern: Pattern, threads: int) -> rslab.LdltSymbolic:
     """The analysis of a pattern in the order that is best for its size."""
-    dissected = pattern.size >= (DISSECTED_FROM if threads > 1 else DISSECTED_ALONE_FROM)
-    return _analyzed(pattern.indptr, pattern.indices, threads, "metis" if dissected else "auto")
+    small = LINEAR_SOLVER.small if threads > 1 else LINEAR_SOLVER.small_for_one_thread
+    return _analyzed(pattern.indptr, pattern.indices, threads, "auto" if pattern.size < small else "metis")
 
 
 def factors_fit(pattern: Pattern, threads: int) -> bool:
     """Whether factors in single precision fit into the memory of this machine, as far as it tells how much there is."""
     memory = memory_of_machine()
-    if pattern.size < LARGE or memory is None:
+    if pattern.size < LINEAR_SOLVER.large or memory is None:
         return True
     needed = _analysis_of(pattern, threads).estimate_memory("float32")["transient_peak_bytes"]
-    return bool(needed <= SHARE_OF_MEMORY * memory)
+    return bool(needed <= LINEAR_SOLVER.share_of_memory * memory)
 
 
 def memory_of_machine() -> int | None:
@@ -211,7 +189,7 @@ class Rslab:
         self._factor = None  # frees the old factors before the new ones are made
         self._precision = np.float32 if single else np.float64  # of its own copy of the matrix, too
         try:
-            floor = {"preconditioner": FLOOR} if single else {}
+            floor = {"preconditioner": LINEAR_SOLVER.smallest_pivot} if single else {}
             self._factor = self._symbolic.factor(data.astype(self._precision, copy=False), **self._settings, **floor)
         except RuntimeError as error:
             raise SingularTangentError(str(error)) from error

@@ -105,9 +105,9 @@ class MultiPoint:
         weights = at_first[again] * spread.data[second]
         diagonal = rows[source] == columns[source]
         weights = np.where(~diagonal & (to_row == to_column), 2.0 * weights, weights)
-        kept = (~diagonal | (to_row >= to_column)) & (weights != 0)
-        targets = locate(pattern.indptr, pattern.indices, to_row[kept].astype(np.int64), to_column[kept])
-        return Places(source[kept], targets, weights[kept])
+        lower = (~diagonal | (to_row >= to_column)) & (weights != 0)
+        targets = locate(pattern.indptr, pattern.indices, to_row[lower].astype(np.int64), to_column[lower])
+        return Places(source[lower], targets, weights[lower])
 
 
 def _expanded(spread: sp.csr_matrix, rows: Ints) -> tuple[Ints, Ints]:

@@ -9,12 +9,10 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
 from turgor.core.model.supports import PlaneSection
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A face is plane when its nodes lie nearer to a plane than this share of its size.
-FLAT = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,7 +49,7 @@ class Section:
     def check_across(self, nodes: Ints, normals: Array) -> None:
         """Refuse a section that meets a face whose radius is fixed along an axis other than the section's normal."""
         meet = np.isin(nodes, self.nodes)
-        if (np.abs(normals[meet, self.axis]) > FLAT).any():
+        if (np.abs(normals[meet, self.axis]) > ROUND_OFF.mesh_digits).any():
             raise TurgorError(
                 f"PlaneSection of '{self.face}': it meets a face that Radial holds; the axis of the cylinder must be "
                 f"{'xyz'[self.axis]}, the normal of the section."
@@ -83,6 +81,6 @@ def coordinate_plane(mesh: Mesh, face: str, what: str) -> int:
     """Return the number of the axis along the normal of a face that must be a coordinate plane."""
     extent = np.ptp(mesh.points[mesh.face_nodes(face)], axis=0)
     axis = int(extent.argmin())
-    if extent[axis] > FLAT * extent.max():
+    if extent[axis] > ROUND_OFF.mesh_digits * extent.max():
         raise TurgorError(f"face '{face}' is not a coordinate plane; {what} must be one.")
     return axis

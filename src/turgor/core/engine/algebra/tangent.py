@@ -19,15 +19,13 @@ from turgor.core.engine.algebra.linear import (
     linear_solver,
 )
 from turgor.core.engine.algebra.pattern import Pattern
+from turgor.core.engine.algebra.settings import LINEAR_SOLVER
 from turgor.core.engine.evaluation import Evaluation, Stresses
 from turgor.core.engine.runtime import MIXED, PLAIN
 from turgor.core.engine.system import System
 
 Array = NDArray[np.float64]
 Columns = tuple[Array, NDArray[np.int32], NDArray[np.int32]]
-
-#: With friction, GMRES solves to this relative residual, with at most so many preconditioned steps.
-RUBBING_TOLERANCE, RUBBING_SOLVES = 1e-4, 40
 
 
 @dataclass(slots=True)
@@ -260,7 +258,9 @@ class Tangent:
         size, active = len(right), self._active
         operator = LinearOperator((size, size), matvec=lambda x: x + active.solve(rubbing @ x), dtype=np.float64)
         first = active.solve(right)
-        out, _ = gmres(operator, first, rtol=RUBBING_TOLERANCE, restart=RUBBING_SOLVES, maxiter=1)
+        out, _ = gmres(
+            operator, first, rtol=LINEAR_SOLVER.rubbing_residual, restart=LINEAR_SOLVER.rubbing_solves, maxiter=1
+        )
         return np.asarray(out)
 
     def unstable_modes(self) -> int | None:

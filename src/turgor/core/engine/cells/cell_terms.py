@@ -4,19 +4,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, cell_places, scatter_add
-from turgor.core.engine.cells import kernels, kernels_geometry
+from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent
 from turgor.core.engine.cells.cell_materials import CellMaterials, Isochoric
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.cells.internal_variables import History
-from turgor.core.engine.cells.stabilization import volume_penalty
+from turgor.core.engine.cells.stabilization import REGULARIZATION, volume_penalty
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
-
-#: Relative compressibility added to the tangent alone: keeps it regular where the mean stress is undetermined.
-REGULARIZATION = 1e-9
 
 #: Entries of cell matrices in memory at once when the tangent is formed: few enough to be added up while the processor
 #: still has them close by, which spares a tenth of the time. And cells at least, so that threads have a share each.
@@ -106,7 +103,7 @@ class CellTerms:
         for chunk in self._chunks():
             stresses = nothing if geometric is None else geometric[chunk]
             cells, part = self._regular.part(chunk), response.part(chunk)
-            packed = kernels.tangent(cells, u, p, part, stresses, geometric is not None)
+            packed = kernels_tangent.tangent(cells, u, p, part, stresses, geometric is not None)
             scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
 
     def add_entries(self, data: Array, entries: Integers, values: Array) -> None:

@@ -23,11 +23,10 @@ from turgor.core.materials.history.softening import softened_derivatives, soften
 from turgor.core.materials.history.viscoelastic import memory_at_rest, next_memory, remembered_stress, step_factor
 from turgor.core.materials.material import Material
 from turgor.foundation.display import brief
+from turgor.foundation.symmetric import COLUMNS, ROWS
 
 Array = NDArray[np.float64]
 Pairs = Sequence[tuple[int, int]]
-
-_SIX = ([0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -187,7 +186,7 @@ def _lost_above(material: Material, energy: Array, top: Array) -> Array:
 def right_cauchy_green(F: Array) -> Array:
     """C = Fᵀ F as components 11 22 33 12 23 13, (..., 6)."""
     C = F.swapaxes(-1, -2) @ F
-    return np.ascontiguousarray(C[..., _SIX[0], _SIX[1]])
+    return np.ascontiguousarray(C[..., ROWS, COLUMNS])
 
 
 def invariant_stress(W1: Array, W2: Array, F: Array) -> Array:
@@ -201,4 +200,4 @@ def invariant_stress(W1: Array, W2: Array, F: Array) -> Array:
     first = identity - (I1 / 3.0)[..., None, None] * inverse
     second = I1[..., None, None] * identity - C - (2.0 * I2 / 3.0)[..., None, None] * inverse
     S = 2.0 * ((W1 * j)[..., None, None] * first + (W2 * j * j)[..., None, None] * second)
-    return np.ascontiguousarray(S[..., _SIX[0], _SIX[1]])
+    return np.ascontiguousarray(S[..., ROWS, COLUMNS])

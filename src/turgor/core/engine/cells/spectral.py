@@ -15,13 +15,11 @@ from numba import njit
 from numpy.typing import NDArray
 
 from turgor.core.engine.compiled import LOOP, over
+from turgor.foundation.symmetric import PAIRS
 
 Array = NDArray[np.float64]
 
 _FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
-
-#: Components of a symmetric tensor, as in `turgor.core.engine.cells.kernels`: 11 22 33 12 23 13.
-_PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
 
 #: Relative distance of two squared stretches below which the limit replaces the quotient: there the limit is off by
 #: the square of it, the quotient by round-off over it, both below 1e-10.
@@ -136,7 +134,7 @@ def _principal_response(bar, scale, W1, W2, S, D):
         D[i, i] -= 2.0 * S[i] / x[i]
     G = np.empty(3)
     for k in range(3):
-        i, j = _PAIRS[3 + k]
+        i, j = PAIRS[3 + k]
         gap = x[j] - x[i]
         if abs(gap) > CLOSE * (x[i] + x[j]):
             G[k] = (S[j] - S[i]) / gap
@@ -158,9 +156,9 @@ def _spectral_response(begin, end, out, stretches, directions, scale, W1, W2):
             G = _principal_response(stretches[:, c, q], scale[c, q], W1[:, c, q], W2[:, c, q], S, D)
             N = directions[c, q]
             for k in range(6):
-                i, j = _PAIRS[k]
+                i, j = PAIRS[k]
                 for v in range(6):
-                    a, b = _PAIRS[v]
+                    a, b = PAIRS[v]
                     M[k, v] = N[a, i] * N[b, j] if i == j else N[a, i] * N[b, j] + N[a, j] * N[b, i]
             for i in range(3):
                 for v in range(6):

@@ -24,6 +24,9 @@ Array = NDArray[np.float64]
 #: γ over the initial shear modulus.
 STIFFNESS = 5.0
 
+#: Relative compressibility added to the tangent alone: keeps it regular where the mean stress is undetermined.
+REGULARIZATION = 1e-9
+
 
 def volume_penalty(model: Model, tables: ReferenceCell, dV: Array, compliance: Array, stress: float) -> Array:
     """Tabulate √γ φₖ (c, q, k) at the points of all cells; k is zero where cells are stable without it.

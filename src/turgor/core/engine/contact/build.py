@@ -4,37 +4,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
+from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.contact.shapes import scaled
-from turgor.core.engine.contact.surface import DEPTH, Surface, listed, of_face, overhangs, strangers
+from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, strangers
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.contact import SELF
 from turgor.core.model.drive import pressed_together
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle, Plane, RigidSurface
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Sides closer than this many of their mean lengths are candidates for contact.
-REACH = 4.0
-
-#: A point that comes upon a rigid body is inside of it to this share of a mean length; known partners may lie deeper.
-RIGID_DEPTH = 0.5
-
-#: A wall meets its mirror image in the mirror plane, with the stiffness of both.
-BOTH_WALLS = 2.0
-
-#: Triangles of a rigid body at most.
-MOST_TRIANGLES = 500_000
-
-#: Rounds in which contact is switched off between sides that overlap at rest.
-ROUNDS = 4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -189,12 +175,12 @@ def _pairs(
         partners = replace(_partners(sides, (surface.N, surface.dN, weights, height), points, mirrored), sides=sides)
     else:  # what never touches is the same
         over = overhangs(points, sides, mirrored)
-        partners = replace(known, sides=sides, overhang=over, depth=DEPTH * height, reach=_reach(weights))
+        partners = replace(known, sides=sides, overhang=over, depth=CONTACT_SEARCH.near * height, reach=_reach(weights))
     return PairPart(SELF, surface, partners, friction, 0.5)
 
 
 def _reach(weights: Array) -> float:
-    return REACH * float(np.sqrt(weights.sum(axis=1)).mean())
+    return CONTACT_SEARCH.reach * float(np.sqrt(weights.sum(axis=1)).mean())
 
 
 def _partners(
@@ -207,18 +193,17 @@ def _partners(
         sides=sides,
         corners=surface.corners,
         overhang=overhangs(points, sides, mirrored),
-        depth=DEPTH * height,
+        depth=CONTACT_SEARCH.near * height,
         strangers=strangers(points, sides),
         around=_around(sides, surface.corners),
         reach=_reach(weights),
     )
-    for _ in range(ROUNDS):
+    while True:
         contact = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, np.zeros(3))
-        inside = np.argwhere(contact.gap < -1e-6 * height[:, None])
+        inside = np.argwhere(contact.gap < -ROUND_OFF.mesh_digits * height[:, None])
         if not len(inside):
-            break
+            return partners
         partners = _apart(partners, inside[:, 0], contact.partner[inside[:, 0], inside[:, 1]])
-    return partners
 
 
 def _apart(partners: Partners, side: Ints, partner: Ints) -> Partners:
@@ -230,22 +215,18 @@ def _apart(partners: Partners, side: Ints, partner: Ints) -> Partners:
 
 def _around(sides: Ints, corners: int) -> tuple[Ints, Ints]:
     """Sides that share a corner with each side, itself included."""
-    nodes, local = np.unique(sides[:, :corners], return_inverse=True)
-    rows = np.repeat(np.arange(len(sides)), corners)
-    touching = sp.csr_matrix((np.ones(rows.size, np.int32), (rows, local.ravel())), shape=(len(sides), len(nodes)))
-    graph = (touching @ touching.T).tocoo()
-    return listed(graph.row.astype(np.int64), graph.col.astype(np.int64), len(sides))
+    return listed(*neighbors(sides, corners), len(sides))
 
 
 def _mirror(mesh: Mesh, name: str, surface: Surface, points: Array) -> list[PairPart | ShapePart]:
-    """A rigid plane in a mirror plane, for the sides that do not lie in it."""
+    """A rigid plane in a mirror plane: a wall meets its mirror image there, with the stiffness of both."""
     axis = _mirror_axis(mesh, name)
     level = float(points[mesh.face_nodes(name)][:, axis].mean())
     side = float(np.sign(points[:, axis].mean() - level))
     normal, point = np.zeros(3), np.zeros(3)
     normal[axis], point[axis] = side, level
     plane = Plane(point=(point[0], point[1], point[2]), normal=(normal[0], normal[1], normal[2]))
-    stiff = replace(surface, spring=BOTH_WALLS * surface.spring)
+    stiff = replace(surface, spring=2 * surface.spring)
     return [ShapePart(SELF, stiff, plane, None, -1)]
 
 
@@ -254,7 +235,7 @@ def _triangles(obstacle: Obstacle, shape: RigidSurface, surface: Surface, points
     size = float(np.sqrt(surface.weights.sum(axis=1)).mean())
     corners, triangles = refined(shape.points, shape.triangles, 2 * size)
     sides, nodes = six_nodes(corners, triangles)
-    if len(sides) > MOST_TRIANGLES:
+    if len(sides) > CONTACT_SEARCH.most_triangles:
         raise TurgorError(
             f"obstacle '{obstacle.name}': it has {len(sides)} triangles of the size that the mesh of the actuator "
             "needs; cut away what cannot be touched."
@@ -265,10 +246,10 @@ def _triangles(obstacle: Obstacle, shape: RigidSurface, surface: Surface, points
         sides=sides + count,
         corners=3,
         overhang=overhangs(nodes, sides, np.zeros(len(nodes), dtype=bool)),
-        depth=np.full(len(sides), RIGID_DEPTH * size),
+        depth=np.full(len(sides), CONTACT_SEARCH.near * size),
         strangers=nothing,
         around=_around(sides, 3),
-        reach=REACH * size,
+        reach=CONTACT_SEARCH.reach * size,
         rigid=Rigid(obstacle, nodes, unknown),
     )
     return PairPart(obstacle.name, surface, partners, obstacle.friction, 1.0)
@@ -279,7 +260,7 @@ def refined(points: Array, triangles: Ints, size: float) -> tuple[Array, Ints]:
     while True:
         edges = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2)
         marked = np.linalg.norm(points[edges[..., 0]] - points[edges[..., 1]], axis=2) > size
-        if not marked.any() or len(triangles) > MOST_TRIANGLES:
+        if not marked.any() or len(triangles) > CONTACT_SEARCH.most_triangles:
             return points, triangles
         unique, index = np.unique(np.sort(edges[marked], axis=1), axis=0, return_inverse=True)
         middle = np.full(triangles.shape, -1)

@@ -1,4 +1,4 @@
-"""Closest points on quadratic sides: six-node triangles and nine-node quadrilaterals."""
+"""Points and normals of quadratic sides, and closest points: six-node triangles and nine-node quadrilaterals."""
 
 import numpy as np
 from numba import njit
@@ -123,3 +123,64 @@ def overhang(count, r, s):
     if -r > out:
         out, edge = -r, 3
     return out, edge
+
+
+@njit(**LOOP)
+def centers_of(position, sides, corners):
+    """Centers (s, 3) of the corners of sides, radii (s,) about them that hold all nodes, and unit normals (s, 3)."""
+    count, nodes = sides.shape
+    center, radius, normal = np.empty((count, 3)), np.empty(count), np.empty((count, 3))
+    p, q = np.empty(3), np.empty(3)
+    begin, end, other = (0, 2, 1) if corners == 4 else (0, 1, 0)  # diagonals of a quadrilateral, edges of a triangle
+    for k in range(count):
+        for i in range(3):
+            center[k, i] = 0.0
+            for a in range(corners):
+                center[k, i] += position[sides[k, a], i] / corners
+            p[i] = position[sides[k, end], i] - position[sides[k, begin], i]
+            q[i] = position[sides[k, corners - 1], i] - position[sides[k, other], i]
+        largest = 0.0
+        for a in range(nodes):
+            away = 0.0
+            for i in range(3):
+                away += (position[sides[k, a], i] - center[k, i]) ** 2
+            largest = max(largest, away)
+        radius[k] = np.sqrt(largest)
+        unit_cross(p, q, normal[k])
+    return center, radius, normal
+
+
+@njit(**INNER)
+def unit_cross(a, b, out):
+    """Fill the unit vector along a × b, and return the length of the product."""
+    square = 0.0
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        out[i] = a[j] * b[k] - a[k] * b[j]
+        square += out[i] * out[i]
+    length = np.sqrt(square)
+    if length > 0:
+        for i in range(3):
+            out[i] /= length
+    return length
+
+
+@njit(**LOOP)
+def points_of(position, sides, N, dN):
+    """Positions and unit normals (s, q, 3) at the quadrature points of sides, and how much their area has grown."""
+    count, nodes = sides.shape
+    points = len(N)
+    x, n, area = np.empty((count, points, 3)), np.empty((count, points, 3)), np.empty((count, points))
+    r, s = np.empty(3), np.empty(3)
+    for k in range(count):
+        for q in range(points):
+            for i in range(3):
+                at, along, across = 0.0, 0.0, 0.0
+                for a in range(nodes):
+                    c = position[sides[k, a], i]
+                    at += N[q, a] * c
+                    along += dN[q, a, 0] * c
+                    across += dN[q, a, 1] * c
+                x[k, q, i], r[i], s[i] = at, along, across
+            area[k, q] = unit_cross(r, s, n[k, q])
+    return x, n, area

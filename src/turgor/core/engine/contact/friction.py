@@ -11,25 +11,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.contact.settings import FRICTION
 from turgor.core.engine.contact.surface import Surface
 from turgor.foundation.display import brief
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A sticking point slips elastically by this share of the length of a side before it slides, unless a length is stated,
-#: whatever the pressure; so the tangential stiffness is in proportion to the pressure.
-ELASTIC_SLIP = 0.005
-
-#: Points nearer than this share of the cell behind them may touch in the next step. They get a friction history too, or
-#: a contact that moves over them within a step would have no friction there.
-NEAR = 0.5
-
-#: A point sticks while its traction is below this share of the limit.
-STICKS = 0.999
-
-#: Kept limits are valid if none changes by more than this share of the largest.
-SETTLED = 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,13 +71,13 @@ def elastic_slip(surface: Surface, points: Ints, stated: float | None = None) ->
     """Slip (k,) at which points of a surface begin to slide: a stated scaled length, or a share of their sides."""
     if stated is not None:
         return np.full(len(points), stated)
-    return np.asarray(ELASTIC_SLIP * np.sqrt(surface.weights.sum(axis=1))[points[:, 0]])
+    return np.asarray(FRICTION.elastic_slip * np.sqrt(surface.weights.sum(axis=1))[points[:, 0]])
 
 
 def mean_elastic_slip(history: FrictionHistory) -> float:
     """Mean elastic slip of the points that stick in a state, weighted by their limits; zero where none does."""
     size = np.linalg.norm(history.traction, axis=1)
-    sticks = (history.limit > 0) & (size < STICKS * history.limit)
+    sticks = (history.limit > 0) & (size < (1 - FRICTION.settled) * history.limit)
     if not sticks.any():
         return 0.0
     limit = history.limit[sticks]

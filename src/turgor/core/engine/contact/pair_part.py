@@ -6,24 +6,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.contact import pairs
+from turgor.core.engine.contact.closest import centers_of, points_of
 from turgor.core.engine.contact.friction import FrictionHistory
-from turgor.core.engine.contact.part import Found, SearchMode, Ties, dofs, groups, nodal
+from turgor.core.engine.contact.part import Gaps, SearchMode, Ties, dofs, groups, nodal
 from turgor.core.engine.contact.points_part import PointsPart
-from turgor.core.engine.contact.search import Grid, centers_of, find_partners, follow_partners, points_of
+from turgor.core.engine.contact.search import Grid, find_partners, follow_partners
+from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.obstacles import Obstacle
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A foot point may cross so many sides between two searches.
-WALK = 4
-
-#: In a global search, a partner is replaced by one that is nearer by this share of the cell behind it.
-NEARER = 1e-3
-
-#: Ties are kept ready for points nearer than this share of the cell behind them.
-READY = 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,25 +111,25 @@ class PairPart(PointsPart):
         return position if self.rigid is None else np.vstack([position, self.rigid.points + place])
 
     def look(
-        self, position: Array, place: Array, known: Found | None = None, how: SearchMode = SearchMode.FOLLOW
-    ) -> Found:
+        self, position: Array, place: Array, known: Gaps | None = None, how: SearchMode = SearchMode.FOLLOW
+    ) -> Gaps:
         """Find the partner of every point, by a global search where none is known."""
         s, p = self.surface, self.partners
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)
         every = self._all(position, place)
         if known is None:
-            return Found(x, normal, growth, *self._search(x, normal, position, every), place)
-        walk = 0 if how is SearchMode.KEEP else WALK
+            return Gaps(x, normal, growth, *self._search(x, normal, position, every), place)
+        walk = how is not SearchMode.KEEP
         partner, at, gap = follow_partners(
             (x, normal), every, p.sides, known.partner, known.at, p.around, p.overhang, walk
         )
         if how is SearchMode.GLOBAL:
             others, places, gaps = self._search(x, normal, position, every)
-            nearer = np.abs(gaps) < np.abs(gap) - NEARER * s.height[:, None]
+            nearer = np.abs(gaps) < np.abs(gap) - CONTACT_SEARCH.nearer * s.height[:, None]
             change = ~np.isfinite(gap) | ~np.isfinite(gaps) | nearer
             partner, gap = np.where(change, others, partner), np.where(change, gaps, gap)
             at = np.where(change[:, :, None], places, at)
-        return Found(x, normal, growth, partner, at, gap, place)
+        return Gaps(x, normal, growth, partner, at, gap, place)
 
     def _search(self, x: Array, normal: Array, position: Array, every: Array) -> tuple[Ints, Array, Array]:
         """Search the whole surface: partner, place and gap of every point."""
@@ -159,60 +152,60 @@ class PairPart(PointsPart):
     def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
         return np.hstack([self.surface.sides[points[:, 0]], self.partners.sides[partner]])
 
-    def _press(self, position: Array, found: Found) -> Array:
-        every = self._all(position, found.place)
-        points = np.ascontiguousarray(found.touching)
+    def _press(self, position: Array, gaps: Gaps) -> Array:
+        every = self._all(position, gaps.place)
+        points = np.ascontiguousarray(gaps.touching)
         if not len(points):
             return np.zeros_like(every)
         i, q = points.T
-        partner, at = found.partner[i, q], found.at[i, q]
+        partner, at = gaps.partner[i, q], gaps.at[i, q]
         spring = self._springs(points, partner) * self._weights(points)
         local = pairs.press_forces(
             every, (self.surface.sides, self.partners.sides), self.surface.N, points, partner, at, spring
         )
         return nodal(self._nodes(points, partner, len(position)), local, len(every))
 
-    def _press_tangents(self, position: Array, found: Found) -> Ties:
-        points = found.touching
-        partner = found.partner[points[:, 0], points[:, 1]]
+    def _press_tangents(self, position: Array, gaps: Gaps) -> Ties:
+        points = gaps.touching
+        partner = gaps.partner[points[:, 0], points[:, 1]]
         order, start, keys = groups(self._key(points[:, 0], partner))
         points, partner = np.ascontiguousarray(points[order]), np.ascontiguousarray(partner[order])
         spring = self._springs(points, partner) * self._weights(points)
         sides = (self.surface.sides, self.partners.sides)
-        at = np.ascontiguousarray(found.at[points[:, 0], points[:, 1]])
-        every = self._all(position, found.place)
+        at = np.ascontiguousarray(gaps.at[points[:, 0], points[:, 1]])
+        every = self._all(position, gaps.place)
         local = pairs.press_tangents(every, sides, self.surface.N, points, partner, at, spring, start)
         return Ties(self.tied_unknowns(keys), local)
 
-    def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
-        places = self._all(position, found.place)[self._nodes(a.points, a.partner, len(position))]
+    def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
+        places = self._all(position, gaps.place)[self._nodes(a.points, a.partner, len(position))]
         return np.einsum("ka,kai->ki", self._shares(a.points, a.at), places)
 
     def _shares(self, points: Ints, at: Array) -> Array:
         there = pairs.shares_at(self.partners.sides.shape[1], np.ascontiguousarray(at))
         return np.hstack([self.surface.N[points[:, 1]], -there])
 
-    def _normals(self, position: Array, found: Found, points: Ints) -> Array:
-        every, at = self._all(position, found.place), found.at[points[:, 0], points[:, 1]]
-        return pairs.normals_at(every, self.partners.sides, self._partners(found, points), at)
+    def _normals(self, position: Array, gaps: Gaps, points: Ints) -> Array:
+        every, at = self._all(position, gaps.place), gaps.at[points[:, 0], points[:, 1]]
+        return pairs.normals_at(every, self.partners.sides, self._partners(gaps, points), at)
 
-    def keys(self, found: Found) -> Ints:
+    def keys(self, gaps: Gaps) -> Ints:
         """Ties that the tangent needs."""
-        points = found.touching
-        out = self._key(points[:, 0], found.partner[points[:, 0], points[:, 1]])
-        if found.friction is not None:
-            out = np.concatenate([out, self._key(found.friction.points[:, 0], found.friction.partner)])
+        points = gaps.touching
+        out = self._key(points[:, 0], gaps.partner[points[:, 0], points[:, 1]])
+        if gaps.friction is not None:
+            out = np.concatenate([out, self._key(gaps.friction.points[:, 0], gaps.friction.partner)])
         return np.unique(out)
 
-    def ready_keys(self, found: Found) -> Ints:
+    def ready_keys(self, gaps: Gaps) -> Ints:
         """Ties that the tangent may need soon: of points that are near, with the sides around their partners."""
-        near = np.argwhere(found.gap < READY * self.surface.height[:, None])
-        side, partner = near[:, 0], found.partner[near[:, 0], near[:, 1]]
+        near = np.argwhere(gaps.gap < CONTACT_SEARCH.near * self.surface.height[:, None])
+        side, partner = near[:, 0], gaps.partner[near[:, 0], near[:, 1]]
         start, around = self.partners.around
         count = start[partner + 1] - start[partner]
         rows = np.repeat(side, count)
         place = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count) + np.repeat(start[partner], count)
-        return np.union1d(self.keys(found), self._key(rows, around[place]))
+        return np.union1d(self.keys(gaps), self._key(rows, around[place]))
 
     def _key(self, side: Ints, partner: Ints) -> Ints:
         return np.asarray(side * len(self.partners.sides) + partner)
@@ -226,12 +219,14 @@ class PairPart(PointsPart):
         body = self.rigid.unknown + np.arange(3) if self.rigid.unknown >= 0 else np.full(3, -1)
         return np.hstack([first, np.tile(body, (len(keys), self.partners.sides.shape[1]))])
 
-    def passed(self, position: Array, old: Found, new: Found) -> Array:
+    def passed(self, position: Array, old: Gaps, new: Gaps) -> Array:
         """Signed gap (s, q) of points to the sides that were before them, where they have passed through unseen."""
         every = self._all(position, new.place)
         p = self.partners
         open_before = np.where((old.gap >= 0) & (new.gap >= 0) & (new.partner != old.partner), old.partner, -1)
-        _, at, gap = follow_partners((new.x, new.normal), every, p.sides, open_before, old.at, p.around, p.overhang, 0)
+        _, at, gap = follow_partners(
+            (new.x, new.normal), every, p.sides, open_before, old.at, p.around, p.overhang, False
+        )
         inside = (at.min(axis=2) > -0.1) & (at.max(axis=2) < 1.1)
         if self.partners.corners == 3:
             inside &= at.sum(axis=2) < 1.1

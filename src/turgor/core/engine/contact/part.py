@@ -1,4 +1,4 @@
-"""What the parts of contact share: what was found at one position, and how forces and tangents are put together."""
+"""What the parts of contact share: the gaps at one position, and how forces and tangents are put together."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -8,16 +8,14 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.contact.friction import FrictionHistory
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Scaled depth that counts as zero.
-ROUND_OFF = 1e-12
-
 
 class SearchMode(Enum):
-    """How partners of contact are found: kept, followed from side to side, or searched for globally."""
+    """How partners of contact are found: unchanged, followed from side to side, or searched for globally."""
 
     KEEP = "keep"
     FOLLOW = "follow"
@@ -25,7 +23,7 @@ class SearchMode(Enum):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
+class Gaps:
     """How near the points of a surface are to what they may touch, at one position.
 
     Parameters
@@ -60,14 +58,14 @@ class Found:
         """Side and quadrature point (k, 2) of the points inside."""
         return np.argwhere(self.inside)
 
-    def also(self, other: "Found") -> Ints:
+    def also(self, other: "Gaps") -> Ints:
         """Side and quadrature point (k, 2) of the points inside here and there."""
         return np.argwhere(self.inside & other.inside)
 
     @property
     def inside(self) -> NDArray[np.bool_]:
         """Which points (s, q) are inside; round-off does not count."""
-        return np.asarray(self.gap < -ROUND_OFF)
+        return np.asarray(self.gap < -ROUND_OFF.zero)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

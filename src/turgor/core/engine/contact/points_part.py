@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from turgor.core.engine.contact import friction
 from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.pairs import tie_tangents
-from turgor.core.engine.contact.part import Found, Ties, groups, nodal
+from turgor.core.engine.contact.part import Gaps, Ties, groups, nodal
+from turgor.core.engine.contact.settings import CONTACT_SEARCH, FRICTION
 from turgor.core.engine.contact.surface import Surface
 
 Array = NDArray[np.float64]
@@ -73,11 +74,11 @@ class PointsPart(ABC):
         """Degrees of freedom that each tie couples, in rows; −1 where nothing moves freely."""
 
     @abstractmethod
-    def _press(self, position: Array, found: Found) -> Array:
+    def _press(self, position: Array, gaps: Gaps) -> Array:
         """Forces of the pressure on the nodes."""
 
     @abstractmethod
-    def _press_tangents(self, position: Array, found: Found) -> Ties:
+    def _press_tangents(self, position: Array, gaps: Gaps) -> Ties:
         """Tangents of the points that press."""
 
     @abstractmethod
@@ -93,11 +94,11 @@ class PointsPart(ABC):
         """Shape functions of points, then minus those of their places on what they touch."""
 
     @abstractmethod
-    def _normals(self, position: Array, found: Found, points: Ints) -> Array:
+    def _normals(self, position: Array, gaps: Gaps, points: Ints) -> Array:
         """Normals (k, 3) of what points touch, out of it."""
 
     @abstractmethod
-    def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
+    def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
         """Points minus the places on their partners (k, 3)."""
 
     @abstractmethod
@@ -107,25 +108,25 @@ class PointsPart(ABC):
     def _weights(self, points: Ints) -> Array:
         return np.asarray(self.surface.weights[points[:, 0], points[:, 1]])
 
-    def _partners(self, found: Found, points: Ints) -> Ints:
-        return np.maximum(found.partner[points[:, 0], points[:, 1]], 0)
+    def _partners(self, gaps: Gaps, points: Ints) -> Ints:
+        return np.maximum(gaps.partner[points[:, 0], points[:, 1]], 0)
 
-    def forces(self, position: Array, found: Found) -> Array:
+    def forces(self, position: Array, gaps: Gaps) -> Array:
         """Internal forces on the nodes, those of a rigid body last."""
-        out, a = self._press(position, found), self.bound(found)
+        out, a = self._press(position, gaps), self.bound(gaps)
         if a is None:
             return out
-        traction, _ = friction.tractions(a, self._apart(position, found, a))
+        traction, _ = friction.tractions(a, self._apart(position, gaps, a))
         pull = self._weights(a.points)[:, None] * traction
         local = self._shares(a.points, a.at)[:, :, None] * pull[:, None, :]
         return out + nodal(self._nodes(a.points, a.partner, len(position)), local, len(out))
 
-    def tangents(self, position: Array, found: Found) -> list[Ties]:
+    def tangents(self, position: Array, gaps: Gaps) -> list[Ties]:
         """Tangents of the points that press, and of those that stick or slip at the limits that they have."""
-        out = [self._press_tangents(position, found)] if found.inside.any() else []
-        a = self.bound(found)
+        out = [self._press_tangents(position, gaps)] if gaps.inside.any() else []
+        a = self.bound(gaps)
         if a is not None:
-            _, matrices = friction.tractions(a, self._apart(position, found, a))
+            _, matrices = friction.tractions(a, self._apart(position, gaps, a))
             matrices *= self._weights(a.points)[:, None, None]
             out.append(self._tied(a.points, a.partner, self._shares(a.points, a.at), matrices))
         return out
@@ -135,18 +136,18 @@ class PointsPart(ABC):
         local = tie_tangents(shares[order], np.ascontiguousarray(matrices[order]), start)
         return Ties(self.tied_unknowns(keys), local)
 
-    def rubbing(self, position: Array, found: Found) -> Rubbing | None:
+    def rubbing(self, position: Array, gaps: Gaps) -> Rubbing | None:
         """Change of the limits of friction with the contact pressure; None without friction, or where they are kept."""
-        a = self.bound(found)
+        a = self.bound(gaps)
         if a is None or a.limits_kept:
             return None
-        pull = friction.by_limit(a, self._apart(position, found, a)) * self._weights(a.points)[:, None]
-        chosen = found.inside[a.points[:, 0], a.points[:, 1]] & pull.any(axis=1)
+        pull = friction.by_limit(a, self._apart(position, gaps, a)) * self._weights(a.points)[:, None]
+        chosen = gaps.inside[a.points[:, 0], a.points[:, 1]] & pull.any(axis=1)
         if not chosen.any():
             return None
         points, pull = a.points[chosen], pull[chosen]
-        partner, at = self._partners(found, points), found.at[points[:, 0], points[:, 1]]
-        normal = self._normals(position, found, points)
+        partner, at = self._partners(gaps, points), gaps.at[points[:, 0], points[:, 1]]
+        normal = self._normals(position, gaps, points)
         normal *= -self.coefficient * self._springs(points, partner)[:, None]
         return Rubbing(
             self.tied_unknowns(self._key(points[:, 0], a.partner[chosen])),
@@ -155,71 +156,71 @@ class PointsPart(ABC):
             (self._shares(points, at)[:, :, None] * normal[:, None, :]).reshape(len(points), -1),
         )
 
-    def pressures(self, found: Found) -> Array:
+    def pressures(self, gaps: Gaps) -> Array:
         """Pressure (s, q) per reference area at the points, that of both passes."""
-        out = np.zeros(found.gap.shape)
-        points = found.touching
+        out = np.zeros(gaps.gap.shape)
+        points = gaps.touching
         i, q = points.T
-        out[i, q] = self._springs(points, found.partner[i, q]) / self.share * -found.gap[i, q]
+        out[i, q] = self._springs(points, gaps.partner[i, q]) / self.share * -gaps.gap[i, q]
         return out
 
-    def energy(self, found: Found) -> float:
+    def energy(self, gaps: Gaps) -> float:
         """Energy stored in the penetration."""
-        points = found.touching
+        points = gaps.touching
         i, q = points.T
-        spring = self._springs(points, found.partner[i, q]) * self._weights(points)
-        return float(0.5 * (spring * found.gap[i, q] ** 2).sum())
+        spring = self._springs(points, gaps.partner[i, q]) * self._weights(points)
+        return float(0.5 * (spring * gaps.gap[i, q] ** 2).sum())
 
-    def stiffened(self, former: Array, before: Found, found: Found) -> float:
+    def stiffened(self, former: Array, before: Gaps, gaps: Gaps) -> float:
         """Energy that raising the penalty from the ``former`` scales (s,) put into what was and is penetrated.
 
         Consistent with work by the trapezoidal rule: ½ (k₁ − k₀) g₀ g₁ at every point.
         """
-        points = before.also(found)
+        points = before.also(gaps)
         i, q = points.T
         gain = (
-            self._springs(points, found.partner[i, q]) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
+            self._springs(points, gaps.partner[i, q]) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
         )
-        return float(0.5 * (gain * before.gap[i, q] * found.gap[i, q]).sum())
+        return float(0.5 * (gain * before.gap[i, q] * gaps.gap[i, q]).sum())
 
-    def rubbed(self, position: Array, found: Found) -> float:
+    def rubbed(self, position: Array, gaps: Gaps) -> float:
         """Energy that friction has dissipated since the last state."""
-        a = self.bound(found)
-        return 0.0 if a is None else friction.taken(a, self._apart(position, found, a), self._weights(a.points))
+        a = self.bound(gaps)
+        return 0.0 if a is None else friction.taken(a, self._apart(position, gaps, a), self._weights(a.points))
 
-    def bound(self, found: Found) -> FrictionHistory | None:
+    def bound(self, gaps: Gaps) -> FrictionHistory | None:
         """The friction history with the limits that hold; None where there are none."""
-        a = found.friction
+        a = gaps.friction
         if a is None or not len(a.points):
             return None
-        return a if a.limits_kept else replace(a, limit=self._limits(found, a.points))
+        return a if a.limits_kept else replace(a, limit=self._limits(gaps, a.points))
 
-    def _limits(self, found: Found, points: Ints) -> Array:
+    def _limits(self, gaps: Gaps, points: Ints) -> Array:
         """Coulomb's limit (k,) of the tractions at points, from the present pressures."""
-        gap = found.gap[points[:, 0], points[:, 1]]
+        gap = gaps.gap[points[:, 0], points[:, 1]]
         depth = np.where(np.isfinite(gap), np.maximum(-gap, 0.0), 0.0)
-        return np.asarray(self.coefficient * self._springs(points, self._partners(found, points)) * depth)
+        return np.asarray(self.coefficient * self._springs(points, self._partners(gaps, points)) * depth)
 
-    def settled(self, found: Found) -> tuple[FrictionHistory | None, bool]:
+    def settled(self, gaps: Gaps) -> tuple[FrictionHistory | None, bool]:
         """The friction history with the present limits, and whether any differs noticeably from that before."""
-        a = found.friction
+        a = gaps.friction
         if a is None or not len(a.points):
             return a, False
-        limit = self._limits(found, a.points)
+        limit = self._limits(gaps, a.points)
         largest = float(max(limit.max(), a.limit.max()))
-        return replace(a, limit=limit), bool(np.abs(limit - a.limit).max() > friction.SETTLED * largest)
+        return replace(a, limit=limit), bool(np.abs(limit - a.limit).max() > FRICTION.settled * largest)
 
-    def anchored(self, position: Array, found: Found) -> FrictionHistory:
+    def anchored(self, position: Array, gaps: Gaps) -> FrictionHistory:
         """Friction history of the points that touch or soon may, with the tractions that they have."""
-        points = np.argwhere(found.gap < friction.NEAR * self.surface.height[:, None])
+        points = np.argwhere(gaps.gap < CONTACT_SEARCH.near * self.surface.height[:, None])
         i, q = points.T
-        normal = self._normals(position, found, points)
-        traction, a = np.zeros((len(points), 3)), self.bound(found)
+        normal = self._normals(position, gaps, points)
+        traction, a = np.zeros((len(points), 3)), self.bound(gaps)
         if a is not None:
-            before = np.zeros((*found.gap.shape, 3))
-            before[a.points[:, 0], a.points[:, 1]], _ = friction.tractions(a, self._apart(position, found, a))
+            before = np.zeros((*gaps.gap.shape, 3))
+            before[a.points[:, 0], a.points[:, 1]], _ = friction.tractions(a, self._apart(position, gaps, a))
             traction = friction.turned(before[i, q], normal)
         slip, none = friction.elastic_slip(self.surface, points, self.elastic_slip), np.zeros((len(points), 3))
-        limit = self._limits(found, points)
-        out = FrictionHistory(points, found.partner[i, q], found.at[i, q], none, normal, traction, limit, slip)
-        return replace(out, apart=self._apart(position, found, out))
+        limit = self._limits(gaps, points)
+        out = FrictionHistory(points, gaps.partner[i, q], gaps.at[i, q], none, normal, traction, limit, slip)
+        return replace(out, apart=self._apart(position, gaps, out))

@@ -3,24 +3,23 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.cells.reference import reference_cell
+from turgor.core.engine.cells.reference import side_tables
 from turgor.core.engine.contact.pair_part import PairPart
-from turgor.core.engine.contact.part import Found
+from turgor.core.engine.contact.part import Gaps
 from turgor.core.engine.contact.shape_part import ShapePart
-from turgor.core.engine.contact.surface import DEGREE
 from turgor.core.meshing.cells import side_type
 
 Array = NDArray[np.float64]
 
 
-def nodal_pressure(part: PairPart | ShapePart, found: Found, count: int) -> Array:
+def nodal_pressure(part: PairPart | ShapePart, gaps: Gaps, count: int) -> Array:
     """Scaled contact pressure per deformed area at ``count`` nodes, zero where nothing touches."""
     surface = part.surface
     nodes = surface.sides.shape[1]
-    kind, r = side_type(nodes), reference_cell(nodes, DEGREE[nodes])
-    touches = found.inside.any(axis=1)  # the others would dilute the pressure at a sharp rim
-    deformed = (found.growth * r.weights)[touches]
-    force = part.pressures(found)[touches] * surface.weights[touches]
+    kind, r = side_type(nodes), side_tables(nodes)
+    touches = gaps.inside.any(axis=1)  # the others would dilute the pressure at a sharp rim
+    deformed = (gaps.growth * r.weights)[touches]
+    force = part.pressures(gaps)[touches] * surface.weights[touches]
     corners = surface.sides[touches][:, : kind.corners].ravel()
     total = np.bincount(corners, (force @ r.M).ravel(), minlength=count)
     area = np.bincount(corners, (deformed @ r.M).ravel(), minlength=count)
@@ -32,7 +31,7 @@ def nodal_pressure(part: PairPart | ShapePart, found: Found, count: int) -> Arra
     return np.asarray(out)
 
 
-def contact_area(part: PairPart | ShapePart, found: Found) -> float:
+def contact_area(part: PairPart | ShapePart, gaps: Gaps) -> float:
     """Scaled contact area on the deformed surface."""
     nodes = part.surface.sides.shape[1]
-    return float((found.growth * reference_cell(nodes, DEGREE[nodes]).weights)[found.inside].sum())
+    return float((gaps.growth * side_tables(nodes).weights)[gaps.inside].sum())

@@ -14,23 +14,14 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.compiled import INNER, LOOP, calls, over
 from turgor.core.engine.contact import closest
-from turgor.core.engine.contact.closest import foot_point, overhang
+from turgor.core.engine.contact.closest import foot_point, overhang, unit_cross
+from turgor.core.engine.contact.settings import CONTACT_SEARCH
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: Two sides can touch where the cosine between their normals is below this.
 OPPOSED = -0.3
-
-#: A partner is kept as long as the foot point is no further than this beyond a smooth edge of it: where two sides join
-#: in a kink, a point right above it would change from one to the other forever.
-HOLD = 0.02
-
-#: Sides at most that are looked at for one side.
-MOST_NEAR = 4096
-
-#: Buckets of the grid at most, so that a small reach in a large room does not need gigabytes.
-BUCKETS = 400_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,7 +53,7 @@ class Grid:
         span = np.ptp(centers, axis=0)
         while True:
             counts = (span / edge).astype(np.int64) + 1
-            if counts.prod() <= BUCKETS:
+            if counts.prod() <= CONTACT_SEARCH.most_cubes:
                 break
             edge *= 1.5
         place = np.minimum(((centers - low) / edge).astype(np.int64), counts - 1)
@@ -73,81 +64,20 @@ class Grid:
 
 
 @njit(**LOOP)
-def centers_of(position, sides, corners):
-    """Centers (s, 3) of the corners of sides, radii (s,) about them that hold all nodes, and unit normals (s, 3)."""
-    count, nodes = sides.shape
-    center, radius, normal = np.empty((count, 3)), np.empty(count), np.empty((count, 3))
-    p, q = np.empty(3), np.empty(3)
-    begin, end, other = (0, 2, 1) if corners == 4 else (0, 1, 0)  # diagonals of a quadrilateral, edges of a triangle
-    for k in range(count):
-        for i in range(3):
-            center[k, i] = 0.0
-            for a in range(corners):
-                center[k, i] += position[sides[k, a], i] / corners
-            p[i] = position[sides[k, end], i] - position[sides[k, begin], i]
-            q[i] = position[sides[k, corners - 1], i] - position[sides[k, other], i]
-        largest = 0.0
-        for a in range(nodes):
-            away = 0.0
-            for i in range(3):
-                away += (position[sides[k, a], i] - center[k, i]) ** 2
-            largest = max(largest, away)
-        radius[k] = np.sqrt(largest)
-        _unit_cross(p, q, normal[k])
-    return center, radius, normal
-
-
-@njit(**INNER)
-def _unit_cross(a, b, out):
-    """Fill the unit vector along a × b, and return the length of the product."""
-    square = 0.0
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        out[i] = a[j] * b[k] - a[k] * b[j]
-        square += out[i] * out[i]
-    length = np.sqrt(square)
-    if length > 0:
-        for i in range(3):
-            out[i] /= length
-    return length
-
-
-@njit(**LOOP)
-def points_of(position, sides, N, dN):
-    """Positions and unit normals (s, q, 3) at the quadrature points of sides, and how much their area has grown."""
-    count, nodes = sides.shape
-    points = len(N)
-    x, n, area = np.empty((count, points, 3)), np.empty((count, points, 3)), np.empty((count, points))
-    r, s = np.empty(3), np.empty(3)
-    for k in range(count):
-        for q in range(points):
-            for i in range(3):
-                at, along, across = 0.0, 0.0, 0.0
-                for a in range(nodes):
-                    c = position[sides[k, a], i]
-                    at += N[q, a] * c
-                    along += dN[q, a, 0] * c
-                    across += dN[q, a, 1] * c
-                x[k, q, i], r[i], s[i] = at, along, across
-            area[k, q] = _unit_cross(r, s, n[k, q])
-    return x, n, area
-
-
-@njit(**LOOP)
 @calls(closest)
 def _find_partners(begin, end, out, looking, position, sides, about, grid, allowed, reach, apart):
     partner, at, gap = out
     own, other = about
     x, n = looking
     depth, radii = allowed[1], other[1]
-    points, near = x.shape[1], np.empty(MOST_NEAR, dtype=np.int64)
+    points, near = x.shape[1], np.empty(len(radii), dtype=np.int64)
     for k in range(begin, end):
-        found = _near_sides(k, own, other, grid, depth, reach, apart, near)
-        if found == 0:
+        nearby = _near_sides(k, own, other, grid, depth, reach, apart, near)
+        if nearby == 0:
             continue
-        some, far = np.empty(found, dtype=np.int64), np.empty(found)
+        some, far = np.empty(nearby, dtype=np.int64), np.empty(nearby)
         for q in range(points):
-            few, bound = _near_point(x[k, q], n[k, q], other, depth, reach, near[:found], some, far)
+            few, bound = _near_point(x[k, q], n[k, q], other, depth, reach, near[:nearby], some, far)
             if few > 0:
                 best = (x[k, q], n[k, q], some[:few], far[:few], bound)
                 partner[k, q], at[k, q, 0], at[k, q, 1], gap[k, q] = _nearest(
@@ -184,7 +114,7 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
     (center, radius, normal), (others, radii, normals) = own, other
     low, edge, counts, start, order = grid
     first, never = apart
-    p, u, found = center[k], normal[k], 0
+    p, u, count = center[k], normal[k], 0
     c0 = int(np.floor((p[0] - low[0]) / edge))
     c1 = int(np.floor((p[1] - low[1]) / edge))
     c2 = int(np.floor((p[2] - low[2]) / edge))
@@ -198,11 +128,11 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
                     limit = reach + radii[j] + radius[k]
                     if facing > 0.3 or square > limit * limit or ahead < -depth[j] - radii[j] - radius[k]:
                         continue
-                    if found == len(near) or _listed(j, first[k], first[k + 1], never):
+                    if _listed(j, first[k], first[k + 1], never):
                         continue
-                    near[found] = j
-                    found += 1
-    return found
+                    near[count] = j
+                    count += 1
+    return count
 
 
 @njit(**INNER)
@@ -257,7 +187,7 @@ def _nearest(point, position, sides, radii, allowed, reach):
             out, over = overhang(nodes, r, s)
             if out > overhanging[j, over]:
                 continue
-            _unit_cross(d[0], d[1], unit)
+            unit_cross(d[0], d[1], unit)
             distance, opposed, ahead = 0.0, 0.0, 0.0
             for i in range(3):
                 distance += (p[i] - y[i]) * unit[i]
@@ -298,19 +228,17 @@ def _follow_partners(begin, end, out, looking, position, sides, partner, at, aro
             _corners(position, sides[j], corners)
             r, s = foot_point(p, corners, (at[k, q, 0], at[k, q, 1]), (N, D, H), (y, d, h))
             least, edge = overhang(nodes, r, s)
-            _unit_cross(d[0], d[1], unit)
+            unit_cross(d[0], d[1], unit)
             place[k, q, 0], place[k, q, 1] = r, s
             distance = _along(p, y, unit)
-            for _ in range(walk):
-                if least <= min(HOLD, overhanging[j, edge]):
-                    break
+            while walk and least > overhanging[j, edge]:  # `least` falls in every pass
                 best = j
                 for o in range(first[j], first[j + 1]):
                     m = neighbors[o]
                     _corners(position, sides[m], corners)
                     r, s = foot_point(p, corners, (0.33, 0.33), (N, D, H), (y, d, h))
                     out, over = overhang(nodes, r, s)
-                    _unit_cross(d[0], d[1], unit)
+                    unit_cross(d[0], d[1], unit)
                     opposed = 0.0
                     for i in range(3):
                         opposed += unit[i] * n[k, q, i]
@@ -322,7 +250,7 @@ def _follow_partners(begin, end, out, looking, position, sides, partner, at, aro
                     break
                 j = best
             side[k, q] = j
-            if walk == 0 or least <= 0.0 or least <= overhanging[j, edge]:
+            if not walk or least <= 0.0 or least <= overhanging[j, edge]:
                 gap[k, q] = distance
 
 
@@ -334,12 +262,12 @@ def follow_partners(
     at: Array,
     around: tuple[Ints, Ints],
     overhanging: Array,
-    walk: int,
+    walk: bool,
 ) -> tuple[Ints, Array, Array]:
     """Foot points near those that are known: side (s, q), place (s, q, 2) and signed gap (s, q).
 
-    Where the foot has left its side, the sides around (start, list) are tried, as far as ``walk`` times; a point that
-    then has none keeps its partner with a gap of inf.
+    Where the foot has left its side and may ``walk``, the sides around (start, list) are tried, then those around the
+    best; a point that then has none keeps its partner with a gap of inf.
     """
     out = partner.copy(), at.copy(), np.full(partner.shape, np.inf)
     over(len(partner), _follow_partners, out, looking, position, sides, partner, at, around, overhanging, walk)

@@ -3,10 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.contact.closest import points_of
 from turgor.core.engine.contact.friction import FrictionHistory
-from turgor.core.engine.contact.part import Found, SearchMode, Ties, dofs, nodal
+from turgor.core.engine.contact.part import Gaps, SearchMode, Ties, dofs, nodal
 from turgor.core.engine.contact.points_part import PointsPart
-from turgor.core.engine.contact.search import points_of
 from turgor.core.engine.contact.shapes import Formula, signed_distance
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.obstacles import Obstacle
@@ -40,15 +40,15 @@ class ShapePart(PointsPart):
         return len(self.surface.sides)
 
     def look(
-        self, position: Array, place: Array, known: Found | None = None, how: SearchMode = SearchMode.FOLLOW
-    ) -> Found:
+        self, position: Array, place: Array, known: Gaps | None = None, how: SearchMode = SearchMode.FOLLOW
+    ) -> Gaps:
         """Measure the gap of every point."""
         s = self.surface
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)
         gap, _, _ = signed_distance(self.shape, (x - place).reshape(-1, 3))
         zero = np.zeros(x.shape[:2], dtype=np.int64)
         at = np.zeros((*x.shape[:2], 2))
-        return Found(x, normal, growth, zero, at, gap.reshape(x.shape[:2]), place)
+        return Gaps(x, normal, growth, zero, at, gap.reshape(x.shape[:2]), place)
 
     def _springs(self, points: Ints, partner: Ints) -> Array:
         side = points[:, 0]
@@ -60,42 +60,42 @@ class ShapePart(PointsPart):
     def _shares(self, points: Ints, at: Array) -> Array:
         return np.hstack([self.surface.N[points[:, 1]], -np.ones((len(points), 1))])
 
-    def _press(self, position: Array, found: Found) -> Array:
-        points = found.touching
+    def _press(self, position: Array, gaps: Gaps) -> Array:
+        points = gaps.touching
         i, q = points.T
-        partner, at = found.partner[i, q], found.at[i, q]
+        partner, at = gaps.partner[i, q], gaps.at[i, q]
         spring = self._springs(points, partner) * self._weights(points)
-        push = (spring * found.gap[i, q])[:, None] * self._normals(position, found, points)
+        push = (spring * gaps.gap[i, q])[:, None] * self._normals(position, gaps, points)
         local = self._shares(points, at)[:, :, None] * push[:, None, :]
         return nodal(self._nodes(points, partner, len(position)), local, len(position) + 1)
 
-    def _press_tangents(self, position: Array, found: Found) -> Ties:
-        points = found.touching
+    def _press_tangents(self, position: Array, gaps: Gaps) -> Ties:
+        points = gaps.touching
         i, q = points.T
-        gap, gradient, hessian = signed_distance(self.shape, found.x[i, q] - found.place)
+        gap, gradient, hessian = signed_distance(self.shape, gaps.x[i, q] - gaps.place)
         matrices = gradient[:, :, None] * gradient[:, None, :] + gap[:, None, None] * hessian
-        matrices *= (self._springs(points, found.partner[i, q]) * self._weights(points))[:, None, None]
-        return self._tied(points, found.partner[i, q], self._shares(points, found.at[i, q]), matrices)
+        matrices *= (self._springs(points, gaps.partner[i, q]) * self._weights(points))[:, None, None]
+        return self._tied(points, gaps.partner[i, q], self._shares(points, gaps.at[i, q]), matrices)
 
-    def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
-        return np.asarray(found.x[a.points[:, 0], a.points[:, 1]] - found.place)
+    def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
+        return np.asarray(gaps.x[a.points[:, 0], a.points[:, 1]] - gaps.place)
 
-    def _normals(self, position: Array, found: Found, points: Ints) -> Array:
-        return signed_distance(self.shape, found.x[points[:, 0], points[:, 1]] - found.place)[1]
+    def _normals(self, position: Array, gaps: Gaps, points: Ints) -> Array:
+        return signed_distance(self.shape, gaps.x[points[:, 0], points[:, 1]] - gaps.place)[1]
 
     def _key(self, side: Ints, partner: Ints) -> Ints:
         return side
 
-    def keys(self, found: Found) -> Ints:
+    def keys(self, gaps: Gaps) -> Ints:
         """Ties that the tangent needs beyond those of the cells: of sides with a sprung body."""
         if self.unknown < 0:
             return np.zeros(0, dtype=np.int64)
-        sides = found.touching[:, 0]
-        if found.friction is not None:
-            sides = np.concatenate([sides, found.friction.points[:, 0]])
+        sides = gaps.touching[:, 0]
+        if gaps.friction is not None:
+            sides = np.concatenate([sides, gaps.friction.points[:, 0]])
         return np.unique(sides)
 
-    def ready_keys(self, found: Found) -> Ints:
+    def ready_keys(self, gaps: Gaps) -> Ints:
         """Ties that the tangent may need: all sides."""
         return np.arange(len(self.surface.sides)) if self.unknown >= 0 else np.zeros(0, dtype=np.int64)
 
@@ -104,6 +104,6 @@ class ShapePart(PointsPart):
         body = self.unknown + np.arange(3) if self.unknown >= 0 else np.full(3, -1)
         return np.hstack([dofs(self.surface.sides[keys]), np.tile(body, (len(keys), 1))])
 
-    def passed(self, position: Array, old: Found, new: Found) -> Array:
+    def passed(self, position: Array, old: Gaps, new: Gaps) -> Array:
         """No point passes unseen: the gap is a formula."""
         return np.full(new.gap.shape, np.inf)

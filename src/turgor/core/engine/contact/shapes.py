@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.model.obstacles import Box, Cylinder, Plane, RigidSurface, Shape, Sphere, Vector
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 
@@ -18,9 +19,6 @@ Distances = tuple[Array, Array, Array]
 
 #: The shapes whose distance is a formula.
 Formula = Plane | Sphere | Cylinder | Box
-
-#: Points nearer than this share of the shape to its center or axis get an arbitrary direction.
-NO_DIRECTION = 1e-12
 
 
 def signed_distance(shape: Formula, points: Array) -> Distances:
@@ -109,7 +107,7 @@ def _plane(shape: Plane, points: Array) -> Distances:
 
 
 def _sphere(shape: Sphere, points: Array) -> Distances:
-    length, out, bend = _from_center(points - np.array(shape.center), np.eye(3), NO_DIRECTION * shape.radius)
+    length, out, bend = _from_center(points - np.array(shape.center), np.eye(3), ROUND_OFF.zero * shape.radius)
     return length - shape.radius, out, bend
 
 
@@ -118,7 +116,7 @@ def _cylinder(shape: Cylinder, points: Array) -> Distances:
     from_center = points - np.array(shape.center)
     along = from_center @ axis
     across = np.eye(3) - np.outer(axis, axis)
-    radial, out, bend = _from_center(from_center @ across, across, NO_DIRECTION * shape.radius)
+    radial, out, bend = _from_center(from_center @ across, across, ROUND_OFF.zero * shape.radius)
     side = radial - shape.radius
     if shape.length is None:
         return side, out, bend
@@ -146,7 +144,7 @@ def _box(shape: Box, points: Array) -> Distances:
     beyond = np.abs(from_center) - (np.array(shape.size) / 2 - shape.rounding)
     face = np.eye(3)[beyond.argmax(axis=1)]
     distance, gradient, hessian = beyond.max(axis=1), outward * face, np.zeros((len(points), 3, 3))
-    outside = np.flatnonzero(distance > NO_DIRECTION * min(shape.size))
+    outside = np.flatnonzero(distance > ROUND_OFF.zero * min(shape.size))
     over = np.maximum(beyond[outside], 0.0)
     free = (over > 0)[:, :, None] * np.eye(3)  # one direction next to a face, two next to an edge, three at a corner
     length = np.linalg.norm(over, axis=1)

@@ -6,34 +6,17 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.core.engine.cells.reference import reference_cell
-from turgor.core.engine.contact.search import centers_of, points_of
+from turgor.core.engine.cells.reference import side_tables
+from turgor.core.engine.contact.closest import centers_of, points_of
+from turgor.core.engine.contact.settings import CONTACT_SEARCH, PENALTY
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import cell_sides, corner_keys
 from turgor.core.model.model import Model
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: The quadrature on a side: 6 points on a triangle, 9 on a quadrilateral.
-DEGREE = {6: 4, 8: 5, 9: 5}
-
-#: Contact stiffness times the height of the cell behind, over Young's modulus at rest.
-STIFFNESS = 20.0
-
-#: Foot points may lie this far beyond an edge that joins two sides smoothly, whose kink leaves wedges in front of it;
-#: beyond a sharp edge there is nothing.
-OVERHANG, SHARP_OVERHANG = 0.03, 1e-6
-
-#: Cosine between the normals of two sides that join smoothly: below 37°.
-SMOOTH = 0.8
-
-#: A point is taken to lie inside a side no deeper than this share of the cell behind it.
-DEPTH = 0.25
-
-#: Two sides with a common node face each other where each lies above the other by this share of their distance.
-ABOVE = 0.1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,7 +80,7 @@ def whole_surface(model: Model, points: Array, volumes: Array, stress: float) ->
     outer = np.sort(index[count == 1])
     sides = np.ascontiguousarray(every[outer])
     owner = outer // (len(every) // len(mesh.cells))
-    r = reference_cell(sides.shape[1], DEGREE[sides.shape[1]])
+    r = side_tables(sides.shape[1])
     _, _, growth = points_of(points, sides, r.N, r.dN)
     weights = growth * r.weights
     tall = 3.0 if mesh.cell_type.corners == 4 else 1.0
@@ -105,7 +88,7 @@ def whole_surface(model: Model, points: Array, volumes: Array, stress: float) ->
     modulus = np.empty(len(mesh.cells))
     for name, material in model.region_materials.items():
         modulus[mesh.regions[name]] = 3 * material.law.shear_modulus / stress
-    return Surface(sides, r.N, r.dN, weights, STIFFNESS * modulus[owner] / height, height)
+    return Surface(sides, r.N, r.dN, weights, PENALTY.stiffness * modulus[owner] / height, height)
 
 
 def of_face(mesh: Mesh, surface: Surface, *names: str) -> NDArray[np.bool_]:
@@ -125,12 +108,12 @@ def overhangs(points: Array, sides: Ints, mirrored: NDArray[np.bool_]) -> Array:
     edge = edge.ravel()
     order = np.argsort(edge, kind="stable")
     start = np.cumsum(count) - count
-    out = np.full(len(edges), SHARP_OVERHANG)
+    out = np.full(len(edges), ROUND_OFF.mesh_digits)
     twice = start[count == 2]
     first, second = order[twice], order[twice + 1]
-    smooth = np.einsum("ei,ei->e", normal[owner[first]], normal[owner[second]]) > SMOOTH
-    out[first[smooth]] = out[second[smooth]] = OVERHANG
-    out[mirrored[edges].all(axis=1)] = OVERHANG  # the surface goes on behind the mirror
+    smooth = np.einsum("ei,ei->e", normal[owner[first]], normal[owner[second]]) > CONTACT_SEARCH.smooth
+    out[first[smooth]] = out[second[smooth]] = CONTACT_SEARCH.overhang
+    out[mirrored[edges].all(axis=1)] = CONTACT_SEARCH.overhang  # the surface goes on behind the mirror
     return np.ascontiguousarray(out.reshape(len(kind.edges), -1).T)
 
 
@@ -141,18 +124,21 @@ def strangers(points: Array, sides: Ints) -> tuple[Ints, Ints]:
     each other through air, they may close like a book.
     """
     kind = side_type(sides.shape[1])
-    nodes, local = np.unique(sides[:, : kind.corners], return_inverse=True)
-    rows = np.repeat(np.arange(len(sides)), kind.corners)
-    touching = sp.csr_matrix((np.ones(rows.size, np.int32), (rows, local.ravel())), shape=(len(sides), len(nodes)))
-    graph = (touching @ touching.T).tocoo()
-    a, b = graph.row.astype(np.int64), graph.col.astype(np.int64)
+    a, b = neighbors(sides, kind.corners)
     center, _, normal = centers_of(points, sides, kind.corners)
     apart = center[b] - center[a]
-    distance = np.linalg.norm(apart, axis=1)
-    groove = (np.einsum("pi,pi->p", apart, normal[a]) > ABOVE * distance) & (
-        np.einsum("pi,pi->p", apart, normal[b]) < -ABOVE * distance
-    )
+    flat = ROUND_OFF.mesh_digits * np.linalg.norm(apart, axis=1)
+    groove = (np.einsum("pi,pi->p", apart, normal[a]) > flat) & (np.einsum("pi,pi->p", apart, normal[b]) < -flat)
     return listed(a[~groove], b[~groove], len(sides))
+
+
+def neighbors(sides: Ints, corners: int) -> tuple[Ints, Ints]:
+    """Pairs of sides that share a corner; each side is its own neighbor, too."""
+    nodes, local = np.unique(sides[:, :corners], return_inverse=True)
+    rows = np.repeat(np.arange(len(sides)), corners)
+    touching = sp.csr_matrix((np.ones(rows.size, np.int32), (rows, local.ravel())), shape=(len(sides), len(nodes)))
+    graph = (touching @ touching.T).tocoo()
+    return graph.row.astype(np.int64), graph.col.astype(np.int64)
 
 
 def listed(rows: Ints, values: Ints, count: int) -> tuple[Ints, Ints]:

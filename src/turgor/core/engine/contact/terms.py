@@ -10,7 +10,8 @@ from turgor.core.engine.contact.build import Bodies, build_parts
 from turgor.core.engine.contact.couplings import Layout
 from turgor.core.engine.contact.friction import Friction
 from turgor.core.engine.contact.pair_part import PairPart
-from turgor.core.engine.contact.part import Found, SearchMode
+from turgor.core.engine.contact.part import Gaps, SearchMode
+from turgor.core.engine.contact.settings import PENALTY
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.model import Model
@@ -18,55 +19,40 @@ from turgor.core.model.model import Model
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: One update of Newton's method deepens no penetration by more than this share of the cell behind the surface.
-DEEPER = 0.04
-
-#: An update is shortened only if it would deepen a penetration by this factor more.
-MARGIN = 1.5
-
-#: The shortest share of an update that the limit on penetration asks for at once.
-SHORTEST = 0.1
-
-#: Share of an update that is taken if a point without partner would be deep inside a body after it.
-UNSEEN = 0.5
-
-#: The stiffness of a side grows by this factor at once at most, and altogether.
-STIFFER_AT_ONCE, STIFFER = 4.0, 64.0
-
 Part = PairPart | ShapePart
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Contacts:
-    """What all parts found at one position.
+    """How near all parts are at one position.
 
     Parameters
     ----------
     position : (n, 3) array
-    found : tuple of Found
+    gaps : tuple of Gaps
     """
 
     position: Array
-    found: tuple[Found, ...]
+    gaps: tuple[Gaps, ...]
 
     @property
     def rubs(self) -> bool:
         """Whether friction acts anywhere."""
-        return any(found.friction is not None and len(found.friction.points) > 0 for found in self.found)
+        return any(gaps.friction is not None and len(gaps.friction.points) > 0 for gaps in self.gaps)
 
     @property
     def touch(self) -> bool:
         """Whether any point is inside what it touches."""
-        return any(found.inside.any() for found in self.found)
+        return any(gaps.inside.any() for gaps in self.gaps)
 
     def touch_as(self, other: "Contacts") -> bool:
         """Whether the same points are inside as in other contacts of the same parts."""
-        return all(np.array_equal(a.inside, b.inside) for a, b in zip(self.found, other.found, strict=True))
+        return all(np.array_equal(a.inside, b.inside) for a, b in zip(self.gaps, other.gaps, strict=True))
 
     def with_friction(self, friction: Friction) -> "Contacts":
         """The same contacts with a friction history."""
-        each = friction or (None,) * len(self.found)
-        return replace(self, found=tuple(replace(f, friction=a) for f, a in zip(self.found, each, strict=True)))
+        each = friction or (None,) * len(self.gaps)
+        return replace(self, gaps=tuple(replace(f, friction=a) for f, a in zip(self.gaps, each, strict=True)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -148,11 +134,11 @@ class ContactTerms:
         by default those of the last search.
         """
         known = known or self._known
-        found = []
+        gaps = []
         for k, part in enumerate(self.parts):
             place = self._place(part, springs, factor)
-            found.append(part.look(position, place, None if known is None else known.found[k], how))
-        out = Contacts(position, tuple(found))
+            gaps.append(part.look(position, place, None if known is None else known.gaps[k], how))
+        out = Contacts(position, tuple(gaps))
         if known is None or how is SearchMode.GLOBAL:
             self._known = out
         return out
@@ -168,8 +154,8 @@ class ContactTerms:
         """Internal forces on the nodes (n, 3), and the imbalance of the sprung bodies (b, 3)."""
         count = len(at.position)
         out, bodies = np.zeros((count, 3)), self.bodies.springs[:, None] * springs
-        for part, found in zip(self.parts, at.found, strict=True):
-            force = part.forces(at.position, found)
+        for part, gaps in zip(self.parts, at.gaps, strict=True):
+            force = part.forces(at.position, gaps)
             out += force[:count]
             if part.unknown >= 0:
                 bodies[self.bodies.names.index(part.name)] += force[count:].sum(axis=0)
@@ -177,20 +163,20 @@ class ContactTerms:
 
     def energy(self, at: Contacts, springs: Array) -> float:
         """Scaled energy of penetration and springs; friction stores none."""
-        stored = sum(part.energy(found) for part, found in zip(self.parts, at.found, strict=True))
+        stored = sum(part.energy(gaps) for part, gaps in zip(self.parts, at.gaps, strict=True))
         return float(stored + 0.5 * (self.bodies.springs[:, None] * springs**2).sum())
 
     def prepare(self, layout: Layout, at: Contacts) -> None:
         """Extend the sparsity pattern of the tangent by the degrees of freedom that contact couples."""
         offset, needed = 0, []
-        for part, found in zip(self.parts, at.found, strict=True):
-            needed.append(part.keys(found) + offset)
+        for part, gaps in zip(self.parts, at.gaps, strict=True):
+            needed.append(part.keys(gaps) + offset)
             offset += part.key_count
         if layout.covers(np.concatenate([np.zeros(0, dtype=np.int64), *needed])):
             return
         offset, ready, unknowns = 0, [], []
-        for part, found in zip(self.parts, at.found, strict=True):
-            keys = part.ready_keys(found)
+        for part, gaps in zip(self.parts, at.gaps, strict=True):
+            keys = part.ready_keys(gaps)
             ready.append(keys + offset)
             unknowns.append(part.tied_unknowns(keys))
             offset += part.key_count
@@ -198,8 +184,8 @@ class ContactTerms:
 
     def add_tangents(self, data: Array, layout: Layout, at: Contacts) -> None:
         """Add all tangents to the lower triangle."""
-        for part, found in zip(self.parts, at.found, strict=True):
-            for ties in part.tangents(at.position, found):
+        for part, gaps in zip(self.parts, at.gaps, strict=True):
+            for ties in part.tangents(at.position, gaps):
                 ties.add_to(data, layout.pattern)
         for k, unknown in enumerate(self.bodies.unknowns):
             data[layout.pattern.diagonal[unknown : unknown + 3]] += self.bodies.springs[k]
@@ -207,20 +193,18 @@ class ContactTerms:
     def shortening(self, old: Contacts, new: Contacts) -> float:
         """Share of the way from old to new after which no penetration has deepened too much; 1 if none has."""
         share = 1.0
-        for part, before, after in zip(self.parts, old.found, new.found, strict=True):
-            deeper = DEEPER * part.surface.height[:, None]
+        for part, before, after in zip(self.parts, old.gaps, new.gaps, strict=True):
+            deeper = PENALTY.deeper * part.surface.height[:, None]
             allowed = np.minimum(before.gap, 0.0) - deeper
             gap = np.minimum(after.gap, part.passed(new.position, before, after))
-            bad = gap < allowed - (MARGIN - 1) * deeper
-            if bad.any():
-                seen = bad & np.isfinite(before.gap)
-                way = (before.gap[seen] - allowed[seen]) / (before.gap[seen] - gap[seen])
-                share = min(share, float(way.min(initial=1.0)), 1.0 if seen.sum() == bad.sum() else UNSEEN)
-        return max(share, SHORTEST)
+            bad = np.isfinite(before.gap) & (gap < allowed - (PENALTY.margin - 1) * deeper)
+            way = (before.gap[bad] - allowed[bad]) / (before.gap[bad] - gap[bad])
+            share = min(share, float(way.min(initial=1.0)))
+        return max(share, PENALTY.shortest)
 
     def rubbing(self, at: Contacts, size: int) -> sp.csc_matrix | None:
         """The unsymmetric part of the tangent (size, size): limits of friction follow the pressure; None without."""
-        parts = [part.rubbing(at.position, found) for part, found in zip(self.parts, at.found, strict=True)]
+        parts = [part.rubbing(at.position, gaps) for part, gaps in zip(self.parts, at.gaps, strict=True)]
         matrices = [
             _entries(each.pulled, each.pull, size).T @ _entries(each.pressed, each.change, size)
             for each in parts
@@ -230,31 +214,31 @@ class ContactTerms:
 
     def settled(self, at: Contacts) -> tuple[Friction, bool]:
         """The friction history with the present limits, and whether any differs noticeably from that before."""
-        each = [part.settled(found) for part, found in zip(self.parts, at.found, strict=True)]
+        each = [part.settled(gaps) for part, gaps in zip(self.parts, at.gaps, strict=True)]
         return tuple(friction for friction, _ in each), any(changed for _, changed in each)
 
     def remembered(self, at: Contacts) -> Friction:
         """The friction history of a converged state, from which points slip in the next step; empty where none do."""
         if not any(part.coefficient > 0 for part in self.parts):
             return ()
-        pairs = zip(self.parts, at.found, strict=True)
-        return tuple(part.anchored(at.position, found) if part.coefficient > 0 else None for part, found in pairs)
+        pairs = zip(self.parts, at.gaps, strict=True)
+        return tuple(part.anchored(at.position, gaps) if part.coefficient > 0 else None for part, gaps in pairs)
 
-    def share_of_tolerance(self, part: Part, found: Found) -> float:
+    def share_of_tolerance(self, part: Part, gaps: Gaps) -> float:
         """Penetration as a share of what the tolerance allows, at the worst place."""
-        return float(self._shares(part, found).max(initial=0.0))
+        return float(self._shares(part, gaps).max(initial=0.0))
 
-    def _shares(self, part: Part, found: Found) -> Array:
+    def _shares(self, part: Part, gaps: Gaps) -> Array:
         """Deepest penetration of each side (s,) as a share of what the tolerance allows there."""
-        return np.asarray(np.maximum(-found.gap.min(axis=1), 0.0) / (self._tolerance * part.surface.height))
+        return np.asarray(np.maximum(-gaps.gap.min(axis=1), 0.0) / (self._tolerance * part.surface.height))
 
     def stiffen(self, at: Contacts) -> bool:
         """Raise the penalty of sides that are penetrated beyond the tolerance; return whether any could be raised."""
         raised = False
-        for part, found in zip(self.parts, at.found, strict=True):
-            depth = self._shares(part, found)
-            factor = np.clip(1.2 * depth, 1.0, STIFFER_AT_ONCE)
-            scale = np.where(depth > 1, np.minimum(part.penalty_scale * factor, STIFFER), part.penalty_scale)
+        for part, gaps in zip(self.parts, at.gaps, strict=True):
+            depth = self._shares(part, gaps)
+            factor = np.clip(1.2 * depth, 1.0, PENALTY.stiffer_at_once)
+            scale = np.where(depth > 1, np.minimum(part.penalty_scale * factor, PENALTY.stiffer), part.penalty_scale)
             raised |= bool((scale > part.penalty_scale).any())
             part.penalty_scale = scale
         return raised

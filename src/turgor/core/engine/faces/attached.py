@@ -9,21 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.contact.closest import foot_point, overhang, place, shapes
+from turgor.core.engine.faces.settings import SIDE_SEARCH
 from turgor.core.geometry.wedge import Wedge
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import outer_triangles
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Point = tuple[float, float, float]
-
-#: A side is sampled at so many places along each of its edges to find the one that is nearest.
-SAMPLES = 5
-
-#: So many of the nearest samples are looked at more closely.
-CANDIDATES = 12
-
-#: Of sectors that are as near, up to this [m], the modeled one is taken, or else the next one.
-NEARER = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -106,12 +99,15 @@ def attach(mesh: Mesh, point: Point, planes: Sequence[tuple[int, float]]) -> Att
 
 
 def _in_sector(mesh: Mesh, wedge: Wedge, point: Array) -> Attached:
-    """The nearest place of all sectors, as that of the modeled one and the turn that leads to it."""
+    """The nearest place of all sectors, as that of the modeled one and the turn that leads to it.
+
+    Of sectors that are as near, the modeled one is taken, or else the next one.
+    """
     surface = _surface(mesh)
     back = [wedge.images(point, -sector) for sector in range(wedge.fold)]
     nearest = [_nearest(surface, each) for each in back]
-    least = min(away for away, _, _ in nearest)
-    sector = next(i for i, (away, _, _) in enumerate(nearest) if away <= least + NEARER)
+    least = min(away for away, _, _ in nearest) + ROUND_OFF.same * float(np.ptp(mesh.points))
+    sector = next(i for i, (away, _, _) in enumerate(nearest) if away <= least)
     _, side, place_on = nearest[sector]
     foot, frame = _frame(surface.corners[side], place_on)
     return Attached(
@@ -154,7 +150,7 @@ def _surface(mesh: Mesh) -> _Surface:
 def _nearest(surface: _Surface, point: Array) -> tuple[float, int, Array]:
     """Distance of a point from the nearest side, that side, and the place on it."""
     corners, places = surface.corners, surface.places
-    nearest = np.atleast_1d(surface.tree.query(point, k=min(CANDIDATES, surface.tree.n))[1])
+    nearest = np.atleast_1d(surface.tree.query(point, k=min(SIDE_SEARCH.nearest, surface.tree.n))[1])
     best = (float(np.inf), 0, places[0])
     for number in nearest:
         side, sample = divmod(int(number), len(places))
@@ -176,7 +172,7 @@ def _corners(points: Array, nodes: NDArray[np.int64]) -> Array:
 
 def _places(count: int) -> Array:
     """Places (p, 2) at which sides of ``count`` nodes are sampled, their edges among them."""
-    grid = np.linspace(0, 1, SAMPLES)
+    grid = np.linspace(0, 1, SIDE_SEARCH.samples)
     return np.array([(r, s) for r in grid for s in grid if count != 6 or r + s <= 1 + 1e-12])
 
 

@@ -4,20 +4,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.faces.attached import attach
+from turgor.core.engine.faces.settings import SIDE_SEARCH
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.loads.load import Vector
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A point force acts this near the surface, as a share of the size of the part.
-NEAR = 0.01
-
-#: What lies in a mirror plane, up to this share of the size of the part.
-IN_PLANE = 1e-6
 
 #: Gauss points and weights on an edge from -1 to 1; shape functions of its ends and its middle, and their slopes.
 GAUSS = np.array([-np.sqrt(0.6), 0.0, np.sqrt(0.6)])
@@ -48,10 +44,10 @@ def point_force(mesh: Mesh, at: Vector, force: Vector) -> Array:
     fixed = attach(mesh, at, mesh.mirror_planes)
     size = float(np.ptp(mesh.points, axis=0).max())
     away = float(np.linalg.norm(fixed.arm))
-    if away > NEAR * size:
+    if away > SIDE_SEARCH.point_force_within * size:
         raise TurgorError(
             f"point force at {_text(at)}: the surface is {away / mm:.4g} mm away; it acts on the surface, or "
-            f"within {NEAR * size / mm:.3g} mm of it."
+            f"within {SIDE_SEARCH.point_force_within * size / mm:.3g} mm of it."
         )
     if mesh.revolved:
         raise TurgorError(
@@ -60,7 +56,7 @@ def point_force(mesh: Mesh, at: Vector, force: Vector) -> Array:
         )
     share = 1.0
     for axis, position in mesh.mirror_planes:
-        if abs(at[axis] - position) <= IN_PLANE * size:
+        if abs(at[axis] - position) <= ROUND_OFF.mesh_digits * size:
             share *= 0.5
             if force[axis]:
                 raise TurgorError(
@@ -108,7 +104,7 @@ def line_force(mesh: Mesh, faces: tuple[str, str], force: Vector) -> Array:
                 f"line force on '{faces[0]}' and '{faces[1]}': it points across the mirror plane normal to "
                 f"{'xyz'[axis]}; model the whole actuator (symmetric = false)."
             )
-        inside = np.abs(points[:, :, axis] - position).max(axis=1) <= IN_PLANE * float(
+        inside = np.abs(points[:, :, axis] - position).max(axis=1) <= ROUND_OFF.mesh_digits * float(
             np.ptp(mesh.points, axis=0).max()
         )
         share[inside] *= 0.5

@@ -5,16 +5,13 @@ from numpy.typing import NDArray
 
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.mesh import Mesh
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: A node lies in a coordinate plane when it is nearer than this share of the size of the surface.
-IN_PLANE = 1e-9
-
 #: Points and weights of Gauss with two points on (0, 1): exact for the cubic c × c' of a quadratic edge.
 _GAUSS = ((0.5 - 0.5 / 3**0.5, 0.5), (0.5 + 0.5 / 3**0.5, 0.5))
-
 
 #: Where there is no wedge.
 NO_AXIS = -1
@@ -150,4 +147,4 @@ def _apex(points: Array, loop: Ints, axis: int) -> tuple[Array, Array]:
 
 
 def _tolerance(points: Array) -> float:
-    return IN_PLANE * float(np.ptp(points, axis=0).max())
+    return ROUND_OFF.mesh_digits * float(np.ptp(points, axis=0).max())

@@ -10,6 +10,7 @@ from turgor.core.engine.cells.reference import reference_cell, reference_nodes, 
 from turgor.core.engine.faces.membranes import plane_stress_moduli, surface_frames
 from turgor.core.engine.faces.plate_terms import HingeTerm, PlateTerm
 from turgor.core.engine.faces.plates import curvature_numbers, second_derivatives
+from turgor.core.engine.faces.settings import PLATE
 from turgor.core.engine.term import Setting, Term
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.meshing.cells import side_type
@@ -17,16 +18,11 @@ from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.points import RIGID
 from turgor.core.model.sheets import Shell
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Penalty η of the angles at edges, by corners of the sides. On flat sides that are not very skew the energy is
-#: positive above 3, and the deflection of a flat plate hardly depends on it. Too little of it makes a curved shell too
-#: soft, too much makes it too stiff: the pinched cylinder of 16 × 16 cells is 9, 2 and −3.5 % too soft on triangles
-#: with 4, 10 and 50, and 5, −1.4 and −6 % on quadrilaterals with 2.5, 4 and 10.
-PENALTY = {3: 10.0, 4: 5.0}
 
 #: Points of a side for its curvature, by corners: 3 of triangles, 3 × 3 of quadrilaterals. With 2 × 2, skew
 #: quadrilaterals can bend for less than nothing.
@@ -34,13 +30,6 @@ PLATE_QUADRATURE_DEGREE = {3: 2, 4: 5}
 
 #: Where on an edge its angle counts, and for which share of its length, by corners of the sides. See `HingeTerm`.
 EDGE_POINTS = {3: ((0.5, 1.0),), 4: ((0.5 - 0.75**0.5 / 3, 0.5), (0.5 + 0.75**0.5 / 3, 0.5))}
-
-#: A side of the body that is fixed keeps the slope of a sheet that ends at it, if it goes on across the sheet: the
-#: smallest sine of the angle between both.
-ACROSS = 0.5
-
-#: Share of a normal that may be free where a side is fixed along it.
-ROUND_OFF = 1e-6
 
 
 def plate_terms(setting: Setting) -> Sequence[Term]:
@@ -147,12 +136,12 @@ def _fixed_sides(setting: Setting, triangles: Ints, rim: Edges) -> tuple[Edges, 
         if point.coupling == RIGID:
             prescribed[mesh.face_nodes(point.face)] = True
     freedom = np.abs(_normals(points, outer))[:, None] * ~prescribed[outer]
-    sides = edges_of(outer[(freedom < ROUND_OFF).all(axis=(1, 2))])
+    sides = edges_of(outer[(freedom < ROUND_OFF.mesh_digits).all(axis=(1, 2))])
     sides = sides[np.isin(sides.keys, rim.keys)]
     sorter = np.argsort(rim.keys)
     ending = rim[sorter[np.searchsorted(rim.keys, sides.keys, sorter=sorter)]] if len(sides.keys) else rim[sides.place]
     sine = np.linalg.norm(np.cross(_normals(points, ending.nodes), _normals(points, sides.nodes)), axis=1)
-    across = np.flatnonzero(sine > ACROSS)
+    across = np.flatnonzero(sine > PLATE.across)
     once = across[np.unique(sides.keys[across], return_index=True)[1]]
     return ending[once], sides[once]
 
@@ -175,6 +164,7 @@ def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Shel
     alike = (first.ends == second.ends).all(axis=1)
     nodes, places = _patches(first, second)
     slopes, moments = np.zeros((len(nodes), 2, nodes.shape[1], 2)), np.zeros((len(nodes), 2, nodes.shape[1]))
+    eta = PLATE.penalty_triangles if corners == 3 else PLATE.penalty_quadrilaterals
     along, penalty, rows = np.zeros(nodes.shape), np.zeros(len(nodes)), np.arange(len(nodes))[:, None]
     for k, (edges, share) in enumerate(((first, at), (second, np.where(alike, at, 1 - at)))):
         here = _at_edges(setting.points, edges, share)
@@ -183,7 +173,7 @@ def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Shel
             along[rows, places[k]] = here.tangent
         if whole or k == 0:
             moments[rows, k, places[k]] = D * (0.5 if whole else 1.0) * (here.across + law.nu * here.along)
-            penalty += PENALTY[corners] * D * (0.5 if whole else 2.0) / here.height
+            penalty += eta * D * (0.5 if whole else 2.0) / here.height
     slopes[alike, 1] = slopes[alike, 1, :, ::-1]  # turns the normal of a side that is wound the other way
     lengths = shares * np.linalg.norm(np.einsum("em,emi->ei", along, setting.points[nodes]), axis=1)
     hinge = HingeTerm(nodes, slopes, moments, along, np.zeros((len(nodes), 2)), lengths, penalty)

@@ -22,22 +22,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.faces.settings import TENSION_FIELD
+from turgor.foundation.round_off import ROUND_OFF
+
 Array = NDArray[np.float64]
-
-#: The toe over the stiffness of the sheet in scaled units: a tension of the rubber's modulus times an edge of the mesh
-#: is reached at a stretch of √(2 × 1e-6) = 0.14 %, however stiff the sheet is. A sheet as soft as the rubber has a toe
-#: of 1e-6. The longest toe, beyond which a sheet is half a percent longer than it would be.
-TOE_PER_STIFFNESS, LONGEST_TOE = 1e-6, 1e-2
-
-#: Stiffness that a sheet keeps in compression, in scaled units: that of rubber of a thirtieth of an edge. Its tension
-#: stays far below 2 μ / k, at which rubber wrinkles in waves of two edges. The largest share of the sheet's stiffness.
-LEFT_STIFFNESS, LARGEST_SHARE = 0.1, 1e-3
-
-
-#: Weight of strains over stresses where Newton's method chooses what to linearize a sheet about, in scaled units. Up
-#: to 15 kPa, five chambers above a stiff film took 72 iterations with 100 and 90 with 300. In shorter steps, a chamber
-#: up to 50 kPa took 271, 204, 174 and 250 with 10, 100, 300 and 1000, and 292 with strains alone.
-STRAIN_WEIGHT = 100.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +72,7 @@ class TensionField:
         by_strain[..., 0, 1] = by_strain[..., 1, 0] = nu * across
         by_strain[..., 1, 1] = across
         apart = e1 - e2
-        alike = apart <= ALIKE * (np.abs(e1) + self.toe)
+        alike = apart <= ROUND_OFF.same * (np.abs(e1) + self.toe)
         shear = self.moduli[2, 2] * along / self._young  # the limit of equal strains
         by_strain[..., 2, 2] = np.where(alike, shear, 0.5 * (s1 - s2) / np.where(alike, 1.0, apart))
         relaxed = np.swapaxes(turn, -1, -2) @ by_strain @ turn
@@ -106,7 +94,7 @@ class TensionField:
         (..., 3) array
             E₁₁, E₂₂, 2 E₁₂. A pair that lies on the curve is returned unchanged.
         """
-        weight, rest, nu = STRAIN_WEIGHT / self.moduli[0, 0], 1 - self.share, self._poisson
+        weight, rest, nu = TENSION_FIELD.strain_weight / self.moduli[0, 0], 1 - self.share, self._poisson
         slope = (self.share + weight) / rest
         s1, s2, turn = _principal((stress + weight * strain @ self.moduli) / rest * (1, 1, 2))
         e1 = _Ramp.solved((s1 - nu * s2) / self._young, slope, self.toe)
@@ -131,15 +119,11 @@ class TensionField:
         return self.toe * (1 + self._poisson)
 
 
-#: Principal strains count as equal where they differ by less than this share of them and of the toe.
-ALIKE = 1e-9
-
-
 def tension_field(moduli: Array, compression: float) -> TensionField:
     """Make the tension field of scaled moduli times thickness, and of the share that works in compression."""
     stiffness = float(moduli[0, 0])
-    share = max(compression, min(LARGEST_SHARE, LEFT_STIFFNESS / stiffness))
-    return TensionField(moduli, share, min(TOE_PER_STIFFNESS * stiffness, LONGEST_TOE))
+    share = max(compression, min(TENSION_FIELD.largest_share, TENSION_FIELD.left_stiffness / stiffness))
+    return TensionField(moduli, share, min(TENSION_FIELD.toe_per_stiffness * stiffness, TENSION_FIELD.longest_toe))
 
 
 class _Ramp:

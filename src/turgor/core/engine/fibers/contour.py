@@ -5,15 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.fibers.settings import FIBERS
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.cells import side_type
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Straight parts into which each curved edge is cut to measure its length.
-PARTS = 32
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -130,7 +128,7 @@ def _chain(edges: Ints) -> Ints | None:
 
 def _dense(points: Array, chain: Ints) -> Array:
     """Points on a chain of quadratic edges, its last one included."""
-    t = np.arange(PARTS)[:, None] / PARTS
+    t = np.arange(FIBERS.parts_of_edge)[:, None] / FIBERS.parts_of_edge
     a, b, middle = (points[chain[:, k]][:, None] for k in range(3))
     inner = (1 - t) * (1 - 2 * t) * a + t * (2 * t - 1) * b + 4 * t * (1 - t) * middle
     return np.asarray(np.concatenate([inner.reshape(-1, 3), points[chain[-1:, 1]]]))

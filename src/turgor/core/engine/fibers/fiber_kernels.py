@@ -19,9 +19,6 @@ from turgor.foundation.display import brief
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Share of its stiffness that a slack thread keeps in the tangent, so that Newton's method knows where it will end.
-SLACK_TANGENT = 1e-4
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pieces:
@@ -70,9 +67,9 @@ def fiber_tensions(x, dx, sides, along, stiffness, pushed):
                 d[i] += along[k, a] * dx[sides[k, a], i]
         size = np.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2])
         change = (t[0] * d[0] + t[1] * d[1] + t[2] * d[2]) / size
-        kept = stiffness[k] if size + change >= 1.0 else stiffness[k] * pushed[k]
+        present = stiffness[k] if size + change >= 1.0 else stiffness[k] * pushed[k]
         stretch[k] = size
-        tension[k] = kept * (size + change - 1.0)
+        tension[k] = present * (size + change - 1.0)
     return stretch, tension
 
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.fibers import fiber_kernels as fibers
 from turgor.core.engine.fibers import truss_bending as bending
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses, lay
+from turgor.core.engine.fibers.settings import FIBERS
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 
 Array = NDArray[np.float64]
@@ -48,8 +49,8 @@ class FiberTerm(Term):
     def tangents(self, at: Configuration, stresses: Array) -> Array:
         """Stiffness along the pieces, little of it where a thread is slack, and the tension as the pieces turn."""
         p, (stretch, _) = self.pieces, self._stretched(at.position)
-        kept = np.where(stretch >= 1, 1.0, np.maximum(p.pushed, fibers.SLACK_TANGENT)) * p.stiffness
-        return lower(fibers.fiber_tangents(at.position, p.sides, p.along, p.weights, kept, stresses))
+        stiffness = np.where(stretch >= 1, 1.0, np.maximum(p.pushed, FIBERS.slack_tangent)) * p.stiffness
+        return lower(fibers.fiber_tangents(at.position, p.sides, p.along, p.weights, stiffness, stresses))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -14,27 +14,17 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.fibers.fiber_kernels import Pieces
 from turgor.core.engine.fibers.lines import Lines, thread_lines
+from turgor.core.engine.fibers.settings import FIBERS
 from turgor.core.engine.fibers.smeared import course_of, smeared_pieces, unit_axis, wound_sides
 from turgor.core.engine.fibers.surface_unrolling import UnrolledSurface, shape_values, unroll
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.fibers import DISCRETE, Fibers
 from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Distance of the points at which a thread is first looked up, as a share of the smaller extent of the smaller sides.
-STEP = 0.5
-
-#: Halvings by which the passage from one side to the next is found.
-HALVINGS = 22
-
-#: Trusses of a thread that crosses a whole side.
-CROSSING = 2
-
-#: Trusses shorter than this share of the smaller sides are left out: they only cut a corner.
-SHORTEST = 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -136,7 +126,7 @@ class _Cuts:
 
 def _cut(face: UnrolledSurface, lines: Lines, where: _Where) -> _Cuts:
     """Cut lines where they pass from side to side: coarse look-up first, then halving."""
-    parts = np.maximum(2, np.ceil(lines.length / (STEP * face.fineness)).astype(np.int64))
+    parts = np.maximum(2, np.ceil(FIBERS.trusses_of_side * lines.length / face.fineness).astype(np.int64))
     line = np.repeat(np.arange(len(parts)), parts + 1)
     number = np.arange(len(line)) - np.repeat(np.cumsum(parts + 1) - parts - 1, parts + 1)
     t = number / parts[line] * lines.length[line]
@@ -144,7 +134,7 @@ def _cut(face: UnrolledSurface, lines: Lines, where: _Where) -> _Cuts:
     differ = np.flatnonzero((line[1:] == line[:-1]) & (side[1:] != side[:-1]))
     at, low, high = line[differ], t[differ], t[differ + 1]
     before, after = side[differ], side[differ + 1]
-    for _ in range(HALVINGS):
+    while (high - low).max(initial=0.0) > ROUND_OFF.mesh_digits * face.fineness:
         middle = (low + high) / 2
         between = where.sides(lines.at(at, middle))
         left, right = before != between, between != after
@@ -162,15 +152,15 @@ def _cut(face: UnrolledSurface, lines: Lines, where: _Where) -> _Cuts:
     line, begin, side = line[order], begin[order], side[order]
     last = np.append(line[1:] != line[:-1], True)
     end = np.where(last, lines.length[line], np.append(begin[1:], 0.0))
-    kept = (side >= 0) & (end - begin > SHORTEST * face.fineness)
-    return _Cuts(line[kept], begin[kept], end[kept], side[kept])
+    long = (side >= 0) & (end - begin > FIBERS.shortest_truss * face.fineness)
+    return _Cuts(line[long], begin[long], end[long], side[long])
 
 
 def _parted(face: UnrolledSurface, lines: Lines, cuts: _Cuts) -> _Cuts:
     """Cut each part in equal shares, as many as its share of a whole crossing of its side asks for."""
     extent = np.ptp(face.flat, axis=1)[cuts.side]
     crossing = (extent / np.maximum(np.abs(lines.direction[cuts.line]), 1e-12)).min(axis=1)
-    parts = np.maximum(1, np.ceil(CROSSING * (cuts.end - cuts.begin) / crossing - 1e-6)).astype(np.int64)
+    parts = np.maximum(1, np.ceil(FIBERS.trusses_of_side * (cuts.end - cuts.begin) / crossing - 1e-6)).astype(np.int64)
     old = np.repeat(np.arange(len(parts)), parts)
     number = np.arange(len(old)) - np.repeat(np.cumsum(parts) - parts, parts)
     step = ((cuts.end - cuts.begin) / parts)[old]
@@ -185,7 +175,7 @@ def _trusses(mesh: Mesh, face: UnrolledSurface, fibers: Fibers, lines: Lines, cu
     values = [shape_values(sides.shape[1], face.place(cuts.side, at))[0] for at in (middle - half, middle + half)]
     slopes = face.slopes(cuts.side, middle, lines.direction[cuts.line])
     stretch = np.linalg.norm(np.einsum("ka,kai->ki", slopes, mesh.points[sides]), axis=1)
-    gap = SHORTEST * face.fineness * 2
+    gap = FIBERS.shortest_truss * face.fineness * 2
     apart = (cuts.line[1:] != cuts.line[:-1]) | (np.abs(cuts.begin[1:] - cuts.end[:-1]) > gap)
     pieces = Pieces(
         sides=np.ascontiguousarray(sides),

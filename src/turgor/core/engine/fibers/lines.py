@@ -6,6 +6,7 @@ from math import cos, pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.fibers.settings import FIBERS
 from turgor.core.engine.fibers.smeared import Course
 from turgor.core.engine.fibers.surface_unrolling import UnrolledSurface
 from turgor.core.model.fibers import Fibers
@@ -14,9 +15,6 @@ from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Threads are moved by these shares of the perimeter and the length, so that none runs along the border of two sides.
-NUDGE = (1.7e-7, 2.3e-7)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -63,11 +61,11 @@ def thread_lines(course: Course, face: UnrolledSurface, fibers: Fibers) -> Lines
         count = _starts(course, fibers, around)
         offset = 0.5 if course.angle < 1e-9 else 0.0  # axial threads keep off the mirror planes
         places = (np.arange(count) + offset) / count * around
-        places += NUDGE[0] * around
+        places += FIBERS.nudge * around
         begin = np.concatenate([np.c_[turn * places, np.full(count, face.start)] for turn in course.turning])
         slopes = [[turn * sin(course.angle), cos(course.angle)] for turn in course.turning]
         direction, reach = np.repeat(np.array(slopes), count, axis=0), length / cos(course.angle)
-    begin[:, 1] += NUDGE[1] * length
+    begin[:, 1] += FIBERS.nudge * length
     return Lines(begin, direction, np.full(len(begin), reach), around)
 
 

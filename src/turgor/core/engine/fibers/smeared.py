@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells.reference import reference_cell, side_tables
 from turgor.core.engine.faces.membranes import MEMBRANE_QUADRATURE_DEGREE, surface_frames
 from turgor.core.engine.fibers.fiber_kernels import Pieces
+from turgor.core.engine.fibers.settings import FIBERS
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.fibers import Fibers, Winding
@@ -16,12 +17,6 @@ from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 Array = NDArray[np.float64]
-
-#: Largest difference between a spacing and the one that pitch and a whole number of threads make, as a share.
-CONTRADICTION = 0.1
-
-#: Largest cosine between the normals of a wound face and its axis.
-CYLINDER_LIKE = 0.2
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +58,7 @@ def course_of(mesh: Mesh, fibers: Fibers) -> Course:
     axis = unit_axis(winding)
     sides = wound_sides(mesh, fibers)
     frames = surface_frames(mesh.points, sides)
-    if float(np.abs(frames.normal @ axis).max()) > CYLINDER_LIKE:
+    if float(np.abs(frames.normal @ axis).max()) > FIBERS.cylinder_like:
         raise TurgorError(
             f"fibers on '{fibers.name}': parts of this face look along the axis {winding.axis}; fibers can be wound on "
             "a face that runs along the axis all around, such as the outside of a tube."
@@ -142,7 +137,7 @@ def _check_pitch(winding: Winding, angle: float, perimeter: float) -> None:
     assert winding.spacing is not None
     alone = perimeter * cos(angle)  # distance of neighboring turns of a single thread
     count = max(1, round(alone / winding.spacing))
-    if abs(alone / count - winding.spacing) > CONTRADICTION * winding.spacing:
+    if abs(alone / count - winding.spacing) > FIBERS.contradiction * winding.spacing:
         given = f"pitch of {winding.pitch / mm:.4g} mm" if winding.pitch is not None else f"{winding.turns:.4g} turns"
         many = "a single thread" if count == 1 else f"{count} threads"
         raise TurgorError(
@@ -175,17 +170,17 @@ def smeared_pieces(mesh: Mesh, fibers: Fibers) -> Pieces:
     points = frames.areas.shape[1]
     count = len(along)
     N = reference_cell(sides.shape[1], MEMBRANE_QUADRATURE_DEGREE[side_type(sides.shape[1]).corners]).N
-    kept = np.flatnonzero(np.tile(_within_box(mesh, fibers, sides).ravel(), count))
-    if not len(kept):
+    chosen = np.flatnonzero(np.tile(_within_box(mesh, fibers, sides).ravel(), count))
+    if not len(chosen):
         raise TurgorError(f"fibers on '{fibers.name}': nothing of this face lies{fibers.box}.")
     return Pieces(
-        sides=np.tile(np.repeat(sides, points, axis=0), (count, 1))[kept],
-        along=np.concatenate(along)[kept],
-        weights=np.tile(frames.areas.ravel(), count)[kept],
-        stiffness=np.full(len(kept), fibers.stretching_stiffness / course.spacing),
-        pushed=np.full(len(kept), fibers.compression),
-        middle=np.tile(N, (len(sides) * count, 1))[kept],
-        hand=np.repeat(np.arange(count), len(sides) * points)[kept],
+        sides=np.tile(np.repeat(sides, points, axis=0), (count, 1))[chosen],
+        along=np.concatenate(along)[chosen],
+        weights=np.tile(frames.areas.ravel(), count)[chosen],
+        stiffness=np.full(len(chosen), fibers.stretching_stiffness / course.spacing),
+        pushed=np.full(len(chosen), fibers.compression),
+        middle=np.tile(N, (len(sides) * count, 1))[chosen],
+        hand=np.repeat(np.arange(count), len(sides) * points)[chosen],
     )
 
 

@@ -13,10 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells.reference import reference_cell, reference_nodes
+from turgor.core.engine.contact.closest import STEPS
 from turgor.core.engine.faces.membranes import MEMBRANE_QUADRATURE_DEGREE
+from turgor.core.engine.faces.settings import SIDE_SEARCH
 from turgor.core.engine.fibers.contour import Contour, contour_of
+from turgor.core.engine.fibers.settings import FIBERS
 from turgor.core.meshing.cells import side_type
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 
 if TYPE_CHECKING:
@@ -24,18 +28,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A node may be this share of the perimeter away from the contour at the start of the face.
-PRISMATIC = 0.01
-
-#: Points on each edge of a side from which the search for the side under a point starts.
-SEEDS = 5
-
-#: Sides that are tried for a point, nearest first, and Newton's iterations in each.
-TRIES, ITERATIONS = 10, 12
-
-#: A point belongs to a side if its reference coordinates are within it up to this much.
-INSIDE = 1e-9
 
 _POWERS = {
     6: ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)),
@@ -100,14 +92,14 @@ class UnrolledSurface:
             points[:, 0] %= self.contour.length
         side = np.full(len(points), -1)
         place = np.zeros((len(points), 2))
-        margin = 1e-9 * (self.end - self.start)
+        margin = ROUND_OFF.same * (self.end - self.start)
         within = (points[:, 1] >= self.start - margin) & (points[:, 1] <= self.end + margin)
         if not self.contour.closed:
             within &= (points[:, 0] >= -margin) & (points[:, 0] <= self.contour.length + margin)
         open_ = np.flatnonzero(within)
-        nearest = self._tree.query(points, k=TRIES * 2)[1]
+        nearest = self._tree.query(points, k=SIDE_SEARCH.nearest)[1]
         owner, shift, seed = self._seeds
-        tried = np.full((len(points), TRIES * 2), -1)
+        tried = np.full((len(points), SIDE_SEARCH.nearest), -1)
         for rank in range(nearest.shape[1]):
             candidate = nearest[open_, rank]
             fresh = (tried[open_] != owner[candidate][:, None]).all(axis=1)
@@ -115,7 +107,7 @@ class UnrolledSurface:
             at, candidate = open_[fresh], candidate[fresh]
             moved = points[at] - np.c_[shift[candidate], np.zeros(len(at))]
             places = self.place(owner[candidate], moved, seed[candidate])
-            good = _outside(self.sides.shape[1], places) <= INSIDE
+            good = _outside(self.sides.shape[1], places) <= ROUND_OFF.same
             side[at[good]], place[at[good]] = owner[candidate[good]], places[good]
             open_ = open_[side[open_] < 0]
             if not len(open_):
@@ -132,7 +124,7 @@ class UnrolledSurface:
                 points = points.copy()
                 points[:, 0] -= self.contour.length * np.round((points[:, 0] - middle) / self.contour.length)
         place = guess.copy()
-        for _ in range(ITERATIONS):
+        for _ in range(STEPS):
             N, dN = shape_values(self.sides.shape[1], place)
             error = points - np.einsum("ka,kai->ki", N, nodes)
             J = np.einsum("kad,kai->kid", dN, nodes)
@@ -194,7 +186,7 @@ def unroll(points: Array, sides: Ints, axis: Array, name: str) -> UnrolledSurfac
     along = points[nodes] @ axis
     length, distance = contour.project(points[nodes])
     worst = float(distance.max())
-    if worst > PRISMATIC * contour.length:
+    if worst > FIBERS.prismatic * contour.length:
         raise TurgorError(
             f"fibers on '{name}': the cross-section of this face changes along the axis by {worst / mm:.3g} mm; "
             "discrete threads need one that stays the same, smeared fibers do not."
@@ -209,7 +201,7 @@ def _indexed(sides: Ints, flat: Array, contour: Contour, along: Array) -> Unroll
     from scipy.spatial import cKDTree  # slow to load, and few models have threads
 
     count = sides.shape[1]
-    step = (np.arange(SEEDS) + 0.5) / SEEDS
+    step = (np.arange(SIDE_SEARCH.samples) + 0.5) / SIDE_SEARCH.samples
     grid = np.stack(np.meshgrid(step, step), axis=-1).reshape(-1, 2)
     if side_type(count).corners == 3:
         grid = grid[grid.sum(axis=1) <= 1.0]

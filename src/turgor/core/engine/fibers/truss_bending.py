@@ -13,12 +13,10 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses
 from turgor.core.model.fibers import Fibers
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Smallest |τ₂ − τ₁|, so that a straight joint has a direction to bend in.
-STRAIGHT = 1e-8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,8 +74,8 @@ def _tangents(joints: Joints, x: Array) -> tuple[Array, Array]:
 
 
 def _bent(joints: Joints, tangents: Array) -> Array:
-    """|τ₂ − τ₁| of each joint."""
-    return np.maximum(np.linalg.norm(tangents[:, 1] - tangents[:, 0], axis=1), STRAIGHT)
+    """|τ₂ − τ₁| of each joint, more than zero, so that a straight joint has a direction to bend in."""
+    return np.maximum(np.linalg.norm(tangents[:, 1] - tangents[:, 0], axis=1), ROUND_OFF.same)
 
 
 def bending_energy(joints: Joints, x: Array) -> float:

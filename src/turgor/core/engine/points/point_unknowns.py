@@ -23,13 +23,11 @@ from turgor.core.model.model import Model
 from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
 from turgor.core.model.supports import Support, Symmetry
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A point lies in a mirror plane, and a face has a length, up to this share of the size of the mesh.
-SAME_PLACE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -179,7 +177,7 @@ def _carrier(
     at = middle if point.at is None else np.array(point.at)
     size = float(np.ptp(mesh.points, axis=0).max())
     for axis, level in cut.items():
-        if abs(at[axis] - level) > SAME_PLACE * size:
+        if abs(at[axis] - level) > ROUND_OFF.same * size:
             raise TurgorError(
                 f"reference point '{point.name}': at is {at[axis] / mm:.4g} mm along {'xyz'[axis]}, but its face is "
                 f"cut by a {'mirror plane' if axis in mirrored else 'wedge whose axis is'} at {level / mm:.4g} mm; put "
@@ -188,7 +186,7 @@ def _carrier(
     weights = areas / whole
     about = mesh.points[nodes] - middle
     spread = float(np.sqrt(np.abs(weights) @ (about**2).sum(axis=1)))
-    if not spread > SAME_PLACE * size:
+    if not spread > ROUND_OFF.same * size:
         raise TurgorError(f"reference point '{point.name}': the face '{point.face}' has no size.")
     return Carrier(
         point=point, node=node, at=at, nodes=nodes, weights=weights, arms=mesh.points[nodes] - at,

@@ -6,7 +6,7 @@ The types are those with which `turgor.core.engine.system.System` calls them.
 import numpy as np
 
 from turgor.core.engine.algebra.pattern import build_pattern, cell_places, locate, scatter_add
-from turgor.core.engine.cells import kernels, kernels_geometry, spectral
+from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent, spectral
 from turgor.core.engine.cells.element import DISPLACEMENT_DEGREE
 from turgor.core.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell, reference_nodes, side_tables
 from turgor.core.engine.faces import membranes, surfaces
@@ -26,7 +26,7 @@ def compile_pattern() -> None:
 def compile_tangent(nodes: int, mixed: bool) -> None:
     """Compile the kernel of element tangents."""
     loops, u, p, laws = _cell(nodes, mixed)
-    kernels.tangent(loops, u, p, laws, np.zeros((1, 1, 6)), False)
+    kernels_tangent.tangent(loops, u, p, laws, np.zeros((1, 1, 6)), False)
 
 
 def compile_updates(nodes: int, mixed: bool) -> None:

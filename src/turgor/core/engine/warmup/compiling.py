@@ -34,6 +34,7 @@ from turgor.core.engine.warmup.cell_kernels import (
 )
 from turgor.core.engine.warmup.contact_kernels import compile_press, compile_search
 from turgor.core.engine.warmup.needs import Needs
+from turgor.core.engine.warmup.settings import COMPILATION
 from turgor.foundation.startup.background_compiler import send_needs, still_compiling
 from turgor.foundation.startup.garbage import no_garbage_searches
 from turgor.foundation.startup.kernel_folder import FIRST, marker
@@ -55,16 +56,6 @@ class Group:
     name: str
     compile: Callable[[], None]
     needed_first: bool = True
-
-
-#: A compilation that takes longer [s] is announced.
-QUIET_SECONDS = 1.5
-
-#: No group takes longer [s]; a process that has waited so long for another one compiles the group itself.
-LONGEST = 120.0
-
-#: By how much the background compiler lowers its priority once all that a first step needs is compiled.
-NICENESS = 15
 
 
 def announce_needs(needs: Needs) -> None:
@@ -90,7 +81,7 @@ def compile_kernels(notify: Callable[[str], None] | None, needs: Needs) -> float
     """
     start = perf_counter()
     text = "compiling the element kernels (once per machine and kind of cell, up to half a minute)"
-    timer = Timer(QUIET_SECONDS, notify or _say, args=(text,))
+    timer = Timer(COMPILATION.announced_after, notify or _say, args=(text,))
     timer.daemon = True
     timer.start()
     try:
@@ -106,7 +97,7 @@ def _compile(groups: Sequence[Group]) -> None:
     """Compile all groups but those that another process compiles for later."""
     locked = [group for group in groups if group.needed_first and not _compiled_alone(group, 0.0)]
     for group in locked:
-        if not _compiled_alone(group, LONGEST):
+        if not _compiled_alone(group, COMPILATION.longest):
             group.compile()
     rest = [group for group in groups if not (group.needed_first or marker(group.name).exists())]
     if rest and not still_compiling():
@@ -134,7 +125,7 @@ def compile_in_background() -> None:
 def _lower_priority() -> None:
     """Leave the processors to the run, which has begun to solve and may not need the kernels that follow."""
     if hasattr(os, "nice"):  # not on Windows
-        os.nice(NICENESS)
+        os.nice(COMPILATION.niceness)
 
 
 def _groups(needs: Needs) -> Sequence[Group]:

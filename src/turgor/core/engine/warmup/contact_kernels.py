@@ -5,46 +5,43 @@ from dataclasses import replace
 import numpy as np
 
 from turgor.core.engine.algebra.pattern import Pattern
-from turgor.core.engine.cells.reference import reference_cell, reference_nodes
+from turgor.core.engine.cells.reference import reference_nodes, side_tables
 from turgor.core.engine.contact.couplings import Layout
 from turgor.core.engine.contact.pair_part import PairPart, Partners
-from turgor.core.engine.contact.surface import DEGREE, Surface, overhangs, strangers
+from turgor.core.engine.contact.surface import Surface, overhangs, strangers
 from turgor.core.meshing.cells import side_type
-
-#: Penetration of the two sides.
-INSIDE = 0.05
 
 
 def compile_search(nodes: int) -> None:
     """Compile the kernels that search for contact, which a model needs from its first step on."""
     points, part = _pressed(nodes)
-    found = part.look(points, np.zeros(3))
-    found = part.look(points, np.zeros(3), found)
-    part.passed(points, found, found)
+    gaps = part.look(points, np.zeros(3))
+    gaps = part.look(points, np.zeros(3), gaps)
+    part.passed(points, gaps, gaps)
 
 
 def compile_press(nodes: int) -> None:
     """Compile the kernels of contact forces, which a model needs once walls meet, after those that search."""
     points, part = _pressed(nodes)
-    found = part.look(points, np.zeros(3))
-    found = replace(found, friction=part.anchored(points, found))
-    part.forces(points, found)
+    gaps = part.look(points, np.zeros(3))
+    gaps = replace(gaps, friction=part.anchored(points, gaps))
+    part.forces(points, gaps)
     size = 3 * len(points)
     diagonal = Pattern(size, np.arange(size + 1, dtype=np.int64), np.arange(size, dtype=np.int32))
     layout = Layout(diagonal, np.zeros(size, dtype=bool))
-    keys = part.ready_keys(found)
+    keys = part.ready_keys(gaps)
     layout.renew(keys, [part.tied_unknowns(keys)])
     data = layout.spread(np.zeros(size))
-    for ties in part.tangents(points, found):
+    for ties in part.tangents(points, gaps):
         ties.add_to(data, layout.pattern)
 
 
 def _pressed(nodes: int) -> tuple[np.ndarray, PairPart]:
     """Return two sides of ``nodes`` nodes that face each other and are pressed together."""
-    kind, r = side_type(nodes), reference_cell(nodes, DEGREE[nodes])
+    kind, r = side_type(nodes), side_tables(nodes)
     flat = np.zeros((nodes, 3))
     flat[:, :2] = reference_nodes(nodes)
-    turned = flat[:, [1, 0, 2]] - [0, 0, INSIDE]  # the other side looks the other way
+    turned = flat[:, [1, 0, 2]] - [0, 0, 0.05]  # pressed in, and it looks the other way
     points = np.vstack([flat, turned])
     sides = np.arange(2 * nodes, dtype=np.int64).reshape(2, nodes)
     weights = np.ones((2, 1)) * r.weights

@@ -5,10 +5,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from turgor.core.materials.experiments.material_test import Array, MaterialTest
+from turgor.core.materials.experiments.settings import EXPERIMENTS
 from turgor.foundation.finding import Finding, Severity
-
-#: Points of the shortest series that counts: fewer may be equal by chance.
-SHORTEST = 4
 
 
 def check_copies(tests: Sequence[MaterialTest]) -> tuple[Finding, ...]:
@@ -51,13 +49,13 @@ def _series(test: MaterialTest) -> Iterator[tuple[str, Array]]:
     """Names and numbers of the series of a test."""
     stress = [each for each in (test.nominal_stress, test.nominal_stress_2) if each is not None]
     if test.stretch_2 is None:
-        if len(test.stretch) >= SHORTEST:
+        if len(test.stretch) >= EXPERIMENTS.shortest_series:
             yield test.name, np.array([test.stretch, *stress])
         return
     for axis, constant, free in ((2, test.stretch_2, test.stretch), (1, test.stretch, test.stretch_2)):
         for value in np.unique(constant):
             at = constant == value
-            if at.sum() >= SHORTEST:
+            if at.sum() >= EXPERIMENTS.shortest_series:
                 yield (
                     f"{test.name} at stretch {axis} = {value:.4g}",
                     np.array([free[at], *(each[at] for each in stress)]),

@@ -5,10 +5,8 @@ from itertools import pairwise
 import numpy as np
 
 from turgor.core.materials.experiments.material_test import MaterialTest
+from turgor.core.materials.experiments.settings import EXPERIMENTS
 from turgor.foundation.errors import TurgorError, unknown
-
-#: Smallest range of a half cycle, as a share of the whole range of stretch.
-HALF_CYCLE = 0.2
 
 
 def half_cycles(test: MaterialTest) -> tuple[slice, ...]:
@@ -26,7 +24,7 @@ def half_cycles(test: MaterialTest) -> tuple[slice, ...]:
     (slice(0, 3, None), slice(3, 5, None), slice(5, 7, None))
     """
     stretch = test.stretch
-    least = HALF_CYCLE * float(np.ptp(stretch))
+    least = EXPERIMENTS.half_cycle * float(np.ptp(stretch))
     turns, extreme, rising = [], 0, 0
     for i in range(1, len(stretch)):
         if rising == 0:

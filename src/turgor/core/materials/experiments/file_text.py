@@ -18,9 +18,6 @@ _MARKS = (
 #: First bytes of spreadsheets.
 _SPREADSHEETS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
 
-#: A text without a mark is UTF-16 if more than this share of every other byte is zero.
-_HALF_ZERO = 0.3
-
 
 def read_lines(path: Path) -> list[str]:
     """Return the lines of a text file in UTF-8, UTF-16, UTF-32 or Latin-1.
@@ -81,7 +78,7 @@ def _encoding(data: bytes) -> str:
     start = data[: min(len(data), 2000) // 2 * 2]
     for first, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):
         zeros, others = start[first::2].count(0), start[1 - first :: 2].count(0)
-        if len(start) >= 8 and zeros > _HALF_ZERO * len(start) / 2 and others == 0:
+        if len(start) >= 8 and 2 * zeros > len(start) // 2 and others == 0:  # most of every other byte
             return encoding
     try:
         data.decode("utf-8")

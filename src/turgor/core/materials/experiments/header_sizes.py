@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from turgor.core.materials.experiments.columns import FACTORS
+from turgor.core.materials.experiments.settings import EXPERIMENTS
 from turgor.core.materials.experiments.specimen import Specimen
 from turgor.foundation.errors import TurgorError
 
@@ -32,9 +33,6 @@ _SYMBOLS = {"l0": "length", "w0": "width", "t0": "thickness", "a0": "area"}
 
 #: Units of an area in m².
 _AREAS = {f"{unit}{two}": factor**2 for unit, factor in FACTORS["length"].items() for two in ("²", "2", "^2")}
-
-#: Share by which two statements of a dimension may differ.
-_TOLERANCE = 0.01
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -144,4 +142,4 @@ def _has_both(values: Mapping[str, object]) -> bool:
 
 
 def _same(one: float, other: float) -> bool:
-    return abs(one - other) <= _TOLERANCE * max(abs(one), abs(other))
+    return abs(one - other) <= EXPERIMENTS.precision * max(abs(one), abs(other))

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from turgor.core.materials.experiments.settings import EXPERIMENTS
 from turgor.core.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.core.materials.material import UNSTATED
 from turgor.foundation.display import Shown, brief
@@ -17,9 +18,6 @@ Array = NDArray[np.float64]
 
 #: Modes of a test on a rubber; pure shear is another name for planar tension.
 MODES = ("uniaxial", "equibiaxial", "planar", "simple_shear", "biaxial")
-
-#: Smallest step back of the stretch that counts as a reversal, as a share of the whole range.
-JITTER = 0.01
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -181,7 +179,7 @@ class MaterialTest(Shown):
         if self.mode == "biaxial":
             return None  # a field of points, not a path
         stretch = self.stretch if self.stretch[-1] >= self.stretch[0] else -self.stretch
-        back = np.maximum.accumulate(stretch) - stretch > JITTER * np.ptp(stretch)
+        back = np.maximum.accumulate(stretch) - stretch > EXPERIMENTS.precision * np.ptp(stretch)
         return int(np.argmax(back)) if back.any() else None
 
     def keeping(self, keep: NDArray[np.bool_], text: str) -> "MaterialTest":
@@ -203,9 +201,9 @@ class MaterialTest(Shown):
             nominal_stress=self.nominal_stress[gone],
         )
         optional = ("stretch_2", "nominal_stress_2", "spread", "time")
-        kept = {key: None if getattr(self, key) is None else getattr(self, key)[keep] for key in optional}
-        kept |= {"stretch": self.stretch[keep], "nominal_stress": self.nominal_stress[keep]}
-        return self.changed(edit, kept)
+        values = {key: None if getattr(self, key) is None else getattr(self, key)[keep] for key in optional}
+        values |= {"stretch": self.stretch[keep], "nominal_stress": self.nominal_stress[keep]}
+        return self.changed(edit, values)
 
     def changed(self, edit: Edit, values: Mapping[str, Any]) -> "MaterialTest":
         """Return the test with other values and one more edit; the raw test stays with it.

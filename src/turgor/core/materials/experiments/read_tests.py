@@ -116,8 +116,8 @@ def read_tests(
     if stress_measure not in (None, *_MEASURES):
         raise unknown("stress_measure", str(stress_measure), _MEASURES)
     tests = []
-    found = _for_mode(find_columns(table.names, roles, table.file), mode)
-    for name, part, known in _specimens(table, found):
+    by_role = _for_mode(find_columns(table.names, roles, table.file), mode)
+    for name, part, known in _specimens(table, by_role):
         test = _test(name, part, known, mode, stress_measure, specimen)
         turn = test.first_turn()
         if turn is not None and not cyclic:

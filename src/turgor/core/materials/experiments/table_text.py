@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from turgor.core.materials.experiments.columns import FACTORS, role_of
 from turgor.core.materials.experiments.file_text import read_lines
+from turgor.core.materials.experiments.settings import EXPERIMENTS
 from turgor.foundation.errors import TurgorError
 
 Cells: TypeAlias = tuple[str, ...]
@@ -24,9 +25,6 @@ _POINT = re.compile(r"[+-]?\d*\.\d+([eE][+-]?\d+)?")
 _BRACKETS = re.compile(r"[(\[][^)\]]*[)\]]")
 _CLOCK = re.compile(r"\d+:\d\d(:\d\d)?([.,]\d+)?")
 _QUOTED = re.compile(r'"[^"]*"')
-
-#: Number of letters of a header line beyond which names without a separator are not looked for.
-LONGEST_HEADER = 5000
 
 #: What testing machines write for a missing number.
 _MISSING = frozenset({"", "nan", "n/a", "na", "-", "--", "inf", "-inf", "#n/a", "null"})
@@ -105,8 +103,8 @@ class Table:
         keep : iterable of bool
             Whether each row stays.
         """
-        kept = [n for n, stays in enumerate(keep) if stays]
-        return replace(self, rows=tuple(self.rows[n] for n in kept), lines=tuple(self.lines[n] for n in kept))
+        numbers = [n for n, stays in enumerate(keep) if stays]
+        return replace(self, rows=tuple(self.rows[n] for n in numbers), lines=tuple(self.lines[n] for n in numbers))
 
     def complete(self, indices: Iterable[int]) -> tuple["Table", str]:
         """Return the rows without a missing number, and a remark about the others.
@@ -228,7 +226,8 @@ def _are_units(names: Sequence[str]) -> bool:
 
 def _names(line: str, separator: str | None, width: int) -> tuple[str, ...]:
     names = _split(line.lstrip("# "), separator)
-    if (len([name for name in names if name]) < min(width, 2) or separator is None) and len(line) < LONGEST_HEADER:
+    few = len([name for name in names if name]) < min(width, 2) or separator is None
+    if few and len(line) < EXPERIMENTS.longest_header:
         # the numbers are split by tabs and their names by blanks: a name ends with its unit in brackets
         with_units = re.findall(r"[^()\[\]]+[(\[][^)\]]*[)\]]", line.lstrip("# "))
         names = [name.strip(" \t,;") for name in with_units] or names

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from turgor.core.materials.fitting.settings import FIT
 from turgor.core.materials.laws.laws import StretchLaw
 from turgor.core.materials.library.doubt_checks import unstable_law
 from turgor.core.materials.material import Material
@@ -18,9 +19,6 @@ _MORE_MODES = (
     "substitute: fitted to uniaxial tension of three measured rubbers, Yeoh's law is 12 to 48 % off in equibiaxial "
     "tension, neo-Hooke and Gent 8 to 27 %."
 )
-
-#: Tolerance of the ends of a range, as a share, because digitized curves have no sharp ends.
-SLACK = 0.02
 
 
 def check_stretch_range(material: Material, stretch: tuple[float, float]) -> tuple[Finding, ...]:
@@ -44,9 +42,9 @@ def check_stretch_range(material: Material, stretch: tuple[float, float]) -> tup
         return ()
     (low, high), (least, most) = material.stretch_range, stretch
     beyond = []
-    if most > high * (1 + SLACK):
+    if most > high * (1 + FIT.range_slack):
         beyond.append(f"up to stretch {most:.3g}, but its tests end at {high:.3g}")
-    if least < low * (1 - SLACK):
+    if least < low * (1 - FIT.range_slack):
         beyond.append(f"down to stretch {least:.3g}, but its tests begin at {low:.3g}")
     if not beyond:
         return ()

@@ -4,10 +4,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import nnls
 
-Array = NDArray[np.float64]
+from turgor.foundation.round_off import ROUND_OFF
 
-#: Tolerance of a constraint, relative to its largest term.
-_TOLERANCE = 1e-9
+Array = NDArray[np.float64]
 
 
 def solve_constrained(A: Array, b: Array, G: Array, h: Array) -> tuple[Array, NDArray[np.bool_]]:
@@ -48,7 +47,7 @@ def solve_constrained(A: Array, b: Array, G: Array, h: Array) -> tuple[Array, ND
     size[size == 0] = 1.0
     G, h = G / size[:, None], h / size
     x = np.linalg.lstsq(A, b, rcond=None)[0]
-    limit = -_TOLERANCE * (np.abs(x).max(initial=0.0) + np.abs(h))
+    limit = -ROUND_OFF.same * (np.abs(x).max(initial=0.0) + np.abs(h))
     if not (G @ x - h < limit).any():
         return x / scale, np.zeros(len(h), dtype=bool)
     Q, R = np.linalg.qr(A)

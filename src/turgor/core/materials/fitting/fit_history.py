@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from turgor.core.materials.experiments.material_test import Array, MaterialTest
-from turgor.core.materials.fitting.history_fit import POINTS, HistoryFit, quality_of
+from turgor.core.materials.fitting.history_fit import HistoryFit, quality_of
 from turgor.core.materials.fitting.history_points import HistoryPoints
+from turgor.core.materials.fitting.settings import DETERMINATION, FIT, HISTORY_FIT
 from turgor.core.materials.history.softening import Mullins, softening
 from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.materials.laws.conventions import scaled_law
@@ -17,18 +18,6 @@ from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.material import Material
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.source import Source
-
-#: Bounds of 1/r, of m relative to the largest energy density in the tests, and of β.
-SOFTENING_BOUNDS = ((0.05, 0.95), (1e-3, 20.0), (0.0, 5.0))
-
-#: Number of random starts of the search, with a fixed seed.
-STARTS = 6
-
-#: Smallest long-term share of the instantaneous stress; a rubber does not flow.
-LEAST_LEFT = 1e-3
-
-#: A parameter whose standard error exceeds this share of its value counts as not determined.
-LOOSE_SHARE = 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,9 +35,8 @@ class _Search:
         low, high = self.points.span
         rows = [(np.log(low), np.log(10 * high))] * self.terms
         if self.softening:
-            inverse, m, beta = SOFTENING_BOUNDS
-            rows += [inverse, (np.log(m[0] * self.points.top), np.log(m[1] * self.points.top))]
-            rows += [beta] if self.beta else []
+            rows += [HISTORY_FIT.inverse_r, tuple(np.log(each * self.points.top) for each in HISTORY_FIT.m)]
+            rows += [HISTORY_FIT.beta] if self.beta else []
         return np.array([row[0] for row in rows]), np.array([row[1] for row in rows])
 
     def parts(self, x: Array) -> tuple[Mullins | None, list[float]]:
@@ -114,7 +102,7 @@ def fit_history(
     """
     tests = [tests] if isinstance(tests, MaterialTest) else list(tests)
     _check(tests, terms, stress_softening)
-    search = _Search(terms, stress_softening, beta, rescale, HistoryPoints(law, tests, POINTS))
+    search = _Search(terms, stress_softening, beta, rescale, HistoryPoints(law, tests, HISTORY_FIT.points))
     values = _values(search, _best(search))
     material = _material(law, values, search, tests)
     return HistoryFit(
@@ -143,7 +131,7 @@ def _best(search: _Search) -> Array:
 
     low, high = search.bounds
     random = np.random.default_rng(0)
-    starts = [low + (high - low) * random.uniform(0.1, 0.9, len(low)) for _ in range(STARTS)]
+    starts = [low + (high - low) * random.uniform(0.1, 0.9, len(low)) for _ in range(HISTORY_FIT.starts)]
     fits = [least_squares(search.residual, start, bounds=(low, high)) for start in starts]
     return np.asarray(min(fits, key=lambda each: each.cost).x)
 
@@ -153,14 +141,14 @@ def _values(search: _Search, x: Array) -> dict[str, float]:
     mullins, tau = search.parts(x)
     shares = search.points.shares(search.points.columns(mullins, tau), search.rescale)
     scale = float(shares.sum())
-    if not shares[0] > LEAST_LEFT * scale:
+    if not shares[0] > FIT.least_share * scale:
         raise TurgorError(
             f"terms is {search.terms}, and the tests relax without limit: no long-term stress is left. Give a longer "
             "test, or fewer terms."
         )
-    kept = sorted((float(t), float(b)) for t, b in zip(tau, shares[1:], strict=True) if b > 1e-6 * scale)
+    terms = sorted((float(t), float(b)) for t, b in zip(tau, shares[1:], strict=True) if b > 1e-6 * scale)
     values = {"scale": scale}
-    for n, (t, b) in enumerate(kept, 1):
+    for n, (t, b) in enumerate(terms, 1):
         values |= {f"g{n}": b / scale, f"tau{n}": t}
     if mullins is not None:
         values |= {"r": mullins.r, "m": mullins.m} | ({"beta": mullins.beta} if search.beta else {})
@@ -210,7 +198,9 @@ def _uncertainty(search: _Search, values: Mapping[str, float]) -> dict[str, Any]
     errors = dict.fromkeys(values, 0.0) | dict(zip(free, np.sqrt(covariance.diagonal()).tolist(), strict=True))
     if "m" in errors:
         errors["m"] *= values["scale"]
-    loose = [name for name, value in _of_scaled_law(values).items() if errors[name] > LOOSE_SHARE * abs(value)]
+    loose = [
+        name for name, value in _of_scaled_law(values).items() if errors[name] > DETERMINATION.large_error * abs(value)
+    ]
     return {"errors": errors, "bounds_hit": tuple(at_bound.values()), "undetermined": tuple(loose)}
 
 
@@ -218,7 +208,7 @@ def _active_bounds(search: _Search, values: Mapping[str, float]) -> dict[str, st
     """Sentence about each parameter that is at a bound of the search, by name."""
     low, high = search.points.span
     edges = {name: (low, 10 * high, "s") for name in values if name.startswith("tau")}
-    inverse, m, beta = SOFTENING_BOUNDS
+    inverse, m, beta = HISTORY_FIT.inverse_r, HISTORY_FIT.m, HISTORY_FIT.beta
     edges |= {"r": (1 / inverse[1], 1 / inverse[0], ""), "beta": (*beta, "")}
     edges |= {"m": (m[0] * search.points.top, m[1] * search.points.top, "Pa of the law as given")}
     at_bound = {}

@@ -22,6 +22,7 @@ from turgor.core.materials.fitting.points import (
     within,
 )
 from turgor.core.materials.fitting.result import Fit, FitResidual
+from turgor.core.materials.fitting.settings import FIT
 from turgor.core.materials.fitting.uncertainty import Uncertainty, uncertainty_of
 from turgor.core.materials.laws.homogeneous import equibiaxial, planar, uniaxial
 from turgor.core.materials.laws.law_spec import LawSpec
@@ -30,12 +31,6 @@ from turgor.core.materials.laws.stability import Mode, instabilities
 from turgor.foundation.errors import TurgorError, unknown
 
 Shapes: TypeAlias = Sequence[float] | Array
-
-#: Smallest slope and initial shear modulus of a fitted law, relative to the neo-Hookean modulus of the tests.
-LEAST_MODULUS = 1e-3
-
-#: Number of best starts that are iterated to convergence.
-REFINED = 3
 
 
 def fit(
@@ -157,7 +152,7 @@ class _Search:
             rows, steps = stability_rows(spec, ranges) if stable else (self.G, self.h)
             self.G = np.vstack([rows, modulus_row(spec)])
             # a slope of exactly zero would count as unstable, so the limit is a small positive one
-            self.h = LEAST_MODULUS * modulus * np.append(steps, 1.0)
+            self.h = FIT.least_share * modulus * np.append(steps, 1.0)
             self._slope_columns: Array | None = points.columns(spec, ())
         elif stable or spec.sign == "positive":
             self.G = np.eye(len(spec.coefficients))
@@ -209,8 +204,8 @@ class _Search:
         random = np.random.default_rng(seed)
         ends = [self._descend(self._start(random), 25, 1e-4) for _ in range(starts)]
         ends.sort(key=lambda end: end[0])
-        ends[:REFINED] = [self._descend(shapes, 200, 1e-10) for _, shapes in ends[:REFINED]]
-        cost, best = min(ends[:REFINED], key=lambda end: end[0])
+        ends[: FIT.refined_starts] = [self._descend(shapes, 200, 1e-10) for _, shapes in ends[: FIT.refined_starts]]
+        cost, best = min(ends[: FIT.refined_starts], key=lambda end: end[0])
         floor = 1e-12 * float(self.points.target @ self.points.target)
         agreed = sum(end[0] <= 1.05 * cost + floor for end in ends)
         order = np.argsort(best) if self.spec.sign == "shape" else np.arange(len(best))

@@ -8,12 +8,10 @@ import numpy as np
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.fitting.history_points import HistoryPart
 from turgor.core.materials.fitting.result import FitResidual
+from turgor.core.materials.fitting.settings import HISTORY_FIT
 from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.material import Material
 from turgor.foundation.display import brief
-
-#: Number of points of each test that are used.
-POINTS = 400
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -75,7 +73,7 @@ def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[FitRe
     material : Material
         Rubber with its viscoelasticity and stress softening.
     tests : sequence of MaterialTest
-        Tests with time; about `POINTS` points of each are used.
+        Tests with time; about 400 points of each are used.
     """
     series, law = material.viscoelasticity, material.law
     assert isinstance(law, Law)
@@ -83,7 +81,7 @@ def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[FitRe
     factor = 1.0 if series is None else series.instantaneous
     residuals = []
     for test in tests:
-        part = HistoryPart(law, test, POINTS)
+        part = HistoryPart(law, test, HISTORY_FIT.points)
         predicted = factor * (part.columns(material.stress_softening, tau) @ np.array([1 - sum(g), *g]))
         residuals.append(FitResidual.of(part.loaded_test, predicted * part.scale))
     return tuple(residuals)

@@ -3,13 +3,11 @@
 import re
 from typing import Any
 
+from turgor.core.materials.fitting.settings import FIT
 from turgor.core.materials.laws.law_spec import LawSpec, spec_of_fields
 from turgor.core.materials.laws.laws import LAWS
 from turgor.core.materials.laws.names import spelled
 from turgor.foundation.errors import TurgorError, near_match
-
-#: Largest order that a name may ask for; more terms than that describe noise.
-LARGEST_ORDER = 6
 
 
 def law_spec(law: str | type[Any] | LawSpec) -> LawSpec:
@@ -79,7 +77,7 @@ def _of_series(kind: Any, name: str, order: str) -> LawSpec:
     if not order:
         example = f"{kind.series}-3"
         raise TurgorError(f"'{name}' comes with any number of terms; say how many, for example '{example}'.")
-    if not 1 <= int(order) <= LARGEST_ORDER:
-        raise TurgorError(f"'{name}' asks for order {int(order)}; allowed is 1 to {LARGEST_ORDER}.")
+    if not 1 <= int(order) <= FIT.largest_order:
+        raise TurgorError(f"'{name}' has order {int(order)}; allowed is 1 to {FIT.largest_order}.")
     made: LawSpec = kind.fit_spec(int(order))
     return made

@@ -8,25 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.materials.experiments.material_test import Array, MaterialTest
+from turgor.core.materials.fitting.settings import FIT
 from turgor.core.materials.laws.homogeneous import nominal_stress
 from turgor.core.materials.laws.law_spec import LawSpec
 from turgor.foundation.errors import TurgorError
 
 #: The deformation of each mode with its range of stretch.
 ModeRanges: TypeAlias = Sequence[tuple[Callable[[Any], Array], tuple[float, float]]]
-
-#: Smallest stress for relative weights, as a share of the largest stress of its test.
-WEIGHT_FLOOR = 0.05
-
-#: Smallest exponent of Ogden's law; no test distinguishes smaller ones.
-LEAST_EXPONENT = 0.05
-
-#: Number of stretches in each mode at which stability is required, and the factor by which these exceed the range.
-STABILITY_POINTS = 240
-BEYOND = 1.005
-
-#: Stretches that are equal to so many decimals count as one.
-DECIMALS = 3
 
 
 class FitPoints:
@@ -49,7 +37,7 @@ class FitPoints:
             start += len(test.stretch)
         self._rows = rows
         if weights == "relative":
-            floors = [np.maximum(np.abs(t.measured), WEIGHT_FLOOR * np.abs(t.measured).max()) for t in tests]
+            floors = [np.maximum(np.abs(t.measured), FIT.weight_floor * np.abs(t.measured).max()) for t in tests]
             scale = np.concatenate(floors)
         else:
             scale = np.full(len(self.measured), np.abs(self.measured).max())
@@ -115,7 +103,7 @@ def off_zero(exponent: float) -> float:
     (-0.05, 2.0)
     """
     sign = -1.0 if exponent < 0 else 1.0
-    return sign * max(abs(float(exponent)), LEAST_EXPONENT)
+    return sign * max(abs(float(exponent)), FIT.least_exponent)
 
 
 def stability_rows(spec: LawSpec, ranges: ModeRanges) -> tuple[Array, Array]:
@@ -133,7 +121,8 @@ def stability_rows(spec: LawSpec, ranges: ModeRanges) -> tuple[Array, Array]:
     rows, steps = [], []
     for mode, (low, high) in ranges:
         # a little beyond both ends, so that the slope at the ends counts too
-        grid = np.geomspace(min(low, 0.999) / BEYOND, max(high, 1.001) * BEYOND, STABILITY_POINTS)
+        ends = min(low, 0.999) / FIT.beyond, max(high, 1.001) * FIT.beyond
+        grid = np.geomspace(*ends, FIT.stability_points)
         F = mode(grid)
         nominal = columns_of(spec, (), partial(_pull, F), {})
         rows += [np.diff(nominal, axis=0), np.diff(nominal * grid[:, None], axis=0)]
@@ -180,6 +169,6 @@ def different(tests: Sequence[MaterialTest]) -> int:
     for test in tests:
         second = test.stretch if test.stretch_2 is None else test.stretch_2
         axes = range(len(test.measured) // len(test.stretch))
-        for place in np.round(np.stack([test.stretch, second], axis=-1), DECIMALS).tolist():
+        for place in np.round(np.stack([test.stretch, second], axis=-1), FIT.same_decimals).tolist():
             places.update((test.mode, *place, axis) for axis in axes)
     return len(places)

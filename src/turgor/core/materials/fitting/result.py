@@ -8,15 +8,12 @@ from typing import Any, Self
 import numpy as np
 
 from turgor.core.materials.experiments.material_test import Array, MaterialTest
-from turgor.core.materials.fitting.points import WEIGHT_FLOOR
+from turgor.core.materials.fitting.settings import DETERMINATION, FIT
 from turgor.core.materials.laws.law_spec import LawSpec
 from turgor.core.materials.material import Material
 from turgor.foundation.display import Shown
 from turgor.foundation.finding import Finding
 from turgor.foundation.source import Source
-
-#: Correlation beyond which the tests determine only a combination of two parameters.
-LOOSE = 0.99
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,7 +56,7 @@ class FitResidual:
         """
         off = predicted - test.measured
         size = np.abs(test.measured)
-        relative = off / np.maximum(size, WEIGHT_FLOOR * size.max())
+        relative = off / np.maximum(size, FIT.weight_floor * size.max())
         spread = test.measured - test.measured.mean()
         return cls(
             name=test.name,
@@ -150,7 +147,7 @@ class Fit(Shown):
         i, j = np.unravel_index(int(np.argmax(off)), off.shape)
         names = self.spec.names
         open_ones = any(self.errors[names[k]] > abs(self.values[names[k]]) for k in (i, j))
-        return (names[i], names[j]) if off[i, j] > LOOSE and open_ones else None
+        return (names[i], names[j]) if off[i, j] > DETERMINATION.correlated and open_ones else None
 
     @property
     def material(self) -> Material:

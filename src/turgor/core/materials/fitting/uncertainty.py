@@ -7,13 +7,9 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.foundation.round_off import ROUND_OFF
+
 Array = NDArray[np.float64]
-
-#: Singular values below this share of the largest one count as zero; round-off of exact dependences stays far below.
-_OPEN = 1e-8
-
-#: Share of an open direction beyond which a parameter takes part in it.
-_PART = 1e-5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -61,7 +57,7 @@ class Uncertainty:
         row = np.zeros(len(values))
         row[i], row[j] = 1.0, weight
         error = max(float(row @ self.covariance @ row), 0.0) ** 0.5
-        factor = "" if abs(abs(weight) - 1) < _PART else f"{abs(weight):.4g} "
+        factor = "" if abs(abs(weight) - 1) < ROUND_OFF.same else f"{abs(weight):.4g} "
         total = (values[i] + weight * values[j]) / 1e3
         return f"{names[i]} {'+' if weight > 0 else '-'} {factor}{names[j]} = {total:.5g} ± {error / 1e3:.2g} kPa"
 
@@ -83,8 +79,8 @@ def uncertainty_of(jacobian: Array, residual: Array, limits: Array) -> Uncertain
     Two equal columns leave the difference of their parameters open:
 
     >>> jacobian = np.column_stack([np.ones(3), np.ones(3), np.arange(3.0)])
-    >>> found = uncertainty_of(jacobian, np.array([0.1, -0.2, 0.1]), np.empty((0, 3)))
-    >>> found.errors.round(3), found.combination(["a", "b", "c"], [1e3, 2e3, 0.0], 3)
+    >>> three = uncertainty_of(jacobian, np.array([0.1, -0.2, 0.1]), np.empty((0, 3)))
+    >>> three.errors.round(3), three.combination(["a", "b", "c"], [1e3, 2e3, 0.0], 3)
     (array([ inf,  inf, 0.173]), 'a + b = 3 ± 0.00022 kPa')
     """
     count = jacobian.shape[1]
@@ -94,7 +90,7 @@ def uncertainty_of(jacobian: Array, residual: Array, limits: Array) -> Uncertain
     if len(limits):
         rows = limits / scale
         _, size, directions = np.linalg.svd(rows / np.linalg.norm(rows, axis=1)[:, None])
-        free = directions[int((size > 1e-10).sum()) :].T
+        free = directions[int((size > ROUND_OFF.same).sum()) :].T
     if free.shape[1] == 0:
         none = np.zeros((count, 0))
         return Uncertainty(
@@ -102,12 +98,12 @@ def uncertainty_of(jacobian: Array, residual: Array, limits: Array) -> Uncertain
         )
     _, size, directions = np.linalg.svd(jacobian / scale @ free, full_matrices=True)
     size = np.append(size, np.zeros(free.shape[1] - len(size)))
-    known = size > _OPEN * size.max()
+    known = size > ROUND_OFF.same * size.max()
     variance = residual @ residual / max(len(residual) - int(known.sum()), 1)
     spread = free @ directions[known].T / size[known]
     covariance = spread @ spread.T * variance
     unnoticed = free @ directions[~known].T
-    lost = np.linalg.norm(unnoticed, axis=1) > _PART
+    lost = np.linalg.norm(unnoticed, axis=1) > ROUND_OFF.same
     errors = np.where(lost, inf, np.sqrt(np.clip(np.diag(covariance), 0.0, None)))
     correlation = _correlation(np.where(np.outer(lost, lost), unnoticed @ unnoticed.T, covariance), lost)
     return Uncertainty(

@@ -7,9 +7,10 @@ the energy ½ h : C̄; its stress and tangent are written here once, for a homog
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.foundation.symmetric import PAIRS
+
 Array = NDArray[np.float64]
 
-_PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
 _PLACE = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
 _TWICE = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])
 
@@ -83,8 +84,8 @@ def isochoric_tangent(h: Array, C: Array) -> Array:
     inv = np.ascontiguousarray(np.moveaxis(inverse, -1, 0))
     out = np.empty((*C.shape[:-1], 21))
     at = 0
-    for v, (a, b) in enumerate(_PAIRS):
-        for w, (c, d) in enumerate(_PAIRS[: v + 1]):
+    for v, (a, b) in enumerate(PAIRS):
+        for w, (c, d) in enumerate(PAIRS[: v + 1]):
             cross = inv[_PLACE[a][c]] * inv[_PLACE[b][d]] + inv[_PLACE[a][d]] * inv[_PLACE[b][c]]
             dyad = inv[v] * inv[w]
             out[..., at] = along * (0.5 * cross + dyad / 3.0) - H[v] * inv[w] - inv[v] * H[w]
@@ -104,7 +105,7 @@ def _inverse(C: Array) -> tuple[Array, Array]:
     """C⁻¹ by components, and J^(−2/3)."""
     determinant = _determinant(C)
     inverse = np.empty_like(C)
-    for v, (a, b) in enumerate(_PAIRS):
+    for v, (a, b) in enumerate(PAIRS):
         a1, a2, b1, b2 = (a + 1) % 3, (a + 2) % 3, (b + 1) % 3, (b + 2) % 3
         inverse[..., v] = (
             C[..., _PLACE[a1][b1]] * C[..., _PLACE[a2][b2]] - C[..., _PLACE[a1][b2]] * C[..., _PLACE[a2][b1]]

@@ -21,13 +21,12 @@ from turgor.core.materials.laws.laws import Law, StretchLaw
 from turgor.core.materials.material import Material
 from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.symmetric import COLUMNS, ROWS
 
 Array = NDArray[np.float64]
 HistoryMode = Literal["uniaxial", "equibiaxial", "planar"]
 
 HISTORY_MODES = get_args(HistoryMode)
-
-_SIX = ([0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -192,7 +191,7 @@ def _relaxing(series: Prony, time: Array, S: Array, C: Array) -> Array:
 
 
 def _components(tensor: Array) -> Array:
-    return np.asarray(tensor[..., _SIX[0], _SIX[1]])
+    return np.asarray(tensor[..., ROWS, COLUMNS])
 
 
 def _checked(time: ArrayLike, stretch: ArrayLike) -> tuple[Array, Array]:

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from turgor.core.materials.laws.derived_formulas import cached_formulas
 from turgor.core.materials.laws.laws import InvariantLaw, Law
+from turgor.foundation.symmetric import PAIRS
 
 Array = NDArray[np.float64]
 
 #: Pairs of stretches by which the second derivatives are taken, in this order everywhere.
-STRETCH_PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
+STRETCH_PAIRS = PAIRS
 
 
 def energy_and_derivatives(law: InvariantLaw, I1: Array, I2: Array) -> tuple[Array, ...]:

@@ -13,11 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from turgor.core.materials.laws.derivatives import energy_derivatives, stretch_derivatives
 from turgor.core.materials.laws.laws import InvariantLaw, Law, StretchLaw
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
-
-#: How far det F may lie from 1 before a deformation is refused as not isochoric.
-_ISOCHORIC = 1e-9
 
 
 def uniaxial(stretch: ArrayLike) -> Array:
@@ -171,7 +169,7 @@ def cauchy_stress(law: Law, F: Array) -> Array:
     F = np.asarray(F, dtype=np.float64)
     determinant = np.linalg.det(F)
     worst = float(np.abs(determinant - 1.0).max(initial=0.0))
-    if not worst <= _ISOCHORIC:
+    if not worst <= ROUND_OFF.same:
         raise TurgorError(
             f"det F differs from 1 by {worst:.3g}; these stresses are for volume-preserving deformations."
         )

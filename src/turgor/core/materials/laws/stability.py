@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, stretch_derivatives
 from turgor.core.materials.laws.laws import Law
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Mode = Literal["uniaxial", "equibiaxial", "planar"]
@@ -27,9 +28,6 @@ CRITERIA = ("nominal", "cauchy", "drucker")
 
 #: Stretches at which a sign is looked for, evenly spaced in ln λ, in each of tension and compression.
 _SAMPLES = 1000
-
-#: Slopes below this part of the initial one count as falling; round-off alone stays far below.
-_FLAT = 1e-12
 
 
 def first_instability(
@@ -72,8 +70,8 @@ def first_instability(
     if not 0 < lower <= 1 <= upper < np.inf:
         raise TurgorError(f"the range {lower:g} to {upper:g} must hold stretch 1, with both ends positive and finite.")
     initial = float(_margin(law, mode, criterion, np.ones(1))[0])
-    found = [s for s in (_first(law, mode, criterion, initial, end) for end in (upper, lower)) if s is not None]
-    return min(found, key=lambda stretch: abs(np.log(stretch)), default=None)
+    stretches = [s for s in (_first(law, mode, criterion, initial, end) for end in (upper, lower)) if s is not None]
+    return min(stretches, key=lambda stretch: abs(np.log(stretch)), default=None)
 
 
 def instabilities(law: Law, mode: Mode, upper: float = 8.0, lower: float = 0.2) -> dict[Criterion, float]:
@@ -98,20 +96,20 @@ def instabilities(law: Law, mode: Mode, upper: float = 8.0, lower: float = 0.2) 
     >>> {name: round(at, 3) for name, at in instabilities(law, "equibiaxial", lower=1.0).items()}
     {'nominal': 1.389, 'drucker': 1.485, 'cauchy': 1.485}
     """
-    found: dict[Criterion, float] = {}
+    first: dict[Criterion, float] = {}
     for criterion in ("nominal", "drucker", "cauchy"):
         at = first_instability(law, mode, upper, lower, criterion)
         if at is not None:
-            found[criterion] = at
+            first[criterion] = at
     # equal but for round-off: Drucker's postulate implies that the Cauchy stress rises
-    return dict(sorted(found.items(), key=lambda item: round(abs(float(np.log(item[1]))), 9)))
+    return dict(sorted(first.items(), key=lambda item: round(abs(float(np.log(item[1]))), 9)))
 
 
 def _first(law: Law, mode: Mode, criterion: Criterion, initial: float, end: float) -> float | None:
     """First stretch between 1 and an end where the margin is gone; beyond a locking stretch there is none."""
     stretches = np.exp(np.linspace(0.0, np.log(end), _SAMPLES))
     margin = _margin(law, mode, criterion, stretches)
-    bad = np.flatnonzero(margin <= _FLAT * initial)
+    bad = np.flatnonzero(margin <= ROUND_OFF.zero * initial)
     if end == 1 or not len(bad):
         return None
     at = int(bad[0])

@@ -13,17 +13,9 @@ from turgor.core.materials.laws.laws import Hooke, Law
 from turgor.core.materials.laws.pull import pull
 from turgor.core.materials.library.record import Record
 from turgor.core.materials.library.record_files import all_records
+from turgor.core.materials.library.settings import DOUBTS
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Severity
-
-#: Constants of two rubbers that lie this close are taken to be the same numbers.
-SAME = 0.1
-
-#: How far a stress may lie from the supplier's before it is doubted; good fits of one rubber differ by a factor of 2.
-FAR = 2.5
-
-#: No rubber is stiffer than this [Pa]; the hardest, at 95 Shore A, have some 50 MPa.
-STIFFEST_RUBBER = 100e6
 
 #: Stretches that walls of soft actuators see, by mode: from 50 % compression to 300 %, or 200 % in both directions.
 USUAL_RANGE: Mapping[str, tuple[float, float]] = {
@@ -121,7 +113,7 @@ def unstable_law(law: Law) -> Iterator[Doubt]:
 def _borrowed(case: Case) -> Iterator[Doubt]:
     """Find the same constants under two materials; the one whose properties they contradict has borrowed them."""
     record = case.record
-    if not _misfit(record) > log(FAR):  # its own constants
+    if not _misfit(record) > log(DOUBTS.far):  # its own constants
         return
     others = [other for other in case.others if other.material_name != record.material_name]
     lender = min((other for other in others if _same(record, other)), key=_misfit, default=record)
@@ -136,7 +128,7 @@ def _borrowed(case: Case) -> Iterator[Doubt]:
 
 def _far_from_supplier(case: Case) -> Iterator[Doubt]:
     record, supplier = case.record, case.record.supplier
-    if record.kind == "rubber" and isinstance(case.law, Hooke) and STIFFEST_RUBBER < case.law.E:
+    if record.kind == "rubber" and isinstance(case.law, Hooke) and DOUBTS.stiffest_rubber < case.law.E:
         text = f"E = {case.law.E / 1e9:.3g} GPa is impossible for a rubber, which has less than 0.1 GPa."
         yield Doubt(code="M04", kind="no rubber", message=_sentence(text))
     if supplier is None or case.law is None:
@@ -146,7 +138,7 @@ def _far_from_supplier(case: Case) -> Iterator[Doubt]:
     else:
         here, there = _stress_at_2(case.law), supplier.stress_at_stretch_2
         what = "the nominal stress at stretch 2 is"
-    if there is not None and not 1 / FAR < here / there < FAR:
+    if there is not None and not 1 / DOUBTS.far < here / there < DOUBTS.far:
         factor = here / there
         times = f"{factor:.3g} times" if factor > 1 else f"1/{1 / factor:.3g} of"
         text = f"{what} {_kPa(here)}, {times} the {_kPa(there)} that the supplier states."
@@ -192,7 +184,7 @@ def _composite(case: Case) -> Iterator[Doubt]:
 def _secant(case: Case) -> Iterator[Doubt]:
     """Linear elastic constants of a rubber are a secant of its curve."""
     record, law = case.record, case.law
-    if record.kind != "rubber" or not isinstance(law, Hooke) or law.E >= STIFFEST_RUBBER:
+    if record.kind != "rubber" or not isinstance(law, Hooke) or DOUBTS.stiffest_rubber <= law.E:
         return
     text = f"E = {_kPa(law.E)} describes a rubber by one straight line"
     for other in case.others:
@@ -254,13 +246,13 @@ def _same(one: Record, other: Record) -> bool:
     if a is None or type(a) is not type(b) or one.law in ("ogden", "generalized_rivlin"):
         return one.law == other.law and one.constants == other.constants
     values = [(getattr(a, item.name), getattr(b, item.name)) for item in fields(a)]  # type: ignore[arg-type]
-    return all(abs(x - y) <= SAME * max(abs(x), abs(y)) for x, y in values)
+    return all(abs(x - y) <= DOUBTS.same * max(abs(x), abs(y)) for x, y in values)
 
 
 def _misfit(record: Record) -> float:
     """How badly the constants suit the name: the logarithm of the ratio to what the supplier states."""
     law = _law(record)
-    if law is None or (isinstance(law, Hooke) and record.kind == "rubber" and law.E > STIFFEST_RUBBER):
+    if law is None or (isinstance(law, Hooke) and record.kind == "rubber" and DOUBTS.stiffest_rubber < law.E):
         return inf
     stated = record.supplier.stress_at_stretch_2 if record.supplier else None
     if isinstance(law, Hooke) or stated is None:

@@ -9,12 +9,13 @@ from numpy.typing import NDArray
 from turgor.core.geometry.directions import normalized
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import vector
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 
 Vector = tuple[float, float, float]
 
 #: Two directions are the same, and a point lies on an axis [m], up to this.
-SAME = 1e-9
+SAME = ROUND_OFF.same
 
 
 class RigidShape:

@@ -7,19 +7,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
+from turgor.core.results.convergence.settings import EXTRAPOLATION
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: Orders between which a sequence counts as converging. Below them the meshes are too coarse. Above the highest order
-#: of quadratic cells (4, in energy) a sequence is fast by chance, and is extrapolated with order 4.
-LEAST_ORDER, MOST_ORDER = 0.5, 4.0
-
-#: The error is this many times the distance to the extrapolated value (Roache 1994, for three or more meshes).
-SAFETY = 1.25
-
-#: Values that differ by less than this share are equal: solvers stop at about 1e-8.
-EQUAL = 1e-7
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -93,30 +84,32 @@ def extrapolate(sizes: ArrayLike, values: ArrayLike) -> Extrapolation:
     h, f = h[-3:], f[-3:]
     first, last = f[1] - f[0], f[2] - f[1]
     finest, spread = float(f[2]), float(np.ptp(f))
-    if max(abs(first), abs(last)) <= EQUAL * np.abs(f).max():
+    if max(abs(first), abs(last)) <= EXTRAPOLATION.equal * np.abs(f).max():
         return Extrapolation(value=finest, error=spread, order=None, trust="equal")
     if first * last < 0:
         return Extrapolation(value=finest, error=spread, order=None, trust="not monotone")
     order = _order(h, abs(first), abs(last))
-    if order < LEAST_ORDER:
+    if order < EXTRAPOLATION.least_order:
         trust = "slow" if order > 0 else "diverging"
         return Extrapolation(value=finest, error=spread, order=order if order > 0 else None, trust=trust)
-    used = min(order, MOST_ORDER)
+    used = min(order, EXTRAPOLATION.most_order)
     value = float(finest + last / ((h[1] / h[2]) ** used - 1))
-    if order <= MOST_ORDER:
-        return Extrapolation(value=value, error=SAFETY * abs(value - finest), order=order, trust="converging")
+    if order <= EXTRAPOLATION.most_order:
+        return Extrapolation(
+            value=value, error=EXTRAPOLATION.safety * abs(value - finest), order=order, trust="converging"
+        )
     # the last two values may agree by chance: what the first two say, with the highest order, is an error too
     expected = first * h[2] ** used / (h[0] ** used - h[1] ** used)
-    error = SAFETY * max(abs(value - finest), abs(expected))
+    error = EXTRAPOLATION.safety * max(abs(value - finest), abs(expected))
     shown = order if isfinite(order) else None
     return Extrapolation(value=value, error=float(error), order=shown, trust="fast")
 
 
 def _order(h: Array, first: float, last: float) -> float:
     """The p for which |f2 - f1| : |f3 - f2| is (h1^p - h2^p) : (h2^p - h3^p); negative where differences grow."""
-    if last <= EQUAL * first:
+    if last <= EXTRAPOLATION.equal * first:
         return np.inf
-    if first <= EQUAL * last:
+    if first <= EXTRAPOLATION.equal * last:
         return -np.inf
     a, b = log(h[0] / h[1]), log(h[1] / h[2])
 

@@ -5,14 +5,14 @@ from collections.abc import Iterator
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.solvers.solution import Solution
 
-#: Nodes of all states whose fields are kept: 11 numbers each, so 180 MB at most.
+#: Nodes of all states whose fields are saved: 11 numbers each, so 180 MB at most.
 MOST_KEPT = 2_000_000
 
 
 class PathFields:
     """Fields of the states of a path, which several readers go through one after another.
 
-    The fields at the nodes of a state are kept when a reader leaves it; those at the quadrature points, which are the
+    The fields at the nodes of a state are saved when a reader leaves it; those at the quadrature points, which are the
     largest by far, are not.
 
     Parameters
@@ -21,7 +21,7 @@ class PathFields:
     facts : MeshFacts, optional
         What states of the same mesh share; made here if it is not given.
     most : int
-        Nodes of all states whose fields are kept; the other states are evaluated again by each reader. 0 keeps none,
+        Nodes of all states whose fields are saved; the other states are evaluated again by each reader. 0 keeps none,
         which is best where there is one reader.
     """
 

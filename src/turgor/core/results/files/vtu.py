@@ -22,10 +22,10 @@ from turgor.core.results.files.vtu_overlays import obstacles_text, threads_text
 from turgor.core.results.files.vtu_xml import VtuArray, numbered, opening, section
 from turgor.core.solvers.solution import Solution, State
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.symmetric import PAIRS
 from turgor.units import kPa
 
-#: Rows and columns of the six components of a symmetric tensor, in VTK's order.
-SYMMETRIC = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
+#: Names of the six components of a symmetric tensor.
 SYMMETRIC_NAMES = ("XX", "YY", "ZZ", "XY", "YZ", "XZ")
 
 
@@ -49,7 +49,7 @@ def write_state(path: str | Path, state: State | StateFields) -> None:
     """
     at = state if isinstance(state, StateFields) else StateFields(state)
     nodes = at.facts.region_nodes
-    cauchy = np.stack([at.cauchy_stress[:, i, j] for i, j in SYMMETRIC], axis=1)
+    cauchy = np.stack([at.cauchy_stress[:, i, j] for i, j in PAIRS], axis=1)
     point_data = [
         VtuArray("displacement", at.displacement[nodes.node].astype("f8"), "m", ("X", "Y", "Z")),
         VtuArray("mean_stress", at.mean_stress.astype("f4"), "Pa"),

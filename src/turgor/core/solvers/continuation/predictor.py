@@ -191,7 +191,7 @@ def _along_tangent(
 
 def _touching(contacts: Contacts) -> int:
     """How many points touch."""
-    return sum(int(each.inside.sum()) for each in contacts.found)
+    return sum(int(each.inside.sum()) for each in contacts.gaps)
 
 
 def _bent(history: Sequence[Point], parameter: float) -> Array | None:

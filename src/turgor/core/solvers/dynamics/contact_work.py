@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.contact.part import Found
+from turgor.core.engine.contact.part import Gaps
 from turgor.core.engine.system import Evaluation, System
 
 Array = NDArray[np.float64]
@@ -21,15 +21,15 @@ class Pushing:
         Zeros where the body touches itself.
     place : (k, 3) array
         Of the path, without the spring that holds an obstacle.
-    found : tuple of Found
-        What each part found.
+    gaps : tuple of Gaps
+        Those of each part.
     boosts : tuple of (s,) array
         How much stiffer than at first the sides of each part were.
     """
 
     force: Array
     place: Array
-    found: tuple[Found, ...]
+    gaps: tuple[Gaps, ...]
     boosts: tuple[Array, ...]
 
 
@@ -37,11 +37,11 @@ def pushing(system: System, at: Evaluation) -> Pushing:
     """Return what obstacles do in a state."""
     parts = system.contact.parts
     force, place = np.zeros((len(parts), 3)), np.zeros((len(parts), 3))
-    for k, (part, found) in enumerate(zip(parts, at.contacts.found, strict=True)):
+    for k, (part, gaps) in enumerate(zip(parts, at.contacts.gaps, strict=True)):
         if part.obstacle is not None:
-            force[k] = -part.forces(at.contacts.position, found)[: system.node_count].sum(axis=0)
+            force[k] = -part.forces(at.contacts.position, gaps)[: system.node_count].sum(axis=0)
             place[k] = part.obstacle.displacement(at.load_factor) / system.length
-    return Pushing(force, place, at.contacts.found, tuple(part.penalty_scale.copy() for part in parts))
+    return Pushing(force, place, at.contacts.gaps, tuple(part.penalty_scale.copy() for part in parts))
 
 
 def work_of_contacts(system: System, before: Pushing, now: Pushing) -> float:
@@ -50,7 +50,7 @@ def work_of_contacts(system: System, before: Pushing, now: Pushing) -> float:
     An obstacle on a spring is in equilibrium, so the force that moves the spring equals that of the obstacle.
     """
     work = 0.5 * float(((before.force + now.force) * (now.place - before.place)).sum())
-    for part, boost, old, new in zip(system.contact.parts, before.boosts, before.found, now.found, strict=True):
+    for part, boost, old, new in zip(system.contact.parts, before.boosts, before.gaps, now.gaps, strict=True):
         work += part.stiffened(boost, old, new)
     return work * system.stress_scale * system.length**3
 
@@ -58,5 +58,5 @@ def work_of_contacts(system: System, before: Pushing, now: Pushing) -> float:
 def taken_by_friction(system: System, at: Evaluation) -> float:
     """Energy that friction has dissipated since the last accepted state [J]."""
     parts, contacts = system.contact.parts, at.contacts
-    taken = sum(part.rubbed(contacts.position, found) for part, found in zip(parts, contacts.found, strict=True))
+    taken = sum(part.rubbed(contacts.position, gaps) for part, gaps in zip(parts, contacts.gaps, strict=True))
     return float(taken) * system.stress_scale * system.length**3

@@ -51,7 +51,7 @@ def inertia_corrected(
     start[system.prescribed] = system.prescribed_values(load_factor)
     constant = constraint.with_friction(with_limits_kept(constraint.friction))
     at = evaluate(constant, tangent, (start, NO_SCALARS), load_factor)
-    if at is None or not any(each.inside.any() for each in at.contacts.found):
+    if at is None or not any(each.inside.any() for each in at.contacts.gaps):
         return _failed(at, 0, np.inf)
     result = _descend(constant, tangent, at, settings, report)
     at = result.evaluation

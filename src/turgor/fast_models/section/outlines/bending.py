@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.faces.membranes import plane_stress_moduli
-from turgor.core.engine.faces.plate_edges import PENALTY
+from turgor.core.engine.faces.settings import PLATE
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.model.model import Model
 from turgor.core.model.sheets import Shell
@@ -120,7 +120,7 @@ class Folds:
         else:
             second = np.linalg.norm(_slopes(-1.0) @ self.points[self.nodes[:, [1, 3, 4]]], axis=1)
             inverse = 0.5 / (2 * first) + 0.5 / (2 * second)
-        object.__setattr__(self, "_penalty", PENALTY[4] * self.stiffness * inverse)
+        object.__setattr__(self, "_penalty", PLATE.penalty_quadrilaterals * self.stiffness * inverse)
         moment, fold = self._folded(self.points, _REST)
         object.__setattr__(self, "_rest", (moment.value, fold.value))
 

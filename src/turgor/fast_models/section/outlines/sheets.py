@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells.reference import reference_cell
 from turgor.core.engine.faces.membranes import MEMBRANE_QUADRATURE_DEGREE, plane_stress_moduli, surface_gradients
 from turgor.core.engine.faces.tension_field import TensionField, tension_field
-from turgor.core.engine.fibers.fiber_kernels import SLACK_TANGENT
+from turgor.core.engine.fibers.settings import FIBERS
 from turgor.core.engine.fibers.smeared import smeared_pieces
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.model.fibers import DISCRETE, SMEARED, Fibers
@@ -86,7 +86,7 @@ class Threads:
         stretch = np.linalg.norm(vector, axis=-1)
         taut = stretch >= 1
         tension = self.stiffness * np.where(taut, 1.0, self.pushed) * (stretch - 1)
-        slope = self.stiffness * np.where(taut, 1.0, max(self.pushed, SLACK_TANGENT))
+        slope = self.stiffness * np.where(taut, 1.0, max(self.pushed, FIBERS.slack_tangent))
         n = vector / stretch[..., None]
         dyad = n[..., :, None] * n[..., None, :]
         A = slope[..., None, None] * dyad + (tension / stretch)[..., None, None] * (np.eye(3) - dyad)

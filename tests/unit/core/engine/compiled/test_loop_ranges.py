@@ -3,6 +3,7 @@
 import sys
 import threading
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -74,7 +75,7 @@ def test_few_models_need_the_loops_of_stretches_and_sheets(results_body):
 @pytest.mark.parametrize(("told", "terminal"), [(True, True), (False, True), (False, False)])
 def test_a_compilation_that_takes_long_is_told(told, terminal, monkeypatch, capsys):
     heard: list[str] = []
-    monkeypatch.setattr(compiling, "QUIET_SECONDS", 0.01)
+    monkeypatch.setattr(compiling, "COMPILATION", replace(compiling.COMPILATION, announced_after=0.01))
     monkeypatch.setattr(compiling, "compile_tangent", lambda *_: time.sleep(0.3))
     monkeypatch.setattr(sys.stderr, "isatty", lambda: terminal)
     compiling.compile_kernels(heard.append if told else None, Needs())

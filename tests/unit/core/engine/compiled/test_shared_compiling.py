@@ -3,6 +3,7 @@
 import gc
 import io
 import threading
+from dataclasses import replace
 
 import pytest
 from filelock import FileLock
@@ -78,7 +79,7 @@ def test_later_groups_that_are_compiled_are_loaded_once_they_are_called(done, tm
 
 
 def test_who_has_waited_too_long_compiles_himself(done, tmp_path, monkeypatch):
-    monkeypatch.setattr(compiling, "LONGEST", 0.05)
+    monkeypatch.setattr(compiling, "COMPILATION", replace(compiling.COMPILATION, longest=0.05))
     with FileLock(tmp_path / "c.lock"):
         compile_kernels(None, Needs())
     assert done[:3] == ["a", "b", "c"]

@@ -8,22 +8,19 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Map = Callable[[Array], Array]
 
-#: Vectors of the basis at most, after which GMRES starts again from what it has.
-BASIS = 120
-
 
 def gmres(product: Map, precondition: Map, right: Array, tolerance: float, limit: int) -> tuple[Array | None, int]:
     """Solve a system to a relative residual; return None where that takes more than so many iterations, and how many.
 
     The basis in single precision needs half the memory and time. What its round-off hides is seen in the residual,
-    which is computed in double precision before every start.
+    which is computed in double precision before every start. It starts again where that is not small enough yet.
     """
     wanted = tolerance * float(np.linalg.norm(right))
     solution, left, used = np.zeros_like(right), right, 0
     while float(np.linalg.norm(left)) > wanted:
         if used >= limit:
             return None, used
-        change, steps = _cycle(product, precondition, left, wanted, min(BASIS, limit - used))
+        change, steps = _cycle(product, precondition, left, wanted, limit - used)
         used += steps
         solution = solution + change
         left = right - product(solution)

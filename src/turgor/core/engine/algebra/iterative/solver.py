@@ -20,16 +20,10 @@ from turgor.core.engine.algebra.iterative.levels import Levels
 from turgor.core.engine.algebra.iterative.two_level import TwoLevels
 from turgor.core.engine.algebra.linear import REFINED, LinearSolver, Rslab
 from turgor.core.engine.algebra.pattern import Pattern
+from turgor.core.engine.algebra.settings import ITERATIVE_SOLVER
 from turgor.core.engine.algebra.singular import SingularTangentError
 
 Array = NDArray[np.float64]
-
-#: Iterations after which a tangent is factored instead: what they cost by then is about a factorization.
-ITERATIONS = 160
-
-#: Weight of the mass over the shear modulus. Measured on tangents of benders and PneuNets: 2 and 4 need about as many
-#: iterations, 1 a tenth more, 0.5 a third more.
-SCHUR_WEIGHT = 2.0
 
 
 class IterativeSolver:
@@ -95,7 +89,7 @@ class IterativeSolver:
         try:
             self._inverse.factor(data)
             self._coupling = self._blocks.coupling(data)
-            schur = (SCHUR_WEIGHT * self._levels.mass - self._blocks.corner(data)).tocsc()
+            schur = (ITERATIVE_SOLVER.schur_weight * self._levels.mass - self._blocks.corner(data)).tocsc()
             schur.sort_indices()
             if self._schur is None:
                 self._schur = Rslab(
@@ -117,7 +111,7 @@ class IterativeSolver:
     def solve(self, right: Array, left: float = REFINED) -> Array:
         """Solve to a relative residual; with factors where these are there."""
         if not self._direct_holds:
-            solution, used = gmres(self._product, self._precondition, right, left, ITERATIONS)
+            solution, used = gmres(self._product, self._precondition, right, left, ITERATIVE_SOLVER.iterations)
             self.iterations += used
             if solution is not None:
                 return solution

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.shape.screws import screw_between
 from turgor.core.results.measures.shape.sections import Pieces, pieces_of, sections_of
+from turgor.core.results.measures.shape.settings import SHAPE
 from turgor.core.solvers.solution import State
 from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError
@@ -21,12 +22,6 @@ from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 
 Array = NDArray[np.float64]
-
-#: Numbers of pieces along the actuator; the first one for which the mesh is fine enough is taken.
-PIECES = (16, 12, 8, 6, 4)
-
-#: A center line that turns by less than this in all [rad] is straight: it has no radius, plane and pitch.
-STRAIGHT = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -156,12 +151,13 @@ def _found(at: StateFields) -> CenterLine:
 def _pieces(facts: MeshFacts) -> Pieces:
     points = facts.mesh.points
     cells = float(np.ptp(points[:, 0]) / np.ptp(points[facts.mesh.cells, 0], axis=1).mean())
-    for count in PIECES:
+    fewest = SHAPE.center_line_pieces[-1]
+    for count in SHAPE.center_line_pieces:
         # within a cell the sections say nothing of their own
-        pieces = pieces_of(facts, 0.0, 1.0, count) if count <= cells or count == PIECES[-1] else None
+        pieces = pieces_of(facts, 0.0, 1.0, count) if count <= cells or count == fewest else None
         if pieces is not None:
             return pieces
     raise TurgorError(
-        f"the mesh has too few cells along x for a center line: {PIECES[-1]} pieces of the length do not hold enough "
+        f"the mesh has too few cells along x for a center line: {fewest} pieces of the length do not hold enough "
         "of them; take a finer mesh. The actuator must lie along x."
     )

@@ -6,12 +6,10 @@ from numpy.typing import NDArray
 from turgor.core.engine.faces import surfaces
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measure import Measure
+from turgor.core.results.measures.shape.settings import SHAPE
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
-
-#: A line between the faces that is shorter in the x-z plane than this share of the part has no direction in it.
-SHORTEST = 1e-3
 
 
 def _middle(at: StateFields, face: str, points: Array) -> Array:
@@ -23,7 +21,7 @@ def _middle(at: StateFields, face: str, points: Array) -> Array:
 def _direction(at: StateFields, points: Array) -> float:
     """Direction from the face fixed to the face tip in the x-z plane [rad], counted from +x towards −z."""
     line = _middle(at, "tip", points) - _middle(at, "fixed", points)
-    if np.hypot(line[0], line[2]) < SHORTEST * np.ptp(at.mesh.points, axis=0).max():
+    if np.hypot(line[0], line[2]) < SHAPE.no_direction * np.ptp(at.mesh.points, axis=0).max():
         raise TurgorError("the line from the face fixed to the face tip has no length in the x-z plane.")
     return float(np.arctan2(-line[2], line[0]))
 

@@ -13,16 +13,11 @@ from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.measure import Measure
 from turgor.core.results.measures.shape.screws import rotation_vector
 from turgor.core.results.measures.shape.sections import Pieces, cell_length, sections_of, windows_of
+from turgor.core.results.measures.shape.settings import SHAPE
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
 Array = NDArray[np.float64]
-
-#: Cross-sections between two stations.
-PIECES = 5
-
-#: Stations of the ready-made measures, as shares of the length.
-MIDDLE = (0.4, 0.6)
 
 #: Strains that a rod has, with their units and what they are.
 STRAINS = {
@@ -74,7 +69,7 @@ def _strain(low: float, high: float, which: int, at: StateFields) -> float:
     pieces = at.facts.once(("rod strains", low, high), partial(_pieces, at.facts, low, high))
     rotations, centers, rest = sections_of(at, pieces)
     turned, length = np.zeros(3), 0.0
-    for i in range(PIECES - 1):
+    for i in range(len(rotations) - 1):
         vector = rotation_vector(rotations[i].T @ rotations[i + 1])
         turned += vector
         length += float(np.linalg.norm(centers[i + 1] - centers[i])) / _chord(vector)
@@ -91,7 +86,7 @@ def _pieces(facts: MeshFacts, low: float, high: float) -> Pieces:
             f"is {(high - low) * length / mm:.4g} mm long, its cells {long / mm:.4g} mm; take stations farther apart "
             "or a finer mesh."
         )
-    return windows_of(facts, low, high, PIECES)
+    return windows_of(facts, low, high, SHAPE.strain_sections)
 
 
 def _chord(vector: Array) -> float:
@@ -112,4 +107,4 @@ def _chord(vector: Array) -> float:
     return float(np.hypot(along, across * 2 * np.sin(angle / 2) / angle))
 
 
-middle_curvature_y, middle_curvature_z, middle_twist, middle_stretch = rod_strains(*MIDDLE, "middle")
+middle_curvature_y, middle_curvature_z, middle_twist, middle_stretch = rod_strains(0.4, 0.6, "middle")

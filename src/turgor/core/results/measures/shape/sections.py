@@ -12,15 +12,10 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.reference import CELL_QUADRATURE_DEGREE, product_rule, reference_cell
 from turgor.core.results.fields.state_fields import Image, MeshFacts, StateFields
+from turgor.core.results.measures.shape.settings import SHAPE
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Integration points that each piece must have for its map to be known.
-FEWEST_POINTS = 40
-
-#: Points along a cell for each distance of sections that it is long, and at least and at most so many.
-POINTS_APART, FEWEST_ALONG, MOST_ALONG = 3, 2, 12
 
 
 class Pieces(NamedTuple):
@@ -72,7 +67,7 @@ def pieces_of(facts: MeshFacts, low: float, high: float, count: int) -> Pieces |
     cell, point = np.nonzero((share >= low) & (share <= high))
     piece = ((share[cell, point] - low) / (high - low) * count).astype(np.int64)
     piece = np.minimum(piece, count - 1)
-    if np.bincount(piece, minlength=count).min() < FEWEST_POINTS:
+    if np.bincount(piece, minlength=count).min() < SHAPE.fewest_points:
         return None
     place, weight = places[cell, point], volumes[cell, point]
     middles = np.tile(_centroid(facts, place, weight), (count, 1))
@@ -106,7 +101,7 @@ def windows_of(facts: MeshFacts, low: float, high: float, count: int) -> Pieces:
     centers = low + apart * (1 + np.arange(count))
     cells = _cells_between(facts, low, high)
     long = float(np.ptp(mesh.points[mesh.cells[cells], 0], axis=1).max()) / length
-    along = int(np.clip(np.ceil(POINTS_APART * long / apart), FEWEST_ALONG, MOST_ALONG))
+    along = max(2, int(np.ceil(SHAPE.points_apart * long / apart)))  # two give the slope within a cell
     table = product_rule(mesh.cells.shape[1], 2 * along - 1)
     shape = (0,) * mesh.cells.shape[1]
     _, volumes = kernels_geometry.reference_geometry(shape, mesh.points, mesh.cells[cells], table.dN, table.weights)

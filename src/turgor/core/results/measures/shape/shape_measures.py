@@ -6,13 +6,12 @@ from numpy.typing import NDArray
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measure import Measure
 from turgor.core.results.measures.shape.arcs import distance_from_arc
-from turgor.core.results.measures.shape.center_line import STRAIGHT, center_line
+from turgor.core.results.measures.shape.center_line import center_line
+from turgor.core.results.measures.shape.settings import SHAPE
 from turgor.core.results.measures.shape.widths import width_ratios
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
-
-#: Components below this share of a vector are rounding errors: what is plane has no pitch.
-ROUNDING = 1e-9
 
 
 def _mean(at: StateFields) -> tuple[Array, Array]:
@@ -27,31 +26,33 @@ def _curvature(at: StateFields) -> float:
 def _bending_radius(at: StateFields) -> float:
     turn, way = _mean(at)
     bend = float(np.linalg.norm(np.cross(turn, way)))
-    return float("nan") if bend < STRAIGHT * np.linalg.norm(way) else float(way @ way) / bend
+    return float("nan") if bend < SHAPE.no_direction * np.linalg.norm(way) else float(way @ way) / bend
 
 
 def _bending_plane(at: StateFields) -> float:
     turn, way = _mean(at)
     towards = np.cross(turn, way)
-    if np.linalg.norm(towards) < STRAIGHT * np.linalg.norm(way):
+    if np.linalg.norm(towards) < SHAPE.no_direction * np.linalg.norm(way):
         return float("nan")
-    towards = np.where(np.abs(towards) < ROUNDING * np.linalg.norm(towards), 0.0, towards)
+    towards = np.where(np.abs(towards) < ROUND_OFF.same * np.linalg.norm(towards), 0.0, towards)
     return float(np.arctan2(towards[1], 0.0 - towards[2]))
 
 
 def _helix_radius(at: StateFields) -> float:
     turn, way = _mean(at)
     square = float(turn @ turn)
-    return float("nan") if square < STRAIGHT**2 else float(np.linalg.norm(np.cross(turn, way))) / square
+    return float("nan") if square < SHAPE.no_direction**2 else float(np.linalg.norm(np.cross(turn, way))) / square
 
 
 def _helix_pitch(at: StateFields) -> float:
     turn, way = _mean(at)
     square = float(turn @ turn)
-    if square < STRAIGHT**2:
+    if square < SHAPE.no_direction**2:
         return float("nan")
     along = float(turn @ way)
-    return 2 * np.pi * along / square if abs(along) > ROUNDING * np.linalg.norm(turn) * np.linalg.norm(way) else 0.0
+    return (
+        2 * np.pi * along / square if abs(along) > ROUND_OFF.same * np.linalg.norm(turn) * np.linalg.norm(way) else 0.0
+    )
 
 
 def _arc_deviation(at: StateFields) -> float:

@@ -9,14 +9,9 @@ from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.shape.center_line import CenterLine, center_line
 from turgor.core.results.measures.shape.screws import screw_path
 from turgor.core.results.measures.shape.sections import images_across
+from turgor.core.results.measures.shape.settings import SHAPE
 
 Array = NDArray[np.float64]
-
-#: Directions across the actuator in which its width is measured, over half a turn.
-DIRECTIONS = 12
-
-#: Parts of each edge of a side of a cell, at whose corners the surface is seen.
-PARTS = 4
 
 
 def width_ratios(at: StateFields) -> Array:
@@ -65,9 +60,10 @@ def _moving_sections(line: CenterLine, x: Array) -> tuple[Array, Array]:
 
 def _widths(places: Array, piece: NDArray[np.int64], count: int) -> Array:
     """Extent of the points (k, 3) of each piece in each direction across, (count, 12)."""
-    angles = np.pi * np.arange(DIRECTIONS) / DIRECTIONS
+    directions = SHAPE.directions
+    angles = np.pi * np.arange(directions) / directions
     across = places[:, 1:] @ np.stack([np.cos(angles), np.sin(angles)])
-    low, high = np.full((count, DIRECTIONS), np.inf), np.full((count, DIRECTIONS), -np.inf)
+    low, high = np.full((count, directions), np.inf), np.full((count, directions), -np.inf)
     np.minimum.at(low, piece, across)
     np.maximum.at(high, piece, across)
     return np.asarray(high - low)
@@ -75,7 +71,8 @@ def _widths(places: Array, piece: NDArray[np.int64], count: int) -> Array:
 
 def _lattice() -> Array:
     """Shape functions (q, 6) at a lattice on a triangle, so that pieces shorter than a cell have points, too."""
-    places = np.array([(i, j) for i in range(PARTS + 1) for j in range(PARTS + 1 - i)], dtype=np.float64) / PARTS
+    parts = SHAPE.parts_of_edge
+    places = np.array([(i, j) for i in range(parts + 1) for j in range(parts + 1 - i)], dtype=np.float64) / parts
     return np.asarray(tables_at(6, places, np.ones(len(places))).N)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
+from turgor.core.results.measures.shape.settings import SHAPE
 from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
@@ -15,9 +16,6 @@ Array = NDArray[np.float64]
 
 #: Columns of a response that say where the tip is.
 COLUMNS = ("tip_displacement_x", "tip_displacement_y", "tip_displacement_z")
-
-#: Points whose thickness in a direction is less than this share of their extent lie in a plane, or on a line.
-FLAT = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -105,7 +103,7 @@ def workspace(responses: Sequence[Response]) -> Workspace:
     points = np.concatenate([np.stack([each[name] for name in COLUMNS], axis=1) for each in responses])
     centered = points - points.mean(axis=0)
     _, sizes, axes = np.linalg.svd(centered, full_matrices=False)
-    dimensions = int((sizes > FLAT * sizes[0]).sum())
+    dimensions = int((sizes > SHAPE.no_direction * sizes[0]).sum())
     if dimensions < 2:
         raise TurgorError("all places of the tip lie on a line, so they enclose nothing; vary another pressure.")
     if dimensions == 2:

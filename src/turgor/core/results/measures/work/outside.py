@@ -18,11 +18,9 @@ from turgor.core.model.model import Model
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.work.fluid import fluid_works
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
-
-#: Work of the fluid below this share of its largest value is too little for an efficiency.
-LITTLE = 1e-6
 
 
 def outside_works(path: Sequence[StateFields]) -> Array:
@@ -58,7 +56,7 @@ def outside_works(path: Sequence[StateFields]) -> Array:
 def efficiencies(path: Sequence[StateFields]) -> Array:
     """Work on outside loads over work of the fluid up to each state of a path, (n,); nan before the fluid works."""
     fluid = fluid_works(path)
-    done = np.abs(fluid) > LITTLE * np.abs(fluid).max()
+    done = np.abs(fluid) > ROUND_OFF.same * np.abs(fluid).max()
     out = np.full(len(path), np.nan)
     out[done] = outside_works(path)[done] / fluid[done]
     return out

@@ -16,9 +16,6 @@ from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 
-#: Times that the solution is improved; factors may be of single precision.
-REFINEMENTS = 3
-
 
 def tip_compliance(at: StateFields) -> Array:
     """Mean displacement of the face tip along x, y and z for each newton on it along x, y and z, (3, 3) [m/N].
@@ -74,7 +71,7 @@ def _compliance(at: StateFields) -> Array:
         right = system.joined(force)
         right[system.prescribed] = 0.0
         moved = tangent.solve(right)
-        for _ in range(REFINEMENTS):
+        for _ in range(3):  # factors may be of single precision, and friction is solved for four digits
             left = np.where(system.prescribed, 0.0, right - matrix @ moved)
             moved = moved + tangent.solve(left)
         out[whole, axis] = (share @ system.displacement(moved))[whole] / scale

@@ -1,0 +1,33 @@
+"""Settings of reading tests: every number that was chosen, with its reason. All are without unit.
+
+Each is tested in `tests/unit/core/materials/experiments` with files of test machines.
+"""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class ExperimentSettings:
+    """Settings of test files and of tests.
+
+    Parameters
+    ----------
+    longest_header : int
+        Number of letters of a header line beyond which names without a separator are not looked for: the time of that
+        search grows with the square.
+    precision : float
+        Share to which numbers of a test are known: two statements of a dimension may differ by it, and the stretch may
+        step back by it, of the whole range, without a reversal.
+    shortest_series : int
+        Points of the shortest series that may be a copy of another: fewer may be equal by chance.
+    half_cycle : float
+        Smallest range of a half cycle, as a share of the whole range of stretch.
+    """
+
+    longest_header: int = 5000
+    precision: float = 0.01
+    shortest_series: int = 4
+    half_cycle: float = 0.2
+
+
+EXPERIMENTS = ExperimentSettings()

@@ -1,0 +1,89 @@
+"""Settings of fitting: every number that was chosen, with its reason. All are without unit.
+
+Each is tested in `tests/unit/core/materials/fitting`; `benchmarks/core/fitting.py` measures their effect on measured
+rubbers.
+"""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class FitSettings:
+    """Settings of fits to curves.
+
+    Parameters
+    ----------
+    weight_floor : float
+        Smallest stress for relative weights, as a share of the largest stress of its test.
+    least_share : float
+        Smallest slope and initial shear modulus of a fitted law, relative to the neo-Hookean modulus of the tests, and
+        smallest long-term share of the instantaneous stress; a rubber does not flow.
+    least_exponent : float
+        Smallest exponent of Ogden's law; no test distinguishes smaller ones.
+    largest_order : int
+        Largest order that a name may state; more terms than that describe noise.
+    stability_points, beyond : int, float
+        Number of stretches in each mode at which stability is required, and the factor by which these exceed the range.
+    refined_starts : int
+        Number of best starts that are iterated to convergence.
+    same_decimals : int
+        Stretches that are equal to so many decimals count as one.
+    range_slack : float
+        Tolerance of the ends of a range, as a share, because digitized curves have no sharp ends.
+    """
+
+    weight_floor: float = 0.05
+    least_share: float = 1e-3
+    least_exponent: float = 0.05
+    largest_order: int = 6
+    stability_points: int = 240
+    beyond: float = 1.005
+    refined_starts: int = 3
+    same_decimals: int = 3
+    range_slack: float = 0.02
+
+
+FIT = FitSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class DeterminationSettings:
+    """When tests do not determine a parameter.
+
+    Parameters
+    ----------
+    correlated : float
+        Correlation beyond which the tests determine only a combination of two parameters.
+    large_error : float
+        A parameter of a history whose standard error exceeds this share of its value counts as not determined.
+    """
+
+    correlated: float = 0.99
+    large_error: float = 0.5
+
+
+DETERMINATION = DeterminationSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class HistoryFitSettings:
+    """Settings of fits to histories.
+
+    Parameters
+    ----------
+    points : int
+        Number of points of each test that are used.
+    starts : int
+        Number of random starts of the search, with a fixed seed.
+    inverse_r, m, beta : (float, float)
+        Bounds of 1/r, of m relative to the largest energy density in the tests, and of β.
+    """
+
+    points: int = 400
+    starts: int = 6
+    inverse_r: tuple[float, float] = (0.05, 0.95)
+    m: tuple[float, float] = (1e-3, 20.0)
+    beta: tuple[float, float] = (0.0, 5.0)
+
+
+HISTORY_FIT = HistoryFitSettings()
