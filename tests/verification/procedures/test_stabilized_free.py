@@ -10,6 +10,7 @@ limit; 2 % for what friction takes.
 
 import numpy as np
 import pytest
+from turgor.core.solvers.methods import may_be_free
 
 import contact_cases
 import turgor as tg
@@ -21,7 +22,6 @@ from turgor.core.model.obstacles import Obstacle, Plane
 from turgor.core.solvers.checks.supports import check_supports, free_motions
 from turgor.core.solvers.dynamics.stabilization import follow_viscously
 from turgor.core.solvers.energies import imbalance, too_viscous
-from turgor.core.solvers.methods import may_be_free
 from turgor.core.solvers.problem import Problem
 from turgor.foundation.errors import TurgorError
 

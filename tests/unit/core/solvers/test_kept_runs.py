@@ -9,11 +9,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from turgor.core.solvers.methods import METHODS
 
 import meshes
 import turgor as tg
 from turgor.core.meshing.cells import HEXAHEDRON
-from turgor.core.solvers.methods import METHODS
 from turgor.units import kPa, mm
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.1e6), density=1000.0)

@@ -5,6 +5,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 import pytest
 from solver_cases import bar, model
+from turgor.core.solvers.methods import METHODS, method_of
 
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.system import System
@@ -12,7 +13,6 @@ from turgor.core.model.loads import Pressure
 from turgor.core.model.model import Model
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.listeners import silent
-from turgor.core.solvers.methods import METHODS, method_of
 from turgor.core.solvers.newton.newton import newton
 from turgor.core.solvers.newton.newton_values import NewtonSettings, Start
 from turgor.core.solvers.procedures.gas_mass import GasMass

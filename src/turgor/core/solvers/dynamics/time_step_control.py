@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from turgor.core.solvers.dynamics.settings import TIME_STEP_CONTROL
-from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.time_options import TimeOptions
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,11 +19,12 @@ class TimeControl:
     targets: tuple[float, ...]
 
     @staticmethod
-    def of(procedure: Dynamic, kinks: Sequence[float] = ()) -> "TimeControl":
+    def of(procedure: TimeOptions, kinks: Sequence[float] = ()) -> "TimeControl":
         """Start as a procedure asks, and hit the kinks of the load histories too.
 
         Examples
         --------
+        >>> from turgor.core.solvers.procedures.dynamic import Dynamic
         >>> TimeControl.of(Dynamic(duration=2.0, at=(0.25,)), kinks=(0.5,)).targets
         (0.5, 1.0, 2.0)
         """

@@ -25,6 +25,8 @@ class Sealed(VolumeControl):
     ('cavity_1',)
     """
 
+    requested_field = "cavities"
+
     cavities: str | tuple[str, ...] = field(default=(), metadata={"dimension": "names"})
     volume: float | Mapping[str, float] = field(init=False, default=0.0)
 
@@ -33,8 +35,3 @@ class Sealed(VolumeControl):
             object.__setattr__(self, "cavities", (self.cavities,))
         object.__setattr__(self, "volume", dict.fromkeys(self.cavities, 0.0) or 0.0)
         check_steps(self)
-
-    @property
-    def requested_field(self) -> str:
-        """The field that names the cavities."""
-        return "cavities"

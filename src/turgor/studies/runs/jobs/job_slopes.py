@@ -13,6 +13,7 @@ from turgor.core.engine.runtime import EngineOptions
 from turgor.core.results.drive import drive_of, pressures_in
 from turgor.core.results.measures.measure import Measure
 from turgor.core.results.measures.measures import find_measure
+from turgor.core.solvers.procedures.listed import drives
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
@@ -32,7 +33,7 @@ NO_SLOPES = "There are no slopes"
 USUAL_DRIVES = ("pressure", "time")
 
 #: Columns that the load factor alone determines, and numbers of the procedure.
-PRESCRIBED = ("load_factor", "time", "stage", "injected_volume", "gas_mass_ratio")
+PRESCRIBED = ("load_factor", "time", "stage", *drives())
 
 #: Slopes count as exact up to this estimate of their relative error.
 ACCURATE = 0.01
