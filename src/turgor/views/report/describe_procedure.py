@@ -1,7 +1,6 @@
 """Describe: procedures in rows for a report, and what each stage of a sequence changes."""
 
 from collections.abc import Mapping
-from dataclasses import fields
 from typing import Any
 
 from turgor.core.model.history import RAMP, with_history
@@ -42,7 +41,7 @@ def ending(status: Status) -> str:
 
 def _with_settings(of: Procedure) -> str:
     """Name of a procedure with what is not as by default."""
-    usual = {each.name: each.default for each in fields(of)}
+    usual = {each.name: each.default for each in fields_in_order(type(of))}
     stated = {name.replace(" ", "_"): text for name, text in fields_of(of)}
     changed = [f"{name.replace('_', ' ')} {text}" for name, text in stated.items() if getattr(of, name) != usual[name]]
     return f"{type(of).__name__} ({', '.join(changed)})" if changed else type(of).__name__

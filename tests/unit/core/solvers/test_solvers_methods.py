@@ -1,12 +1,12 @@
-"""The list of methods, reasons of rejected steps, load control without a scalar, and what acts in a state."""
+"""Reasons of rejected steps, load control without a scalar, and what acts in a state."""
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 import numpy as np
 import pytest
 from solver_cases import bar, model
-from turgor.core.solvers.methods import METHODS, method_of
 
+from refused import refused
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.system import System
 from turgor.core.model.loads import Pressure
@@ -16,34 +16,15 @@ from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.newton.newton import newton
 from turgor.core.solvers.newton.newton_values import NewtonSettings, Start
 from turgor.core.solvers.procedures.gas_mass import GasMass
-from turgor.core.solvers.procedures.sealed import Sealed
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.procedures.step_options import StepOptions, fields_in_order
-from turgor.core.solvers.procedures.volume_control import VolumeControl
 from turgor.core.solvers.solve import solve
 from turgor.core.solvers.step_reasons import TEXTS, Cause, Reason
-from turgor.foundation.errors import TurgorError
-from turgor.job.tables.procedures import PROCEDURES
 
 
-def test_every_procedure_has_a_method():
-    assert len(PROCEDURES) > 7
-    for kind in PROCEDURES.values():
-        assert any(each in METHODS for each in kind.__mro__)
-
-
-def test_a_class_that_is_not_listed_is_solved_as_the_one_that_it_extends():
-    @dataclass(frozen=True, slots=True, kw_only=True)
-    class Slow(Static):
-        first_step: float = 0.01
-
-    assert method_of(Slow()) is METHODS[Static]
-    assert method_of(Sealed()) is METHODS[VolumeControl]
-
-
-def test_what_is_no_procedure_is_refused():
-    with pytest.raises(TurgorError, match="int is no procedure"):
-        method_of(1)
+def test_steps_alone_are_no_procedure():
+    with refused("StepOptions"):
+        solve(model(), StepOptions())
 
 
 def test_every_cause_has_a_sentence_and_numbers_come_last():

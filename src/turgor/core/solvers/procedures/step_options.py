@@ -116,12 +116,10 @@ def fields_in_order(kind: type) -> tuple[Field[Any], ...]:
     ['past', 'max_stretch', 'first_step']
     """
     steps = {each.name for each in fields(StepOptions)}
-    extending = [
-        each for each in kind.__mro__ if issubclass(each, StepOptions) and "__dataclass_fields__" in vars(each)
-    ]
-    if len(extending) < 2:
+    options = [each for each in kind.__mro__ if issubclass(each, StepOptions) and "__dataclass_fields__" in vars(each)]
+    if len(options) < 2:
         return fields(kind)
-    own = {each.name for each in fields(extending[-2])} - steps - {"duration"}
+    own = {each.name for each in fields(options[-2])} - steps - {"duration"}
 
     def place(each: Field[Any]) -> int:
         if each.name in own:

@@ -65,7 +65,7 @@ def _check_driven(model: Model) -> None:
         raise TurgorError("ArcLength follows loads that change, and here none does; state one.")
 
 
-def follow_arc(problem: Problem, procedure: StepOptions, limit: Bounds) -> Outcome:
+def follow_arc(problem: Problem, procedure: StepOptions, limit: "Bounds") -> Outcome:
     """Take the first step under load control, which scales the displacement, then prescribe the arc length."""
     check_proportional(problem.system.model, "ArcLength")
     check_still(problem.system, "ArcLength")
