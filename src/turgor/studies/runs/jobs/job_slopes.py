@@ -32,9 +32,6 @@ NO_SLOPES = "There are no slopes"
 #: Columns that drive if both responses have them, besides the drive of the computed one.
 USUAL_DRIVES = ("pressure", "time")
 
-#: Columns that the load factor alone determines, and numbers of the procedure.
-PRESCRIBED = ("load_factor", "time", "stage", *drives())
-
 #: Slopes count as exact up to this estimate of their relative error.
 ACCURATE = 0.01
 
@@ -80,7 +77,7 @@ def with_requested_slopes(
     else:
         drive, measures = _along_path(response, request)
         rows = set(range(len(first_branch(response, drive)[0])))
-        if drive in PRESCRIBED:
+        if drive in _prescribed():
             refused = {key: f"they change the {drive.replace('_', ' ')}, too." for key in numbers if is_of_path(key)}
     left = {key: value for key, value in numbers.items() if key not in refused}
     found, more = with_slopes_at(job, solution, response, left, measures, rows)
@@ -117,8 +114,13 @@ def _along_path(response: Response, request: SlopeRequest) -> tuple[str, list[Me
     drive = next((each for each in (*usual, *drives[: len(drives) == 1]) if each in response), drive_of(response))
     pressures = [each.name for each in pressures_in(response)]
     able = [name for name in response.names if name not in (drive, *pressures) and _of_single_states(name)]
-    compared = [name for name in able if name in columns] or able
-    return drive, [name for name in dict.fromkeys((drive, *pressures, *compared)) if name not in PRESCRIBED]
+    compared, left_out = [name for name in able if name in columns] or able, _prescribed()
+    return drive, [name for name in dict.fromkeys((drive, *pressures, *compared)) if name not in left_out]
+
+
+def _prescribed() -> tuple[str, ...]:
+    """Columns that the load factor alone determines, and numbers of procedures."""
+    return ("load_factor", "time", "stage", *drives())
 
 
 def _of_single_states(name: str) -> bool:
