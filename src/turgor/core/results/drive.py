@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.core.solvers.procedures.listed import drives
+from turgor.core.solvers.procedures.listed import prescribed_columns
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.response import Column, Response
 
@@ -46,7 +46,7 @@ def drive_of(response: Response) -> str:
     -------
     str
     """
-    known = ("time", "stage", *drives(), "pressure")
+    known = ("time", "stage", *prescribed_columns(), "pressure")
     return next((name for name in known if name in response.names), response.names[0])
 
 

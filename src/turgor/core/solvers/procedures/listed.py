@@ -16,12 +16,12 @@ def _solvable(kind: type) -> bool:
 PROCEDURES: Registry[type[Any]] = Registry("turgor.core.solvers.procedures", class_of_file(_solvable))
 
 
-def drives() -> Mapping[str, str]:
+def prescribed_columns() -> Mapping[str, str]:
     """Return the columns of what procedures prescribe in cavities, with their units.
 
     Examples
     --------
-    >>> drives()
-    {'gas_mass_ratio': '', 'injected_volume': 'mL'}
+    >>> prescribed_columns()["injected_volume"]
+    'mL'
     """
     return {kind.drive: kind.drive_unit for kind in PROCEDURES.values() if kind.drive}

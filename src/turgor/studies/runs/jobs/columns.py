@@ -6,7 +6,7 @@ from turgor.core.geometry.names import measured_faces
 from turgor.core.results.measures.energies import ENERGIES
 from turgor.core.results.measures.field_measures import BY_REGION, as_column
 from turgor.core.results.measures.measures import MEASURES, find_measure
-from turgor.core.solvers.procedures.listed import drives
+from turgor.core.solvers.procedures.listed import prescribed_columns
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.job import Job, standard_measures
 
@@ -63,11 +63,11 @@ def unit_of_column(job: Job, name: str, measures: Sequence[str] = ()) -> str:
 def _drives(job: Job) -> dict[str, str]:
     """Names and units of what drives a job; which of several pressures are equal may vary."""
     cavities = [as_column(each) for each in job.geometry().cavities]
-    found = {**DRIVES, **drives()}
+    found = {**DRIVES, **prescribed_columns()}
     if len(cavities) > 1:
         for cavity in cavities:
             found[f"{cavity}_pressure"] = "kPa"
-            found |= {f"{name}_{cavity}": unit for name, unit in drives().items()}
+            found |= {f"{name}_{cavity}": unit for name, unit in prescribed_columns().items()}
     return found | (dict.fromkeys(ENERGIES, "mJ") if all(each.has_energies for each in job.procedure.parts()) else {})
 
 

@@ -13,7 +13,7 @@ from turgor.core.engine.runtime import EngineOptions
 from turgor.core.results.drive import drive_of, pressures_in
 from turgor.core.results.measures.measure import Measure
 from turgor.core.results.measures.measures import find_measure
-from turgor.core.solvers.procedures.listed import drives
+from turgor.core.solvers.procedures.listed import prescribed_columns
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
@@ -120,7 +120,7 @@ def _along_path(response: Response, request: SlopeRequest) -> tuple[str, list[Me
 
 def _prescribed() -> tuple[str, ...]:
     """Columns that the load factor alone determines, and numbers of procedures."""
-    return ("load_factor", "time", "stage", *drives())
+    return ("load_factor", "time", "stage", *prescribed_columns())
 
 
 def _of_single_states(name: str) -> bool:
