@@ -1,7 +1,7 @@
 """Cavity procedure: what procedures have in common that prescribe a value for cavities and find their pressures."""
 
 from abc import abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
@@ -29,15 +29,6 @@ class CavityProcedure(StepOptions):
     @abstractmethod
     def requested(self) -> float | Mapping[str, float]:
         """The value requested for all cavities or by their names."""
-
-    @property
-    def turns(self) -> tuple[float, ...]:
-        """Load factors at which other conditions begin."""
-        return ()
-
-    @abstractmethod
-    def amounts(self, chambers: Any, volumes: Array) -> Callable[[float], Array]:
-        """Return what is prescribed in each cavity (k,) [SI] at a load factor, from the scaled volumes at the start."""
 
     def follow(self, problem: Any) -> Any:
         """Seek the pressures of the cavities."""

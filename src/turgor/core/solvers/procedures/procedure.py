@@ -80,6 +80,15 @@ class Procedure:
         """Return the conditions for the pressures of cavities, from their scaled volumes and pressures at the start."""
         raise TurgorError(f"{type(self).__name__} finds no pressures.")
 
+    def amounts(self, chambers: Any, volumes: Any) -> Any:
+        """Return what it prescribes in each cavity (k,) [SI] as a function of the load factor, as `target` does."""
+        raise TurgorError(f"{type(self).__name__} finds no pressures.")
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """Load factors at which other conditions begin."""
+        return ()
+
     def driven_text(self, now: Mapping[str, float], first: Mapping[str, float]) -> str:
         """Say what is prescribed in a state, from the columns of it and of the first state; empty where nothing is."""
         return ""

@@ -1,6 +1,6 @@
 """Cavity control: paths along which procedures prescribe a value for cavities, such as a volume or an amount of gas."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,25 +18,25 @@ from turgor.core.solvers.continuation.step_control import StepControl
 from turgor.core.solvers.outcomes import Outcome
 from turgor.core.solvers.path_outcomes import reached
 from turgor.core.solvers.problem import Problem
-from turgor.core.solvers.procedures.cavity_procedure import CavityProcedure
+from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.core.solvers.restart import unknowns_of
 
 Array = NDArray[np.float64]
 
 
-def follow_cavities(problem: Problem, procedure: CavityProcedure) -> Outcome:
+def follow_cavities(problem: Problem, procedure: StepOptions) -> Outcome:
     """Seek the pressures of the cavities for which a procedure prescribes a value."""
     system, restart = problem.system, problem.restart
     chambers, start = Chambers(system, system.controlled), unknowns_of(system, problem.start)
     pressures = np.zeros(len(chambers)) if restart is None else restart.pressures(system)
-    volumes = chambers.volumes(start)
+    volumes, requested = chambers.volumes(start), procedure.requested
     target = procedure.target(chambers, volumes, pressures)
     constraint = Constraint.of(CavityPressures(system), target, Clock(procedure.duration), problem.history)
     goal = Goal(
         _driven(procedure, procedure.amounts(chambers, volumes), system.controlled),
         _at_the_end,
         tuple(sorted({*kinks(system.model), *procedure.turns})),
-        limit_points=bool(procedure.requested_of(system.controlled).any()),
+        limit_points=bool(any(requested.values()) if isinstance(requested, Mapping) else requested),
     )
     stepping = StepControl.of(procedure, goal.kinks, system.model.sheets_wrinkle)
     run = scalar_run(problem, procedure, constraint, stepping, goal)
@@ -45,7 +45,7 @@ def follow_cavities(problem: Problem, procedure: CavityProcedure) -> Outcome:
 
 
 def _driven(
-    procedure: CavityProcedure, amounts: Callable[[float], Array], names: tuple[str, ...]
+    procedure: StepOptions, amounts: Callable[[float], Array], names: tuple[str, ...]
 ) -> Callable[[float], dict[str, float]]:
     """What is prescribed at a parameter, by column; with several cavities also by cavity: amounts add up."""
     what = procedure.drive
