@@ -58,10 +58,6 @@ class Syringe(CavityProcedure):
     def __post_init__(self):
         check_steps(self)
 
-    @property
-    def requested(self):
-        return self.push
-
     def target(self, chambers, volumes, pressures):
         system, pushed = chambers.system, self.requested_of(chambers.faces)
         hose = self.compliance * system.stress_scale / system.length**3

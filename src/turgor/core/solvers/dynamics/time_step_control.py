@@ -44,6 +44,7 @@ class TimeControl:
 
         Examples
         --------
+        >>> from turgor.core.solvers.procedures.dynamic import Dynamic
         >>> control = TimeControl.of(Dynamic(duration=1.0, first_step=0.3, max_step=0.3))
         >>> control.next_time(0.0), control.next_time(0.4), control.next_time(0.7)
         (0.3, 0.7, 1.0)
@@ -64,6 +65,7 @@ class TimeControl:
 
         Examples
         --------
+        >>> from turgor.core.solvers.procedures.dynamic import Dynamic
         >>> control = TimeControl.of(Dynamic(duration=1.0, first_step=0.01, max_step=0.1, accuracy=1e-3))
         >>> longer, taken_back = control.after(0.01, 1e-4)
         >>> round(longer.length, 6), taken_back

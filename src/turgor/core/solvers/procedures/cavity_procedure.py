@@ -1,6 +1,5 @@
 """Cavity procedure: what procedures have in common that prescribe a value for cavities and find their pressures."""
 
-from abc import abstractmethod
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
@@ -26,9 +25,10 @@ class CavityProcedure(StepOptions):
     requested_field: ClassVar[str] = ""
 
     @property
-    @abstractmethod
     def requested(self) -> float | Mapping[str, float]:
         """The value requested for all cavities or by their names."""
+        values: float | Mapping[str, float] = getattr(self, self.requested_field)
+        return values
 
     def follow(self, problem: Any) -> Any:
         """Seek the pressures of the cavities."""

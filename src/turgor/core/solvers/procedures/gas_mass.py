@@ -79,11 +79,6 @@ class GasMass(CavityProcedure):
         check_steps(self)
 
     @property
-    def requested(self) -> float | Mapping[str, float]:
-        """The mass ratio requested."""
-        return self.mass_ratio
-
-    @property
     def final_outside(self) -> float:
         """Pressure around in the end [Pa]."""
         return self.ambient if self.outside is None else self.outside

@@ -35,3 +35,8 @@ class Sealed(VolumeControl):
             object.__setattr__(self, "cavities", (self.cavities,))
         object.__setattr__(self, "volume", dict.fromkeys(self.cavities, 0.0) or 0.0)
         check_steps(self)
+
+    @property
+    def requested(self) -> float | Mapping[str, float]:
+        """Nothing is injected into the cavities."""
+        return self.volume

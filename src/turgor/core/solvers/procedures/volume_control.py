@@ -62,11 +62,6 @@ class VolumeControl(CavityProcedure):
                 raise TurgorError(f"procedure.volume{where} is {volume:g} m³; a volume other than zero is needed.")
         check_steps(self)
 
-    @property
-    def requested(self) -> float | Mapping[str, float]:
-        """The volume requested."""
-        return self.volume
-
     def target(self, chambers: Any, volumes: Array, pressures: Array) -> Any:
         """Each cavity has its volume at the start plus a share of the injected one."""
         from turgor.core.solvers.constraints.cavities import VolumeTarget  # here: it needs the engine
