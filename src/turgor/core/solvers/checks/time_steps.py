@@ -14,7 +14,7 @@ from turgor.foundation.finding import Finding, Severity
 
 def too_long_steps(model: Model, procedure: Procedure, states: Sequence[State]) -> tuple[Finding, ...]:
     """Say where steps in time were too long for the rubber (L07)."""
-    duration = None if procedure.depends_on_path else procedure.duration
+    duration = None if procedure.depends_on_path else procedure.duration  # steps of motion have an error of their own
     if duration is None:
         return ()
     series = [material.viscoelasticity for material in model.region_materials.values()]
