@@ -2,15 +2,13 @@
 
 from functools import partial
 
-from turgor.accuracy.adaptivity.mesh_error import MeshError, estimate_mesh_error, procedure_of
+from turgor.accuracy.adaptivity.mesh_error import MeshError, estimate_mesh_error
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measure import Measure
 from turgor.core.results.measures.measures import as_measure, chosen_measures
 from turgor.core.results.measures.measures import measure as read
 from turgor.core.solvers.pressures import pressures_of, stated_by_loads
-from turgor.core.solvers.procedures.arc_length import ArcLength
-from turgor.core.solvers.procedures.auto import Auto
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import one
@@ -126,10 +124,9 @@ def _found_pressures(solution: Solution) -> tuple[Measure, ...]:
     """Measures of the pressures that the procedure found, by the names of their columns."""
     last = solution.states[-1]
     acting, stated = pressures_of(last), {load.face for load in solution.model.pressures}
-    by_path = isinstance(procedure_of(solution, last), ArcLength | Auto)
     given = last.model is solution.model and stated_by_loads(last)
     controlled = [] if given else [name for name, value in last.pressures.items() if name not in stated and value]
-    found = list(acting) if by_path else controlled
+    found = list(acting) if solution.procedure.parts(last.stage)[-1].finds_load else controlled
     return tuple(
         Measure(
             name="pressure" if len(acting) == 1 else f"{face}_pressure",

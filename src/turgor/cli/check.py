@@ -11,7 +11,6 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.accuracy.adaptivity.findings import ONLY_WITH_ERROR
         from turgor.cli.answers.results import CheckResult
-        from turgor.core.solvers.procedures.stages import Stages
         from turgor.foundation.finding import Severity
         from turgor.job.meshes import save_mesh_of
         from turgor.job.prepare import prepare
@@ -25,7 +24,7 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
         typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
         for sentence in contact(model):
             typer.echo(sentence)
-        stages = dict(procedure(parsed.procedure)) if isinstance(parsed.procedure, Stages) else {}
+        stages = dict(procedure(parsed.procedure)) if parsed.procedure.stages else {}
         for name, acts in stages.items():
             typer.echo(f"Stage '{name}': {acts}.")
         answer.give(

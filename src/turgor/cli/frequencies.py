@@ -32,16 +32,13 @@ def modes_command(
         if output is not None and output.exists():
             raise TurgorError(f"--output is '{output}', which exists; name a new folder.")
         from turgor.core.solvers.dynamics.modes import natural_frequencies
-        from turgor.core.solvers.procedures.stages import Stages
         from turgor.core.solvers.solve import solve
         from turgor.job.prepare import prepare
 
         parsed = requested_job(job, changes)
         model, findings = prepare(parsed)
         state = solve(model, parsed.procedure, progress=False).states[-1] if loaded else None
-        if state is not None and isinstance(parsed.procedure, Stages):
-            model = state.model  # the model of the last stage
-        modes = natural_frequencies(model, state, count)
+        modes = natural_frequencies(model if state is None else state.model, state, count)
         _show(modes)
         answer.give(lambda: modes_result(modes))
         if output is not None:

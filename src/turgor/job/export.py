@@ -15,7 +15,6 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
 from turgor.core.model.write_inp import PROGRAMS, compressible, write_inp
 from turgor.core.setups.with_setup import with_setup
-from turgor.core.solvers.procedures.stages import Stages
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
@@ -118,7 +117,7 @@ def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[st
 
 
 def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
-    if isinstance(job.procedure, Stages):
+    if job.procedure.stages:
         raise TurgorError(
             "stages have no form in an .inp file; export a job with one procedure, in which "
             "histories say when loads act."

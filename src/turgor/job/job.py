@@ -17,7 +17,7 @@ from turgor.core.model.rigid import RigidFile
 from turgor.core.model.sheets import Sheet
 from turgor.core.model.supports import Fixed, Support
 from turgor.core.setups.setup_values import Setup
-from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.errors import unknown
 from turgor.foundation.registry import Registry, class_of_file, name_in
@@ -168,7 +168,7 @@ class Job:
     contact: Contact = field(default_factory=Contact)
     rigid_files: Mapping[str, RigidFile] = field(default_factory=dict)
     setup: Setup | None = None
-    procedure: OneProcedure | Stages = field(default_factory=Static)
+    procedure: Procedure = field(default_factory=Static)
     output: Output = field(default_factory=Output)
     threads: int | None = None
     built: tuple[Actuator, Geometry] | None = field(default=None, compare=False, repr=False)

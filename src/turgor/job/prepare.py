@@ -8,7 +8,6 @@ from turgor.core.model.model import Model
 from turgor.core.results.measures.measures import check_measures, find_measure
 from turgor.core.setups.with_setup import with_setup
 from turgor.core.solvers.checks.early_findings import check_before_solve
-from turgor.core.solvers.procedures.stages import Stages
 from turgor.core.solvers.stage_sequence import questions
 from turgor.foundation.finding import Finding, by_weight
 from turgor.job.job import Job
@@ -49,8 +48,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     model = model_of(job, made)
     model_to_solve = with_setup(model, job.setup, say)
     early = check_before_solve(model_to_solve, job.procedure)
-    first = questions(model_to_solve, job.procedure)[0] if isinstance(job.procedure, Stages) else model_to_solve
-    check_measures(first, [find_measure(name) for name in job.output.measures])
+    check_measures(questions(model_to_solve, job.procedure)[0], [find_measure(name) for name in job.output.measures])
     if job.output.markers:
         from turgor.core.results.measures.markers import check_markers  # here: it loads the engine
 

@@ -9,7 +9,7 @@ from typing import Any
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.model.loads import Load
 from turgor.core.setups.setup_values import Setup
-from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.foundation.errors import TurgorError, near_file, near_match
 from turgor.foundation.toml_text import read_text, read_toml
 from turgor.job.family_cache import geometry_on_disk
@@ -139,9 +139,7 @@ def _alone(given: Mapping[str, Any]) -> bool:
     return given[STAGES] is not None or drives(given["procedure"])
 
 
-def _read_path(
-    given: Mapping[str, Any], around: Around, problems: Problems
-) -> tuple[Setup | None, OneProcedure | Stages | None]:
+def _read_path(given: Mapping[str, Any], around: Around, problems: Problems) -> tuple[Setup | None, Procedure | None]:
     """Read the setup and the procedure, or the stages."""
     if given[STAGES] is not None:
         return None, read_stages(given[STAGES], around, problems)

@@ -49,9 +49,14 @@ CLASSES = {name: node for path in FILES for name, node in classes_in(path.read_t
 
 
 def inherited(node, classes):
-    """Names that a dataclass takes from the classes it extends."""
+    """Names that a dataclass takes from the dataclasses it extends; attributes of other classes are no parameters."""
     bases = [classes[base.id] for base in getattr(node, "bases", []) if getattr(base, "id", "") in classes]
-    return [name for base in bases for name in [*inherited(base, classes), *accepted(base)]]
+    return [name for b in bases for name in [*inherited(b, classes), *(accepted(b) if is_made(b) else ())]]
+
+
+def is_made(node):
+    """Whether a class takes names when it is made: it has a decorator or an ``__init__``."""
+    return bool(node.decorator_list) or any(getattr(item, "name", "") == "__init__" for item in node.body)
 
 
 def mistakes(text, classes=CLASSES):
@@ -90,7 +95,7 @@ def test_a_right_docstring_is_not_blamed():
 
 
 def test_inherited_fields_are_parameters():
-    base = "class Base:\n    size: int\n"
+    base = "@dataclass\nclass Base:\n    size: int\n"
     section = "Parameters\n    ----------\n    shape : str\n    size : int\n"
     own = f'class Own(Base):\n    """Own.\n\n    {section}    """\n    shape: str\n'
     assert mistakes(base + own, classes_in(base + own)) == []

@@ -20,9 +20,7 @@ from turgor.core.engine.system import System
 from turgor.core.model.contact import Contact
 from turgor.core.model.obstacles import Obstacle, Plane
 from turgor.core.solvers.checks.supports import check_supports, free_motions
-from turgor.core.solvers.dynamics.stabilization import follow_viscously
 from turgor.core.solvers.energies import imbalance, too_viscous
-from turgor.core.solvers.methods import may_be_free
 from turgor.core.solvers.problem import Problem
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=50e3), density=1100.0, bulk_modulus=5e6)
@@ -45,7 +43,7 @@ def stabilized(model):
     system = System(model, ())
     states, steps = [], []
     problem = Problem(system=system, tangent=Tangent(system, "rslab", 1), states=states, steps=steps)
-    outcome = follow_viscously(problem, tg.Stabilized())
+    outcome = tg.Stabilized().follow(problem)
     return states, outcome, len(steps)
 
 
@@ -92,14 +90,14 @@ def test_a_block_that_only_stands_takes_nothing():
 def test_which_procedures_need_supports():
     model = block()
     alone = tg.Model(model.mesh, model.materials, [], model.loads)
-    assert [may_be_free(model, each) for each in (tg.Static(), tg.Stabilized(), tg.Dynamic(duration=1.0))] == [
+    assert [each.may_be_free(model) for each in (tg.Static(), tg.Stabilized(), tg.Dynamic(duration=1.0))] == [
         False, True, True,
     ]  # fmt: skip
-    assert not may_be_free(alone, tg.Stabilized())
+    assert not tg.Stabilized().may_be_free(alone)
     assert [free_motions(block(supports=each)) for each in ((), [tg.Fixed("z0", "z")], [tg.Fixed("z0")])] == [6, 3, 0]
     with refused("6 of 6", "'floor', 'plate'", "stabilized", "dynamic"):
         check_supports(model)
-    check_supports(model, inertia=may_be_free(model, tg.Stabilized()))
+    check_supports(model, inertia=tg.Stabilized().may_be_free(model))
 
 
 def test_solve_takes_a_block_that_only_contact_holds():

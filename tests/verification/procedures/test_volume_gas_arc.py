@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -242,10 +243,16 @@ def test_walls_that_meet_where_the_load_falls_are_found():
 
 
 def test_an_equilibrium_that_no_volume_holds_is_called_unstable():
-    solution = solve(sphere(), VolumeControl(volume=1 * mL))
+    procedure = VolumeControl(volume=1 * mL)
+    solution = solve(sphere(), procedure)
     states = [replace(state, unstable_modes=int(state.load_factor > 0.5)) for state in solution.states]
-    outcome = reached(states, solution.steps, solution.limit_points)
-    assert solution.message == reached(solution.states, solution.steps, solution.limit_points).message
+    task = SimpleNamespace(procedure=procedure)
+    outcomes = [
+        reached(SimpleNamespace(task=task, states=each, steps=solution.steps, limits=solution.limit_points))
+        for each in (solution.states, states)
+    ]
+    assert solution.message == outcomes[0].message
+    outcome = outcomes[1]
     first = next(state for state in states if state.unstable_modes)
     assert f"From an injected volume of {first.driven['injected_volume'] / mL:.4g} mL" in outcome.message
     assert outcome.advice

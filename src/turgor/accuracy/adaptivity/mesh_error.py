@@ -25,8 +25,6 @@ from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.refining.refinement import Refinement
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.measure import Measure
-from turgor.core.solvers.procedures.dynamic import Dynamic
-from turgor.core.solvers.procedures.stages import OneProcedure, Stages
 from turgor.core.solvers.solution import Solution, State
 from turgor.foundation.display import brief
 from turgor.foundation.finding import Finding, Severity
@@ -143,7 +141,7 @@ def _on_second_mesh(
             if len(pairs) == enough:
                 break
             state = solution.states[number]
-            found = mesh.found_again(state, procedure_of(solution, state), linear=linear)
+            found = mesh.found_again(state, solution.procedure.parts(state.stage)[-1], linear=linear)
             if found is not None:
                 before = transfer.nodal(state.displacement)
                 pairs[number] = found
@@ -154,10 +152,9 @@ def _on_second_mesh(
 
 def why_not(solution: Solution) -> str:
     """Say why states of a path cannot be solved for on another mesh; empty where they can."""
-    procedures = solution.procedure.stages if isinstance(solution.procedure, Stages) else ()
-    moving = [solution.procedure, *(stage.procedure for stage in procedures)]
-    if any(isinstance(each, Dynamic) for each in moving):
-        return "the actuator moves, and every state depends on all before it"
+    reason = next((each.depends_on_path for each in solution.procedure.parts() if each.depends_on_path), "")
+    if reason:
+        return reason
     contact = solution.model.contact
     frictions = [obstacle.friction for obstacle in contact.obstacles]
     if contact.self_contact is not None:
@@ -176,14 +173,6 @@ def _not_estimated(reason: str) -> Finding:
         message=f"The mesh error was not estimated: {reason}.",
         advice="Compare two meshes yourself: `turgor convergence` does.",
     )
-
-
-def procedure_of(solution: Solution, state: State) -> OneProcedure:
-    """Return the procedure that found a state: in a sequence that of its stage."""
-    if isinstance(solution.procedure, Stages):
-        named = {stage.name: stage.procedure for stage in solution.procedure.stages}
-        return named.get(state.stage, solution.procedure.stages[-1].procedure)
-    return solution.procedure
 
 
 def plan(solution: Solution, refined_before: bool) -> tuple[int, float]:

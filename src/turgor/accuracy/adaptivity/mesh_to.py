@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.accuracy.adaptivity.indicator import error_indicator
-from turgor.accuracy.adaptivity.mesh_error import estimate_mesh_error, procedure_of, why_not
+from turgor.accuracy.adaptivity.mesh_error import estimate_mesh_error, why_not
 from turgor.accuracy.adaptivity.refine import refined
 from turgor.accuracy.adaptivity.second_mesh import SecondMesh
 from turgor.accuracy.adaptivity.settings import REFINEMENT
@@ -20,7 +20,8 @@ from turgor.core.meshing.sizing.sizes import check_target
 from turgor.core.model.model import Model
 from turgor.core.results.error_text import with_error
 from turgor.core.results.measures.measure import Measure
-from turgor.core.solvers.solution import Procedure, Solution, SolveError
+from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.core.solvers.solution import Solution, SolveError
 from turgor.core.solvers.solve import solve
 from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError
@@ -202,7 +203,7 @@ def _solved_on(solution: Solution, refinement: Refinement, options: EngineOption
     states = [second.at_rest(solution.states[0])]
     with use_threads(options.threads):
         for state in solution.states[1:]:
-            found = second.found_again(state, procedure_of(solution, state), exact=True)
+            found = second.found_again(state, solution.procedure.parts(state.stage)[-1], exact=True)
             if found is None or (found.unstable_modes or 0) != (state.unstable_modes or 0):
                 return _solved_again(model, solution, options)
             states.append(found)

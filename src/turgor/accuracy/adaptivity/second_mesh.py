@@ -22,17 +22,12 @@ from turgor.core.solvers.constraints.cavities import CavityPressures, VolumeTarg
 from turgor.core.solvers.constraints.constraint import Constraint, Target
 from turgor.core.solvers.constraints.load_factor import LoadFactor, WorkTarget
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.scalar_control.cavity_control import filled_cavities
 from turgor.core.solvers.newton.border import Border
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
 from turgor.core.solvers.newton.iteration import iterate
 from turgor.core.solvers.newton.newton import newton
 from turgor.core.solvers.newton.newton_values import NewtonSettings, Start
-from turgor.core.solvers.procedures.arc_length import ArcLength
-from turgor.core.solvers.procedures.auto import Auto
-from turgor.core.solvers.procedures.gas_mass import GasMass
-from turgor.core.solvers.procedures.stages import OneProcedure
-from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.solution import State
 from turgor.core.solvers.states import acting_pressures, touches
 
@@ -71,24 +66,24 @@ class SecondMesh:
     _known: list[tuple[Model, tuple[str, ...], System, Tangent]] = field(default_factory=list)
 
     def found_again(
-        self, state: State, procedure: OneProcedure, exact: bool = False, linear: bool = False
+        self, state: State, procedure: Procedure, exact: bool = False, linear: bool = False
     ) -> State | None:
         """Find a state on the refined mesh under the constraint of its procedure; None where Newton's method fails.
 
         ``exact`` asks for the tolerance of a solve, not only for a good estimate of the mesh error; ``linear`` for one
         linear solve alone, where the loads are given.
         """
-        controlled = _controlled(state, procedure)
+        controlled = procedure.filled(state.model)
         system, tangent = self._equations(state.model, controlled)
         history = system.history(self.transfer.memory(state.memory), 0.0 if state.memory is not None else inf)
         start, equations = self._start(system, state), (system, tangent, history)
-        free = controlled or (isinstance(procedure, ArcLength | Auto) and state.model.pressures)
+        free = controlled or (procedure.finds_load and state.model.pressures)
         try:
             if free:
                 return _at_volume(equations, start, state, controlled)
             if linear:
                 return _linearly(equations, start, state)
-            return _at_load(equations, start, state, exact or isinstance(procedure, ArcLength | Auto))
+            return _at_load(equations, start, state, exact or procedure.finds_load)
         except (SingularTangentError, np.linalg.LinAlgError):
             return None
 
@@ -124,13 +119,6 @@ class SecondMesh:
             for name in system.contact.bodies.names
         ]
         return np.concatenate([system.unknowns(moved, mean), *springs])
-
-
-def _controlled(state: State, procedure: OneProcedure) -> tuple[str, ...]:
-    """Cavities whose pressure the procedure found."""
-    if not isinstance(procedure, VolumeControl | GasMass):
-        return ()
-    return filled_cavities(state.model, procedure)
 
 
 def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -> State | None:

@@ -2,11 +2,6 @@
 
 from turgor.core.materials.material import Material
 from turgor.core.results.measures.measure import Measure
-from turgor.core.solvers.procedures.dynamic import Dynamic
-from turgor.core.solvers.procedures.gas_mass import GasMass
-from turgor.core.solvers.procedures.stabilized import Stabilized
-from turgor.core.solvers.procedures.stages import OneProcedure, Stages
-from turgor.core.solvers.procedures.volume_control import VolumeControl
 from turgor.core.solvers.solution import Solution, State
 from turgor.foundation.errors import TurgorError
 
@@ -53,13 +48,14 @@ def depends_on_history(solution: Solution, state: State) -> str:
     -------
     str
     """
-    procedures = procedures_before(solution, state)
+    procedures = solution.procedure.parts(state.stage)
     now = procedures[-1]
-    if any(isinstance(each, Dynamic) for each in procedures):
-        return "the actuator moves, and every state depends on all before it; take Static"
-    if isinstance(now, Stabilized):
-        return "artificial viscosity acts in the states of Stabilized; go on with a stage of Static and take its states"
-    if getattr(now, "duration", None) is not None and any(m.viscoelasticity for m in _rubbers(state)):
+    reason = next((each.depends_on_path for each in procedures if each.depends_on_path), "")
+    if reason:
+        return f"{reason}; take Static"
+    if now.no_gradient:
+        return str(now.no_gradient)
+    if now.duration is not None and any(m.viscoelasticity for m in _rubbers(state)):
         return (
             "the rubber relaxes during the procedure's duration, and every state depends on all before it; without a "
             "duration the relaxed rubber has a gradient"
@@ -70,35 +66,9 @@ def depends_on_history(solution: Solution, state: State) -> str:
         )
     if rubs(state):
         return "something rubs, and every state depends on all before it; set friction to 0"
-    if len(procedures) > 1 and any(isinstance(each, VolumeControl | GasMass) for each in procedures):
+    if len(procedures) > 1 and any(each.requested is not None for each in procedures):
         return "pressures were found in one stage and act in another; take one stage, or state the pressures"
-    if isinstance(now, GasMass) and now.pressure:
-        return (
-            "the gas is sealed at a pressure, and its amount depends on the state there; leave procedure.pressure out"
-        )
     return ""
-
-
-def procedures_before(solution: Solution, state: State) -> tuple[OneProcedure, ...]:
-    """Return the procedures up to the one that found a state.
-
-    Parameters
-    ----------
-    solution : Solution
-    state : State
-
-    Returns
-    -------
-    tuple of OneProcedure
-    """
-    if not isinstance(solution.procedure, Stages):
-        return (solution.procedure,)
-    found = []
-    for stage in solution.procedure.stages:
-        found.append(stage.procedure)
-        if stage.name == state.stage:
-            break
-    return tuple(found)
 
 
 def rubs(state: State) -> bool:

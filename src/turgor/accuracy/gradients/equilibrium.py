@@ -15,26 +15,18 @@ from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.chamber_volumes import Chambers
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import Evaluation, System
-from turgor.core.solvers.constraints.cavities import CavityPressures, VolumeTarget
-from turgor.core.solvers.constraints.constraint import Constraint, Target
+from turgor.core.solvers.constraints.cavities import CavityPressures
+from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.constraints.elimination import Conditions
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.scalar_control.cavity_control import (
-    filled_cavities,
-    gas_target,
-    of_each,
-)
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.newton.border import Border
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
 from turgor.core.solvers.newton.convergence import whole_residual
 from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Start
-from turgor.core.solvers.procedures.gas_mass import GasMass
-from turgor.core.solvers.procedures.stages import OneProcedure
-from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.restart import unknowns_of
 from turgor.core.solvers.solution import State
-from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]
@@ -50,7 +42,7 @@ class Equilibrium:
     Parameters
     ----------
     state : State
-    procedure : OneProcedure
+    procedure : Procedure
         That found it.
     system : System
     border : Border
@@ -65,7 +57,7 @@ class Equilibrium:
     """
 
     state: State
-    procedure: OneProcedure
+    procedure: Procedure
     system: System
     border: Border
     constraint: Constraint
@@ -138,14 +130,14 @@ def _refined(once: Callable[[Array, Array], Pair], left: Callable[[Array, Array]
 
 
 def equilibrium_of(
-    state: State, procedure: OneProcedure, options: EngineOptions, systems: Systems | None = None
+    state: State, procedure: Procedure, options: EngineOptions, systems: Systems | None = None
 ) -> Equilibrium:
     """Find a state again, more accurately than a solve does, and factor the tangent there.
 
     Parameters
     ----------
     state : State
-    procedure : OneProcedure
+    procedure : Procedure
     options : EngineOptions
     systems : Systems, optional
         Where several states of a path are differentiated.
@@ -160,7 +152,7 @@ def equilibrium_of(
         If Newton's method does not find the state, or the tangent is singular there.
     """
     systems = systems or Systems()
-    system = systems.of(state.model, controlled_cavities(state, procedure))
+    system = systems.of(state.model, procedure.filled(state.model))
     constraint = constraint_of(system, state, procedure)
     try:
         result, border = _found_again(state, constraint, options, systems)
@@ -208,22 +200,7 @@ def _found_again(
     return result, border
 
 
-def controlled_cavities(state: State, procedure: OneProcedure) -> tuple[str, ...]:
-    """Name the cavities whose pressure is unknown in a procedure.
-
-    Parameters
-    ----------
-    state : State
-    procedure : OneProcedure
-
-    Returns
-    -------
-    tuple of str
-    """
-    return filled_cavities(state.model, procedure) if isinstance(procedure, VolumeControl | GasMass) else ()
-
-
-def constraint_of(system: System, state: State, procedure: OneProcedure) -> Constraint:
+def constraint_of(system: System, state: State, procedure: Procedure) -> Constraint:
     """Return what holds at a state: loads at its load factor, or the volumes or amounts of gas of its cavities.
 
     Along `ArcLength` and `Auto` the loads are given, too: the question is how a measure changes at the same load.
@@ -233,7 +210,7 @@ def constraint_of(system: System, state: State, procedure: OneProcedure) -> Cons
     system : System
         Of the model of the state, or of one that differs a little.
     state : State
-    procedure : OneProcedure
+    procedure : Procedure
 
     Returns
     -------
@@ -244,12 +221,5 @@ def constraint_of(system: System, state: State, procedure: OneProcedure) -> Cons
         return load_control(system, history=history)
     chambers = Chambers(system, system.controlled)
     rest = chambers.volumes(np.zeros(system.size))
-    if isinstance(procedure, VolumeControl):
-        injected = state.load_factor * of_each(procedure.volume, system.controlled) / system.length**3
-        volumes: Target = VolumeTarget(chambers, rest + injected, np.zeros(len(rest)))
-        return Constraint.of(CavityPressures(system), volumes, history=history)
-    if not isinstance(procedure, GasMass):
-        raise TurgorError(f"{type(procedure).__name__} seeks no pressures.")
-    ratios = of_each(procedure.mass_ratio, system.controlled)
-    target = gas_target(chambers, procedure, ratios, (rest, np.zeros(len(rest))))
+    target = procedure.target(chambers, rest, np.zeros(len(rest)))
     return Constraint.of(CavityPressures(system), target, history=history)

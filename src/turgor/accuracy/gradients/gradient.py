@@ -6,7 +6,7 @@ from time import perf_counter
 
 import numpy as np
 
-from turgor.accuracy.gradients.checks import check_state, procedures_before
+from turgor.accuracy.gradients.checks import check_state
 from turgor.accuracy.gradients.differentiated import Reading, chosen_measures
 from turgor.accuracy.gradients.equilibrium import equilibrium_of
 from turgor.accuracy.gradients.measure_derivatives import derived
@@ -90,7 +90,7 @@ def gradient_with(
     options = options or EngineOptions()
     at = check_state(solution, state)
     chosen = chosen_measures(at, [measures] if isinstance(measures, Measure | str) else measures)
-    procedure = procedures_before(solution, at)[-1]
+    procedure = solution.procedure.parts(at.stage)[-1]
     variation = wrt if isinstance(wrt, Variation) else model_variation(at.model, [wrt] if isinstance(wrt, str) else wrt)
     threads = options.threads if at.model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):

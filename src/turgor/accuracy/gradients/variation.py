@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from turgor.accuracy.gradients.settings import GRADIENTS
 from turgor.core.model.model import Model
-from turgor.core.solvers.procedures.stages import OneProcedure
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import COLUMN_UNITS
@@ -52,7 +52,7 @@ class Variation:
     values: Mapping[str, float]
     units: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     scales: Mapping[str, float] = field(default_factory=lambda: _NONE)
-    procedure: Callable[[Mapping[str, float]], OneProcedure] | None = None
+    procedure: Callable[[Mapping[str, float]], Procedure] | None = None
 
     def __post_init__(self) -> None:
         if not self.values:

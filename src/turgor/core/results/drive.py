@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.core.solvers.procedures.stages import Stages
+from turgor.core.solvers.procedures.listed import prescribed_columns
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.response import Column, Response
 
@@ -35,8 +35,8 @@ def pressures_in(response: Response) -> tuple[Column, ...]:
 def drive_of(response: Response) -> str:
     """Return the name of the column that others are shown against.
 
-    The time, if there is one; the stage in a sequence; what was prescribed, if it is a volume or an amount of gas,
-    because the pressure may fall then; the pressure, if there is one; else the first column.
+    The time, if there is one; the stage in a sequence; what was prescribed, such as a volume or an amount of
+    gas, because the pressure may fall then; the pressure, if there is one; else the first column.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def drive_of(response: Response) -> str:
     -------
     str
     """
-    known = ("time", "stage", "injected_volume", "gas_mass_ratio", "pressure")
+    known = ("time", "stage", *prescribed_columns(), "pressure")
     return next((name for name in known if name in response.names), response.names[0])
 
 
@@ -62,7 +62,7 @@ def stage_column(solution: Solution) -> tuple[Column, ...]:
     tuple of Column
         Empty where there are no stages.
     """
-    if not isinstance(solution.procedure, Stages):
+    if not solution.procedure.stages:
         return ()
     finished = {stage.name: number for number, stage in enumerate(solution.procedure.stages)}
     progress = np.array([finished[each.stage] + each.load_factor for each in solution.states])

@@ -5,8 +5,8 @@ from typing import Any
 
 from turgor.core.solvers.checkpoints.checkpoint_data import PathSoFar
 from turgor.core.solvers.checkpoints.record import INDEX, RunRecord
-from turgor.core.solvers.procedures.stages import Stages
-from turgor.core.solvers.solution import Procedure, Solution, Status
+from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.core.solvers.solution import Solution, Status
 from turgor.core.solvers.stage_sequence import together
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.store.saved_objects import load_file, with_ending
@@ -78,7 +78,7 @@ def path_so_far(record: RunRecord) -> Solution:
     if not paths:
         raise TurgorError(f"the run in '{record.store.folder}' was ended before its first step was done.")
     procedure = question.procedure
-    if not isinstance(procedure, Stages):
+    if not procedure.stages:
         return _unfinished(procedure, paths[0])
     solutions = [_unfinished(stage.procedure, path) for stage, path in zip(procedure.stages, paths, strict=False)]
     whole = together(question.model, procedure, solutions)

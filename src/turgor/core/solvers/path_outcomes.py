@@ -10,7 +10,7 @@ from turgor.core.solvers.pressures import pressure_text
 from turgor.core.solvers.solution import LimitPoint, State, Status, Step
 from turgor.core.solvers.step_reasons import Cause
 from turgor.foundation.finding import Finding, Severity
-from turgor.units import kPa, mL
+from turgor.units import kPa
 
 #: Limit points that a sentence names; the rest is in ``solution.limit_points``.
 NAMED = 4
@@ -22,22 +22,18 @@ BEND_IT = (
 )
 
 
-def reached(
-    states: Sequence[State],
-    steps: Sequence[Step],
-    limits: Sequence[LimitPoint],
-    bifurcations: Sequence[Bifurcation] = (),
-) -> Outcome:
+def reached(run: Run, bifurcations: Sequence[Bifurcation] = ()) -> Outcome:
     """All that was requested was injected, pumped in or applied."""
+    states = run.states
     message = (
-        f"Reached {_where(states[-1], states[0])}{_effort(states, steps)}.{_turns(limits)}{_branches(bifurcations)}"
+        f"Reached {_where(run, states[-1])}{_effort(states, run.steps)}.{_turns(run.limits)}{_branches(bifurcations)}"
     )
     unstable = next((state for state in states if state.unstable_modes), None)
     if unstable is None or not unstable.driven:  # at given loads a falling branch is unstable, which was said
         return Outcome(Status.CONVERGED, message, BEND_IT if bifurcations else "")
     return Outcome(
         Status.CONVERGED,
-        f"{message} From {_where(unstable, states[0])} on the equilibrium is unstable even so "
+        f"{message} From {_where(run, unstable)} on the equilibrium is unstable even so "
         f"({unstable.unstable_modes} negative modes): a real actuator would leave it.",
         "Treat what follows with care: the actuator may buckle, bulge on one side or jump.",
     )
@@ -48,7 +44,7 @@ def followed(run: Run, why: str) -> Outcome:
     bend_it = f" {BEND_IT}" if run.bifurcations else ""
     return Outcome(
         Status.FOLLOWED,
-        f"Followed the path to {_where(run.states[-1], run.states[0])}{_effort(run.states, run.steps)}: {why}."
+        f"Followed the path to {_where(run, run.states[-1])}{_effort(run.states, run.steps)}: {why}."
         f"{_turns(run.limits)}{_branches(run.bifurcations)}{distortion_text(run.states[-1])}",
         f"The full load is not on the path so far; follow it farther, or ask for less.{bend_it}",
     )
@@ -62,7 +58,7 @@ def lost_path(run: Run) -> Outcome:
     why = cause_in(last)
     return Outcome(
         Status.TURNED_BACK if step.cause is Cause.OTHER_BRANCH else Status.STEP_TOO_SMALL,
-        f"The path could not be followed beyond {_where(last, run.states[0])}{_effort(run.states, run.steps)}: "
+        f"The path could not be followed beyond {_where(run, last)}{_effort(run.states, run.steps)}: "
         f"{step.reason}, down to steps of {step.increment:.2g}."
         f"{_turns(run.limits)}{_branches(run.bifurcations)}{said(why) or distortion_text(last)}",
         "The path up to there stands. Look at the last state for a badly distorted cell or walls that met, and refine "
@@ -78,8 +74,8 @@ def turned_back(run: Run) -> Outcome:
     why = turned_law(top) or wrinkled_film(top)
     return Outcome(
         Status.TURNED_BACK,
-        f"The path turned at {_where(top, run.states[0])} and goes back the way it came, down to "
-        f"{_where(run.states[-1], run.states[0])} so far"
+        f"The path turned at {_where(run, top)} and goes back the way it came, down to "
+        f"{_where(run, run.states[-1])} so far"
         f"{_effort(run.states, run.steps)}: a few cells give way there, and the rest of the body is unloaded."
         f"{_branches(run.bifurcations)}{said(why) or distortion_text(run.states[-1])}",
         "Take the path up to the turn; what comes after it depends on the mesh. Refine the mesh where cells are "
@@ -168,28 +164,12 @@ def _turn(limit: LimitPoint) -> str:
     return f"{limit.kind} of the load at load factor {limit.load_factor:.5g}"
 
 
-def _where(state: State, first: State) -> str:
-    driven = state.driven
-    said = []
-    before = first.driven.get("injected_volume", 0.0)
-    if before:
-        said.append(_grown(driven["injected_volume"], before))
-    elif "injected_volume" in driven:
-        said.append(f"an injected volume of {driven['injected_volume'] / mL:.4g} mL")
-    elif "gas_mass_ratio" in driven:
-        said.append(f"{driven['gas_mass_ratio']:.4g} times the gas")
-    pressures = pressure_text(state)
-    said += [pressures] if pressures else []
+def _where(run: Run, state: State) -> str:
+    driven = run.task.procedure.driven_text(state.driven, run.states[0].driven)
+    said = [each for each in (driven, pressure_text(state)) if each]
     return (
         f"{' at '.join(said)} (load factor {state.load_factor:.4g})" if said else f"load factor {state.load_factor:.4g}"
     )
-
-
-def _grown(injected: float, before: float) -> str:
-    """A volume relative to that at rest, for stages after a change of volume."""
-    if abs(injected) < 1e-6 * abs(before):
-        return "the volume at rest"
-    return f"a volume {abs(injected) / mL:.4g} mL {'larger' if injected > 0 else 'smaller'} than at rest"
 
 
 def _effort(states: Sequence[State], steps: Sequence[Step]) -> str:

@@ -13,15 +13,13 @@ from turgor.core.engine.cells.internal_variables import Memory
 from turgor.core.engine.points.motion import PointMotion
 from turgor.core.model.model import Model
 from turgor.core.solvers.energies import Energies
-from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.step_reasons import Cause, Reason
 from turgor.foundation.display import Shown, brief, listed
 from turgor.foundation.errors import NotSolved
 from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.store.saved_objects import Saved
 from turgor.units import kPa, mm
-
-Procedure = OneProcedure | Stages
 
 #: Letters of the message that the representation of a solution shows.
 LONGEST_MESSAGE = 160

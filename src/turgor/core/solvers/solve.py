@@ -23,15 +23,14 @@ from turgor.core.solvers.checks.plate import plate_findings
 from turgor.core.solvers.checks.time_steps import too_long_steps
 from turgor.core.solvers.continuation.guide import check_guide
 from turgor.core.solvers.listeners import Listeners
-from turgor.core.solvers.methods import method_of
 from turgor.core.solvers.path_outcomes import limit_point_findings, unwatched_stability
 from turgor.core.solvers.problem import Problem
-from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.progress.watchers import Progress as Progress
 from turgor.core.solvers.progress.watchers import watched
 from turgor.core.solvers.restart import Restart
-from turgor.core.solvers.solution import Procedure, Solution, SolveError, State, Status, Timing
+from turgor.core.solvers.solution import Solution, SolveError, State, Status, Timing
 from turgor.core.solvers.stage_sequence import solve_stages
 from turgor.foundation.finding import by_weight, show_warning
 from turgor.foundation.given import one
@@ -180,7 +179,7 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
         early = check_before_solve(model, procedure) if question.findings is None else question.findings
         listeners.tell(early)
         one = partial(_solved, question, record)
-        if isinstance(procedure, Stages):
+        if procedure.stages:
             solution = solve_stages(model, procedure, listeners, one)
         else:
             solution, _ = one(model, procedure, listeners, None)
@@ -200,19 +199,18 @@ def _solved(
     question: Question,
     record: RunRecord | None,
     model: Model,
-    procedure: OneProcedure,
+    procedure: Procedure,
     listeners: Listeners,
     restart: Restart | None,
 ) -> tuple[Solution, Restart]:
     """Follow one procedure from rest, or from the restart of a former stage; return its own restart, too."""
-    options, method = question.options, method_of(procedure)
-    start = perf_counter()
+    options, start = question.options, perf_counter()
     stage, model = (None, model) if record is None else record.stage(model)
     threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
         compiling = compile_kernels(options.notify, Needs.of(model))
         setup = perf_counter()
-        system = System(model, method.controlled(model, procedure))
+        system = System(model, procedure.controlled(model))
         history = system.history(step=inf)  # slow enough to relax, unless the procedure knows its time
         tangent = Tangent(system, options.linear_solver, threads, options.iteration)
         setup = perf_counter() - setup
@@ -228,16 +226,16 @@ def _solved(
             record=None if stage is None else stage.of(system),
             guide=question.guide,
         )
-        outcome = method.follow(problem, procedure)
+        outcome = procedure.follow(problem)
     timing = _timing(tangent, compiling, setup, start)
     findings = (
         *meeting_walls(model, problem.states),
         *deep_penetrations(problem.states),
         *compressed_membranes(model, problem.states),
         *elastic_slips(system, problem.states),
-        *limit_point_findings(problem.limits, method.limit_points),
+        *limit_point_findings(problem.limits, procedure.limit_points),
         *unwatched_stability(tangent.iterative, system.size),
-        *method.findings(problem.states),
+        *procedure.findings(problem.states),
         *too_long_steps(model, procedure, problem.states),
     )
     solution = Solution(

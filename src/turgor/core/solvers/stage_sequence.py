@@ -9,11 +9,9 @@ from turgor.core.model.drive import pressures_at
 from turgor.core.model.loads import pressures_among
 from turgor.core.model.model import Model
 from turgor.core.solvers.listeners import Listeners
-from turgor.core.solvers.methods import method_of
 from turgor.core.solvers.pressures import pressures_of
-from turgor.core.solvers.procedures.gas_mass import GasMass
-from turgor.core.solvers.procedures.stages import OneProcedure, Stage, Stages
-from turgor.core.solvers.procedures.volume_control import VolumeControl
+from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.core.solvers.procedures.stages import Stage
 from turgor.core.solvers.restart import Restart
 from turgor.core.solvers.solution import Iteration, Solution, State, Status, Timing
 from turgor.foundation.errors import TurgorError
@@ -25,10 +23,10 @@ T = TypeVar("T")
 LASTING = ("B02",)
 
 #: Solves one procedure from rest or from a restart, and returns the restart of the next one.
-Follow = Callable[[Model, OneProcedure, Listeners, Restart | None], tuple[Solution, Restart]]
+Follow = Callable[[Model, Procedure, Listeners, Restart | None], tuple[Solution, Restart]]
 
 
-def solve_stages(model: Model, procedure: Stages, listeners: Listeners, follow: Follow) -> Solution:
+def solve_stages(model: Model, procedure: Procedure, listeners: Listeners, follow: Follow) -> Solution:
     """Solve the stages of a sequence until one of them stops early."""
     solutions: list[Solution] = []
     restart: Restart | None = None
@@ -46,13 +44,13 @@ def solve_stages(model: Model, procedure: Stages, listeners: Listeners, follow: 
     return together(model, procedure, solutions)
 
 
-def questions(model: Model, procedure: Stages) -> tuple[Model, ...]:
-    """Return the model of each stage as far as it is known before any is solved.
+def questions(model: Model, procedure: Procedure) -> tuple[Model, ...]:
+    """Return the model of each stage as far as it is known before any is solved; the model itself without stages.
 
     Parameters
     ----------
     model : Model
-    procedure : Stages
+    procedure : Procedure
 
     Returns
     -------
@@ -64,12 +62,14 @@ def questions(model: Model, procedure: Stages) -> tuple[Model, ...]:
     TurgorError
         If a stage changes what the model does not have, or seeks a pressure that it states.
     """
+    if not procedure.stages:
+        return (model,)
     models: list[Model] = []
     first, last = _movable(model, procedure), None
     for stage in procedure.stages:
         try:
             question = _question(first, stage, last)
-            method_of(stage.procedure).controlled(question, stage.procedure)
+            stage.procedure.controlled(question)
         except TurgorError as error:
             raise TurgorError(f"stage '{stage.name}': {error}") from None
         models.append(question)
@@ -90,7 +90,7 @@ class _End:
         return _End(state.model, state.load_factor, pressures_of(state))
 
 
-def _movable(model: Model, procedure: Stages) -> Model:
+def _movable(model: Model, procedure: Procedure) -> Model:
     """The model in which faces that later stages move have a displacement of zero at first."""
     return movable(model, [each for stage in procedure.stages for each in stage.displacements])
 
@@ -100,14 +100,10 @@ def _question(model: Model, stage: Stage, last: _End | None) -> Model:
     if last is None:
         return with_loads(model, stage.loads, stage.displacements, stage.moves)
     pressures = dict(last.pressures)
-    if isinstance(stage.procedure, VolumeControl | GasMass):
-        # here, as in `turgor.core.solvers.methods`: few procedures fill cavities
-        from turgor.core.solvers.continuation.scalar_control.cavity_control import filled_cavities
-
-        stated = {load.face for load in pressures_among(stage.loads)}
-        for name in filled_cavities(last.model, stage.procedure):
-            if name not in stated:
-                pressures.pop(name, None)  # it is unknown from here on
+    stated = {load.face for load in pressures_among(stage.loads)}
+    for name in stage.procedure.filled(last.model):
+        if name not in stated:
+            pressures.pop(name, None)  # it is unknown from here on
     acting = (last.load_factor, pressures)
     return continued(last.model, acting, stage.loads, stage.displacements, stage.moves)
 
@@ -126,7 +122,7 @@ def _within(stage: Stage, listeners: Listeners) -> Listeners:
     return Listeners(tell, ask, stage=stage.name)
 
 
-def together(model: Model, procedure: Stages, solutions: Sequence[Solution]) -> Solution:
+def together(model: Model, procedure: Procedure, solutions: Sequence[Solution]) -> Solution:
     """Make one solution of those of the stages; the first state of each but the first is the last of the former.
 
     Parameters
@@ -167,7 +163,7 @@ def together(model: Model, procedure: Stages, solutions: Sequence[Solution]) -> 
     )
 
 
-def _findings(procedure: Stages, solutions: Sequence[Solution]) -> tuple[Finding, ...]:
+def _findings(procedure: Procedure, solutions: Sequence[Solution]) -> tuple[Finding, ...]:
     """What the checks of each stage noticed, with its name; what they notice again is left out."""
     named: dict[tuple[str, str], Finding] = {}
     for stage, solution in zip(procedure.stages, solutions, strict=False):

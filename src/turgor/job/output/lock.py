@@ -14,8 +14,6 @@ from turgor.core.materials.library.record_history import history_tables
 from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.model.sheets import Sheet, Shell
-from turgor.core.solvers.procedures.stages import Stages
-from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.registry import name_in
 from turgor.job.job import Job, actuator_type
@@ -72,9 +70,9 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "engine": {"threads": job.threads} if job.threads is not None else {},
         "written_by": dict(written_by),
     }
-    if isinstance(job.procedure, Stages):
+    if job.procedure.stages:
         content[STAGES] = stages_tables(job.procedure)
-    elif job.setup is not None and isinstance(job.procedure, Static):
+    elif job.setup is not None:
         content["procedure"] = written_setup(job.setup, job.procedure, job.loads)
     else:
         content["procedure"] = written_procedure(job.procedure, job.loads)

@@ -4,7 +4,6 @@ import csv
 from collections.abc import Callable
 from pathlib import Path
 
-from turgor.core.solvers.procedures.stages import Stages
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.store.atomic_files import whole, write_whole
 from turgor.job.output.folder import LOCK, LOG, RESPONSE, STEPS, clear_drawn
@@ -36,7 +35,7 @@ def write_tables(
 
 def write_steps(file: Path, solution: Solution) -> None:
     """Write every attempted step as a line of CSV."""
-    columns = ("stage", *STEP_COLUMNS) if isinstance(solution.procedure, Stages) else STEP_COLUMNS
+    columns = ("stage", *STEP_COLUMNS) if solution.procedure.stages else STEP_COLUMNS
     with whole(file) as part, part.open("w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(f"{name}_s" if name == "seconds" else name for name in columns)

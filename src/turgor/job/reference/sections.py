@@ -36,7 +36,7 @@ from turgor.job.tables.materials import read_materials
 from turgor.job.tables.mesh_files import MESH_FILE, MeshFileTable
 from turgor.job.tables.obstacles import SHAPES, STL, ObstacleTable, obstacle_table, read_obstacles
 from turgor.job.tables.points import PointTable, read_points
-from turgor.job.tables.procedures import PROCEDURES, procedure_table, read_procedure
+from turgor.job.tables.procedures import PROCEDURES, procedure_fields, procedure_table, read_procedure
 from turgor.job.tables.sections import read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_table
 from turgor.job.tables.stages import StageTable
@@ -48,7 +48,7 @@ from turgor.job.text.load_tables import (
     GravityTable,
 )
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import EngineTable, MeshTable, OutputTable
+from turgor.job.text.quantities import EngineTable, MeshTable, OutputTable, default_of
 from turgor.units import format_quantity
 
 #: Functions that say what the keys of a setup mean.
@@ -60,8 +60,6 @@ _NEEDED: Mapping[str, Mapping[str, Any]] = {
     "sphere": {"center": [0, 0, "-20 mm"], "radius": "10 mm"},
     "cylinder": {"center": [0, 0, "-20 mm"], "axis": "+y", "radius": "5 mm"},
     "box": {"center": [0, 0, "-20 mm"], "size": ["10 mm", "10 mm", "10 mm"]},
-    "dynamic": {"duration": "2 s"},
-    "volume_control": {"volume": "5 mL"},
     "arruda_boyce": {"mu": "60 kPa", "locking_stretch": 3.0},
     "generalized_rivlin": {"coefficients": {"C10": "50 kPa"}},
     "gent": {"mu": "60 kPa", "Jm": 50.0},
@@ -73,6 +71,9 @@ _NEEDED: Mapping[str, Mapping[str, Any]] = {
     "yeoh_n": {"coefficients": ["50 kPa", "2 kPa"]},
     "grasp": {"pull_distance": "8 mm"},
 }
+
+#: Values of the keys that a procedure cannot do without, by their dimension.
+_EXAMPLES: Mapping[str, Any] = {"length": "8 mm", "number": 2.0, "pressure": "20 kPa", "time": "2 s", "volume": "5 mL"}
 
 
 def section_tables(shape: Geometry | None = None) -> Iterator[JobTable]:
@@ -242,7 +243,8 @@ def _procedures() -> Iterator[JobTable]:
     rest = (Static, StepOptions, VolumeControl)
     kind: Any
     for name, kind in PROCEDURES.items():
-        base = {"type": name, **_NEEDED.get(name, {})}
+        needed = [each for each in procedure_fields(kind) if default_of(each) is ...]
+        base = {"type": name} | {each.name: _EXAMPLES[each.metadata.get("dimension", "number")] for each in needed}
         words = (getdoc(kind) or "").splitlines()[0]
         source = Source(model=procedure_table(kind), described=(kind, *rest), read=_procedure, base=base)
         yield source.table(f'[procedure], type = "{name}"', words)

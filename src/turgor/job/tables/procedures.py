@@ -8,10 +8,11 @@ from typing import Annotated, Any, get_args, get_origin
 from pydantic import BeforeValidator
 
 from turgor.core.model.loads import Load
-from turgor.core.solvers.procedures.stages import OneProcedure
-from turgor.core.solvers.procedures.step_options import StepOptions, fields_in_order
+from turgor.core.solvers.procedures.listed import PROCEDURES as PROCEDURES
+from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.core.solvers.procedures.step_options import fields_in_order
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.foundation.registry import Registry, class_of_file, name_in
+from turgor.foundation.registry import name_in
 from turgor.job.tables.loads import only_pressure, requested_factors
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
@@ -26,12 +27,6 @@ from turgor.job.text.quantities import (
 )
 from turgor.units import format_quantity, kPa, parse_quantity
 
-#: Procedures by their names in job files: the classes in their folder; the fields of a procedure are its keys.
-PROCEDURES: Registry[type[Any]] = Registry(
-    "turgor.core.solvers.procedures",
-    class_of_file(lambda kind: issubclass(kind, OneProcedure) and kind is not StepOptions),
-)
-
 #: Units in which lock files state the fields of a procedure.
 _UNITS = {
     "volume": "mL",
@@ -45,7 +40,7 @@ _UNITS = {
 
 def read_procedure(
     values: Any, loads: tuple[Load, ...], problems: Problems, others: Iterable[str] = ()
-) -> OneProcedure | None:
+) -> Procedure | None:
     """Read ``[procedure]``, or that of a stage; requested pressures become load factors.
 
     ``others`` are further names for the message about an unknown one.
@@ -60,7 +55,7 @@ def read_procedure(
     if not states_requested(given["at"], why, problems):
         return None
     given["at"] = tuple(requested_factors(given["at"], loads, problems))
-    made: OneProcedure | None = problems.attempt(key, lambda: kind(**given), fields=given)
+    made: Procedure | None = problems.attempt(key, lambda: kind(**given), fields=given)
     return made
 
 
@@ -108,7 +103,7 @@ def procedure_fields(value: type) -> list[Field[Any]]:
     return [item for item in fields_in_order(value) if item.init and item.metadata.get("job", True)]
 
 
-def written_procedure(procedure: OneProcedure, loads: tuple[Load, ...] = ()) -> dict[str, Any]:
+def written_procedure(procedure: Procedure, loads: tuple[Load, ...] = ()) -> dict[str, Any]:
     """Write a procedure as the table of a job file; `read_procedure` gives the same one back.
 
     Parameters

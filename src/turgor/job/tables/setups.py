@@ -10,6 +10,7 @@ from typing import Any
 
 from turgor.core.model.loads import Load
 from turgor.core.setups.setup_values import BlockedForce, Grasp, Setup
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.static import Static
 from turgor.job.tables.loads import only_pressure, requested_factors
 from turgor.job.tables.procedures import field_keys, procedure_fields, requested, stated_fields, states_requested
@@ -70,7 +71,7 @@ def setup_table(kind: type) -> type[Table]:
     return made_table(f"{kind.__name__}Table", field_keys(fields(kind)) | steps)
 
 
-def written_setup(setup: Setup, procedure: Static, loads: tuple[Load, ...]) -> dict[str, Any]:
+def written_setup(setup: Setup, procedure: Procedure, loads: tuple[Load, ...]) -> dict[str, Any]:
     """Write a setup and its procedure as the table of a job file; `read_setup` returns both."""
     name = next(name for name, kind in SETUPS.items() if type(setup) is kind)
     top = None if isinstance(setup, Grasp) else only_pressure(loads)

@@ -15,6 +15,7 @@ from turgor.core.model.loads import Load
 from turgor.core.model.obstacles import Vector
 from turgor.core.model.sheets import Sheet
 from turgor.core.model.supports import Displacement, Shift
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.stages import Stage, Stages, check_stage
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.tables.loads import loads_table, read_loads
@@ -141,8 +142,7 @@ def read_stages(values: Any, around: Around, problems: Problems) -> Stages | Non
 
 def _changes(stage: Stage) -> bool:
     """Whether a stage changes a load, a support or an obstacle."""
-    driving = getattr(stage.procedure, "volume", None) or getattr(stage.procedure, "mass_ratio", None)
-    return bool(stage.loads or stage.displacements or stage.moves or driving)
+    return bool(stage.loads or stage.displacements or stage.moves or stage.procedure.requested)
 
 
 def _read_stage(entry: Any, number: int, around: Around, problems: Problems) -> Stage | None:
@@ -196,12 +196,12 @@ def _check_moves(moves: Mapping[str, Vector], contact: Contact, problems: Proble
         problems.add(("moves", name), why)
 
 
-def stages_tables(stages: Stages) -> list[dict[str, Any]]:
+def stages_tables(procedure: Procedure) -> list[dict[str, Any]]:
     """Write stages as tables of a job file; `read_stages` gives the same ones back.
 
     Parameters
     ----------
-    stages : Stages
+    procedure : Stages
 
     Returns
     -------
@@ -212,7 +212,7 @@ def stages_tables(stages: Stages) -> list[dict[str, Any]]:
     TurgorError
         If a displacement is a function, which has no form in a job file.
     """
-    return [_written(stage) for stage in stages.stages]
+    return [_written(stage) for stage in procedure.stages]
 
 
 def _written(stage: Stage) -> dict[str, Any]:

@@ -10,7 +10,6 @@ import numpy as np
 
 from turgor.core.model.loads import pressures_among
 from turgor.core.results.measures.measures import MEASURES
-from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.job import Job
 from turgor.job.read import read_job
@@ -215,9 +214,10 @@ def _names(goal: Goal) -> tuple[str, ...]:
 def _stopping(job: Job, goals: Sequence[Goal]) -> Any:
     """Return the procedure with a state at each pressure at which goals read: between states is interpolated."""
     full = [each.pressure for each in pressures_among(job.loads)]
-    if not isinstance(job.procedure, Static) or len(full) != 1 or full[0] <= 0:
-        return job.procedure
+    procedure: Any = job.procedure
+    if not procedure.load_control or len(full) != 1 or full[0] <= 0:
+        return procedure
     at = [goal.at for goal in goals if goal.at is not None and goal.at[0] == "pressure"]
     stops = [float(value) for _, values in at for value in np.atleast_1d(values)]
     shares = {round(value / full[0], 9) for value in stops if 0 < value < full[0]}
-    return replace(job.procedure, at=tuple(sorted({*job.procedure.at, *shares})))
+    return replace(procedure, at=tuple(sorted({*procedure.at, *shares})))

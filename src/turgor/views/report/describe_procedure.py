@@ -1,7 +1,6 @@
 """Describe: procedures in rows for a report, and what each stage of a sequence changes."""
 
 from collections.abc import Mapping
-from dataclasses import fields
 from typing import Any
 
 from turgor.core.model.history import RAMP, with_history
@@ -9,16 +8,16 @@ from turgor.core.model.history_text import history_text
 from turgor.core.model.loads import Load
 from turgor.core.model.obstacles.rigid_shape import in_mm
 from turgor.core.model.supports import Displacement, Shift
-from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.step_options import fields_in_order
-from turgor.core.solvers.solution import Procedure, Status
+from turgor.core.solvers.solution import Status
 from turgor.units import kPa, mL, mm
 from turgor.views.report.describe import Rows
 
 
 def procedure(of: Procedure) -> Rows:
     """Say how the path was followed: the fields of a procedure, or what each stage of a sequence changed."""
-    if not isinstance(of, Stages):
+    if not of.stages:
         return fields_of(of)
     rows = []
     for stage in of.stages:
@@ -40,9 +39,9 @@ def ending(status: Status) -> str:
     return "solved to the end" if status is Status.CONVERGED else str(status).replace("_", " ")
 
 
-def _with_settings(of: OneProcedure) -> str:
+def _with_settings(of: Procedure) -> str:
     """Name of a procedure with what is not as by default."""
-    usual = {each.name: each.default for each in fields(of)}
+    usual = {each.name: each.default for each in fields_in_order(type(of))}
     stated = {name.replace(" ", "_"): text for name, text in fields_of(of)}
     changed = [f"{name.replace('_', ' ')} {text}" for name, text in stated.items() if getattr(of, name) != usual[name]]
     return f"{type(of).__name__} ({', '.join(changed)})" if changed else type(of).__name__

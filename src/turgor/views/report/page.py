@@ -18,7 +18,6 @@ from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.measures.field_measures import BY_REGION
 from turgor.core.results.measures.headlines import headlines, in_regions, with_parts
 from turgor.core.results.measures.measures import MEASURES, find_measure
-from turgor.core.solvers.procedures.stages import Stages
 from turgor.core.solvers.solution import Solution, Timing
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
@@ -131,7 +130,7 @@ def _page(report: Report, scene: Scene | None) -> bytes:
 def _context(report: Report, scene: Scene | None) -> dict[str, object]:
     """Everything the template names, as text, lists and pairs."""
     solution, model = report.solution, report.solution.model
-    staged = isinstance(solution.procedure, Stages)
+    staged = bool(solution.procedure.stages)
     return {
         "title": report.title,
         "part": modeled_part(model.mesh),

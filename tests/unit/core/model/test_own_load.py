@@ -1,6 +1,5 @@
 """A load of one's own: one file serves Python, job files, half models, stages, reports, measures and .inp files."""
 
-import ast
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +7,7 @@ import pytest
 
 import turgor as tg
 import turgor.core.model.loads
+from class_queries import queried
 from refused import refused
 from turgor.core.model.continued_model import continued
 from turgor.core.model.loads import BodyForce
@@ -156,18 +156,9 @@ def test_stages_reports_and_other_programs_have_it(spin, tmp_path):
 def test_few_files_ask_for_classes_of_loads():
     classes = {kind.__name__ for kind in LOADS.values()}
     asking = {
-        path for path in Path(tg.__file__).parent.rglob("*.py") if _asked(path.read_text(encoding="utf-8")) & classes
+        path for path in Path(tg.__file__).parent.rglob("*.py") if queried(path.read_text(encoding="utf-8")) & classes
     }
     assert len(classes) == 9
     assert len(asking) <= 8, sorted(asking)
-    assert _asked("isinstance(a, b.Force | Moment)") == {"Force", "Moment", "b"}
-    assert _asked("match a:\n    case Gravity():\n        pass") == {"Gravity"}
-
-
-def _asked(text):
-    """Names in the second argument of isinstance, and in patterns of classes."""
-    nodes = list(ast.walk(ast.parse(text)))
-    calls = [each for each in nodes if isinstance(each, ast.Call) and getattr(each.func, "id", "") == "isinstance"]
-    kinds = [each.args[1] for each in calls] + [each.cls for each in nodes if isinstance(each, ast.MatchClass)]
-    inner = [part for kind in kinds for part in ast.walk(kind)]
-    return {getattr(part, "id", None) or getattr(part, "attr", None) for part in inner} - {None}
+    assert queried("isinstance(a, b.Force | Moment)") == {"Force", "Moment", "b"}
+    assert queried("match a:\n    case Gravity():\n        pass") == {"Gravity"}

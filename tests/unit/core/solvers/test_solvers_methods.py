@@ -1,6 +1,6 @@
-"""The list of methods, reasons of rejected steps, load control without a scalar, and what acts in a state."""
+"""Reasons of rejected steps, load control without a scalar, and what acts in a state."""
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 import numpy as np
 import pytest
@@ -13,37 +13,18 @@ from turgor.core.model.loads import Pressure
 from turgor.core.model.model import Model
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.listeners import silent
-from turgor.core.solvers.methods import METHODS, method_of
 from turgor.core.solvers.newton.newton import newton
 from turgor.core.solvers.newton.newton_values import NewtonSettings, Start
 from turgor.core.solvers.procedures.gas_mass import GasMass
-from turgor.core.solvers.procedures.sealed import Sealed
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.procedures.step_options import StepOptions, fields_in_order
-from turgor.core.solvers.procedures.volume_control import VolumeControl
 from turgor.core.solvers.solve import solve
 from turgor.core.solvers.step_reasons import TEXTS, Cause, Reason
-from turgor.job.tables.procedures import PROCEDURES
 
 
-def test_every_procedure_has_a_method():
-    assert len(PROCEDURES) > 7
-    for kind in PROCEDURES.values():
-        assert any(each in METHODS for each in kind.__mro__)
-
-
-def test_a_class_that_is_not_listed_is_solved_as_the_one_that_it_extends():
-    @dataclass(frozen=True, slots=True, kw_only=True)
-    class Slow(Static):
-        first_step: float = 0.01
-
-    assert method_of(Slow()) is METHODS[Static]
-    assert method_of(Sealed()) is METHODS[VolumeControl]
-
-
-def test_what_is_no_procedure_is_refused():
-    with refused("int", "Static, VolumeControl, GasMass"):
-        method_of(1)
+def test_steps_alone_are_no_procedure():
+    with refused("StepOptions"):
+        solve(model(), StepOptions())
 
 
 def test_every_cause_has_a_sentence_and_numbers_come_last():

@@ -37,3 +37,11 @@ def test_pressures_of_several_cavities_and_their_volumes(tmp_path):
         unit_of_column(job, "cavity_2_volume", ["tip_displacement_x"])
     with refused("'cavty_2_pressure'", "'cavity_2_pressure'"):
         unit_of_column(job, "cavty_2_pressure")
+
+
+def test_energies_are_columns_of_procedures_that_count_them(tmp_path):
+    for kind in ("stabilized", "static"):
+        (tmp_path / f"{kind}.toml").write_text(f'{TWO}\n[procedure]\ntype = "{kind}"\n', encoding="utf-8")
+    assert unit_of_column(read_job(tmp_path / "stabilized.toml"), "missing_energy") == "mJ"
+    with refused("missing_energy"):
+        unit_of_column(read_job(tmp_path / "static.toml"), "missing_energy")

@@ -41,7 +41,6 @@ from turgor.core.results.measures.measure import measures_of
 from turgor.core.results.measures.point_measures import fixed_points_force, point_measure, point_measures_of
 from turgor.core.results.measures.rotations import face_rotation, twist
 from turgor.core.solvers.pressures import pressures_of, stated_by_loads
-from turgor.core.solvers.procedures.stages import Stages
 from turgor.core.solvers.solution import Solution, State
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.registry import Registry
@@ -126,7 +125,7 @@ class Reader:
             source=_source(solution),
             status=str(solution.status),
             message=solution.message,
-            stages=tuple(state.stage for state in solution.states) if isinstance(solution.procedure, Stages) else (),
+            stages=tuple(state.stage for state in solution.states) if solution.procedure.stages else (),
         )
 
 
@@ -264,7 +263,7 @@ def _drive(solution: Solution) -> tuple[Column, ...]:
     for name in solution.states[0].driven:
         if any(name not in state.driven for state in solution.states):
             continue  # another stage prescribed something else
-        unit = "mL" if name.startswith("injected_volume") else ""
+        unit = solution.procedure.parts()[0].drive_unit
         columns.append(Column(as_column(name), unit, np.array([state.driven[name] for state in solution.states])))
     return tuple(columns)
 

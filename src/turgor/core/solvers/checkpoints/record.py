@@ -10,7 +10,8 @@ from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
 from turgor.core.model.model import Model
 from turgor.core.solvers.checkpoints.checkpoint_data import LoopSoFar, PathSoFar
-from turgor.core.solvers.solution import Procedure, Solution
+from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
 from turgor.foundation.store.folder import Store, write_index

@@ -15,9 +15,7 @@ from turgor.core.solvers.checks.supports import (
     fixed_tip,
     unloaded_cavities,
 )
-from turgor.core.solvers.methods import may_be_free, method_of
-from turgor.core.solvers.procedures.stages import Stages
-from turgor.core.solvers.solution import Procedure
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.stage_sequence import questions
 from turgor.foundation.finding import Finding, by_weight
 
@@ -44,8 +42,8 @@ def check_before_solve(model: Model, procedure: Procedure) -> tuple[Finding, ...
         or the procedure fills cavities that the model does not have.
     """
     for each in _questions(model, procedure):
-        check_supports(each.model, inertia=may_be_free(each.model, each.procedure))
-        method_of(each.procedure).controlled(each.model, each.procedure)
+        check_supports(each.model, inertia=each.procedure.may_be_free(each.model))
+        each.procedure.controlled(each.model)
     return early_findings(model, procedure)
 
 
@@ -78,7 +76,7 @@ def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
             *fixed_cavities(model),
             *fixed_tip(model),
             *added_pressures(model),
-            *(() if isinstance(procedure, Stages) else unloaded_cavities(model)),
+            *(() if procedure.stages else unloaded_cavities(model)),
             *check_fibers(model),
             *check_contact(model),
             *overlapping_obstacles(model),
@@ -89,9 +87,5 @@ def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
 
 def _questions(model: Model, procedure: Procedure) -> tuple[Question, ...]:
     """One question, or one for each stage."""
-    if not isinstance(procedure, Stages):
-        return (Question(model=model, procedure=procedure),)
     models = questions(model, procedure)
-    return tuple(
-        Question(model=each, procedure=stage.procedure) for each, stage in zip(models, procedure.stages, strict=True)
-    )
+    return tuple(Question(model=each, procedure=part) for each, part in zip(models, procedure.parts(), strict=True))

@@ -7,14 +7,14 @@ import numpy as np
 
 from turgor.core.model.model import Model
 from turgor.core.solvers.checks.settings import TIME_STEPS
-from turgor.core.solvers.procedures.dynamic import Dynamic
-from turgor.core.solvers.solution import Procedure, State
+from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.core.solvers.solution import State
 from turgor.foundation.finding import Finding, Severity
 
 
 def too_long_steps(model: Model, procedure: Procedure, states: Sequence[State]) -> tuple[Finding, ...]:
     """Say where steps in time were too long for the rubber (L07)."""
-    duration = None if isinstance(procedure, Dynamic) else getattr(procedure, "duration", None)
+    duration = None if procedure.depends_on_path else procedure.duration  # steps of motion have an error of their own
     if duration is None:
         return ()
     series = [material.viscoelasticity for material in model.region_materials.values()]

@@ -34,8 +34,6 @@ from turgor.core.solvers.continuation.step_control import StepControl
 from turgor.core.solvers.continuation.tangent_response import exceeds_tangent, rate_at
 from turgor.core.solvers.outcomes import Outcome
 from turgor.core.solvers.problem import Problem
-from turgor.core.solvers.procedures.auto import Auto
-from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.core.solvers.restart import Restart, unknowns_of
 from turgor.core.solvers.solution import State, Status
@@ -44,10 +42,11 @@ from turgor.core.solvers.step_reasons import Cause, Reason
 Array = NDArray[np.float64]
 
 
-def load_steps(procedure: Auto) -> Static:
-    """The part of `Auto` before a limit point."""
+def load_steps(procedure: StepOptions) -> StepOptions:
+    """The steps before a limit point."""
     smallest = min(max(procedure.min_step, BRANCH_SWITCH.auto_min_step), procedure.first_step)
-    return Static(**{each.name: getattr(procedure, each.name) for each in fields(StepOptions)} | {"min_step": smallest})
+    steps = {each.name: getattr(procedure, each.name) for each in fields(StepOptions)}
+    return StepOptions(**steps | {"min_step": smallest})
 
 
 @dataclass(slots=True, eq=False)
@@ -110,14 +109,14 @@ class Watch:
         return Reason(Cause.BRANCH_JUMP) if jumped else None
 
 
-def follow_auto(problem: Problem, procedure: Auto) -> Outcome:
+def follow_auto(problem: Problem, procedure: StepOptions, limit: Bounds) -> Outcome:
     """Follow the path under load control, and past limit points by volume or arc length."""
     check_proportional(problem.system.model, "procedure auto")
     check_still(problem.system, "procedure auto")
     history: list[Point] = []
     watch = Watch.at_rest(problem, history)
     outcome = follow(load_run(problem, load_steps(procedure), False, watch, history), watch)
-    return continue_past(problem, procedure, watch) if lost(outcome, watch) else outcome
+    return continue_past(problem, procedure, limit, watch) if lost(outcome, watch) else outcome
 
 
 def lost(outcome: Outcome, watch: Watch) -> bool:
@@ -125,14 +124,14 @@ def lost(outcome: Outcome, watch: Watch) -> bool:
     return watch.reason is not None or outcome.status in (Status.LIMIT_POINT, Status.STEP_TOO_SMALL)
 
 
-def continue_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
+def continue_past(problem: Problem, procedure: StepOptions, limit: Bounds, watch: Watch) -> Outcome:
     """Go on from the last good state of load control by volume or arc length."""
     system = problem.system
     if watch.reason is not None:
         problem.states.pop()
         problem.steps[-1] = replace(problem.steps[-1], accepted=False, why=watch.reason)
         problem.listeners.rejected(len(problem.steps), problem.steps[-1])
-    ends = bounds(Bounds(procedure.max_stretch))
+    ends = bounds(limit)
     if watch.good is None:
         lengths = STEP_CONTROL.step_cut * procedure.first_step, BRANCH_SWITCH.longest_step * procedure.max_step
         return from_rest(problem, procedure, lengths, ends)
@@ -143,14 +142,14 @@ def continue_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
     other = len(faces) < len(system.model.loads) or not set(faces) <= set(system.model.mesh.cavities)
     if other or problem.restart is not None:
         return follow(arc_run(problem, procedure, (unknowns, load), _arcs(problem, procedure, unknowns, load), ends))
-    volume = _by_volume(problem, procedure, unknowns, load)
+    volume = _by_volume(problem, procedure, limit, unknowns, load)
     outcome = follow(volume)
     if outcome.status is not Status.STEP_TOO_SMALL or volume.history[-1].change is None:
         return outcome
     return follow(_by_arc(problem, procedure, volume))  # the volume turns too
 
 
-def _arcs(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> tuple[float, float]:
+def _arcs(problem: Problem, procedure: StepOptions, unknowns: Array, load: float) -> tuple[float, float]:
     """First and longest arc from a state of load control on: the first is shorter than the last step of the load."""
     system, before = problem.system, problem.states[-2]
     moved = displacement_of(system, unknowns - unknowns_of(system, before))
@@ -159,7 +158,7 @@ def _arcs(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> tu
     return STEP_CONTROL.step_cut * step, BRANCH_SWITCH.longest_step * procedure.max_step
 
 
-def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> Run:
+def _by_volume(problem: Problem, procedure: StepOptions, limit: Bounds, unknowns: Array, load: float) -> Run:
     """A run by the volume of the cavities, weighted with their pressures, from a state of load control on."""
     system = problem.system
     chambers = Chambers(system, [load.face for load in system.model.pressures])
@@ -179,9 +178,9 @@ def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) 
             return False
         state = run.states[run.limits[0].state]
         turn = float(weights @ chambers.volumes(system.unknowns(state.displacement, state.mean_stress)))
-        return float(weights @ chambers.volumes(now.unknowns)) - rest >= procedure.past * (turn - rest)
+        return float(weights @ chambers.volumes(now.unknowns)) - rest >= limit.past * (turn - rest)
 
-    ends = bounds(Bounds(procedure.max_stretch), enough)
+    ends = bounds(limit, enough)
     constraint = Constraint.of(LoadFactor(system), target, history=problem.history)
     run = scalar_run(problem, procedure, constraint, stepping, Goal(nothing, ends))
     run.size = displacement_scale(problem, unknowns, load)
@@ -189,7 +188,7 @@ def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) 
     return run
 
 
-def _by_arc(problem: Problem, procedure: Auto, volume: Run) -> Run:
+def _by_arc(problem: Problem, procedure: StepOptions, volume: Run) -> Run:
     """A run by the arc length from where the volume turned too, onward as it grew until then."""
     system = problem.system
     last, before = volume.history[-1], volume.history[-2:][0]

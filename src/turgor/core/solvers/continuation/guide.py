@@ -15,9 +15,9 @@ from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.system import System
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
-from turgor.core.solvers.procedures.static import Static
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.restart import unknowns_of
-from turgor.core.solvers.solution import Procedure, Solution
+from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
@@ -86,7 +86,7 @@ def check_guide(model: Model, procedure: Procedure, guide: Solution) -> None:
 
 def _check_guided(model: Model, procedure: Procedure) -> None:
     """Refuse a guide where the path depends on more than the load."""
-    if not isinstance(procedure, Static) or procedure.duration is not None:
+    if not procedure.load_control or procedure.duration is not None:
         name = type(procedure).__name__
         name += f" with a duration of {procedure.duration:g} s" if isinstance(procedure, Static) else ""
         raise TurgorError(f"guide leads the steps of Static without a duration; the procedure is {name}.")

@@ -26,20 +26,20 @@ from turgor.core.solvers.newton.newton_values import NewtonResult, Start
 from turgor.core.solvers.newton.pseudo_transient import pseudo_transient
 from turgor.core.solvers.outcomes import Outcome, converged, stuck
 from turgor.core.solvers.problem import Problem
-from turgor.core.solvers.procedures.static import Static
+from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.core.solvers.restart import unknowns_of
 from turgor.core.solvers.solution import State, Status
 from turgor.core.solvers.step_reasons import Cause, Reason
 
 
-def follow_load(problem: Problem, procedure: Static) -> Outcome:
+def follow_load(problem: Problem, procedure: StepOptions) -> Outcome:
     """Step from load factor 0 to 1; the path so far is in the lists of the problem whatever happens."""
     return follow(load_run(problem, procedure, patient=True))
 
 
 def load_run(
     problem: Problem,
-    procedure: Static,
+    procedure: StepOptions,
     patient: bool,
     stop: Callable[[State], str | None] | None = None,
     history: list[Point] | None = None,
@@ -49,7 +49,7 @@ def load_run(
     Parameters
     ----------
     problem : Problem
-    procedure : Static
+    procedure : StepOptions
     patient : bool
         Whether pseudo-transient continuation may help where Newton's method finds nothing.
     stop : callable, optional
@@ -105,7 +105,7 @@ def _reached(run: Run) -> Outcome:
     return replace(outcome, message=outcome.message + without)
 
 
-def _stepped(procedure: Static, guide: Guide | None) -> Static:
+def _stepped(procedure: StepOptions, guide: Guide | None) -> StepOptions:
     """A procedure whose first step is as long as any other where a guide leads."""
     return procedure if guide is None else replace(procedure, first_step=procedure.max_step)
 

@@ -7,7 +7,7 @@ import numpy as np
 from turgor.core.solvers.energies import TOLERATED, imbalance
 from turgor.core.solvers.outcomes import Outcome
 from turgor.core.solvers.pressures import pressure_text
-from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.time_options import TimeOptions
 from turgor.core.solvers.solution import State, Status, Step
 from turgor.foundation.display import counted
 
@@ -31,7 +31,7 @@ def no_motion(time: float, last: Step) -> Outcome:
     )
 
 
-def out_of_time_steps(time: float, procedure: Dynamic) -> Outcome:
+def out_of_time_steps(time: float, procedure: TimeOptions) -> Outcome:
     """The allowed number of time steps was used up."""
     return Outcome(
         Status.STEP_LIMIT,

@@ -29,7 +29,7 @@ from turgor.core.solvers.newton.convergence import relative_residual
 from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Start
 from turgor.core.solvers.outcomes import Outcome, stopped_by, too_many_steps
 from turgor.core.solvers.problem import Problem
-from turgor.core.solvers.procedures.stabilized import Stabilized
+from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.core.solvers.restart import unknowns_of
 from turgor.core.solvers.solution import State, Step
 from turgor.core.solvers.states import state_of
@@ -43,7 +43,7 @@ class _Run:
     """What stays the same, and how far it has come."""
 
     problem: Problem
-    procedure: Stabilized
+    procedure: StepOptions
     control: StepControl
     kinks: tuple[float, ...]
     mass: Array
@@ -72,10 +72,13 @@ class _Run:
         return self.problem.steps
 
 
-def follow_viscously(problem: Problem, procedure: Stabilized) -> Outcome:
-    """Step from load factor 0 to 1 and let the actuator come to rest; what is found is added to the problem's lists."""
+def follow_viscously(problem: Problem, procedure: StepOptions, share: float) -> Outcome:
+    """Step from load factor 0 to 1 and let the actuator come to rest; what is found is added to the problem's lists.
+
+    ``share`` is the energy that the viscous forces would take at most, over the strain energy.
+    """
     system = problem.system
-    run = _begin(problem, procedure)
+    run = _begin(problem, procedure, share)
     return step_loop(
         Loop(problem, [run]),
         lambda: _advance(run),
@@ -84,7 +87,7 @@ def follow_viscously(problem: Problem, procedure: Stabilized) -> Outcome:
     )
 
 
-def _begin(problem: Problem, procedure: Stabilized) -> _Run:
+def _begin(problem: Problem, procedure: StepOptions, share: float) -> _Run:
     system, tangent, turns = problem.system, problem.tangent, kinks(problem.system.model)
     unknowns = unknowns_of(system, problem.start)
     history = system.history(problem.memory, inf)
@@ -98,7 +101,7 @@ def _begin(problem: Problem, procedure: Stabilized) -> _Run:
     free = free_motions(system.model) > 0
     run = _Run(
         problem=problem, procedure=procedure, control=StepControl.of(procedure, turns), kinks=turns,
-        mass=mass, viscosity=procedure.stabilization * initial_stiffness(system, tangent, at, mass, free), at=at,
+        mass=mass, viscosity=share * initial_stiffness(system, tangent, at, mass, free), at=at,
         free=free, pushed=pushing(system, at), rate=np.zeros(system.size), viscous=np.zeros(system.size),
         energies=Energies(kinetic=0.0, strain=strain, dissipated=0.0, work=strain),
         history=history,

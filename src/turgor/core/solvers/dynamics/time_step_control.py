@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from turgor.core.solvers.continuation.settings import STEP_CONTROL
 from turgor.core.solvers.dynamics.settings import TIME_STEP_CONTROL
-from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.time_options import TimeOptions
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -20,11 +20,12 @@ class TimeControl:
     targets: tuple[float, ...]
 
     @staticmethod
-    def of(procedure: Dynamic, kinks: Sequence[float] = ()) -> "TimeControl":
+    def of(procedure: TimeOptions, kinks: Sequence[float] = ()) -> "TimeControl":
         """Start as a procedure asks, and hit the kinks of the load histories too.
 
         Examples
         --------
+        >>> from turgor.core.solvers.procedures.dynamic import Dynamic
         >>> TimeControl.of(Dynamic(duration=2.0, at=(0.25,)), kinks=(0.5,)).targets
         (0.5, 1.0, 2.0)
         """
@@ -44,6 +45,7 @@ class TimeControl:
 
         Examples
         --------
+        >>> from turgor.core.solvers.procedures.dynamic import Dynamic
         >>> control = TimeControl.of(Dynamic(duration=1.0, first_step=0.3, max_step=0.3))
         >>> control.next_time(0.0), control.next_time(0.4), control.next_time(0.7)
         (0.3, 0.7, 1.0)
@@ -64,6 +66,7 @@ class TimeControl:
 
         Examples
         --------
+        >>> from turgor.core.solvers.procedures.dynamic import Dynamic
         >>> control = TimeControl.of(Dynamic(duration=1.0, first_step=0.01, max_step=0.1, accuracy=1e-3))
         >>> longer, taken_back = control.after(0.01, 1e-4)
         >>> round(longer.length, 6), taken_back

@@ -34,7 +34,7 @@ from turgor.core.solvers.newton.convergence import relative_residual
 from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Start
 from turgor.core.solvers.outcomes import Outcome, stopped_by
 from turgor.core.solvers.problem import Problem
-from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.time_options import TimeOptions
 from turgor.core.solvers.restart import unknowns_of
 from turgor.core.solvers.solution import State, Step
 from turgor.core.solvers.states import state_of
@@ -49,7 +49,7 @@ class _Run:
     """What stays the same, and how far it has come."""
 
     problem: Problem
-    procedure: Dynamic
+    procedure: TimeOptions
     control: TimeControl
     mass: Array
     moving: Array
@@ -71,7 +71,7 @@ class _Run:
         return self.problem.system
 
 
-def follow_motion(problem: Problem, procedure: Dynamic) -> Outcome:
+def follow_motion(problem: Problem, procedure: TimeOptions) -> Outcome:
     """Step from time 0 to the end; states and steps are added to the lists of the problem as they are found.
 
     The motion begins at rest without loads, or at the start of the problem with its velocity.
@@ -85,7 +85,7 @@ def follow_motion(problem: Problem, procedure: Dynamic) -> Outcome:
     )
 
 
-def _begin(problem: Problem, procedure: Dynamic) -> _Run:
+def _begin(problem: Problem, procedure: TimeOptions) -> _Run:
     system = problem.system
     unknowns, velocity = _restarted(system, problem.start)
     history = system.history(problem.memory)  # a sudden step

@@ -1,6 +1,7 @@
 """ArcLength: the length of the path drives it, so that the load may rise and fall."""
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from turgor.core.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 from turgor.foundation.errors import TurgorError
@@ -37,6 +38,8 @@ class ArcLength(StepOptions):
     3.0
     """
 
+    finds_load = True
+
     max_stretch: float = 10.0
     max_displacement: float | None = field(default=None, metadata={"dimension": "length"})
     max_step: float = 0.5
@@ -48,3 +51,9 @@ class ArcLength(StepOptions):
         if self.max_displacement is not None and not self.max_displacement > 0:
             raise TurgorError(f"procedure.max_displacement is {self.max_displacement:g} m; it must be above 0.")
         check_steps(self, longest=100.0)
+
+    def follow(self, problem: Any) -> Any:
+        """Prescribe the length of each step."""
+        from turgor.core.solvers.continuation.scalar_control.arc_length import Bounds, follow_arc  # few jobs need it
+
+        return follow_arc(problem, self, Bounds(self.max_stretch, self.max_displacement, self.at))

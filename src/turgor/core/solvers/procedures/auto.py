@@ -1,9 +1,11 @@
 """Auto: load control that goes past limit points by the volume of the cavities or by the arc length."""
 
 from dataclasses import dataclass
+from typing import Any
 
 from turgor.core.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.finding import Severity
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,6 +31,9 @@ class Auto(StepOptions):
     4.0
     """
 
+    finds_load = True
+    limit_points = Severity.WARNING
+
     past: float = 3.0
     max_stretch: float = 10.0
 
@@ -39,3 +44,10 @@ class Auto(StepOptions):
         if not self.max_stretch > 1:
             raise TurgorError(f"procedure.max_stretch is {self.max_stretch:g}; a stretch above 1 is needed.")
         check_steps(self)
+
+    def follow(self, problem: Any) -> Any:
+        """Step the load factor, and go on by volume or arc length."""
+        from turgor.core.solvers.continuation.branch_switch import follow_auto  # few jobs need it
+        from turgor.core.solvers.continuation.scalar_control.arc_length import Bounds
+
+        return follow_auto(problem, self, Bounds(self.max_stretch, past=self.past))

@@ -1,18 +1,24 @@
 """GasMass: an amount of gas, or the pressure around a sealed one, drives the path."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
-from turgor.core.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
-from turgor.core.solvers.procedures.volume_control import by_cavity
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.solvers.procedures.cavity_procedure import CavityProcedure, by_cavity
+from turgor.core.solvers.procedures.step_options import check_steps, make_numbers
 from turgor.foundation.errors import TurgorError
+
+Array = NDArray[np.float64]
 
 #: Pressure of the air around [Pa].
 STANDARD_ATMOSPHERE = 101_325.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class GasMass(StepOptions):
+class GasMass(CavityProcedure):
     """Pump a known amount of gas into closed cavities, or seal them and change the pressure around.
 
     Absolute pressure times volume to the power n follows the amount of gas: p Vⁿ = p₀ (m/m₀ V₀)ⁿ, with the ambient
@@ -43,6 +49,9 @@ class GasMass(StepOptions):
     101325.0
     """
 
+    drive = "gas_mass_ratio"
+    requested_field = "mass_ratio"
+
     mass_ratio: float | Mapping[str, float] = field(default=1.0, metadata={"dimension": "number"})
     exponent: float = 1.0
     ambient: float = field(default=STANDARD_ATMOSPHERE, metadata={"dimension": "pressure"})
@@ -70,16 +79,56 @@ class GasMass(StepOptions):
         check_steps(self)
 
     @property
-    def requested(self) -> float | Mapping[str, float]:
-        """The mass ratio requested, of all cavities or by name."""
-        return self.mass_ratio
-
-    @property
-    def requested_field(self) -> str:
-        """The field that states it."""
-        return "mass_ratio"
-
-    @property
     def final_outside(self) -> float:
         """Pressure around in the end [Pa]."""
         return self.ambient if self.outside is None else self.outside
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """Where the cavities are sealed, if not at the start."""
+        return (self.seal,) if self.pressure else ()
+
+    @property
+    def no_gradient(self) -> str:
+        """The state in which the cavities are sealed has no equation among those of a later one."""
+        sealed = "the gas is sealed at a pressure, and its amount depends on the state there"
+        return f"{sealed}; leave procedure.pressure out" if self.pressure else ""
+
+    def check_stage(self, number: int) -> None:
+        """A later stage seals the gas at the pressure that is there."""
+        if number and self.pressure:
+            raise TurgorError(
+                f"procedure.pressure is {self.pressure:g} Pa, and the gas is sealed at the pressure that the "
+                "former stage left; leave it out."
+            )
+
+    def target(self, chambers: Any, volumes: Array, pressures: Array) -> Any:
+        """The law of the gas in scaled units."""
+        from turgor.core.solvers.constraints.cavities import GasTarget  # here: it needs the engine
+        from turgor.core.solvers.continuation.scalar_control.settings import CAVITY_CONTROL
+
+        scale = chambers.system.stress_scale
+        least = CAVITY_CONTROL.no_volume * float(np.ptp(chambers.system.points, axis=0).prod())
+        for name, volume in zip(chambers.faces, volumes, strict=True):
+            if volume <= least:
+                raise TurgorError(f"{name} encloses no volume at rest, so it holds no gas; use VolumeControl.")
+        return GasTarget(
+            chambers=chambers,
+            volume=volumes,
+            mass_ratio=self.requested_of(chambers.faces),
+            ambient=self.ambient / scale,
+            outside=self.final_outside / scale,
+            exponent=self.exponent,
+            pressure=np.full(len(volumes), self.pressure / scale) if self.pressure else pressures,
+            seal=self.seal if self.pressure else 0.0,
+            sealed=not self.pressure,
+        )
+
+    def amounts(self, chambers: Any, volumes: Array) -> Callable[[float], Array]:
+        """Gas in each cavity over that when it was sealed."""
+        ratios, seal = self.requested_of(chambers.faces), self.seal if self.pressure else 0.0
+        return lambda load_factor: 1 + max(load_factor - seal, 0.0) / (1 - seal) * (ratios - 1)
+
+    def driven_text(self, now: Mapping[str, float], first: Mapping[str, float]) -> str:
+        """The amount of gas, where one cavity is filled."""
+        return f"{now[self.drive]:.4g} times the gas" if self.drive in now else ""

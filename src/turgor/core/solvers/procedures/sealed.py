@@ -25,6 +25,8 @@ class Sealed(VolumeControl):
     ('cavity_1',)
     """
 
+    requested_field = "cavities"
+
     cavities: str | tuple[str, ...] = field(default=(), metadata={"dimension": "names"})
     volume: float | Mapping[str, float] = field(init=False, default=0.0)
 
@@ -35,6 +37,6 @@ class Sealed(VolumeControl):
         check_steps(self)
 
     @property
-    def requested_field(self) -> str:
-        """The field that names the cavities."""
-        return "cavities"
+    def requested(self) -> float | Mapping[str, float]:
+        """Nothing is injected into the cavities."""
+        return self.volume

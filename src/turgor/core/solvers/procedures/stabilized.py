@@ -1,9 +1,15 @@
 """Stabilized: the static procedure that lets viscous forces carry an actuator through what it cannot pass at rest."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
+from turgor.core.meshing.bodies.bodies import find_bodies
+from turgor.core.model.model import Model
+from turgor.core.solvers.energies import too_viscous
 from turgor.core.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.finding import Finding
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,6 +35,8 @@ class Stabilized(StepOptions):
     0.2
     """
 
+    has_energies = True
+
     stabilization: float = 5e-4
     max_step: float = 0.1
     min_step: float = 1e-6
@@ -38,3 +46,22 @@ class Stabilized(StepOptions):
         if not 0 < self.stabilization <= 0.1:
             raise TurgorError(f"procedure.stabilization is {self.stabilization:g}; allowed is more than 0 up to 0.1.")
         check_steps(self)
+
+    def follow(self, problem: Any) -> Any:
+        """Step the load factor against viscous forces."""
+        from turgor.core.solvers.dynamics.stabilization import follow_viscously  # few jobs need it
+
+        return follow_viscously(problem, self, self.stabilization)
+
+    def may_be_free(self, model: Model) -> bool:
+        """Whether there is an obstacle or another body at which a free body can come to rest."""
+        return bool(model.contact.obstacles) or len(find_bodies(model.mesh)) > 1
+
+    @property
+    def no_gradient(self) -> str:
+        """The viscous forces depend on the step."""
+        return "artificial viscosity acts in the states of Stabilized; go on with a stage of Static and take its states"
+
+    def findings(self, states: Sequence[Any]) -> tuple[Finding, ...]:
+        """Whether the viscous forces took too much energy (L06)."""
+        return too_viscous(states)

@@ -6,14 +6,9 @@ from dataclasses import dataclass, field
 from turgor.core.model.loads import Load
 from turgor.core.model.obstacles import Vector
 from turgor.core.model.supports import Displacement
-from turgor.core.solvers.procedures.dynamic import Dynamic
-from turgor.core.solvers.procedures.gas_mass import GasMass
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.static import Static
-from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.foundation.errors import TurgorError
-
-#: Any procedure but a sequence of them.
-OneProcedure = StepOptions | Dynamic
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,7 +47,7 @@ class Stage:
     """
 
     name: str = field(kw_only=False)
-    procedure: OneProcedure = field(default_factory=Static, kw_only=False)
+    procedure: Procedure = field(default_factory=Static, kw_only=False)
     loads: tuple[Load, ...] = ()
     displacements: tuple[Displacement, ...] = ()
     moves: Mapping[str, Vector] = field(default_factory=dict)
@@ -65,7 +60,7 @@ class Stage:
 
 
 @dataclass(frozen=True, slots=True)
-class Stages:
+class Stages(Procedure):
     """Procedures in turn: the weight first, then the pressure; fill, seal, press.
 
     The loads of the model itself act in the first stage. Contact, friction and what the rubber remembers go on from
@@ -91,7 +86,7 @@ class Stages:
     ['fill', 'press']
     """
 
-    stages: tuple[Stage, ...]
+    stages: tuple[Stage, ...] = field()  # without the default of its base
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "stages", tuple(self.stages))
@@ -103,6 +98,12 @@ class Stages:
                 raise TurgorError(f"{names.count(name)} stages are called '{name}'; give each a name of its own.")
         for number, stage in enumerate(self.stages):
             check_stage(stage, number)
+
+    def parts(self, until: str = "") -> tuple[Procedure, ...]:
+        """Return the procedures up to that of a stage; all of them where none has the name."""
+        names = [stage.name for stage in self.stages]
+        count = names.index(until) + 1 if until in names else len(names)
+        return tuple(stage.procedure for stage in self.stages[:count])
 
 
 def check_stage(stage: Stage, number: int) -> None:
@@ -120,10 +121,9 @@ def check_stage(stage: Stage, number: int) -> None:
         If it cannot; the message says what to write instead.
     """
     procedure, said = stage.procedure, f"stage '{stage.name}'"
-    if not isinstance(procedure, OneProcedure):
+    if not isinstance(procedure, Procedure) or procedure.stages:
         raise TurgorError(f"{said}: {type(procedure).__name__} is no procedure; take one such as Static or Sealed.")
-    if number and isinstance(procedure, GasMass) and procedure.pressure:
-        raise TurgorError(
-            f"{said}: procedure.pressure is {procedure.pressure:g} Pa, and the gas is sealed at the pressure that the "
-            "former stage left; leave it out."
-        )
+    try:
+        procedure.check_stage(number)
+    except TurgorError as error:
+        raise TurgorError(f"{said}: {error}") from None

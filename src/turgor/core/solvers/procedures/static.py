@@ -1,7 +1,7 @@
 """Static: load control from zero to the full load."""
 
 from dataclasses import dataclass, field
-from math import inf
+from typing import Any
 
 from turgor.core.solvers.procedures.step_options import StepOptions
 
@@ -33,16 +33,16 @@ class Static(StepOptions):
 
     Examples
     --------
-    >>> Static(duration=20.0, max_step=0.02).time_of(0.5)
-    10.0
+    >>> Static(duration=20.0, max_step=0.02).duration
+    20.0
     """
+
+    load_control = True
 
     duration: float | None = field(default=None, metadata={"dimension": "time"})
 
-    def time_of(self, load_factor: float) -> float | None:
-        """Time at a load factor [s], None where there is no duration."""
-        return None if self.duration is None else load_factor * self.duration
+    def follow(self, problem: Any) -> Any:
+        """Step the load factor."""
+        from turgor.core.solvers.continuation.load_control import follow_load  # here: it needs the engine
 
-    def time_between(self, before: float, after: float) -> float:
-        """Time from one load factor to another [s]; infinite where there is no duration."""
-        return inf if self.duration is None else (after - before) * self.duration
+        return follow_load(problem, self)

@@ -7,12 +7,13 @@ from numbers import Integral
 from types import NoneType
 from typing import Any, get_args, get_origin
 
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import number, one
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class StepOptions:
+class StepOptions(Procedure):
     """Steps along a path and the iterations in each; procedures extend it and change the defaults.
 
     Parameters
@@ -76,9 +77,8 @@ def check_steps(steps: StepOptions, longest: float = 1.0) -> None:
         Naming the field, its value and what is allowed; ``longest`` is the largest step allowed.
     """
     make_numbers(steps)
-    duration = getattr(steps, "duration", None)
-    if duration is not None and not 0 < duration < inf:
-        raise TurgorError(f"procedure.duration is {duration:g} s; it must be more than 0.")
+    if steps.duration is not None and not 0 < steps.duration < inf:
+        raise TurgorError(f"procedure.duration is {steps.duration:g} s; it must be more than 0.")
     for name, upper in (("first_step", 1.0), ("max_step", longest), ("min_step", 1.0)):
         value = getattr(steps, name)
         if not 0 < value <= upper:
@@ -116,10 +116,10 @@ def fields_in_order(kind: type) -> tuple[Field[Any], ...]:
     ['past', 'max_stretch', 'first_step']
     """
     steps = {each.name for each in fields(StepOptions)}
-    direct = next((each for each in kind.__mro__ if StepOptions in each.__bases__), None)
-    if direct is None:
+    options = [each for each in kind.__mro__ if issubclass(each, StepOptions) and "__dataclass_fields__" in vars(each)]
+    if len(options) < 2:
         return fields(kind)
-    own = {each.name for each in fields(direct)} - steps - {"duration"}
+    own = {each.name for each in fields(options[-2])} - steps - {"duration"}
 
     def place(each: Field[Any]) -> int:
         if each.name in own:

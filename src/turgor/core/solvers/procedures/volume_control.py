@@ -1,14 +1,22 @@
 """VolumeControl: an injected volume drives the path, so that the pressure may fall."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
-from turgor.core.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.solvers.procedures.cavity_procedure import CavityProcedure, by_cavity
+from turgor.core.solvers.procedures.step_options import check_steps, make_numbers
 from turgor.foundation.errors import TurgorError
+from turgor.units import mL
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class VolumeControl(StepOptions):
+class VolumeControl(CavityProcedure):
     """Inject an incompressible fluid into cavities; the pressure is the answer, so it may fall.
 
     The load factor is the share of the volume that was injected; other loads grow with it.
@@ -37,6 +45,10 @@ class VolumeControl(StepOptions):
     1.2e-05
     """
 
+    drive = "injected_volume"
+    drive_unit = "mL"
+    requested_field = "volume"
+
     volume: float | Mapping[str, float] = field(metadata={"dimension": "volume"})
     first_step: float = 0.02
     max_step: float = 0.1
@@ -50,21 +62,23 @@ class VolumeControl(StepOptions):
                 raise TurgorError(f"procedure.volume{where} is {volume:g} m³; a volume other than zero is needed.")
         check_steps(self)
 
-    @property
-    def requested(self) -> float | Mapping[str, float]:
-        """The volume requested, of all cavities or by name."""
-        return self.volume
+    def target(self, chambers: Any, volumes: Array, pressures: Array) -> Any:
+        """Each cavity has its volume at the start plus a share of the injected one."""
+        from turgor.core.solvers.constraints.cavities import VolumeTarget  # here: it needs the engine
 
-    @property
-    def requested_field(self) -> str:
-        """The field that states it."""
-        return "volume"
+        return VolumeTarget(chambers, volumes, self.requested_of(chambers.faces) / chambers.system.length**3)
 
+    def amounts(self, chambers: Any, volumes: Array) -> Callable[[float], Array]:
+        """Volumes injected since rest."""
+        injected = self.requested_of(chambers.faces)
+        before = (volumes - chambers.volumes(np.zeros(chambers.system.size))) * chambers.system.length**3
+        return lambda load_factor: before + load_factor * injected
 
-def by_cavity(value: float | Mapping[str, float], name: str) -> dict[str, float]:
-    """Values by the text that names their place after the field."""
-    if not isinstance(value, Mapping):
-        return {"": value}
-    if not value:
-        raise TurgorError(f"procedure.{name} names no cavity; state a number, or one for each cavity.")
-    return {f".{cavity}": each for cavity, each in value.items()}
+    def driven_text(self, now: Mapping[str, float], first: Mapping[str, float]) -> str:
+        """The injected volume, relative to that at rest where the volume was another at the start."""
+        injected, before = now[self.drive], first[self.drive]
+        if not before:
+            return f"an injected volume of {injected / mL:.4g} mL"
+        if abs(injected) < 1e-6 * abs(before):
+            return "the volume at rest"
+        return f"a volume {abs(injected) / mL:.4g} mL {'larger' if injected > 0 else 'smaller'} than at rest"

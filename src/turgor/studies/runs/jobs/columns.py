@@ -6,14 +6,12 @@ from turgor.core.geometry.names import measured_faces
 from turgor.core.results.measures.energies import ENERGIES
 from turgor.core.results.measures.field_measures import BY_REGION, as_column
 from turgor.core.results.measures.measures import MEASURES, find_measure
-from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.listed import prescribed_columns
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.job import Job, standard_measures
 
-#: What may drive a path, with the units of the columns.
-DRIVES: Mapping[str, str] = {
-    "load_factor": "", "stage": "", "time": "s", "pressure": "kPa", "injected_volume": "mL", "gas_mass_ratio": "",
-}  # fmt: skip
+#: What may drive a path besides what procedures prescribe in cavities, with the units of the columns.
+DRIVES: Mapping[str, str] = {"load_factor": "", "stage": "", "time": "s", "pressure": "kPa"}
 
 #: Measures that each region or cavity has by itself too, and how the names of these end.
 PARTS = {"cavity_volume": "_volume", **{each.name: each.name for each in BY_REGION}}
@@ -65,13 +63,12 @@ def unit_of_column(job: Job, name: str, measures: Sequence[str] = ()) -> str:
 def _drives(job: Job) -> dict[str, str]:
     """Names and units of what drives a job; which of several pressures are equal may vary."""
     cavities = [as_column(each) for each in job.geometry().cavities]
-    found = dict(DRIVES)
+    found = {**DRIVES, **prescribed_columns()}
     if len(cavities) > 1:
         for cavity in cavities:
             found[f"{cavity}_pressure"] = "kPa"
-            found[f"injected_volume_{cavity}"] = "mL"
-            found[f"gas_mass_ratio_{cavity}"] = ""
-    return found | (dict.fromkeys(ENERGIES, "mJ") if isinstance(job.procedure, Dynamic) else {})
+            found |= {f"{name}_{cavity}": unit for name, unit in prescribed_columns().items()}
+    return found | (dict.fromkeys(ENERGIES, "mJ") if all(each.has_energies for each in job.procedure.parts()) else {})
 
 
 def _comes(job: Job, name: str) -> bool:

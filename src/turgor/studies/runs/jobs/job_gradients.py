@@ -15,7 +15,7 @@ from turgor.core.engine.runtime import EngineOptions
 from turgor.core.model.model import Model
 from turgor.core.results.measures.measure import Measure
 from turgor.core.setups.with_setup import with_direction, with_setup
-from turgor.core.solvers.procedures.stages import OneProcedure, Stages
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.solution import Solution
 from turgor.core.solvers.solve import solve
 from turgor.core.solvers.stage_sequence import questions
@@ -168,12 +168,11 @@ class NearbyJobs:
         if any(key.split(".")[0] == _SHAPE for keys in shaped for key in keys.split(",")):
             made = new_mesh_of(replace(job, mesh=self.job.mesh_settings), job.geometry())
         model = with_setup(model_of(job, made), with_direction(job.setup, self.solution.model))
-        return questions(model, job.procedure)[stage] if isinstance(job.procedure, Stages) else model
+        return questions(model, job.procedure)[stage]
 
-    def _procedure(self, values: Mapping[str, float], stage: int) -> OneProcedure:
+    def _procedure(self, values: Mapping[str, float], stage: int) -> Procedure:
         """The procedure that found a state."""
-        procedure = self._job(self._changed(values)).procedure
-        return procedure.stages[stage].procedure if isinstance(procedure, Stages) else procedure
+        return self._job(self._changed(values)).procedure.parts()[stage]
 
     def _changed(self, values: Mapping[str, float]) -> dict[str, float]:
         return {key: value for key, value in values.items() if value != _value(self.numbers, key)}
@@ -213,9 +212,6 @@ def _value(numbers: Mapping[str, JobNumber], keys: str) -> float:
 
 
 def _stage(job: Job, solution: Solution, state: int) -> int:
-    """Number of the stage of a state; -1 where there are no stages."""
-    if not isinstance(job.procedure, Stages):
-        return -1
-    names = [stage.name for stage in job.procedure.stages]
+    """Number of the stage of a state, from 0; that of the last one where there is no such state."""
     name = solution.states[state].stage if -len(solution.states) <= state < len(solution.states) else ""
-    return names.index(name) if name in names else 0
+    return len(job.procedure.parts(name)) - 1

@@ -13,6 +13,7 @@ from turgor.core.engine.runtime import EngineOptions
 from turgor.core.results.drive import drive_of, pressures_in
 from turgor.core.results.measures.measure import Measure
 from turgor.core.results.measures.measures import find_measure
+from turgor.core.solvers.procedures.listed import prescribed_columns
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
@@ -31,9 +32,6 @@ NO_SLOPES = "There are no slopes"
 
 #: Columns that drive if both responses have them, besides the drive of the computed one.
 USUAL_DRIVES = ("pressure", "time")
-
-#: Columns that the load factor alone determines, and numbers of the procedure.
-PRESCRIBED = ("load_factor", "time", "stage", "injected_volume", "gas_mass_ratio")
 
 
 class SlopeRequest(TypedDict, total=False):
@@ -77,7 +75,7 @@ def with_requested_slopes(
     else:
         drive, measures = _along_path(response, request)
         rows = set(range(len(first_branch(response, drive)[0])))
-        if drive in PRESCRIBED:
+        if drive in _prescribed():
             refused = {key: f"they change the {drive.replace('_', ' ')}, too." for key in numbers if is_of_path(key)}
     left = {key: value for key, value in numbers.items() if key not in refused}
     found, more = with_slopes_at(job, solution, response, left, measures, rows)
@@ -114,8 +112,13 @@ def _along_path(response: Response, request: SlopeRequest) -> tuple[str, list[Me
     drive = next((each for each in (*usual, *drives[: len(drives) == 1]) if each in response), drive_of(response))
     pressures = [each.name for each in pressures_in(response)]
     able = [name for name in response.names if name not in (drive, *pressures) and _of_single_states(name)]
-    compared = [name for name in able if name in columns] or able
-    return drive, [name for name in dict.fromkeys((drive, *pressures, *compared)) if name not in PRESCRIBED]
+    compared, left_out = [name for name in able if name in columns] or able, _prescribed()
+    return drive, [name for name in dict.fromkeys((drive, *pressures, *compared)) if name not in left_out]
+
+
+def _prescribed() -> tuple[str, ...]:
+    """Columns that the load factor alone determines, and numbers of procedures."""
+    return ("load_factor", "time", "stage", *prescribed_columns())
 
 
 def _of_single_states(name: str) -> bool:

@@ -8,7 +8,6 @@ from turgor.core.model.loads import Gravity
 from turgor.core.solvers.checks.plausibility.of_materials import RIGID, has_rubber
 from turgor.core.solvers.checks.plausibility.of_shapes import region_volume
 from turgor.core.solvers.checks.plausibility.question import Magnitude, Question, shown
-from turgor.core.solvers.procedures.volume_control import VolumeControl
 from turgor.units import mL
 
 
@@ -52,10 +51,10 @@ def acceleration(question: Question) -> Iterator[Magnitude]:
 
 def injected_share(question: Question) -> Iterator[Magnitude]:
     """Volume to be injected over that of the cavity at rest, where one is stated for each cavity [-]."""
-    procedure, mesh = question.procedure, question.model.mesh
-    if not isinstance(procedure, VolumeControl):
+    requested, mesh = question.procedure.requested, question.model.mesh
+    if requested is None or question.procedure.drive_unit != "mL":
         return
-    volumes = procedure.volume if isinstance(procedure.volume, Mapping) else {"cavity": procedure.volume}
+    volumes = requested if isinstance(requested, Mapping) else {"cavity": requested}
     for face, volume in volumes.items():
         rest = abs(cavity_volume(mesh, face)) if face in mesh.cavities else 0.0
         if rest > 0 and volume:  # a cavity that is sealed keeps its volume

@@ -11,7 +11,6 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.obstacles import Obstacle, RigidSurface
 from turgor.core.solvers.checks.plausibility.question import Magnitude, Question, shown
-from turgor.core.solvers.procedures.step_options import StepOptions
 
 
 def longest_side(question: Question) -> Iterator[Magnitude]:
@@ -66,8 +65,7 @@ def iterations(question: Question) -> Iterator[Magnitude]:
 
 def tolerance(question: Question) -> Iterator[Magnitude]:
     """Relative residual at which a step has converged [-]."""
-    if isinstance(question.procedure, StepOptions):
-        yield Magnitude("procedure.tolerance", question.procedure.tolerance)
+    yield Magnitude("procedure.tolerance", question.procedure.tolerance)
 
 
 def size_of(mesh: Mesh) -> float:

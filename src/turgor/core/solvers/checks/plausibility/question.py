@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from turgor.core.model.model import Model
-from turgor.core.solvers.procedures.stages import OneProcedure
+from turgor.core.solvers.procedures.procedure import Procedure
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,7 +19,7 @@ class Question:
     """
 
     model: Model
-    procedure: OneProcedure
+    procedure: Procedure
 
 
 @dataclass(frozen=True, slots=True)

@@ -32,7 +32,6 @@ from turgor.core.solvers.newton.newton_values import Start
 from turgor.core.solvers.outcomes import Outcome, stuck
 from turgor.core.solvers.path_outcomes import followed, reached, turned_back
 from turgor.core.solvers.problem import Problem
-from turgor.core.solvers.procedures.arc_length import ArcLength
 from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.core.solvers.restart import unknowns_of
 from turgor.core.solvers.solution import Step
@@ -66,7 +65,7 @@ def _check_driven(model: Model) -> None:
         raise TurgorError("ArcLength follows loads that change, and here none does; state one.")
 
 
-def follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
+def follow_arc(problem: Problem, procedure: StepOptions, limit: "Bounds") -> Outcome:
     """Take the first step under load control, which scales the displacement, then prescribe the arc length."""
     check_proportional(problem.system.model, "ArcLength")
     check_still(problem.system, "ArcLength")
@@ -78,7 +77,7 @@ def follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
         problem,
         procedure,
         (procedure.first_step, procedure.max_step),
-        bounds(Bounds(procedure.max_stretch, procedure.max_displacement, procedure.at)),
+        bounds(limit),
     )
 
 
@@ -177,11 +176,14 @@ class Bounds:
     max_displacement : float or None [m]
     at : tuple of float [-]
         Load factors at which states are made on the way.
+    past : float [-]
+        Volume of cavities that drive the path over that at its first limit point.
     """
 
     max_stretch: float
     max_displacement: float | None = None
     at: tuple[float, ...] = ()
+    past: float = inf
 
 
 def bounds(limit: Bounds, enough: Callable[[Point, Run], bool] | None = None) -> Finished:
@@ -194,7 +196,7 @@ def bounds(limit: Bounds, enough: Callable[[Point, Run], bool] | None = None) ->
             full = fixed_load(run, before, now, 1.0)
             if full is not None:
                 run.bifurcations[:] = [each for each in run.bifurcations if each.load_factor <= 1]
-                return Ending(full, lambda run: reached(run.states, run.steps, run.limits, run.bifurcations))
+                return Ending(full, lambda run: reached(run, run.bifurcations))
         if reverses(run, now):
             return Ending(now.state, turned_back)
         grown = enough is not None and enough(now, run)

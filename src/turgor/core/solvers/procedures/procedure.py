@@ -1,0 +1,107 @@
+"""Procedure: the base of all procedures, with everything that follows from one.
+
+A procedure is a frozen dataclass that inherits `Procedure`, mostly through `StepOptions`, in a file of its own. It
+answers what the solver, mesh errors, gradients, reports and job files need to know; nothing else asks for its class.
+What it leaves out has the default that stands here.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar
+
+from turgor.core.model.model import Model
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.finding import Finding, Severity
+
+
+class Procedure:
+    """How a path is followed, and all that follows from it; `Static`, `Dynamic`, `Stages` and the like inherit it.
+
+    Arguments that have no type here are those of the solvers, which know procedures by this class only.
+
+    Examples
+    --------
+    >>> from turgor.core.solvers.procedures.volume_control import VolumeControl
+    >>> procedure = VolumeControl(volume=5e-6)
+    >>> procedure.drive, procedure.drive_unit, procedure.requested, procedure.parts() == (procedure,)
+    ('injected_volume', 'mL', 5e-06, True)
+    """
+
+    __slots__ = ()
+
+    #: Load factors that must be hit exactly besides 1.
+    at: tuple[float, ...] = ()
+    #: Time at load factor 1 [s]; None where it knows no time.
+    duration: float | None = None
+    #: Largest relative residual, and the iterations before a step is cut back.
+    tolerance: float = 1e-6
+    max_iterations: int = 15
+    #: Stages of a sequence; none in a single procedure.
+    stages: tuple[Any, ...] = ()
+
+    #: Whether it steps the load factor and nothing else, so that a guide may predict its steps.
+    load_control: ClassVar[bool] = False
+    #: Whether the load factor is unknown, as along an arc.
+    finds_load: ClassVar[bool] = False
+    #: Column of what it prescribes in cavities, whose pressures are unknown then, and its unit; ratios have none.
+    drive: ClassVar[str] = ""
+    drive_unit: ClassVar[str] = ""
+    #: Whether its states have energies.
+    has_energies: ClassVar[bool] = False
+    #: Why every state depends on all before it, whatever the model; such paths have no gradients and no mesh error.
+    depends_on_path: ClassVar[str] = ""
+    #: Severity of the finding that the path goes through limit points (L03).
+    limit_points: ClassVar[Severity] = Severity.NOTE
+
+    def follow(self, problem: Any) -> Any:
+        """Follow the path: fill the lists of a `turgor.core.solvers.problem.Problem`, and return its outcome."""
+        raise TurgorError(f"{type(self).__name__} is no procedure that can be solved; it has no method follow.")
+
+    def parts(self, until: str = "") -> tuple[Any, ...]:
+        """Return the procedures of a sequence up to that of a stage, all without one; of any other itself alone."""
+        return (self,)
+
+    def check_stage(self, number: int) -> None:
+        """Refuse to be the stage of a number, from 0."""
+
+    @property
+    def requested(self) -> float | Mapping[str, float] | None:
+        """The value requested for all cavities or by their names; None where it prescribes none."""
+        return None
+
+    def filled(self, model: Model) -> tuple[str, ...]:
+        """Name the cavities for which it prescribes a value."""
+        return ()
+
+    def controlled(self, model: Model) -> tuple[str, ...]:
+        """Name the cavities whose pressure is unknown, after a check that it can be found."""
+        return ()
+
+    def target(self, chambers: Any, volumes: Any, pressures: Any) -> Any:
+        """Return the conditions for the pressures of cavities, from their scaled volumes and pressures at the start."""
+        raise TurgorError(f"{type(self).__name__} finds no pressures.")
+
+    def amounts(self, chambers: Any, volumes: Any) -> Any:
+        """Return what it prescribes in each cavity (k,) [SI] as a function of the load factor, as `target` does."""
+        raise TurgorError(f"{type(self).__name__} finds no pressures.")
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """Load factors at which other conditions begin."""
+        return ()
+
+    def driven_text(self, now: Mapping[str, float], first: Mapping[str, float]) -> str:
+        """Say what is prescribed in a state, from the columns of it and of the first state; empty where nothing is."""
+        return ""
+
+    def may_be_free(self, model: Model) -> bool:
+        """Whether supports may leave rigid motions free."""
+        return False
+
+    @property
+    def no_gradient(self) -> str:
+        """Why its own states have no derivative, and what to do; empty where they have one."""
+        return ""
+
+    def findings(self, states: Sequence[Any]) -> tuple[Finding, ...]:
+        """Return what the energies of the states show."""
+        return ()
