@@ -15,9 +15,10 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, points_of
 from turgor.core.model.inp.materials import material_lines
 from turgor.core.model.inp.reference_points import InpDeck, fixed_lines, inp_points, point_lines
-from turgor.core.model.loads.load import DeckRows
+from turgor.core.model.loads.load import DeckRows, Load
 from turgor.core.model.model import Model
 from turgor.core.model.sheets import Sheet, Shell
+from turgor.core.model.supports import Support
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.units import mm
 
@@ -250,8 +251,8 @@ def _support_lines(model: Model, deck: InpDeck) -> list[str]:
 
 def _acting(model: Model, deck: InpDeck) -> list[DeckRows]:
     """What moves and loads the model, in the order of the numbers of the amplitudes."""
-    moving = (support for support in model.supports if support.place in deck.points)
-    return [rows for each in (*model.loads, *moving) for rows in each.deck_rows(deck) if rows.rows]
+    acting: list[Load | Support] = [*model.loads, *(each for each in model.supports if each.place in deck.points)]
+    return [rows for each in acting for rows in each.deck_rows(deck) if rows.rows]
 
 
 def _amplitude_lines(acting: Sequence[DeckRows]) -> list[str]:

@@ -62,7 +62,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "mesh": _mesh(job),
         "materials": {name: _material(entry) for name, entry in job.materials.items()},
         "fibers": fibers_tables(job.fibers),
-        "supports": {support.face: support.job_text() for support in job.supports},
+        "supports": {support.place: support.job_text() for support in job.supports},
         "loads": loads_table(job.loads),
         "points": points_tables(job.points),
         "contact": contact_table(job.contact),

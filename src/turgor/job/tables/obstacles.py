@@ -25,7 +25,7 @@ from turgor.units import UNITS, format_quantity, parse_quantity
 #: Shapes by the name of their file, except those from STL files; their fields are their keys.
 SHAPES: Registry[type[RigidShape]] = Registry(
     "turgor.core.model.obstacles",
-    class_of_file(lambda kind: is_dataclass(kind) and getattr(kind, "in_job_files", False)),
+    class_of_file(lambda kind: is_dataclass(kind) and issubclass(kind, RigidShape) and kind.in_job_files),
 )
 
 #: The shape that comes from an STL file.
@@ -120,7 +120,8 @@ def obstacle_table(shape: str) -> type[ObstacleTable]:
     """
     if shape == STL:
         return StlTable
-    keys: dict[str, Any] = {item.name: (_type_of(item), _default_of(item)) for item in fields(SHAPES[shape])}
+    kind: Any = SHAPES[shape]
+    keys: dict[str, Any] = {item.name: (_type_of(item), _default_of(item)) for item in fields(kind)}
     return create_model(f"{shape.title()}Table", __base__=ObstacleTable, **keys)
 
 
@@ -243,7 +244,7 @@ def _written(obstacle: Obstacle, file: RigidFile | None) -> dict[str, Any]:
     values = _shape_values(obstacle, file)
     values["friction"] = obstacle.friction
     if obstacle.path:
-        values["path"] = [[factor, _in_mm(place)] for factor, place in obstacle.path]
+        values["path"] = [[factor, _shown(place)] for factor, place in obstacle.path]
     if obstacle.spring is not None:
         values["spring"] = format_quantity(obstacle.spring, "N/m")
     if obstacle.face is not None:
@@ -261,24 +262,19 @@ def _shape_values(obstacle: Obstacle, file: RigidFile | None) -> dict[str, Any]:
         return {"shape": STL, "file": Path(file.file).as_posix(), "unit": file.unit, "sha256": file.sha256}
     name = name_in(SHAPES, shape)
     if name is None:
-        raise TurgorError(
-            f"obstacle '{obstacle.name}': {shape.text()} without a file have no form in a job file; name their STL file."
-        )
+        own = f"the shape {type(shape).__name__} has no form in a job file."
+        lost = "triangles without a file have no form in a job file; name their STL file."
+        raise TurgorError(f"obstacle '{obstacle.name}': {own if shape.in_job_files else lost}")
     values: dict[str, Any] = {"shape": name}
     for item in fields(shape):
-        value, dimension = getattr(shape, item.name), dimension_of(item)
+        value = getattr(shape, item.name)
         if value is not None:
-            values[item.name] = _shown(
-                value, "mm" if dimension == "length" else next(iter(UNITS.get(dimension, ())), "")
-            )
+            values[item.name] = _shown(value, dimension_of(item))
     return values
 
 
-def _shown(value: Any, unit: str) -> Any:
-    if not unit:
-        return list(value) if isinstance(value, tuple) else value
-    return _in_mm(value) if isinstance(value, tuple) else format_quantity(value, unit)
-
-
-def _in_mm(vector: Vector) -> list[str]:
-    return [format_quantity(value, "mm") for value in vector]
+def _shown(value: Any, dimension: str = "length") -> Any:
+    if isinstance(value, tuple):
+        return [_shown(part, dimension) for part in value]
+    unit = "mm" if dimension == "length" else next(iter(UNITS.get(dimension, ())), "")
+    return format_quantity(value, unit) if unit else value

@@ -6,16 +6,7 @@ import numpy as np
 
 from turgor.core.model.obstacles.distances import NO_DIRECTION, outer
 from turgor.core.model.obstacles.outlines import rounded_block
-from turgor.core.model.obstacles.rigid_shape import (
-    Array,
-    Distances,
-    Ints,
-    RigidShape,
-    Vector,
-    in_mm,
-    over,
-    positive,
-)
+from turgor.core.model.obstacles.rigid_shape import Array, Distances, Ints, RigidShape, Vector, in_mm, over, positive
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import vector
 from turgor.units import mm

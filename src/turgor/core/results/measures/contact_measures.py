@@ -62,7 +62,8 @@ def contact_measures_of(solution: Solution) -> tuple[Measure, ...]:
     """
     model = solution.model
     obstacles = model.contact.obstacles
-    names = dict.fromkeys(name for each in (*model.supports, *obstacles) for name in each.measures or ())
+    names = dict.fromkeys(name for support in model.supports for name in support.measures)
+    names |= dict.fromkeys(name for each in obstacles for name in each.measures or ())
     chosen = [_NAMED[name] for name in names]
     others = [each.name for each in obstacles if each.measures is None]
     chosen += [force_on(name) for name in others if not name.startswith(BETWEEN)]
