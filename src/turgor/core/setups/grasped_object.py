@@ -16,7 +16,7 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import one
 from turgor.units import mm
 
-#: Begin of the names of the mirror planes between the fingers.
+#: Begin of the names of the planes between the fingers.
 BETWEEN = "between_fingers"
 
 #: Share of the finger's length by which it may reach across a mirror plane at rest: round-off.
@@ -39,6 +39,14 @@ class Grasped(Obstacle):
     pull: Vector = (1.0, 0.0, 0.0)
 
     measures = ("pull_distance", "grip_force", "holding_force")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BetweenFingers(Obstacle):
+    """The mirror plane between two fingers, which stands for a neighbor and is no body."""
+
+    drawn = False
+    measures = ()
 
 
 def grasp(
@@ -177,5 +185,5 @@ def _planes(model: Model, setup: Grasp, middle: Vector) -> tuple[Obstacle, ...]:
                 f"fingers around ({place}) mm; move the object '{setup.object}' further down."
             )
         name = BETWEEN if len(sides) == 1 else f"{BETWEEN}_{number}"
-        planes.append(Obstacle(name=name, shape=plane))
+        planes.append(BetweenFingers(name=name, shape=plane))
     return tuple(planes)

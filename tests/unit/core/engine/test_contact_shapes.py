@@ -7,7 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from turgor.core.model.obstacles import Box, Cylinder, Plane, RigidSurface, Sphere
+from turgor.core.model.obstacles import Box, Cylinder, Plane, Sphere
 
 SHAPES = {
     "plane": Plane(point=(0.1, -0.2, 0.3), normal=(1, 2, -2)),
@@ -128,10 +128,3 @@ def test_scaled_shape_measures_in_the_new_unit(shape, place, length):
     assert measured * length == pytest.approx(distance, abs=1e-14)
     assert direction == pytest.approx(gradient, abs=1e-14)
     assert bend / length == pytest.approx(hessian, rel=1e-12)
-
-
-def test_scaled_triangles():
-    tent = RigidSurface(points=np.eye(3) * 0.004, triangles=np.array([[0, 1, 2]]), name="tent")
-    small = tent.scaled(0.002)
-    assert small.points.tolist() == (2 * np.eye(3)).tolist()
-    assert small.name == "tent"

@@ -1,13 +1,11 @@
 """A load of one's own: one file serves Python, job files, half models, stages, reports, measures and .inp files."""
 
-import ast
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import turgor as tg
 import turgor.core.model.loads
+from asked_classes import files_that_ask
 from turgor.core.model.continued_model import continued
 from turgor.core.model.loads import BodyForce
 from turgor.core.model.write_inp import write_inp
@@ -154,19 +152,6 @@ def test_stages_reports_and_other_programs_have_it(spin, tmp_path):
 
 def test_few_files_ask_for_classes_of_loads():
     classes = {kind.__name__ for kind in LOADS.values()}
-    asking = {
-        path for path in Path(tg.__file__).parent.rglob("*.py") if _asked(path.read_text(encoding="utf-8")) & classes
-    }
+    asking = files_that_ask(classes)
     assert len(classes) == 9
-    assert len(asking) <= 8, sorted(asking)
-    assert _asked("isinstance(a, b.Force | Moment)") == {"Force", "Moment", "b"}
-    assert _asked("match a:\n    case Gravity():\n        pass") == {"Gravity"}
-
-
-def _asked(text):
-    """Names in the second argument of isinstance, and in patterns of classes."""
-    nodes = list(ast.walk(ast.parse(text)))
-    calls = [each for each in nodes if isinstance(each, ast.Call) and getattr(each.func, "id", "") == "isinstance"]
-    kinds = [each.args[1] for each in calls] + [each.cls for each in nodes if isinstance(each, ast.MatchClass)]
-    inner = [part for kind in kinds for part in ast.walk(kind)]
-    return {getattr(part, "id", None) or getattr(part, "attr", None) for part in inner} - {None}
+    assert len(asking) <= 8, asking

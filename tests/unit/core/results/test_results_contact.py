@@ -18,6 +18,7 @@ from turgor.core.results.fields.contact import contact_results, drawn_obstacles,
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.vtu import write_series, write_state
 from turgor.core.results.measures.measures import measure
+from turgor.core.setups.grasped_object import BetweenFingers
 from turgor.core.solvers.solution import Touch
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
@@ -184,7 +185,7 @@ def test_room_of_the_actuator_and_of_the_face_that_may_touch():
 
 
 def test_mirror_planes_between_fingers_are_no_bodies():
-    between = Obstacle(name="between_fingers_1", shape=Plane(point=(0, 0, 0), normal=(0, 0, 1)))
+    between = BetweenFingers(name="between_fingers_1", shape=Plane(point=(0, 0, 0), normal=(0, 0, 1)))
     assert [each.name for each in drawn_obstacles(question(GROUND, between))] == ["ground"]
 
 

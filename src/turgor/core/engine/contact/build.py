@@ -118,12 +118,11 @@ def build_parts(
         if obstacle.stiffness is not None:
             chosen = _stiff(chosen, obstacle.stiffness * length / stress)
         unknown = bodies.unknowns[bodies.names.index(obstacle.name)] if obstacle.name in bodies.names else -1
-        shape = obstacle.shape.scaled(length)
-        triangles = shape.surface()
+        triangles = obstacle.shape.surface()
         if triangles is not None:
-            parts.append(_triangles(obstacle, triangles, chosen, points, unknown))
+            parts.append(_triangles(obstacle, (triangles[0] / length, triangles[1]), chosen, points, unknown))
         else:
-            parts.append(ShapePart(obstacle.name, chosen, shape, obstacle, unknown))
+            parts.append(ShapePart(obstacle.name, chosen, obstacle.shape.scaled(length), obstacle, unknown))
         parts[-1].elastic_slip = _over(obstacle.elastic_slip, length)
     return parts
 

@@ -62,6 +62,8 @@ class Obstacle:
     stiffness: float | None = None
     elastic_slip: float | None = None
 
+    #: Whether it is a body that pictures and reports of contact show.
+    drawn: ClassVar[bool] = True
     #: Names of the measures that a response has by itself; None: the force on it.
     measures: ClassVar[tuple[str, ...] | None] = None
 

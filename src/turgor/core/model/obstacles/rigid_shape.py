@@ -79,7 +79,7 @@ class RigidShape:
         raise NotImplementedError(f"{type(self).__name__} has no formula of its distance")
 
     def surface(self) -> tuple[Array, Ints] | None:
-        """Return the points (p, 3) and triangles (t, 3) by which contact computes the distance; None with a formula."""
+        """Return points (p, 3) [m] and triangles (t, 3) by which contact computes the distance; None with a formula."""
         return None
 
     def outline(self, place: Array, extent: Array) -> tuple[Array, Ints]:
@@ -111,7 +111,7 @@ class RigidShape:
         raise NotImplementedError(f"{type(self).__name__} has no triangles for pictures")
 
     def scaled(self: Own, length: float) -> Own:
-        """Return the shape with its lengths in units of a length [m].
+        """Return a shape with a formula, its lengths in units of a length [m].
 
         Examples
         --------

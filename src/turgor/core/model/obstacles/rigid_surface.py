@@ -1,6 +1,6 @@
 """RigidSurface: a rigid body of triangles."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,7 +51,3 @@ class RigidSurface(TriangulatedShape):
     def surface(self) -> tuple[Array, Ints]:
         """Return the points and the triangles."""
         return self.points, self.triangles
-
-    def scaled(self, length: float) -> "RigidSurface":
-        """Return the body in units of a length."""
-        return replace(self, points=self.points / length)

@@ -12,7 +12,7 @@ class TriangulatedShape(RigidShape):
     __slots__ = ()
 
     def surface(self) -> tuple[Array, Ints]:
-        """Return the points (p, 3) and the triangles (t, 3) of the closed surface."""
+        """Return the points (p, 3) [m] and the triangles (t, 3) of the closed surface."""
         raise NotImplementedError(f"{type(self).__name__} has no triangles")
 
     def outline(self, place: Array, extent: Array) -> tuple[Array, Ints]:

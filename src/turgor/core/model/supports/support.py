@@ -140,8 +140,9 @@ class Support:
 
     def job_text(self) -> str:
         """Return how ``[supports]`` of a job file states it."""
+        kind: Any = type(self)
         for text, values in self.job_texts.items():
-            if all(getattr(self, name) == value for name, value in values.items()):
+            if kind(self.place, **values) == self:
                 return text
         raise TurgorError(f"{self.text().rstrip('.')}: this has no form in a job file.")
 

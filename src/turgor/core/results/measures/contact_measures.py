@@ -10,7 +10,7 @@ from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measure import Measure
-from turgor.core.setups.grasped_object import BETWEEN, Grasped
+from turgor.core.setups.grasped_object import Grasped
 from turgor.core.setups.setup_values import PLATE
 from turgor.core.solvers.checks.plate import bearing_distance as distance_from_tip
 from turgor.core.solvers.solution import Solution
@@ -65,8 +65,7 @@ def contact_measures_of(solution: Solution) -> tuple[Measure, ...]:
     names = dict.fromkeys(name for support in model.supports for name in support.measures)
     names |= dict.fromkeys(name for each in obstacles for name in each.measures or ())
     chosen = [_NAMED[name] for name in names]
-    others = [each.name for each in obstacles if each.measures is None]
-    chosen += [force_on(name) for name in others if not name.startswith(BETWEEN)]
+    chosen += [force_on(each.name) for each in obstacles if each.measures is None]
     if model.contact.obstacles or any(state.touches for state in solution.states):
         chosen += [contact_area, maximum_contact_pressure, deepest_penetration]
     return tuple(chosen)
