@@ -132,7 +132,7 @@ def compressible(model: Model, poisson: float) -> Model:
     >>> from turgor.core.model.loads import Pressure
     >>> rubber = Material(name="rubber", law=NeoHooke(C10=0.5e5))
     >>> part = mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
-    >>> model = Model(part, {"body": rubber, "base": rubber}, [Fixed("fixed")], [Pressure("cavity", 1e3)])
+    >>> model = Model(part, {"body": rubber, "base": rubber}, "fixed", [Pressure("cavity", 1e3)])
     >>> round(compressible(model, 0.475).materials["body"].bulk_modulus)
     1966667
     """
