@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from refused import refused
 from turgor.core.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
 from turgor.core.meshing.exchange.read import read_mesh
 from turgor.core.model.inp.materials import material_lines
@@ -157,6 +158,11 @@ def test_what_has_no_form_is_refused(tmp_path, mesh, changed, sentence):
     with pytest.raises(TurgorError, match=sentence):
         write_inp(question(mesh, **changed), tmp_path / "finger.inp")
     assert not (tmp_path / "finger.inp").exists()
+
+
+def test_a_face_that_is_moved_by_lengths_is_refused_as_such(tmp_path, mesh):
+    with refused("'fixed'", "(0.001, 0.0, 0.0)"):
+        write_inp(question(mesh, supports=[Displacement("fixed", (1e-3, 0, 0))]), tmp_path / "finger.inp")
 
 
 def test_wrong_settings(tmp_path, mesh):

@@ -186,7 +186,9 @@ def test_room_of_the_actuator_and_of_the_face_that_may_touch():
 
 def test_mirror_planes_between_fingers_are_no_bodies():
     between = BetweenFingers(name="between_fingers_1", shape=Plane(point=(0, 0, 0), normal=(0, 0, 1)))
-    assert [each.name for each in drawn_obstacles(question(GROUND, between))] == ["ground"]
+    bar = Obstacle(name="between_fingers_bar", shape=Sphere(center=(0, 0, 0), radius=1 * mm))
+    drawn = drawn_obstacles(question(GROUND, between, bar))
+    assert [each.name for each in drawn] == ["ground", "between_fingers_bar"]  # a name makes no plane
 
 
 # --- files for ParaView ------------------------------------------------------------------------------------------
