@@ -1,6 +1,20 @@
 """Which classes a file asks for: a new class of the kind would need a change there."""
 
 import ast
+from collections.abc import Collection
+from pathlib import Path
+
+import turgor
+
+ROOT = Path(turgor.__file__).parent
+
+
+def files_that_query(classes: Collection[str], without: Collection[str] = ()) -> list[str]:
+    """List the files of turgor, outside some folders, that ask for one of the classes by name."""
+    paths = sorted(path for path in ROOT.rglob("*.py") if path.parent.relative_to(ROOT).as_posix() not in without)
+    texts = {path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8") for path in paths}
+    named = {name: text for name, text in texts.items() if any(each in text for each in classes)}
+    return [name for name, text in named.items() if queried(text) & set(classes)]
 
 
 def queried(text: str) -> set[str]:
@@ -10,18 +24,21 @@ def queried(text: str) -> set[str]:
     --------
     >>> sorted(queried("isinstance(a, b.Force | Moment); type(a) is Spin; type(a).__name__ == 'Weight'"))
     ['Force', 'Moment', 'Spin', 'Weight', 'b']
-    >>> queried("match a:\\n    case Gravity():\\n        pass")
-    {'Gravity'}
+    >>> queried("match a:\\n    case Gravity():\\n        pass"), queried("{Gravity: 1}[type(a)]")
+    ({'Gravity'}, {'Gravity'})
     """
-    nodes = list(ast.walk(ast.parse(text)))
-    calls = [each for each in nodes if isinstance(each, ast.Call) and len(each.args) == 2]
-    kinds = [each.args[1] for each in calls if getattr(each.func, "id", "") in ("isinstance", "issubclass")]
-    kinds += [each.cls for each in nodes if isinstance(each, ast.MatchClass)]
-    compared = [[each.left, *each.comparators] for each in nodes if isinstance(each, ast.Compare)]
-    kinds += [side for sides in compared if any(map(_of_type, sides)) for side in sides if not _of_type(side)]
+    kinds: list[ast.AST] = []
+    for node in ast.walk(ast.parse(text)):
+        match node:
+            case ast.Call(func=ast.Name(id="isinstance" | "issubclass"), args=[_, kind]) | ast.MatchClass(cls=kind):
+                kinds.append(kind)
+            case ast.Compare(left=left, comparators=right) if any(map(_of_type, [left, *right])):
+                kinds += [side for side in (left, *right) if not _of_type(side)]
+            case ast.Dict(keys=keys):
+                kinds += [key for key in keys if isinstance(key, ast.Name)]
     parts = [part for kind in kinds for part in ast.walk(kind)]
-    found = {getattr(part, "id", getattr(part, "attr", getattr(part, "value", None))) for part in parts}
-    return {each for each in found if isinstance(each, str)}
+    names = {getattr(part, "id", getattr(part, "attr", getattr(part, "value", None))) for part in parts}
+    return {name for name in names if isinstance(name, str)}
 
 
 def _of_type(node: ast.expr) -> bool:

@@ -8,7 +8,7 @@ import turgor as tg
 from problems import MM
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.core.model.contact import Contact
-from turgor.core.model.obstacles import Obstacle, RigidSurface, Shape
+from turgor.core.model.obstacles import Obstacle, RigidShape, RigidSurface
 from turgor.core.solvers.solution import State, Touch
 
 #: Contact stiffness [Pa/m] at which 0.1 MPa of pressure penetrates by 1 µm.
@@ -18,7 +18,7 @@ STIFF = 1e11
 EXACT = tg.Static(first_step=0.1, max_step=0.1, tolerance=1e-10)
 
 
-def pushed(shape: Shape, way: tuple[float, float, float] = (0.0, 0.0, 0.0), **more) -> Obstacle:
+def pushed(shape: RigidShape, way: tuple[float, float, float] = (0.0, 0.0, 0.0), **more) -> Obstacle:
     """An obstacle called ``plate`` that moves along ``way`` [mm] in proportion to the load factor."""
     path = () if not any(way) else ((0, (0, 0, 0)), (1, tuple(np.array(way) * MM)))
     return Obstacle(**{"name": "plate", "shape": shape, "path": path, "stiffness": STIFF} | more)

@@ -22,7 +22,6 @@ from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.errors import unknown
 from turgor.foundation.registry import Registry, class_of_file, name_in
 from turgor.job.tables.points import Rig
-from turgor.job.tables.supports import StatedSupport
 
 if TYPE_CHECKING:
     from turgor.core.results.measures.measure import Measure
@@ -130,7 +129,7 @@ class Job:
         Largest number of unknowns of a refined mesh.
     materials : mapping of str to Material, Shell or Membrane
         A material for every region and a sheet for every face that is reinforced.
-    supports : tuple of Fixed, Radial or PlaneSection
+    supports : tuple of Support
         Supports; those of mirror planes are added by themselves.
     loads : tuple of Pressure, Gravity or Force
         Loads.
@@ -161,7 +160,7 @@ class Job:
     mesh_target_measure: str | None = None
     mesh_most_unknowns: int = 200_000
     materials: Mapping[str, Material | Sheet]
-    supports: tuple[StatedSupport, ...] = (Fixed("fixed"),)
+    supports: tuple[Support, ...] = (Fixed("fixed"),)
     loads: tuple[Load, ...]
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
     points: Mapping[str, Rig] = field(default_factory=dict)

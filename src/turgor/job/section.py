@@ -3,7 +3,6 @@
 import numpy as np
 
 from turgor.core.model.loads import pressures_among
-from turgor.core.model.supports import Radial
 from turgor.fast_models.section.section import Section
 from turgor.fast_models.section.solution import SectionSolution
 from turgor.foundation.errors import TurgorError
@@ -33,7 +32,7 @@ def section_of(job: Job, size: float | None = None, ends: str = "closed") -> Sec
         job.geometry(),
         job.materials,
         reinforcements=tuple(job.fibers.values()),
-        supports=[support for support in job.supports if isinstance(support, Radial)],
+        supports=[support for support in job.supports if support.in_sections],
         ends=ends,
         size=size,
     )

@@ -37,7 +37,8 @@ def accepted(node):
 
 def is_parameter(field):
     made = field.value is not None and "init=False" in ast.unparse(field.value)
-    return not made and not field.target.id.startswith("_")
+    shared = "ClassVar" in ast.unparse(field.annotation)
+    return not (made or shared or field.target.id.startswith("_"))
 
 
 def classes_in(text):

@@ -83,7 +83,7 @@ class Model(Saved, Shown):
     ) -> None:
         one(mesh, Mesh, "mesh of a model", "a Mesh is needed, as mesh(actuator) makes it")
         given = given_supports(supports)
-        mirrored = {s.face for s in given if isinstance(s, Symmetry)}
+        mirrored = {each.place for each in given if each.mirror}
         added = tuple(Symmetry(face) for face in mesh.symmetry_faces if face not in mirrored)
         acting = several(loads, Load, "loads", "loads are needed, such as Pressure('cavity', 20e3)")
         object.__setattr__(self, "mesh", mesh)

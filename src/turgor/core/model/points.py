@@ -8,6 +8,7 @@ import numpy as np
 
 from turgor.core.geometry.directions import AXES
 from turgor.core.model.history import RAMP, History, checked, share_at, with_history
+from turgor.core.model.loads.load import Deck, DeckRows
 from turgor.core.model.supports.support import Support
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import vector
@@ -126,6 +127,10 @@ class ReferencePoint(Support):
             said.append(f"turned back by a spring of {self.rotational_spring:g} N m/rad")
         return f"{', '.join(said)}."
 
+    def boundary_rows(self, deck: Deck) -> tuple[str, ...]:
+        """A point fixes nothing by itself; its nodes and couplings are written with the mesh."""
+        return ()
+
     @property
     def stiffness(self) -> Vector:
         """Stiffness of its spring along x, y and z [N/m]."""
@@ -210,6 +215,11 @@ class Rotation(Support):
         share = share_at(self.history, factor)
         rotation: Rotation = with_history(self, ((0.0, share), (1.0, share)))
         return rotation
+
+    def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
+        """Return the rows of the rotation vector."""
+        turn = self.angle * np.array(self.axis) / np.linalg.norm(self.axis)
+        return (DeckRows("*BOUNDARY", self.history, deck.rotated(self.point, turn)),)
 
     def angle_at(self, load_factor: float) -> float:
         """Angle [rad] at a load factor."""

@@ -1,6 +1,6 @@
 """write_inp: a model as an .inp file of CalculiX or Abaqus."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -14,12 +14,11 @@ from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, points_of
 from turgor.core.model.inp.materials import material_lines
-from turgor.core.model.inp.reference_points import InpDeck, InpPoint, fixed_lines, inp_points, moves, point_lines
-from turgor.core.model.loads.load import DeckRows
+from turgor.core.model.inp.reference_points import InpDeck, fixed_lines, inp_points, point_lines
+from turgor.core.model.loads.load import DeckRows, Load
 from turgor.core.model.model import Model
-from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
 from turgor.core.model.sheets import Sheet, Shell
-from turgor.core.model.supports import Fixed, PlaneSection, Radial, Symmetry
+from turgor.core.model.supports import Support
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.units import mm
 
@@ -73,7 +72,8 @@ def write_inp(
     _check_extras(model)
     points = inp_points(model, program)
     plain = {name: _plain(name) for name in model.mesh.faces}
-    acting = _acting(model, points, plain)
+    deck = InpDeck(model.mesh, points, plain, 1 / model.mesh.symmetry_factor)
+    acting = _acting(model, deck)
     lines = [
         f"** {_plain(model.mesh.name)}, written by turgor for {program}",
         "** units: mm, N, MPa, tonne, s; the time is the load factor",
@@ -82,7 +82,7 @@ def write_inp(
         *_membrane_lines(model),
         *_material_lines(model, program),
         *point_lines(model, points, plain),
-        *_support_lines(model, points),
+        *_support_lines(model, deck),
         *_amplitude_lines(acting),
         *_step_lines(model, at, program, acting),
     ]
@@ -132,7 +132,7 @@ def compressible(model: Model, poisson: float) -> Model:
     >>> from turgor.core.model.loads import Pressure
     >>> rubber = Material(name="rubber", law=NeoHooke(C10=0.5e5))
     >>> part = mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
-    >>> model = Model(part, {"body": rubber, "base": rubber}, [Fixed("fixed")], [Pressure("cavity", 1e3)])
+    >>> model = Model(part, {"body": rubber, "base": rubber}, "fixed", [Pressure("cavity", 1e3)])
     >>> round(compressible(model, 0.475).materials["body"].bulk_modulus)
     1966667
     """
@@ -243,48 +243,16 @@ def _material_lines(model: Model, program: str) -> list[str]:
     return lines
 
 
-def _support_lines(model: Model, points: Mapping[str, InpPoint]) -> list[str]:
-    lines = ["*BOUNDARY", *fixed_lines(model, points)]
-    for support in model.supports:
-        if isinstance(support, ReferencePoint | Rotation | Hinge) or support.place in points:
-            continue  # they are among those of the points
-        if isinstance(support, Fixed):
-            lines += [f"{_plain(support.face)}, {'xyz'.index(axis) + 1}" for axis in sorted(support.directions)]
-        elif isinstance(support, Symmetry):
-            lines += _mirror_lines(model, support.face, points)
-        elif isinstance(support, Radial):
-            raise TurgorError(f"'{support.face}' is fixed radially, which .inp files cannot say; fix other directions.")
-        elif isinstance(support, PlaneSection):
-            raise TurgorError(
-                f"'{support.face}' is a plane section, whose thrust .inp files cannot say; hold it or leave it free."
-            )
-        else:
-            raise TurgorError(f"the displacement of '{support.place}' is a function, which has no form in .inp files.")
-    return lines
+def _support_lines(model: Model, deck: InpDeck) -> list[str]:
+    faces = [support for support in model.supports if support.place not in deck.points]
+    rows = (row for support in faces for row in support.boundary_rows(deck))
+    return ["*BOUNDARY", *fixed_lines(model, deck.points), *rows]
 
 
-def _mirror_lines(model: Model, face: str, points: Mapping[str, InpPoint]) -> list[str]:
-    """A mirror plane, without the nodes of rigid faces, which follow their points and may not be fixed too."""
-    direction = _normal_axis(model.mesh, face) + 1
-    rigid = [model.mesh.face_nodes(each.point.face) for each in points.values() if each.point.coupling == RIGID]
-    sides = model.mesh.face(face)
-    nodes = np.unique(sides[:, : 6 if model.mesh.cell_type is TETRAHEDRON else 8])
-    left = nodes[~np.isin(nodes, np.concatenate([np.zeros(0, dtype=np.int64), *rigid]))]
-    if len(left) == len(nodes):
-        return [f"{_plain(face)}, {direction}"]
-    return [f"{node + 1}, {direction}" for node in left.tolist()]
-
-
-def _normal_axis(mesh: Mesh, face: str) -> int:
-    points = mesh.points[mesh.face_nodes(face)]
-    return int(np.ptp(points, axis=0).argmin())
-
-
-def _acting(model: Model, points: Mapping[str, InpPoint], plain: Mapping[str, str]) -> list[DeckRows]:
+def _acting(model: Model, deck: InpDeck) -> list[DeckRows]:
     """What moves and loads the model, in the order of the numbers of the amplitudes."""
-    deck = InpDeck(points, plain, 1 / model.mesh.symmetry_factor)
-    loads = (rows for load in model.loads for rows in load.deck_rows(deck))
-    return [each for each in (*loads, *moves(model, points)) if each.rows]
+    acting: list[Load | Support] = [*model.loads, *(each for each in model.supports if each.place in deck.points)]
+    return [rows for each in acting for rows in each.deck_rows(deck) if rows.rows]
 
 
 def _amplitude_lines(acting: Sequence[DeckRows]) -> list[str]:

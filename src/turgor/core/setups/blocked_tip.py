@@ -11,6 +11,7 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Plane, Plate, Vector
+from turgor.core.model.obstacles.obstacle import push_text
 from turgor.core.model.points import ReferencePoint
 from turgor.core.model.supports import Fixed, Support
 from turgor.core.setups.directions import check_unmirrored
@@ -41,24 +42,15 @@ class FixedTip(Fixed):
 
     push: Vector = (0.0, 0.0, -1.0)
 
+    @property
+    def measures(self) -> tuple[str, ...]:
+        """The blocked force, and its components where the tip is fixed in several directions."""
+        parts = [f"blocked_force_{axis}" for axis in self.directions]
+        return "blocked_force", *(parts if len(parts) > 1 else ())
+
     def text(self) -> str:
         """Return the sentence of a report."""
         return f"{self.face} does not move in {', '.join(self.directions)}; {push_text(self.push)}."
-
-
-def push_text(direction: Vector) -> str:
-    """Return the direction in which a tip is blocked, which is that of a positive blocked force, in words.
-
-    Examples
-    --------
-    >>> push_text((0.0, 0.0, -1.0))
-    'the blocked force is positive along -z'
-    """
-    axis = int(np.abs(direction).argmax())
-    straight = max(map(abs, direction)) > 1 - 1e-9
-    listed = ", ".join(f"{part:.4g}" for part in direction)
-    along = f"{'+' if direction[axis] > 0 else '-'}{'xyz'[axis]}" if straight else f"({listed})"
-    return f"the blocked force is positive along {along}"
 
 
 def blocked_force(
@@ -230,10 +222,8 @@ def _supports(setup: BlockedForce, direction: str) -> tuple[Support, ...]:
 
 def _chosen(model: Model) -> str:
     """The direction in which the tip of a model is blocked; free where nothing blocks it."""
-    pushes = [each.push for each in model.supports if isinstance(each, FixedTip)]
-    for plate in model.contact.obstacles:
-        if isinstance(plate, Plate) and isinstance(plate.shape, Plane):
-            pushes.append(_vector(-np.array(plate.shape.normal)))
+    pushes = [each.push for each in model.supports if each.push is not None]
+    pushes += [plate.push for plate in model.contact.obstacles if plate.tip and plate.push is not None]
     return next((name for name, vector in DIRECTIONS.items() if pushes and np.dot(pushes[0], vector) > 0.5), FREE)
 
 

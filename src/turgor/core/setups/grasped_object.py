@@ -9,7 +9,7 @@ from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.model.history import RAMP
 from turgor.core.model.loads import Pressure
 from turgor.core.model.model import Model
-from turgor.core.model.obstacles import Cylinder, Obstacle, Plane, RigidSurface, Vector
+from turgor.core.model.obstacles import Obstacle, Plane, Vector
 from turgor.core.setups.directions import check_unmirrored
 from turgor.core.setups.setup_values import Grasp
 from turgor.foundation.errors import TurgorError, unknown
@@ -17,7 +17,7 @@ from turgor.foundation.given import one
 from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 
-#: Begin of the names of the mirror planes between the fingers.
+#: Begin of the names of the planes between the fingers.
 BETWEEN = "between_fingers"
 
 
@@ -35,6 +35,16 @@ class Grasped(Obstacle):
 
     fingers: int = 2
     pull: Vector = (1.0, 0.0, 0.0)
+
+    measures = ("pull_distance", "grip_force", "holding_force")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BetweenFingers(Obstacle):
+    """The mirror plane between two fingers, which stands for a neighbor and is no body."""
+
+    drawn = False
+    measures = ()
 
 
 def grasp(
@@ -114,7 +124,7 @@ def grasped(model: Model, setup: Grasp) -> Model:
         path=((0.0, rest), (setup.closing, rest), (1.0, end)), fingers=setup.fingers, pull=(x, y, z),
     )  # fmt: skip
     others = tuple(each for each in model.contact.obstacles if each is not obstacle)
-    planes = _planes(model, setup, _middle(obstacle))
+    planes = _planes(model, setup, obstacle.shape.middle)
     contact = model.contact.with_obstacles((grasped, *others, *planes))
     return replace(model, loads=_loads(model, setup), contact=contact)
 
@@ -131,10 +141,9 @@ def _object_of(model: Model, setup: Grasp) -> Obstacle:
     for key in ("path", "spring"):
         if getattr(target, key):
             raise TurgorError(f"{said}: it is rigid and pulled by the grasp; leave its {key} out.")
-    if isinstance(target.shape, Plane):
-        raise TurgorError(f"{said}: it is a plane, which has no far side; take a cylinder, sphere, box or STL file.")
-    if isinstance(target.shape, Cylinder):
-        _check_axis(said, target.shape, setup.fingers)
+    why = target.shape.not_graspable(setup.fingers)
+    if why:
+        raise TurgorError(f"{said}: {why}")
     return target
 
 
@@ -174,24 +183,5 @@ def _planes(model: Model, setup: Grasp, middle: Vector) -> tuple[Obstacle, ...]:
                 f"fingers around ({place}) mm; move the object '{setup.object}' further down."
             )
         name = BETWEEN if len(sides) == 1 else f"{BETWEEN}_{number}"
-        planes.append(Obstacle(name=name, shape=plane))
+        planes.append(BetweenFingers(name=name, shape=plane))
     return tuple(planes)
-
-
-def _check_axis(said: str, bar: Cylinder, fingers: int) -> None:
-    along = np.abs(bar.axis)
-    if fingers > 2 and along[0] < 1 - 1e-9:
-        raise TurgorError(f"{said}: {fingers} fingers stand around the line along x, and so must the cylinder's axis.")
-    if 1e-9 < along[2] < 1 - 1e-9:
-        raise TurgorError(f"{said}: the cylinder is inclined to the mid-plane, so that two fingers would differ.")
-
-
-def _middle(obstacle: Obstacle) -> Vector:
-    """Middle of an object, through which the line along x goes that fingers stand around."""
-    shape = obstacle.shape
-    if isinstance(shape, RigidSurface):
-        low, high = shape.points.min(axis=0), shape.points.max(axis=0)
-        x, y, z = (float(value) for value in (low + high) / 2)
-        return x, y, z
-    assert not isinstance(shape, Plane)
-    return shape.center

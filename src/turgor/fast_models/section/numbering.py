@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.model.model import Model
-from turgor.core.model.supports import Radial, Symmetry
 from turgor.fast_models.section.kinematics import STRAINS
 from turgor.fast_models.section.plane import Plane, area_weights, near_nodes, tables
 from turgor.foundation.errors import TurgorError
@@ -91,7 +90,7 @@ def numbering_of(model: Model, plane: Plane, mean_count: int) -> Numbering:
     _check_supports(model)
     is_fixed, axes = _prescribed_components(model, plane)
     mirrors = {axis for axis, _ in model.mesh.mirror_planes}
-    centered = any(isinstance(support, Radial) for support in model.supports)
+    centered = any(not support.mirror for support in model.supports)
     kinds = ["x", *("yz"[axis - 1] for axis in (1, 2) if axis not in mirrors and not centered)]
     kinds += [] if mirrors else ["turn"]
     conditions = _conditions(plane, kinds)
@@ -122,9 +121,9 @@ def numbering_of(model: Model, plane: Plane, mean_count: int) -> Numbering:
 
 def _check_supports(model: Model) -> None:
     for support in model.supports:
-        if not isinstance(support, Radial | Symmetry):
+        if not support.in_sections:
             raise TurgorError(
-                f"{type(support).__name__} of '{getattr(support, 'face', '')}' is no support of a section, which is "
+                f"{type(support).__name__} of '{support.place}' is no support of a section, which is "
                 "free along a long actuator; Radial and mirror planes are."
             )
 

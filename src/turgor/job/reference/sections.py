@@ -40,7 +40,7 @@ from turgor.job.tables.procedures import PROCEDURES, procedure_fields, procedure
 from turgor.job.tables.sections import read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_table
 from turgor.job.tables.stages import StageTable
-from turgor.job.tables.supports import PLANE, RADIAL
+from turgor.job.tables.supports import stated_supports
 from turgor.job.text.listed_loads import listed_kinds, listed_table, loads_model
 from turgor.job.text.load_tables import (
     CavityTable,
@@ -136,7 +136,7 @@ def _supports() -> JobTable:
         name="FACE",
         kind="text",
         default=toml(DEFAULTS["supports"]["fixed"], Kind(words="text")),
-        allowed=f"some of x, y and z; or {', '.join((*RADIAL, PLANE))}",
+        allowed=f"some of x, y and z; or {', '.join(stated_supports())}",
         meaning="Directions in which the face is fixed, or that its radius is, or that it stays plane. The default is "
         "that of the face `fixed`, where the part has one.",
         example='"xyz"',

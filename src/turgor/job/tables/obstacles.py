@@ -1,33 +1,35 @@
 """Obstacles in a job: one table ``[obstacles.NAME]`` for each rigid body, both ways."""
 
 from collections.abc import Mapping
-from dataclasses import MISSING, fields
+from dataclasses import MISSING, fields, is_dataclass
 from dataclasses import Field as DataclassField
 from functools import cache, partial
 from pathlib import Path
-from typing import Annotated, Any, get_args
+from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field, create_model
 
 from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.model.contact import SELF, Contact
-from turgor.core.model.obstacles import Obstacle, RigidSurface, Shape, Vector
+from turgor.core.model.obstacles import Obstacle, RigidShape, Vector
+from turgor.core.model.obstacles.rigid_shape import dimension_of
 from turgor.core.model.rigid import RigidFile
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.registry import Registry, class_of_file, name_in
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Coordinate, Length, Says, Table, coordinate, read_table, shown
-from turgor.units import format_quantity, parse_quantity
+from turgor.units import UNITS, format_quantity, parse_quantity
 
-#: Shapes by their names in job files, except those from files; their fields are their keys.
-SHAPES: Mapping[str, type] = {kind.__name__.lower(): kind for kind in get_args(Shape) if kind is not RigidSurface}
+#: Shapes by the name of their file, except those from STL files; their fields are their keys.
+SHAPES: Registry[type[RigidShape]] = Registry(
+    "turgor.core.model.obstacles",
+    class_of_file(lambda kind: is_dataclass(kind) and issubclass(kind, RigidShape) and kind.in_job_files),
+)
 
 #: The shape that comes from an STL file.
 STL = "stl"
-
-#: Fields of shapes that are directions; other vectors are lengths.
-_DIRECTIONS = ("normal", "axis")
 
 
 def _lengths(value: object) -> Vector:
@@ -118,13 +120,17 @@ def obstacle_table(shape: str) -> type[ObstacleTable]:
     """
     if shape == STL:
         return StlTable
-    keys: dict[str, Any] = {item.name: (_type_of(item), _default_of(item)) for item in fields(SHAPES[shape])}
+    kind: Any = SHAPES[shape]
+    keys: dict[str, Any] = {item.name: (_type_of(item), _default_of(item)) for item in fields(kind)}
     return create_model(f"{shape.title()}Table", __base__=ObstacleTable, **keys)
 
 
 def _type_of(item: DataclassField[Any]) -> Any:
+    dimension = dimension_of(item)
     if item.type == Vector:
-        return Direction if item.name in _DIRECTIONS else Lengths
+        return Lengths if dimension == "length" else Direction
+    if dimension != "length":
+        return Annotated[float, BeforeValidator(partial(parse_quantity, dimension=dimension))]
     return Coordinate if item.type is float else Length | None
 
 
@@ -200,11 +206,11 @@ def _file(table: StlTable, key: Key, problems: Problems) -> RigidFile | None:
 
 def _obstacle(table: ObstacleTable, file: RigidFile | None, key: Key, problems: Problems) -> Obstacle | None:
     keys = type(table).model_fields
-    shape: Shape | None
+    shape: RigidShape | None
     if isinstance(table, StlTable):
         shape = None if file is None else problems.attempt(key, file.read, fields=("unit",))
     else:
-        kind = SHAPES[table.shape]
+        kind: Any = SHAPES[table.shape]
         dimensions = {item.name: getattr(table, item.name) for item in fields(kind)}
         shape = problems.attempt(key, partial(kind, **dimensions), fields=keys)
     if shape is None:
@@ -238,7 +244,7 @@ def _written(obstacle: Obstacle, file: RigidFile | None) -> dict[str, Any]:
     values = _shape_values(obstacle, file)
     values["friction"] = obstacle.friction
     if obstacle.path:
-        values["path"] = [[factor, _in_mm(place)] for factor, place in obstacle.path]
+        values["path"] = [[factor, _shown(place)] for factor, place in obstacle.path]
     if obstacle.spring is not None:
         values["spring"] = format_quantity(obstacle.spring, "N/m")
     if obstacle.face is not None:
@@ -251,22 +257,24 @@ def _written(obstacle: Obstacle, file: RigidFile | None) -> dict[str, Any]:
 
 
 def _shape_values(obstacle: Obstacle, file: RigidFile | None) -> dict[str, Any]:
-    shape = obstacle.shape
-    if isinstance(shape, RigidSurface):
-        if file is None:
-            raise TurgorError(
-                f"obstacle '{obstacle.name}': triangles without a file have no form in a job file; name their STL file."
-            )
+    shape: Any = obstacle.shape
+    if file is not None:
         return {"shape": STL, "file": Path(file.file).as_posix(), "unit": file.unit, "sha256": file.sha256}
-    values: dict[str, Any] = {"shape": next(name for name, kind in SHAPES.items() if type(shape) is kind)}
+    name = name_in(SHAPES, shape)
+    if name is None:
+        own = f"the shape {type(shape).__name__} has no form in a job file."
+        lost = "triangles without a file have no form in a job file; name their STL file."
+        raise TurgorError(f"obstacle '{obstacle.name}': {own if shape.in_job_files else lost}")
+    values: dict[str, Any] = {"shape": name}
     for item in fields(shape):
         value = getattr(shape, item.name)
-        if item.name in _DIRECTIONS:
-            values[item.name] = list(value)
-        elif value is not None:
-            values[item.name] = _in_mm(value) if isinstance(value, tuple) else format_quantity(value, "mm")
+        if value is not None:
+            values[item.name] = _shown(value, dimension_of(item))
     return values
 
 
-def _in_mm(vector: Vector) -> list[str]:
-    return [format_quantity(value, "mm") for value in vector]
+def _shown(value: Any, dimension: str = "length") -> Any:
+    if isinstance(value, tuple):
+        return [_shown(part, dimension) for part in value]
+    unit = "mm" if dimension == "length" else next(iter(UNITS.get(dimension, ())), "")
+    return format_quantity(value, unit) if unit else value

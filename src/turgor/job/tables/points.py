@@ -235,8 +235,8 @@ def _load_values(rig: Rig) -> dict[str, Any]:
                 values |= {"moment": [format_quantity(part, "N m") for part in vector], "follower": follower}
             case Hanging(_, mass):
                 values["hangs"] = format_quantity(mass, "g")
-    moves = [each.value if isinstance(each, Displacement) else each for each in rig.holds]
-    histories = [each.history for each in (*rig.loads, *moves) if hasattr(each, "history")]
+    ways = [each.way for each in rig.holds if each.way is not None]
+    histories = [*(load.history for load in rig.loads), *ways]
     return values | history_values(histories[0] if histories else RAMP)
 
 

@@ -14,7 +14,7 @@ from turgor.core.model.history import RAMP
 from turgor.core.model.loads import Load
 from turgor.core.model.obstacles import Vector
 from turgor.core.model.sheets import Sheet
-from turgor.core.model.supports import Displacement, Shift
+from turgor.core.model.supports import Displacement, Shift, Support
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.stages import Stage, Stages, check_stage
 from turgor.foundation.errors import TurgorError, unknown
@@ -22,7 +22,6 @@ from turgor.job.tables.loads import loads_table, read_loads
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
 from turgor.job.tables.setups import refuse_setup
-from turgor.job.tables.supports import StatedSupport
 from turgor.job.text.lines import Key, Place
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Says, Table, read_table, shown
@@ -66,7 +65,7 @@ class Around:
     geometry : Geometry or None
         The actuator; None where it could not be built.
     materials : mapping of str to Material, Shell or Membrane
-    supports : tuple of Fixed, Radial or PlaneSection
+    supports : tuple of Support
     contact : Contact
     loads : tuple of Pressure, Gravity or Force
     moved : bool
@@ -75,7 +74,7 @@ class Around:
 
     geometry: Geometry | None
     materials: Mapping[str, Material | Sheet]
-    supports: tuple[StatedSupport, ...]
+    supports: tuple[Support, ...]
     contact: Contact
     loads: tuple[Load, ...]
     moved: bool
@@ -227,13 +226,12 @@ def _written(stage: Stage) -> dict[str, Any]:
 
 
 def _vector(moved: Displacement) -> Vector:
-    if not isinstance(moved.value, Shift):
-        raise TurgorError(f"the displacement of '{moved.face}' is a function, which has no form in a job file.")
-    if moved.value.history != RAMP:
+    shift = moved.shift
+    if moved.way != RAMP:
         raise TurgorError(
             f"the displacement of '{moved.face}' has a history, which has no form in a stage of a job file."
         )
-    return moved.value.vector
+    return shift
 
 
 def _in_mm(vector: Vector) -> list[str]:

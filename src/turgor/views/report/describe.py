@@ -13,10 +13,8 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.cell_quality import MeshQuality
 from turgor.core.model.fibers import Fibers
 from turgor.core.model.model import Model
-from turgor.core.model.obstacles import Obstacle, Plane, Plate
-from turgor.core.model.obstacles.rigid_shape import in_mm
+from turgor.core.model.obstacles.obstacle import friction_text
 from turgor.core.model.sheets import Sheet, Shell
-from turgor.core.setups.blocked_tip import push_text
 from turgor.units import GPa, MPa, deg, kPa, mm, mN
 from turgor.views.report.references import law_source
 
@@ -53,30 +51,10 @@ def contact(model: Model) -> list[str]:
     """Say what may touch what, a sentence for the actuator itself and one for each obstacle."""
     own, said = model.contact.for_mesh(model.mesh), []
     if own is not None:
-        said.append(f"The actuator touches itself {_friction(own.friction)}.")
+        said.append(f"The actuator touches itself {friction_text(own.friction)}.")
     elif model.contact.self_contact is None:
         said.append("Walls of the actuator do not stop each other: self-contact is off.")
-    return said + [_obstacle(obstacle) for obstacle in model.contact.obstacles]
-
-
-def _obstacle(obstacle: Obstacle) -> str:
-    """Shape, place, friction and motion of an obstacle."""
-    said = [obstacle.shape.text(), _friction(obstacle.friction)]
-    if obstacle.face is not None:
-        said.append(f"touches {obstacle.face} only")
-    if obstacle.path:
-        way = obstacle.path if any(obstacle.path[0][1]) else obstacle.path[1:]
-        said.append("moved by " + ", ".join(f"{in_mm(to)} at load factor {factor:g}" for factor, to in way))
-    if obstacle.spring is not None:
-        said.append(f"supported by a spring of {obstacle.spring:g} N/m")
-    if isinstance(obstacle, Plate) and isinstance(obstacle.shape, Plane):
-        x, y, z = obstacle.shape.normal
-        said.append(push_text((-x, -y, -z)))
-    return f"{obstacle.name}: {'; '.join(said)}."
-
-
-def _friction(friction: float) -> str:
-    return f"with friction {friction:g}" if friction else "without friction"
+    return said + [obstacle.text() for obstacle in model.contact.obstacles]
 
 
 def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:

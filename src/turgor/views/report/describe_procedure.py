@@ -7,7 +7,7 @@ from turgor.core.model.history import RAMP, with_history
 from turgor.core.model.history_text import history_text
 from turgor.core.model.loads import Load
 from turgor.core.model.obstacles.rigid_shape import in_mm
-from turgor.core.model.supports import Displacement, Shift
+from turgor.core.model.supports import Displacement
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.step_options import fields_in_order
 from turgor.core.solvers.solution import Status
@@ -55,8 +55,8 @@ def _changed(load: Load) -> str:
 
 def _moved(each: Displacement) -> str:
     """Where a face is moved."""
-    if isinstance(each.value, Shift):
-        return f"{each.face} moves to {in_mm(each.value.vector)} from where it was at first"
+    if each.way is not None:
+        return f"{each.face} moves to {in_mm(each.shift)} from where it was at first"
     return f"{each.face} is moved in {', '.join(each.directions)}"
 
 

@@ -7,8 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from turgor.core.engine.contact.shapes import scaled, signed_distance
-from turgor.core.model.obstacles import Box, Cylinder, Plane, RigidSurface, Sphere
+from turgor.core.model.obstacles import Box, Cylinder, Plane, Sphere
 
 SHAPES = {
     "plane": Plane(point=(0.1, -0.2, 0.3), normal=(1, 2, -2)),
@@ -25,7 +24,7 @@ any_shape = pytest.mark.parametrize("shape", SHAPES.values(), ids=SHAPES)
 
 
 def at(shape, *place):
-    distance, gradient, _ = signed_distance(shape, np.array([place], dtype=float))
+    distance, gradient, _ = shape.signed_distance(np.array([place], dtype=float))
     return float(distance[0]), gradient[0].tolist()
 
 
@@ -83,7 +82,7 @@ def test_derivatives_are_those_of_the_distance(shape, place):
     step = 1e-5
     steps = np.concatenate([np.eye(3), -np.eye(3)]) * step
     around = [place + move for move in steps]
-    distance, gradient, hessian = signed_distance(shape, np.array([*around, place]))
+    distance, gradient, hessian = shape.signed_distance(np.array([*around, place]))
     # beside a kink, such as the middle of a body, the differences mean nothing
     assume(np.abs(hessian - hessian[-1]).max() < 0.01 and np.abs(gradient - gradient[-1]).max() < 100 * step)
     by_distance = (distance[:3] - distance[3:6]) / (2 * step)
@@ -98,9 +97,9 @@ def test_derivatives_are_those_of_the_distance(shape, place):
 @settings(max_examples=30, deadline=None)
 @given(place=places)
 def test_nearest_point_lies_on_the_surface(shape, place):
-    distance, gradient, _ = signed_distance(shape, np.array([place]))
+    distance, gradient, _ = shape.signed_distance(np.array([place]))
     nearest = place - distance[0] * gradient[0]
-    assert signed_distance(shape, nearest[None])[0][0] == pytest.approx(0, abs=1e-12)
+    assert shape.signed_distance(nearest[None])[0][0] == pytest.approx(0, abs=1e-12)
 
 
 @any_shape
@@ -110,7 +109,7 @@ def test_there_is_a_direction_everywhere(shape):
     corner = np.array(getattr(shape, "size", (1.0, 1, 1))) / 2
     tiny = [np.array([t, 0, -t]) for t in (0.0, 5e-324, 1e-310, 1e-200, 1e-30, 1e-14)]
     points = np.array([place + move for place in (0 * axis, 0.3 * axis, 5 * axis, corner) for move in tiny])
-    distance, gradient, hessian = signed_distance(shape, points)
+    distance, gradient, hessian = shape.signed_distance(points)
     assert np.isfinite(distance).all()
     assert np.isfinite(hessian).all()
     assert np.linalg.norm(gradient, axis=1) == pytest.approx(np.ones(len(points)), abs=1e-12)
@@ -118,21 +117,14 @@ def test_there_is_a_direction_everywhere(shape):
 
 def test_no_points():
     for shape in SHAPES.values():
-        assert [part.shape for part in signed_distance(shape, np.zeros((0, 3)))] == [(0,), (0, 3), (0, 3, 3)]
+        assert [part.shape for part in shape.signed_distance(np.zeros((0, 3)))] == [(0,), (0, 3), (0, 3, 3)]
 
 
 @any_shape
 @given(place=places, length=st.sampled_from([2.0**-10, 0.25, 8.0]))  # powers of two divide without rounding
 def test_scaled_shape_measures_in_the_new_unit(shape, place, length):
-    distance, gradient, hessian = signed_distance(shape, place[None])
-    measured, direction, bend = signed_distance(scaled(shape, length), place[None] / length)
+    distance, gradient, hessian = shape.signed_distance(place[None])
+    measured, direction, bend = shape.scaled(length).signed_distance(place[None] / length)
     assert measured * length == pytest.approx(distance, abs=1e-14)
     assert direction == pytest.approx(gradient, abs=1e-14)
     assert bend / length == pytest.approx(hessian, rel=1e-12)
-
-
-def test_scaled_triangles():
-    tent = RigidSurface(points=np.eye(3) * 0.004, triangles=np.array([[0, 1, 2]]), name="tent")
-    small = scaled(tent, 0.002)
-    assert small.points.tolist() == (2 * np.eye(3)).tolist()
-    assert small.name == "tent"

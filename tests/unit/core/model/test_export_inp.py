@@ -159,6 +159,11 @@ def test_what_has_no_form_is_refused(tmp_path, mesh, changed, facts):
     assert not (tmp_path / "finger.inp").exists()
 
 
+def test_a_face_that_is_moved_by_lengths_is_refused_as_such(tmp_path, mesh):
+    with refused("'fixed'", "(0.001, 0.0, 0.0)"):
+        write_inp(question(mesh, supports=[Displacement("fixed", (1e-3, 0, 0))]), tmp_path / "finger.inp")
+
+
 def test_wrong_settings(tmp_path, mesh):
     with refused("ansys", "abaqus, calculix"):
         write_inp(question(mesh), tmp_path / "a.inp", program="ansys")

@@ -16,10 +16,10 @@ from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSur
 from turgor.core.model.supports import Fixed
 from turgor.core.results.drive import pressures_in
 from turgor.core.results.fields.contact import contact_results, drawn_obstacles, extents_of, place_of
-from turgor.core.results.fields.obstacle_shapes import outline
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.vtu import write_series, write_state
 from turgor.core.results.measures.measures import measure
+from turgor.core.setups.grasped_object import BetweenFingers
 from turgor.core.solvers.solution import Touch
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
@@ -110,7 +110,7 @@ SOLID = {
 def test_outlines_are_closed_face_outward_and_hold_the_volume(name):
     shape, expected = SOLID[name]
     place = np.array([10.0, 0, 0])
-    points, triangles = outline(shape, place, EXTENT)
+    points, triangles = shape.outline(place, EXTENT)
     edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
     assert (np.unique(edges, axis=0, return_counts=True)[1] == 2).all()
     assert volume(points, triangles) == pytest.approx(expected, rel=2e-3)  # 96 straight pieces around a circle
@@ -120,21 +120,21 @@ def test_outlines_are_closed_face_outward_and_hold_the_volume(name):
 
 def test_what_has_no_end_is_drawn_a_little_beyond_the_actuator():
     tilted = Plane(point=(3, 2, 1), normal=(1, 2, 2))
-    points, triangles = outline(tilted, np.array([0, 0, 1e-3]), EXTENT)
+    points, triangles = tilted.outline(np.array([0, 0, 1e-3]), EXTENT)
     np.testing.assert_allclose((points - [3, 2, 1.001]) @ tilted.normal, 0, atol=1e-12)
     a, b, c = points[triangles[0]]
     assert np.cross(b - a, c - a) @ tilted.normal > 0
-    flat, _ = outline(Plane(point=(3, 2, -1 * mm), normal=(0, 0, 1)), NOWHERE, EXTENT)
+    flat, _ = Plane(point=(3, 2, -1 * mm), normal=(0, 0, 1)).outline(NOWHERE, EXTENT)
     assert (flat[:, :2].min(axis=0) < EXTENT[0, :2]).all()
     assert (flat[:, :2].max(axis=0) > EXTENT[1, :2]).all()
     assert np.ptp(flat, axis=0).max() < 1.5 * 40 * mm
-    bar, _ = outline(Cylinder(center=(7, 0, 0), axis=(1, 0, 0), radius=1 * mm), NOWHERE, EXTENT)
+    bar, _ = Cylinder(center=(7, 0, 0), axis=(1, 0, 0), radius=1 * mm).outline(NOWHERE, EXTENT)
     assert (bar[:, 0].min(), bar[:, 0].max()) == pytest.approx((-6 * mm, 46 * mm))
 
 
 def test_a_rigid_surface_is_drawn_as_it_is():
     surface = RigidSurface(points=np.eye(3), triangles=np.array([[0, 1, 2]]))
-    points, triangles = outline(surface, np.array([0, 0, 2.0]), EXTENT)
+    points, triangles = surface.outline(np.array([0, 0, 2.0]), EXTENT)
     np.testing.assert_array_equal(points, np.eye(3) + [0, 0, 2])
     assert triangles is surface.triangles
 
@@ -185,8 +185,10 @@ def test_room_of_the_actuator_and_of_the_face_that_may_touch():
 
 
 def test_mirror_planes_between_fingers_are_no_bodies():
-    between = Obstacle(name="between_fingers_1", shape=Plane(point=(0, 0, 0), normal=(0, 0, 1)))
-    assert [each.name for each in drawn_obstacles(question(GROUND, between))] == ["ground"]
+    between = BetweenFingers(name="between_fingers_1", shape=Plane(point=(0, 0, 0), normal=(0, 0, 1)))
+    bar = Obstacle(name="between_fingers_bar", shape=Sphere(center=(0, 0, 0), radius=1 * mm))
+    drawn = drawn_obstacles(question(GROUND, between, bar))
+    assert [each.name for each in drawn] == ["ground", "between_fingers_bar"]  # a name makes no plane
 
 
 # --- files for ParaView ------------------------------------------------------------------------------------------
@@ -279,7 +281,7 @@ def test_an_obstacle_beside_the_mirror_plane_has_an_image():
     for obstacle, copies in ((BALL, 1), (aside, 2)):
         at = StateFields(cases.state(question(obstacle)))
         skin = obstacle_skin(at, extents_of([at]))
-        points, _ = outline(obstacle.shape, NOWHERE, EXTENT)
+        points, _ = obstacle.shape.outline(NOWHERE, EXTENT)
         assert len(skin.points) == copies * len(points)
         np.testing.assert_allclose(np.linalg.norm(skin.normals, axis=1), 1)
     assert obstacle_skin(StateFields(cases.state(question())), {}) is None

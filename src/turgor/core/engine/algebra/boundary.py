@@ -10,29 +10,22 @@ from turgor.core.engine.algebra.cyclic import CyclicPairs
 from turgor.core.engine.algebra.multipoint import UNTIED, MultiPoint
 from turgor.core.engine.algebra.node_frames import NodeFrames
 from turgor.core.engine.algebra.rings import AXIAL, TANGENTIAL, rings_of
-from turgor.core.engine.algebra.sections import Section, coordinate_plane, plane_sections
+from turgor.core.engine.algebra.sections import Section, plane_sections
 from turgor.core.engine.points.point_unknowns import Carrier, carriers_of, with_carried
 from turgor.core.engine.points.prescribed_motion import Turned, check_rigid, hold_points, rigid_ties
-from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.model import Model
-from turgor.core.model.supports import (
-    Displacement,
-    Fixed,
-    Radial,
-    Support,
-    Symmetry,
-)
+from turgor.core.model.supports import Support
+from turgor.core.model.supports.radial import ROUND
 from turgor.foundation.errors import TurgorError
-from turgor.units import mm
 
 AXES = "xyz"
 
-#: Largest distance of a node from the cylinder that its face should be, as a share of the radius.
-ROUND = 1e-3
-
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
+
+#: Nodes and normals of a support that fixes none.
+NO_NORMALS = (np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,7 +36,7 @@ class PrescribedComponents:
     ----------
     mask : (n + e, 3) bool array
         Prescribed components along the directions of the nodes: those of the mesh, then those of reference points.
-    moving : tuple of (nodes, axes, Displacement or Turned)
+    moving : tuple of (nodes, axes, Support or Turned)
     frames : NodeFrames
         Nodes whose components are not along x, y and z.
     along_axes : (n + e, 3) bool array
@@ -57,7 +50,7 @@ class PrescribedComponents:
     """
 
     mask: NDArray[np.bool_]
-    moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...]
+    moving: tuple[tuple[Ints, list[int], Support | Turned], ...]
     frames: NodeFrames
     along_axes: NDArray[np.bool_]
     normals: Array
@@ -68,8 +61,8 @@ class PrescribedComponents:
         """Prescribed components (n + e, 3) [m] of points at rest, at a load factor; zero where none is prescribed."""
         out = np.zeros_like(points)
         for nodes, axes, support in self.moving:
-            value = np.asarray(support.value(points[nodes], load_factor), dtype=np.float64)
-            out[nodes[:, None], axes] = np.broadcast_to(value, (len(nodes), 3))[:, axes]
+            moved = support.displacement(points[nodes], load_factor)
+            out[nodes[:, None], axes] = np.broadcast_to(moved, (len(nodes), 3))[:, axes]
         if not len(self.frames.nodes):
             return out
         moved = np.einsum("ki,ki->k", self.normals, out[self.frames.nodes])
@@ -92,15 +85,15 @@ def prescribed_components(model: Model) -> PrescribedComponents:
     carriers = carriers_of(model)
     mask = np.zeros((len(model.mesh.points) + sum(each.count for each in carriers), 3), dtype=bool)
     by_point = {each.point.name: each for each in carriers}
-    moving: list[tuple[Ints, list[int], Displacement | Turned]] = []
+    moving: list[tuple[Ints, list[int], Support | Turned]] = []
     mirrored = np.zeros_like(mask)
     for support in model.supports:
-        if not isinstance(support, Fixed | Displacement | Symmetry):
+        axes = support.components(model.mesh)
+        if not axes:
             continue
-        nodes = _nodes(model, support, by_point)
-        axes = _axes(model.mesh, support)
-        (mirrored if isinstance(support, Symmetry) else mask)[nodes[:, None], axes] = True
-        if isinstance(support, Displacement):
+        nodes = _nodes(model, support.place, by_point)
+        (mirrored if support.mirror else mask)[nodes[:, None], axes] = True
+        if support.moves:
             moving.append((nodes, axes, support))
     radial, sections = radial_normals(model), plane_sections(model)
     check_rigid(carriers, mask, np.concatenate([radial[0], *(section.nodes for section in sections)]))
@@ -117,10 +110,10 @@ def prescribed_components(model: Model) -> PrescribedComponents:
     return _with_rigid(prescribed, carriers)
 
 
-def _nodes(model: Model, support: Fixed | Symmetry | Displacement, points: Mapping[str, Carrier]) -> Ints:
-    if support.face in points:
-        return np.array([points[support.face].node])
-    return np.unique(outer_triangles(model.mesh)) if support.face == "*" else model.mesh.face_nodes(support.face)
+def _nodes(model: Model, place: str, points: Mapping[str, Carrier]) -> Ints:
+    if place in points:
+        return np.array([points[place].node])
+    return np.unique(outer_triangles(model.mesh)) if place == "*" else model.mesh.face_nodes(place)
 
 
 def _with_rigid(prescribed: PrescribedComponents, carriers: tuple[Carrier, ...]) -> PrescribedComponents:
@@ -152,8 +145,8 @@ def _with_cyclic(
     prescribed = replace(prescribed, mask=local, frames=frames, along_axes=along, normals=normals, ties=ties)
     points = with_carried(model.mesh.points, carriers)
     for nodes, _, support in prescribed.moving:
-        if isinstance(support, Displacement):
-            pairs.check_moved(np.where(local, prescribed.values(points, 1.0), 0.0), nodes, support.face)
+        if not isinstance(support, Turned):
+            pairs.check_moved(np.where(local, prescribed.values(points, 1.0), 0.0), nodes, support.place)
     local.ravel()[ties.followers] = True
     return prescribed
 
@@ -161,7 +154,7 @@ def _with_cyclic(
 def _around_axis(
     model: Model,
     mask: NDArray[np.bool_],
-    moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...],
+    moving: tuple[tuple[Ints, list[int], Support | Turned], ...],
     sections: tuple[Section, ...],
     carriers: tuple[Carrier, ...],
 ) -> PrescribedComponents:
@@ -192,10 +185,10 @@ def _around_axis(
     for nodes, _, support in moving:
         swept = prescribed.values(with_carried(model.mesh.points, carriers), 1.0)[nodes]
         across = np.abs(swept[:, TANGENTIAL]).max(initial=0.0)
-        if isinstance(support, Displacement) and across > ROUND * np.abs(swept).max():
+        if not isinstance(support, Turned) and across > ROUND * np.abs(swept).max():
             raise TurgorError(
-                f"Displacement of '{support.face}': it moves the face around the axis or across it, which an "
-                "axisymmetric mesh cannot follow; move it along the axis, or use another kind of cells."
+                f"{type(support).__name__} of '{support.place}': it moves the face around the axis or across it, "
+                "which an axisymmetric mesh cannot follow; move it along the axis, or use another kind of cells."
             )
     local.ravel()[ties.followers] = True
     return prescribed
@@ -203,7 +196,7 @@ def _around_axis(
 
 def _with_normals(
     mask: NDArray[np.bool_],
-    moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...],
+    moving: tuple[tuple[Ints, list[int], Support | Turned], ...],
     radial: tuple[Ints, Array],
     sections: tuple[Section, ...],
 ) -> PrescribedComponents:
@@ -246,7 +239,7 @@ def _ties(mask: NDArray[np.bool_], turned: Ints, sections: tuple[Section, ...]) 
 
 
 def radial_normals(model: Model) -> tuple[Ints, Array]:
-    """Find the nodes (k,) whose radius is fixed, and the outward normals (k, 3) of their cylinders at rest.
+    """Find the nodes (k,) that are fixed along normals, such as a fixed radius, and these normals (k, 3) at rest.
 
     Parameters
     ----------
@@ -258,47 +251,12 @@ def radial_normals(model: Model) -> tuple[Ints, Array]:
     """
     normal_at: dict[int, Array] = {}
     for support in model.supports:
-        if not isinstance(support, Radial):
-            continue
-        nodes = model.mesh.face_nodes(support.face)
-        for node, normal in zip(nodes.tolist(), _cylinder_normals(model.mesh.points[nodes], support), strict=True):
+        nodes, normals = support.normals(model.mesh) or NO_NORMALS
+        for node, normal in zip(nodes.tolist(), normals, strict=True):
             if node in normal_at and abs(float(normal_at[node] @ normal)) < 1 - 1e-6:
-                raise TurgorError(f"Radial of '{support.face}': it meets another cylinder whose radius is fixed.")
+                raise TurgorError(
+                    f"{type(support).__name__} of '{support.place}': it meets another face that is fixed along its "
+                    "normal, such as a cylinder whose radius is fixed."
+                )
             normal_at[node] = normal
     return np.array(list(normal_at), dtype=np.int64), np.array(list(normal_at.values())).reshape(-1, 3)
-
-
-def _cylinder_normals(points: Array, support: Radial) -> Array:
-    """Normals of the cylinder on which points lie; its center comes from a fit of a circle."""
-    axis = np.asarray(support.axis, dtype=np.float64)
-    if not np.linalg.norm(axis) > 0:
-        raise TurgorError(f"Radial of '{support.face}': axis is a zero vector; give for example (1, 0, 0).")
-    axis /= np.linalg.norm(axis)
-    across = np.linalg.svd(axis[None])[2][1:]  # two unit vectors across the axis
-    flat = points @ across.T
-    middle = flat.mean(axis=0)
-    terms = np.column_stack([2 * (flat - middle), np.ones(len(flat))])
-    solved = np.linalg.lstsq(terms, ((flat - middle) ** 2).sum(axis=1), rcond=None)[0]
-    arm = flat - middle - solved[:2]
-    radii = np.linalg.norm(arm, axis=1)
-    radius = float(radii.mean())
-    off = float(np.abs(radii - radius).max())
-    if off > ROUND * radius:
-        raise TurgorError(
-            f"Radial of '{support.face}': a node lies {off / mm:.3g} mm off the cylinder around {support.axis} "
-            f"that fits best, of radius {radius / mm:.4g} mm; the face must be that of one cylinder."
-        )
-    return np.asarray((arm / radii[:, None]) @ across)
-
-
-def _axes(mesh: Mesh, support: Support) -> list[int]:
-    if isinstance(support, Symmetry):
-        return [coordinate_plane(mesh, support.face, "a mirror plane")]
-    assert isinstance(support, Fixed | Displacement)
-    unknown = set(support.directions) - set(AXES)
-    if unknown or not support.directions:
-        raise TurgorError(
-            f"{type(support).__name__} of '{support.face}': directions is '{support.directions}'; "
-            "allowed are the letters x, y and z."
-        )
-    return [AXES.index(letter) for letter in support.directions]

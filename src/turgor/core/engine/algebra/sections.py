@@ -5,9 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
-from turgor.core.model.supports import PlaneSection
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 
@@ -66,21 +64,12 @@ def plane_sections(model: Model) -> tuple[Section, ...]:
     """
     sections: list[Section] = []
     for support in model.supports:
-        if not isinstance(support, PlaneSection):
+        axis = support.section_axis(model.mesh)
+        if axis is None:
             continue
-        axis = coordinate_plane(model.mesh, support.face, "a plane section")
-        section = Section(support.face, model.mesh.face_nodes(support.face), axis)
+        section = Section(support.place, model.mesh.face_nodes(support.place), axis)
         for other in sections:
             if other.axis == axis and np.intersect1d(other.nodes, section.nodes).size:
                 raise TurgorError(f"PlaneSection of '{section.face}': it shares nodes with '{other.face}'; keep one.")
         sections.append(section)
     return tuple(sections)
-
-
-def coordinate_plane(mesh: Mesh, face: str, what: str) -> int:
-    """Return the number of the axis along the normal of a face that must be a coordinate plane."""
-    extent = np.ptp(mesh.points[mesh.face_nodes(face)], axis=0)
-    axis = int(extent.argmin())
-    if extent[axis] > ROUND_OFF.mesh_digits * extent.max():
-        raise TurgorError(f"face '{face}' is not a coordinate plane; {what} must be one.")
-    return axis

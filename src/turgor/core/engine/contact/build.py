@@ -9,13 +9,12 @@ from numpy.typing import NDArray
 from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
-from turgor.core.engine.contact.shapes import scaled
 from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, strangers
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.contact import SELF
 from turgor.core.model.drive import pressed_together
 from turgor.core.model.model import Model
-from turgor.core.model.obstacles import Obstacle, Plane, RigidSurface
+from turgor.core.model.obstacles import Obstacle, Plane
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 
@@ -105,11 +104,11 @@ def build_parts(
         if obstacle.stiffness is not None:
             chosen = _stiff(chosen, obstacle.stiffness * length / stress)
         unknown = bodies.unknowns[bodies.names.index(obstacle.name)] if obstacle.name in bodies.names else -1
-        shape = scaled(obstacle.shape, length)
-        if isinstance(shape, RigidSurface):
-            parts.append(_triangles(obstacle, shape, chosen, points, unknown))
+        triangles = obstacle.shape.surface()
+        if triangles is not None:
+            parts.append(_triangles(obstacle, (triangles[0] / length, triangles[1]), chosen, points, unknown))
         else:
-            parts.append(ShapePart(obstacle.name, chosen, shape, obstacle, unknown))
+            parts.append(ShapePart(obstacle.name, chosen, obstacle.shape.scaled(length), obstacle, unknown))
         parts[-1].elastic_slip = _over(obstacle.elastic_slip, length)
     return parts
 
@@ -230,10 +229,12 @@ def _mirror(mesh: Mesh, name: str, surface: Surface, points: Array) -> list[Pair
     return [ShapePart(SELF, stiff, plane, None, -1)]
 
 
-def _triangles(obstacle: Obstacle, shape: RigidSurface, surface: Surface, points: Array, unknown: int) -> PairPart:
+def _triangles(
+    obstacle: Obstacle, shape: tuple[Array, Ints], surface: Surface, points: Array, unknown: int
+) -> PairPart:
     """A rigid body of triangles, cut to the size of the sides that it meets."""
     size = float(np.sqrt(surface.weights.sum(axis=1)).mean())
-    corners, triangles = refined(shape.points, shape.triangles, 2 * size)
+    corners, triangles = refined(*shape, 2 * size)
     sides, nodes = six_nodes(corners, triangles)
     if len(sides) > CONTACT_SEARCH.most_triangles:
         raise TurgorError(

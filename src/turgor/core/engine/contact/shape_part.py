@@ -7,22 +7,21 @@ from turgor.core.engine.contact.closest import points_of
 from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.part import Gaps, SearchMode, Ties, dofs, nodal
 from turgor.core.engine.contact.points_part import PointsPart
-from turgor.core.engine.contact.shapes import Formula, signed_distance
 from turgor.core.engine.contact.surface import Surface
-from turgor.core.model.obstacles import Obstacle
+from turgor.core.model.obstacles import Obstacle, RigidShape
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 
 class ShapePart(PointsPart):
-    """Contact of a surface with a plane, a sphere, a cylinder or a box.
+    """Contact of a surface with a plane, a sphere, or another shape whose distance is a formula.
 
     Parameters
     ----------
     name : str
     surface : Surface
-    shape : Plane, Sphere, Cylinder or Box
+    shape : RigidShape
         Scaled.
     obstacle : Obstacle or None
         What moves it; None for a mirror plane, which stays.
@@ -30,7 +29,7 @@ class ShapePart(PointsPart):
         First of its three unknowns where a spring holds it, −1 otherwise.
     """
 
-    def __init__(self, name: str, surface: Surface, shape: Formula, obstacle: Obstacle | None, unknown: int) -> None:
+    def __init__(self, name: str, surface: Surface, shape: RigidShape, obstacle: Obstacle | None, unknown: int) -> None:
         super().__init__(name, surface, 0.0 if obstacle is None else obstacle.friction, 1.0)
         self.shape, self.obstacle, self.unknown = shape, obstacle, unknown
 
@@ -45,7 +44,7 @@ class ShapePart(PointsPart):
         """Measure the gap of every point."""
         s = self.surface
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)
-        gap, _, _ = signed_distance(self.shape, (x - place).reshape(-1, 3))
+        gap, _, _ = self.shape.signed_distance((x - place).reshape(-1, 3))
         zero = np.zeros(x.shape[:2], dtype=np.int64)
         at = np.zeros((*x.shape[:2], 2))
         return Gaps(x, normal, growth, zero, at, gap.reshape(x.shape[:2]), place)
@@ -72,7 +71,7 @@ class ShapePart(PointsPart):
     def _press_tangents(self, position: Array, gaps: Gaps) -> Ties:
         points = gaps.touching
         i, q = points.T
-        gap, gradient, hessian = signed_distance(self.shape, gaps.x[i, q] - gaps.place)
+        gap, gradient, hessian = self.shape.signed_distance(gaps.x[i, q] - gaps.place)
         matrices = gradient[:, :, None] * gradient[:, None, :] + gap[:, None, None] * hessian
         matrices *= (self._springs(points, gaps.partner[i, q]) * self._weights(points))[:, None, None]
         return self._tied(points, gaps.partner[i, q], self._shares(points, gaps.at[i, q]), matrices)
@@ -81,7 +80,7 @@ class ShapePart(PointsPart):
         return np.asarray(gaps.x[a.points[:, 0], a.points[:, 1]] - gaps.place)
 
     def _normals(self, position: Array, gaps: Gaps, points: Ints) -> Array:
-        return signed_distance(self.shape, gaps.x[points[:, 0], points[:, 1]] - gaps.place)[1]
+        return self.shape.signed_distance(gaps.x[points[:, 0], points[:, 1]] - gaps.place)[1]
 
     def _key(self, side: Ints, partner: Ints) -> Ints:
         return side

@@ -21,7 +21,7 @@ from turgor.core.geometry.wedge import Wedge
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
 from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
-from turgor.core.model.supports import Support, Symmetry
+from turgor.core.model.supports import Support
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
@@ -144,7 +144,7 @@ def carriers_of(model: Model) -> tuple[Carrier, ...]:
     TurgorError
         If a point lies off a mirror plane that cuts its face, or the face has no size.
     """
-    mirrors = tuple(each.face for each in model.supports if isinstance(each, Symmetry))
+    mirrors = tuple(each.place for each in model.supports if each.mirror)
     bearings = {each.point: each for each in model.supports if _is_bearing(each)}
     carriers, node = [], len(model.mesh.points)
     for point in model.points.values():

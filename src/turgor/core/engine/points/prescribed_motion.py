@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from turgor.core.engine.points.point_unknowns import Carrier
 from turgor.core.model.model import Model
 from turgor.core.model.points import Hinge, Rotation
-from turgor.core.model.supports import Displacement
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
@@ -27,7 +26,7 @@ class Turned:
     rotation: Rotation
     radius: float
 
-    def value(self, points: Array, load_factor: float) -> Array:
+    def displacement(self, points: Array, load_factor: float) -> Array:
         """Change of the arrows (3, 3) [m], one in each row; r θ (1, 3) [m] where the axis may tilt."""
         if self.rotation.tilts:
             return np.array([[self.radius * self.rotation.angle_at(load_factor), 0.0, 0.0]])
@@ -87,11 +86,11 @@ def _check_mirror(carrier: Carrier, rotation: Rotation) -> None:
 
 def _check_moves(model: Model, carrier: Carrier) -> None:
     for each in model.supports:
-        if not isinstance(each, Displacement) or each.face != carrier.point.name:
+        if not each.moves or each.place != carrier.point.name:
             continue
-        end = np.broadcast_to(each.value(carrier.at[None], 1.0), (1, 3))[0]
+        end = np.broadcast_to(each.displacement(carrier.at[None], 1.0), (1, 3))[0]
         for axis in carrier.kept:
-            if "xyz"[axis] in each.directions and end[axis]:
+            if "xyz"[axis] in each.prescribed[1] and end[axis]:
                 why = "a mirror plane" if axis in carrier.mirrored else "a wedge"
                 raise TurgorError(
                     f"displacement of '{carrier.point.name}': {end[axis] / mm:.4g} mm along {'xyz'[axis]} has no "

@@ -6,11 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.model.loads.load import DeckRows
 from turgor.core.model.model import Model
 from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
-from turgor.core.model.supports import Displacement, Fixed, Shift, Symmetry
 from turgor.foundation.errors import TurgorError
 from turgor.units import N, mm
 
@@ -93,8 +92,8 @@ def _check(point: ReferencePoint, program: str) -> None:
 def _mirrored(model: Model, face: str) -> dict[int, float]:
     planes, nodes = {}, model.mesh.face_nodes(face)
     for support in model.supports:
-        if isinstance(support, Symmetry) and np.isin(nodes, model.mesh.face_nodes(support.face)).any():
-            points = model.mesh.points[model.mesh.face_nodes(support.face)]
+        if support.mirror and np.isin(nodes, model.mesh.face_nodes(support.place)).any():
+            points = model.mesh.points[model.mesh.face_nodes(support.place)]
             axis = int(np.ptp(points, axis=0).argmin())
             planes[axis] = float(points[:, axis].mean())
     return planes
@@ -138,8 +137,8 @@ def fixed_lines(model: Model, points: Mapping[str, InpPoint]) -> Iterator[str]:
         for axis in each.mirrored:
             still |= {k for k in range(3) if k != axis}
         for support in model.supports:
-            if isinstance(support, Fixed) and support.face == each.point.name:
-                fixed |= {"xyz".index(letter) for letter in support.directions}
+            if support.prescribed[0] == each.point.name and not support.moves:
+                fixed |= {"xyz".index(letter) for letter in support.prescribed[1]}
             elif isinstance(support, Hinge) and support.point == each.point.name:
                 still |= _across(support)
             elif isinstance(support, Rotation) and support.point == each.point.name:
@@ -159,37 +158,13 @@ def _across(hinge: Hinge) -> set[int]:
     return across
 
 
-def moves(model: Model, points: Mapping[str, InpPoint]) -> Iterator[DeckRows]:
-    """What moves the points.
-
-    Raises
-    ------
-    TurgorError
-        If a displacement is a function.
-    """
-    for support in model.supports:
-        if isinstance(support, Rotation):
-            each = points[support.point]
-            turn = support.angle * np.array(support.axis) / np.linalg.norm(support.axis)
-            rows = [f"{each.turning}, {each.first + k}, {each.first + k}, {turn[k]:.12g}" for k in range(3) if turn[k]]
-            yield DeckRows("*BOUNDARY", support.history, tuple(rows))
-        elif isinstance(support, Displacement) and support.face in points:
-            each = points[support.face]
-            if not isinstance(support.value, Shift):
-                raise TurgorError(
-                    f"the displacement of '{support.face}' is a function, which has no form in .inp files."
-                )
-            axes = ["xyz".index(letter) for letter in support.directions]
-            ways = [f"{each.node}, {k + 1}, {k + 1}, {support.value.vector[k] / mm:.12g}" for k in axes]
-            yield DeckRows("*BOUNDARY", support.value.history, tuple(ways))
-
-
 @dataclass(frozen=True, slots=True)
 class InpDeck:
     """Names and numbers of a model in a file; see `turgor.core.model.loads.load.Deck`.
 
     Parameters
     ----------
+    mesh : Mesh
     points : mapping of str to InpPoint
     plain : mapping of str to str
         Names of the faces in the file.
@@ -197,6 +172,7 @@ class InpDeck:
         Share of a force on the whole actuator that the modeled part carries.
     """
 
+    mesh: Mesh
     points: Mapping[str, InpPoint]
     plain: Mapping[str, str]
     share: float
@@ -218,6 +194,33 @@ class InpDeck:
         """Rows of a moment [N m] on a reference point, that on the whole actuator."""
         each = self.points[point]
         return _rows(each.turning, each.first, self.share * np.asarray(vector) / mm)
+
+    def fixed(self, face: str, directions: str) -> tuple[str, ...]:
+        """Rows by which a face does not move in directions."""
+        return tuple(f"{self.plain[face]}, {'xyz'.index(axis) + 1}" for axis in sorted(directions))
+
+    def mirror_plane(self, face: str) -> tuple[str, ...]:
+        """Rows of a mirror plane, without the nodes of rigid faces, which follow their points and are not fixed too."""
+        mesh = self.mesh
+        direction = int(np.ptp(mesh.points[mesh.face_nodes(face)], axis=0).argmin()) + 1
+        rigid = [mesh.face_nodes(each.point.face) for each in self.points.values() if each.point.coupling == RIGID]
+        nodes = np.unique(mesh.face(face)[:, : 6 if mesh.cell_type is TETRAHEDRON else 8])
+        left = nodes[~np.isin(nodes, np.concatenate([np.zeros(0, dtype=np.int64), *rigid]))]
+        if len(left) == len(nodes):
+            return (f"{self.plain[face]}, {direction}",)
+        return tuple(f"{node + 1}, {direction}" for node in left.tolist())
+
+    def displaced(self, point: str, vector: ArrayLike, directions: str) -> tuple[str, ...]:
+        """Rows of a displacement [m] of a reference point in directions."""
+        node, values = self.points[point].node, np.asarray(vector) / mm
+        axes = ["xyz".index(letter) for letter in directions]
+        return tuple(f"{node}, {k + 1}, {k + 1}, {values[k]:.12g}" for k in axes)
+
+    def rotated(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
+        """Rows of a rotation vector [rad] of a reference point."""
+        each, turn = self.points[point], np.asarray(vector)
+        axes = [(k, each.first + k) for k in range(3) if turn[k]]
+        return tuple(f"{each.turning}, {number}, {number}, {turn[k]:.12g}" for k, number in axes)
 
 
 def _rows(node: int, first: int, values: Array) -> tuple[str, ...]:

@@ -105,6 +105,18 @@ class Deck(Protocol):
     def moment(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
         """Rows of a moment [N m] on a reference point, that on the whole actuator."""
 
+    def fixed(self, face: str, directions: str) -> tuple[str, ...]:
+        """Rows by which a face does not move in directions."""
+
+    def mirror_plane(self, face: str) -> tuple[str, ...]:
+        """Rows by which a face does not move along its normal."""
+
+    def displaced(self, point: str, vector: Vector, directions: str) -> tuple[str, ...]:
+        """Rows of a displacement [m] of a reference point in directions."""
+
+    def rotated(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
+        """Rows of a rotation vector [rad] of a reference point."""
+
 
 class Load:
     """What acts on an actuator, and all that follows from it; `Pressure`, `Force` and the like inherit it.

@@ -3,17 +3,12 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.model.obstacles.box import Box
-from turgor.core.model.obstacles.cylinder import Cylinder
-from turgor.core.model.obstacles.plane import Plane
-from turgor.core.model.obstacles.rigid_shape import Vector, positive
-from turgor.core.model.obstacles.rigid_surface import RigidSurface
-from turgor.core.model.obstacles.sphere import Sphere
+from turgor.core.model.obstacles.rigid_shape import RigidShape, Vector, in_mm, positive
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import name as name_of
 from turgor.foundation.given import one, vector
@@ -21,9 +16,6 @@ from turgor.units import plain_number
 
 #: Points (load factor, displacement of the obstacle [m]).
 Path = tuple[tuple[float, Vector], ...]
-
-#: Shapes for which contact has the distance to a point.
-Shape = Plane | Sphere | Cylinder | Box | RigidSurface
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,7 +26,8 @@ class Obstacle:
     ----------
     name : str
         What its results are called.
-    shape : Plane, Sphere, Cylinder, Box or RigidSurface
+    shape : RigidShape
+        `Plane`, `Sphere`, `Cylinder`, `Box`, `RigidSurface` or one of your own.
     friction : float [-]
         Coulomb's coefficient, from 0 (frictionless) to 2.
     path : sequence of (float, (3,) floats [m]), optional
@@ -53,6 +46,7 @@ class Obstacle:
 
     Examples
     --------
+    >>> from turgor.core.model.obstacles import Plane
     >>> plate = Obstacle(name="plate", shape=Plane(point=(0, 0, -2e-3), normal=(0, 0, 1)),
     ...                  path=[(0, (0, 0, 0)), (1, (0, 0, 5e-3))])
     >>> plate.displacement(0.5)
@@ -60,7 +54,7 @@ class Obstacle:
     """
 
     name: str
-    shape: Shape
+    shape: RigidShape
     friction: float = 0.0
     path: Path = ()
     spring: float | None = None
@@ -68,10 +62,15 @@ class Obstacle:
     stiffness: float | None = None
     elastic_slip: float | None = None
 
+    #: Whether it is a body that pictures and reports of contact show.
+    drawn: ClassVar[bool] = True
+    #: Names of the measures that a response has by itself; None: the force on it.
+    measures: ClassVar[tuple[str, ...] | None] = None
+
     def __post_init__(self) -> None:
         if not name_of(self.name, "name of an obstacle", "plate").isidentifier():
             raise TurgorError(f"obstacle '{self.name}': a name holds letters, digits and underscores only.")
-        one(self.shape, Shape, f"obstacle '{self.name}': shape", "a shape is needed, such as Plane or Sphere")
+        one(self.shape, RigidShape, f"obstacle '{self.name}': shape", "a shape is needed, such as Plane or Sphere")
         check_friction(f"obstacle '{self.name}'", self.friction)
         for key in ("spring", "stiffness"):
             if getattr(self, key) is not None:
@@ -79,6 +78,38 @@ class Obstacle:
         if self.elastic_slip is not None:
             positive(f"obstacle '{self.name}': elastic_slip", self.elastic_slip)
         object.__setattr__(self, "path", _path(self.name, self.path))
+
+    @property
+    def tip(self) -> str:
+        """Face whose tip it stops; empty of other obstacles."""
+        return ""
+
+    @property
+    def push(self) -> Vector | None:
+        """Unit vector along which a tip pushes on its flat side; None where its shape has none."""
+        normal = self.shape.facing
+        return None if normal is None else (-normal[0], -normal[1], -normal[2])
+
+    def text(self) -> str:
+        """Return shape, place, friction and motion in words.
+
+        Examples
+        --------
+        >>> from turgor.core.model.obstacles import Sphere
+        >>> Obstacle(name="ball", shape=Sphere(center=(0, 0, -5e-3), radius=2e-3), friction=0.3).text()
+        'ball: sphere of radius 2 mm around (0, 0, -5) mm; with friction 0.3.'
+        """
+        said = [self.shape.text(), friction_text(self.friction)]
+        if self.face is not None:
+            said.append(f"touches {self.face} only")
+        if self.path:
+            way = self.path if any(self.path[0][1]) else self.path[1:]
+            said.append("moved by " + ", ".join(f"{in_mm(to)} at load factor {factor:g}" for factor, to in way))
+        if self.spring is not None:
+            said.append(f"supported by a spring of {self.spring:g} N/m")
+        if self.tip and self.push is not None:
+            said.append(push_text(self.push))
+        return f"{self.name}: {'; '.join(said)}."
 
     def displacement(self, load_factor: float) -> NDArray[np.float64]:
         """Return how far its path has moved it at a load factor, (3,) [m]."""
@@ -100,6 +131,8 @@ class Plate(Obstacle):
     """
 
     tip: str = "tip"
+
+    measures = ("blocked_force", "bearing_distance")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -126,6 +159,26 @@ class SelfContact:
             positive("self_contact: stiffness", self.stiffness, "")
         if self.elastic_slip is not None:
             positive("self_contact: elastic_slip", self.elastic_slip)
+
+
+def push_text(direction: Vector) -> str:
+    """Return the direction in which a tip is blocked, which is that of a positive blocked force, in words.
+
+    Examples
+    --------
+    >>> push_text((0.0, 0.0, -1.0))
+    'the blocked force is positive along -z'
+    """
+    axis = int(np.abs(direction).argmax())
+    straight = max(map(abs, direction)) > 1 - 1e-9
+    listed = ", ".join(f"{part:.4g}" for part in direction)
+    along = f"{'+' if direction[axis] > 0 else '-'}{'xyz'[axis]}" if straight else f"({listed})"
+    return f"the blocked force is positive along {along}"
+
+
+def friction_text(friction: float) -> str:
+    """Return a coefficient of friction in words."""
+    return f"with friction {friction:g}" if friction else "without friction"
 
 
 def check_friction(what: str, friction: float) -> None:

@@ -5,13 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.model.obstacles.rigid_shape import RigidShape
+from turgor.core.model.obstacles.rigid_shape import Array, Ints
+from turgor.core.model.obstacles.triangulated_shape import TriangulatedShape
 from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class RigidSurface(RigidShape):
+class RigidSurface(TriangulatedShape):
     """A rigid body given by triangles, for instance from an STL file (`read_rigid`).
 
     Parameters
@@ -26,6 +27,8 @@ class RigidSurface(RigidShape):
     points: NDArray[np.float64]
     triangles: NDArray[np.int64]
     name: str = "triangles"
+
+    in_job_files = False
 
     __repr__ = brief
 
@@ -44,3 +47,7 @@ class RigidSurface(RigidShape):
     def text(self) -> str:
         """Return the number of triangles and the name."""
         return f"{len(self.triangles):,} triangles of {self.name}"
+
+    def surface(self) -> tuple[Array, Ints]:
+        """Return the points and the triangles."""
+        return self.points, self.triangles

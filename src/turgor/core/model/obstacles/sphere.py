@@ -4,8 +4,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from turgor.core.model.obstacles.rigid_shape import SAME, RigidShape, Vector, across, in_mm, positive
+from turgor.core.model.obstacles.distances import from_center
+from turgor.core.model.obstacles.outlines import rounded_block
+from turgor.core.model.obstacles.rigid_shape import (
+    SAME,
+    Array,
+    Distances,
+    Ints,
+    RigidShape,
+    Vector,
+    across,
+    in_mm,
+    positive,
+)
 from turgor.foundation.given import vector
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import mm
 
 
@@ -35,3 +48,13 @@ class Sphere(RigidShape):
     def turned(self, axis: int, center: Vector) -> bool:
         """Whether its center is on the axis."""
         return bool(np.allclose(across(self.center, axis), across(center, axis), atol=SAME))
+
+    def signed_distance(self, points: Array) -> Distances:
+        """Compute the distance from the center, less the radius."""
+        length, out, bend = from_center(points - np.array(self.center), np.eye(3), ROUND_OFF.zero * self.radius)
+        return length - self.radius, out, bend
+
+    def outline(self, place: Array, extent: Array) -> tuple[Array, Ints]:
+        """Return triangles of the ball."""
+        points, triangles = rounded_block(np.full(3, self.radius), self.radius)
+        return points + self.center + place, triangles

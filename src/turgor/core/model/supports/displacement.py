@@ -5,13 +5,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from turgor.core.model.history import RAMP, History, checked, share_at
-from turgor.core.model.supports.support import Support, check_directions
+from turgor.core.model.loads.load import Deck, DeckRows
+from turgor.core.model.supports.support import Array, Support, check_directions
+from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantities, name, vector
-
-Array = NDArray[np.float64]
 
 #: Displacement of points [m] at a load factor.
 Move: TypeAlias = Callable[[Array, float], Array]
@@ -64,6 +63,34 @@ class Displacement(Support):
         """History of a `Shift`."""
         return self.value.history if isinstance(self.value, Shift) else None
 
+    @property
+    def shift(self) -> tuple[float, float, float]:
+        """Vector of a `Shift` [m].
+
+        Raises
+        ------
+        TurgorError
+            If a function says where the face moves.
+        """
+        if not isinstance(self.value, Shift):
+            raise TurgorError(f"the displacement of '{self.face}' is a function, which has no form in a file.")
+        return self.value.vector
+
+    def displacement(self, points: Array, load_factor: float) -> Array:
+        """Return the value."""
+        return np.asarray(self.value(points, load_factor), dtype=np.float64)
+
+    def boundary_rows(self, deck: Deck) -> tuple[str, ...]:
+        """Refuse: only reference points are moved in .inp files."""
+        raise TurgorError(
+            f"the displacement of '{self.face}', {self.shift} m, has no form in .inp files, where only reference "
+            "points are moved; give the face one."
+        )
+
+    def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
+        """Return the rows of a `Shift` of a reference point."""
+        return (DeckRows("*BOUNDARY", self.way or RAMP, deck.displaced(self.face, self.shift, self.directions)),)
+
     def text(self) -> str:
         """Return the sentence of a report."""
         return f"{'The whole surface' if self.face == '*' else self.face} moved in {', '.join(self.directions)}."
@@ -115,19 +142,19 @@ class ContinuedMove:
 
     Parameters
     ----------
-    old : Displacement
+    old : Support
     factor : float
         Load factor at which the old move ended.
     new : Displacement or None
     """
 
-    old: Displacement
+    old: Support
     factor: float
     new: Displacement | None
 
     def __call__(self, points: Array, load_factor: float) -> Array:
         """Displacement [m] of points at a load factor."""
-        left = np.asarray(self.old.value(points, self.factor))
+        left = np.asarray(self.old.displacement(points, self.factor))
         if self.new is None:
             return left
         there, begun = self.new.value(points, load_factor), self.new.value(points, 0.0)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from turgor.core.model.loads.load import Deck
 from turgor.core.model.supports.displacement import Displacement, Shift
 from turgor.core.model.supports.support import Support, check_directions
 from turgor.foundation.given import name
@@ -34,6 +35,14 @@ class Fixed(Support):
     def text(self) -> str:
         """Return the sentence of a report."""
         return f"{self.face} does not move in {', '.join(self.directions)}."
+
+    def boundary_rows(self, deck: Deck) -> tuple[str, ...]:
+        """Return a row for each direction."""
+        return deck.fixed(self.face, self.directions)
+
+    def job_text(self) -> str:
+        """Return the directions."""
+        return self.directions
 
     def as_moved(self) -> Displacement:
         """Return a displacement of zero."""

@@ -1,13 +1,26 @@
-"""Support: the base of all supports, with what follows from one.
+"""Support: the base of all supports, with everything that follows from one.
 
-A support is a frozen dataclass that inherits `Support`. As a load does, it answers what models, stages and reports need
-to know; what it leaves out has the default that stands here.
+A support is a frozen dataclass that inherits `Support`, in a file of its own. As a load does, it answers what the
+equations, models, stages, measures, reports, job files and other programs need to know; nothing else asks for its
+class. What it leaves out has the default that stands here.
 """
 
+from collections.abc import Mapping
 from typing import Any, ClassVar
 
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import History
+from turgor.core.model.loads.load import Deck, DeckRows
 from turgor.foundation.errors import TurgorError
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: A face is plane when its nodes lie nearer to a plane than this share of its size.
+FLAT = 1e-6
 
 
 class Support:
@@ -27,6 +40,12 @@ class Support:
     jumps: ClassVar[bool] = True
     #: Whether it may move an actuator, which then works on what moves it.
     moves: ClassVar[bool] = False
+    #: Whether it is a mirror plane, in which reference points and rigid faces may lie.
+    mirror: ClassVar[bool] = False
+    #: Whether a section takes it; what is no mirror plane fixes the place of the section.
+    in_sections: ClassVar[bool] = False
+    #: Texts that state it in ``[supports]`` of a job file, with the values of its fields besides the face.
+    job_texts: ClassVar[Mapping[str, Mapping[str, Any]]] = {}
 
     @property
     def place(self) -> str:
@@ -59,9 +78,35 @@ class Support:
         """History of what it prescribes; None where nothing is moved, or a function says where."""
         return None
 
+    @property
+    def push(self) -> tuple[float, float, float] | None:
+        """Unit vector along which a tip pushes on what measures its force; None of other supports."""
+        return None
+
+    @property
+    def measures(self) -> tuple[str, ...]:
+        """Names of the measures of contact and blocked tips that a response has by itself."""
+        return ()
+
     def text(self) -> str:
         """Return the sentence of a report."""
         return f"{type(self).__name__} of {self.place}."
+
+    def components(self, mesh: Mesh) -> list[int]:
+        """Return the axes along which the displacement of its face or point is prescribed."""
+        return ["xyz".index(letter) for letter in self.prescribed[1]]
+
+    def displacement(self, points: Array, load_factor: float) -> Array:
+        """Return the prescribed displacement (n, 3) [m] of points at rest; its components count. Only if it `moves`."""
+        return np.zeros_like(points)
+
+    def normals(self, mesh: Mesh) -> tuple[Ints, Array] | None:
+        """Return nodes (k,) and the unit vectors (k, 3) along which they do not move; None where there are none."""
+        return None
+
+    def section_axis(self, mesh: Mesh) -> int | None:
+        """Return the axis along which all nodes of its face move by the same free amount; None of other supports."""
+        return None
 
     def as_moved(self) -> "Support":
         """Return a support that later stages can move: a displacement of zero for a face that is fixed."""
@@ -78,6 +123,37 @@ class Support:
             What replaces it.
         """
         return self
+
+    def boundary_rows(self, deck: Deck) -> tuple[str, ...]:
+        """Return the rows of ``*BOUNDARY`` in an .inp file by which a face stays fixed; not called for points.
+
+        Raises
+        ------
+        TurgorError
+            If it has no form there.
+        """
+        raise TurgorError(f"{self.label} has no form in .inp files; leave it out.")
+
+    def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
+        """Return the rows in the first step of an .inp file by which it moves a reference point."""
+        return ()
+
+    def job_text(self) -> str:
+        """Return how ``[supports]`` of a job file states it."""
+        kind: Any = type(self)
+        for text, values in self.job_texts.items():
+            if kind(self.place, **values) == self:
+                return text
+        raise TurgorError(f"{self.text().rstrip('.')}: this has no form in a job file.")
+
+
+def coordinate_plane(mesh: Mesh, face: str, what: str) -> int:
+    """Return the number of the axis along the normal of a face that must be a coordinate plane."""
+    extent = np.ptp(mesh.points[mesh.face_nodes(face)], axis=0)
+    axis = int(extent.argmin())
+    if extent[axis] > FLAT * extent.max():
+        raise TurgorError(f"face '{face}' is not a coordinate plane; {what} must be one.")
+    return axis
 
 
 def check_directions(directions: object, what: str) -> None:

@@ -10,7 +10,6 @@ from turgor.core.model.contact import SELF
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle
 from turgor.core.results.fields.state_fields import StateFields
-from turgor.core.setups.grasped_object import BETWEEN
 from turgor.core.solvers.solution import State
 from turgor.foundation.display import brief
 
@@ -99,7 +98,7 @@ def place_of(at: StateFields, obstacle: Obstacle) -> Array:
 
 def drawn_obstacles(model: Model) -> tuple[Obstacle, ...]:
     """Return the obstacles that are bodies: all but the mirror planes between the fingers of a grasp."""
-    return tuple(each for each in model.contact.obstacles if not each.name.startswith(BETWEEN))
+    return tuple(each for each in model.contact.obstacles if each.drawn)
 
 
 def extents_of(states: Iterable[StateFields]) -> dict[str, Array]:

@@ -7,11 +7,10 @@ from numpy.typing import NDArray
 
 from turgor.core.model.contact import SELF
 from turgor.core.model.model import Model
-from turgor.core.model.obstacles import Obstacle, Plane, Plate
+from turgor.core.model.obstacles import Obstacle
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measure import Measure
-from turgor.core.setups.blocked_tip import FixedTip
-from turgor.core.setups.grasped_object import BETWEEN, Grasped
+from turgor.core.setups.grasped_object import Grasped
 from turgor.core.setups.setup_values import PLATE
 from turgor.core.solvers.checks.plate import bearing_distance as distance_from_tip
 from turgor.core.solvers.solution import Solution
@@ -61,20 +60,12 @@ def contact_measures_of(solution: Solution) -> tuple[Measure, ...]:
     tuple of Measure
         None where nothing can touch and nothing is blocked.
     """
-    chosen: list[Measure] = []
     model = solution.model
-    obstacles, tip = model.contact.obstacles, _fixed_tip(model)
-    if tip is not None or any(isinstance(each, Plate) for each in obstacles):
-        chosen.append(blocked_force)
-    if any(isinstance(each, Plate) for each in obstacles):
-        chosen.append(bearing_distance)
-    if tip is not None and len(tip.directions) > 1:
-        chosen += [_component(axis) for axis in tip.directions]
-    if any(isinstance(each, Grasped) for each in obstacles):
-        chosen += [pull_distance, grip_force, holding_force]
-    for obstacle in obstacles:
-        if not (isinstance(obstacle, Plate | Grasped) or obstacle.name.startswith(BETWEEN)):
-            chosen.append(force_on(obstacle.name))
+    obstacles = model.contact.obstacles
+    names = dict.fromkeys(name for support in model.supports for name in support.measures)
+    names |= dict.fromkeys(name for each in obstacles for name in each.measures or ())
+    chosen = [_NAMED[name] for name in names]
+    chosen += [force_on(each.name) for each in obstacles if each.measures is None]
     if model.contact.obstacles or any(state.touches for state in solution.states):
         chosen += [contact_area, maximum_contact_pressure, deepest_penetration]
     return tuple(chosen)
@@ -87,7 +78,7 @@ def _obstacle(model: Model, name: str) -> Obstacle:
             return obstacle
     if not model.contact.obstacles:
         raise TurgorError(
-            f"the model has no obstacle '{name}'{near_match(f'{name}_force', _NAMES) or ': it has no obstacles.'}"
+            f"the model has no obstacle '{name}'{near_match(f'{name}_force', _NAMED) or ': it has no obstacles.'}"
         )
     raise unknown("obstacle", name, [obstacle.name for obstacle in model.contact.obstacles])
 
@@ -108,26 +99,21 @@ def _area_on(at: StateFields, name: str) -> float:
     return 0.0 if touch is None else at.mesh.symmetry_factor * touch.area
 
 
-def _fixed_tip(model: Model) -> FixedTip | None:
-    return next((support for support in model.supports if isinstance(support, FixedTip)), None)
-
-
 def _push(at: StateFields) -> tuple[Array, Array]:
     """Force of the tip on what stops it, of the whole actuator [N], and the direction in which it pushes, (3,) each."""
-    tip = _fixed_tip(at.model)
-    if tip is not None:
-        force = np.zeros(3)
-        axes = ["xyz".index(letter) for letter in tip.directions]
-        force[axes] = _force_on_gauge(at, tip.face)[axes]
-        return at.facts.of_whole(force), np.array(tip.push)
-    plates = [each for each in at.model.contact.obstacles if each.name == PLATE and isinstance(each.shape, Plane)]
-    if not plates:
+    for support in at.model.supports:
+        if support.push is not None:
+            face, directions = support.prescribed
+            force, axes = np.zeros(3), ["xyz".index(letter) for letter in directions]
+            force[axes] = _force_on_gauge(at, face)[axes]
+            return at.facts.of_whole(force), np.array(support.push)
+    pushes = [each.push for each in at.model.contact.obstacles if each.name == PLATE and each.push is not None]
+    if not pushes:
         raise TurgorError(
             "nothing stops the tip: the model has neither a plane obstacle 'plate' nor a fixed tip; make it "
             "with setups.blocked_force."
         )
-    assert isinstance(plates[0].shape, Plane)
-    return _force_on(at, PLATE), -np.array(plates[0].shape.normal)
+    return _force_on(at, PLATE), np.array(pushes[0])
 
 
 def _force_on_gauge(at: StateFields, face: str) -> Array:
@@ -144,7 +130,7 @@ def _blocked_force(at: StateFields) -> float:
 
 
 def _bearing_distance(at: StateFields) -> float:
-    plate = next((each for each in at.model.contact.obstacles if isinstance(each, Plate)), None)
+    plate = next((each for each in at.model.contact.obstacles if each.tip), None)
     if plate is None:
         raise TurgorError("no plate stops the tip; make the model with setups.blocked_force.")
     touch = at.state.touches.get(plate.name)
@@ -219,5 +205,5 @@ pull_distance = Measure(
     name="pull_distance", unit="mm", function=_pull_distance, definition="how far the object has been pulled",
 )  # fmt: skip
 
-#: Names of the measures above, for messages.
-_NAMES = tuple(each.name for each in list(globals().values()) if isinstance(each, Measure))
+#: The measures above by their names.
+_NAMED = {each.name: each for each in list(globals().values()) if isinstance(each, Measure)}

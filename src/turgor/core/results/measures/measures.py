@@ -15,7 +15,6 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.proximity import smallest_gap as smallest_gap_between
 from turgor.core.model.drive import common_pressure, pressures_at
 from turgor.core.model.model import Model
-from turgor.core.model.supports import Fixed
 from turgor.core.results.drive import stage_column
 from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
@@ -309,9 +308,10 @@ def _reaction(at: StateFields) -> float:
     """Sum the forces along the directions in which the supports Fixed and Radial hold each node."""
     fixed = np.zeros(at.mesh.points.shape, dtype=bool)
     for support in at.model.supports:
-        if isinstance(support, Fixed) and support.face in at.mesh.faces:
-            nodes = at.mesh.face_nodes(support.face)
-            for direction in support.directions:
+        face, directions = support.prescribed
+        if not support.moves and face in at.mesh.faces:
+            nodes = at.mesh.face_nodes(face)
+            for direction in directions:
                 fixed[nodes, "xyz".index(direction)] = True
     nodes, normals = radial_normals(at.model)
     if not fixed.any() and not len(nodes):

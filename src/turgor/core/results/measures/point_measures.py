@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.points.motion import PointMotion
 from turgor.core.model.model import Model
-from turgor.core.model.supports import Fixed
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measure import Measure
 from turgor.core.results.measures.rotations import twist
@@ -114,9 +113,10 @@ def fixed_points_force(at: StateFields) -> Array:
     """Sum of the forces of supports on reference points that are `Fixed`, along these directions, (3,) [N]."""
     total = np.zeros(3)
     for support in at.model.supports:
-        if isinstance(support, Fixed) and support.face in at.state.points:
-            axes = ["xyz".index(letter) for letter in support.directions]
-            total[axes] += at.state.points[support.face].force[axes]
+        point, directions = support.prescribed
+        if not support.moves and point in at.state.points:
+            axes = ["xyz".index(letter) for letter in directions]
+            total[axes] += at.state.points[point].force[axes]
     return total
 
 

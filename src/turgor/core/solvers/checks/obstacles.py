@@ -3,12 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.contact.shapes import signed_distance
-from turgor.core.geometry.cad.surface.crossing import winding
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.model import Model
-from turgor.core.model.obstacles import Obstacle, RigidSurface
+from turgor.core.model.obstacles import Obstacle
 from turgor.core.solvers.checks.settings import OBSTACLES
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm
@@ -76,20 +74,14 @@ def _cavity_around(mesh: Mesh, obstacle: Obstacle) -> str | None:
 
 def _nearest(obstacle: Obstacle, points: Array, load_factor: float) -> int:
     """Which of some points is nearest to an obstacle at a load factor."""
-    here, shape = points - obstacle.displacement(load_factor), obstacle.shape
-    if not isinstance(shape, RigidSurface):
-        return int(signed_distance(shape, here)[0].argmin())
-    corners = shape.points[shape.triangles].mean(axis=1)
-    from scipy.spatial import cKDTree  # here: few models have an obstacle in a cavity
-
-    return int(cKDTree(corners).query(here)[0].argmin())
+    return obstacle.shape.nearest(points - obstacle.displacement(load_factor))
 
 
 def _overlap(mesh: Mesh, obstacle: Obstacle) -> Finding | None:
     nodes = mesh.face_nodes(obstacle.face) if obstacle.face is not None else _outside(mesh)
     allowed = OBSTACLES.touching * float(np.ptp(mesh.points, axis=0).max())
     places = mesh.points[nodes]
-    depth = _depths(obstacle, places - obstacle.displacement(0.0), allowed)
+    depth = obstacle.shape.depths(places - obstacle.displacement(0.0), allowed)
     inside = depth > allowed
     if not inside.any():
         return None
@@ -111,15 +103,3 @@ def _outside(mesh: Mesh) -> Ints:
     hidden = [corner_keys(mesh.faces[name], count) for name in (*mesh.cavities, *mesh.cut_faces)]
     keys = np.concatenate([np.zeros(0, dtype=np.int64), *hidden])
     return np.unique(outer[~np.isin(corner_keys(outer, count), keys)])
-
-
-def _depths(obstacle: Obstacle, points: Array, allowed: float) -> Array:
-    """How deep points lie in an obstacle that has not moved; inf inside triangles, where it is not known."""
-    shape = obstacle.shape
-    if not isinstance(shape, RigidSurface):
-        return -signed_distance(shape, points)[0]
-    low, high = shape.points.min(axis=0) + allowed, shape.points.max(axis=0) - allowed
-    near = np.flatnonzero(((points > low) & (points < high)).all(axis=1))
-    depth, corners = np.zeros(len(points)), shape.points[shape.triangles]
-    depth[near] = [np.inf if winding(points[node], corners) > 0.5 else 0.0 for node in near]
-    return depth

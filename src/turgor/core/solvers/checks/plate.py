@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.drive import drive_text
 from turgor.core.model.model import Model
-from turgor.core.model.obstacles import Plane, Plate
+from turgor.core.model.obstacles import Obstacle
 from turgor.core.solvers.checks.settings import PLATE
 from turgor.core.solvers.solution import State, Touch
 from turgor.foundation.finding import Finding, Severity
@@ -17,13 +17,13 @@ from turgor.units import mm
 Array = NDArray[np.float64]
 
 
-def bearing_distance(mesh: Mesh, plate: Plate, touch: Touch) -> float:
+def bearing_distance(mesh: Mesh, plate: Obstacle, touch: Touch) -> float:
     """Return how far from the tip a plate is touched: the mean over the force, on the actuator at rest [m].
 
     Parameters
     ----------
     mesh : Mesh
-    plate : Plate
+    plate : Obstacle
     touch : Touch
         Of the plate in one state.
 
@@ -55,14 +55,14 @@ def plate_findings(model: Model, states: Sequence[State]) -> tuple[Finding, ...]
     tuple of Finding
         None where no plate stops a tip.
     """
-    plates = [each for each in model.contact.obstacles if isinstance(each, Plate) and isinstance(each.shape, Plane)]
+    plates = [each for each in model.contact.obstacles if each.tip and each.push]
     findings = (
         _never_touched(model, each, states) or _other_than_tip(model, each, states[-1]) for each in plates if states
     )
     return tuple(each for each in findings if each is not None)
 
 
-def _never_touched(model: Model, plate: Plate, states: Sequence[State]) -> Finding | None:
+def _never_touched(model: Model, plate: Obstacle, states: Sequence[State]) -> Finding | None:
     if any(plate.name in state.touches and state.touches[plate.name].area > 0 for state in states):
         return None
     gaps = [_gap(model, plate, state, plate.face or plate.tip) for state in states]
@@ -77,7 +77,7 @@ def _never_touched(model: Model, plate: Plate, states: Sequence[State]) -> Findi
     )
 
 
-def _other_than_tip(model: Model, plate: Plate, state: State) -> Finding | None:
+def _other_than_tip(model: Model, plate: Obstacle, state: State) -> Finding | None:
     """Compare the place at which a plate is touched with that of the tip, at rest."""
     mesh, touch = model.mesh, state.touches.get(plate.name)
     away = float("nan") if touch is None else bearing_distance(mesh, plate, touch)
@@ -101,20 +101,16 @@ def _other_than_tip(model: Model, plate: Plate, state: State) -> Finding | None:
     )
 
 
-def _gap(model: Model, plate: Plate, state: State, face: str) -> float:
+def _gap(model: Model, plate: Obstacle, state: State, face: str) -> float:
     """Distance of the plate from the foremost point of a face [m]; negative where it penetrates."""
-    assert isinstance(plate.shape, Plane)
-    push, moved = _push(plate), plate.displacement(state.load_factor)
-    nodes = model.mesh.face_nodes(face)
-    foremost = float(((model.mesh.points[nodes] + state.displacement[nodes]) @ push).max())
-    return float((np.array(plate.shape.point) + moved) @ push) - foremost
+    nodes, moved = model.mesh.face_nodes(face), plate.displacement(state.load_factor)
+    return plate.shape.clearance(model.mesh.points[nodes] + state.displacement[nodes] - moved)
 
 
-def _push(plate: Plate) -> Array:
+def _push(plate: Obstacle) -> Array:
     """The direction in which the tip pushes, (3,)."""
-    assert isinstance(plate.shape, Plane)
-    return -np.array(plate.shape.normal)
+    return np.array(plate.push, dtype=np.float64)
 
 
-def _axis(plate: Plate) -> str:
+def _axis(plate: Obstacle) -> str:
     return "xyz"[int(np.abs(_push(plate)).argmax())]

@@ -88,7 +88,7 @@ def _check_guided(model: Model, procedure: Procedure) -> None:
     """Refuse a guide where the path depends on more than the load."""
     if not procedure.load_control or procedure.duration is not None:
         name = type(procedure).__name__
-        name += f" with a duration of {procedure.duration:g} s" if isinstance(procedure, Static) else ""
+        name += f" with a duration of {procedure.duration:g} s" if procedure.duration is not None else ""
         raise TurgorError(f"guide leads the steps of Static without a duration; the procedure is {name}.")
     for name, each in model.region_materials.items():
         if each.viscoelasticity is not None or each.stress_softening is not None:

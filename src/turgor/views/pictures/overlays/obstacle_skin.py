@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.results.fields.contact import drawn_obstacles, place_of
-from turgor.core.results.fields.obstacle_shapes import outline
 from turgor.core.results.fields.state_fields import ITSELF, MeshFacts, MirrorPlane, StateFields
 from turgor.views.pictures.raycast import Camera, Hits
 from turgor.views.pictures.settings import LOOK, RENDERING
@@ -38,7 +37,7 @@ def obstacle_skin(at: StateFields, extents: Mapping[str, Array]) -> Skin | None:
     """
     skins = []
     for obstacle in drawn_obstacles(at.model):
-        surface = outline(obstacle.shape, place_of(at, obstacle), extents[obstacle.face or ""])
+        surface = obstacle.shape.outline(place_of(at, obstacle), extents[obstacle.face or ""])
         skins.append(_mirrored(_skin(*surface), at.facts))
     return joined(skins) if skins else None
 

@@ -4,12 +4,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from turgor.core.engine.contact.shapes import signed_distance
 from turgor.core.engine.faces.surfaces import area
 from turgor.core.engine.mass import cell_volumes
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
-from turgor.core.model.obstacles import Obstacle, RigidSurface
 from turgor.core.solvers.checks.plausibility.question import Magnitude, Question, shown
 
 
@@ -54,7 +52,8 @@ def obstacle_distance(question: Question) -> Iterator[Magnitude]:
         return
     points = mesh.points[np.unique(outer_triangles(mesh))]
     for each in obstacles:
-        nearest = min(_distance(each, points, factor) for factor, _ in each.path or ((0.0, None),))
+        factors = [factor for factor, _ in each.path] or [0.0]
+        nearest = min(each.shape.clearance(points - each.displacement(factor)) for factor in factors)
         yield Magnitude(f"Obstacle '{each.name}', {shown(max(nearest, 0.0), 'm')} away", nearest / size_of(mesh))
 
 
@@ -78,12 +77,3 @@ def region_volume(mesh: Mesh, name: str | None = None) -> float:
     volumes = cell_volumes(mesh)
     chosen = volumes if name is None else volumes[mesh.regions[name]]
     return float(chosen.sum()) * mesh.symmetry_factor
-
-
-def _distance(obstacle: Obstacle, points: np.ndarray, load_factor: float) -> float:
-    """Distance of an obstacle from the nearest of some points [m]; to the box around triangles."""
-    here, shape = points - obstacle.displacement(load_factor), obstacle.shape
-    if not isinstance(shape, RigidSurface):
-        return float(signed_distance(shape, here)[0].min())
-    low, high = shape.points.min(axis=0), shape.points.max(axis=0)
-    return float(np.linalg.norm(np.maximum(0.0, np.maximum(low - here, here - high)), axis=1).min())
