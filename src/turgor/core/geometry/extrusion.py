@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 
 from turgor.core.geometry.shapes.sections import Outline
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 
 #: Name of an area of a section: a region, a cavity (it begins with ``cavity``), or air around the solids. Air is None
 #: if rules name its walls by their position, and ``"outside"`` if its walls always belong to that face, as in a bore.

@@ -9,7 +9,7 @@ from turgor.core.geometry.extrusion import Sweep
 from turgor.core.geometry.names import cavity_names
 from turgor.core.geometry.packing import PackedShape, packed
 from turgor.core.geometry.shapes.lazy_shape import LateShape
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.geometry.wedge import Wedge
 from turgor.foundation.display import Shown, listed
 from turgor.foundation.errors import TurgorError

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.bodies.groups import groups_of
 
 Array = NDArray[np.float64]

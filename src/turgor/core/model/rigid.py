@@ -135,7 +135,7 @@ def _check(file: Path, points: Array, triangles: Ints) -> None:
             f"'{file}' has triangles that are wound against their neighbors along {int((forward != 1).sum())} edges, "
             f"{_around(points[edges[forward != 1]])}; make its normals consistent and export it again."
         )
-    from turgor.core.geometry.tolerances import TOLERANCE
+    from turgor.core.geometry.shapes.tolerances import TOLERANCE
 
     flat = _heights(points[triangles]) <= TOLERANCE.round_off * float(np.ptp(points, axis=0).max())
     if flat.any():

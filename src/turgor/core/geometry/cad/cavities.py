@@ -9,7 +9,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from turgor.core.geometry.cad.facets import Facets, edge_pairs, flux
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

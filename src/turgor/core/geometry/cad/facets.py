@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry import occ
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]

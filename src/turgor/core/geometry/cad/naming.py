@@ -11,7 +11,7 @@ from turgor.core.geometry.cad.part import Part
 from turgor.core.geometry.cad.selectors import NearestTo, Selector
 from turgor.core.geometry.cad.volumes import measured
 from turgor.core.geometry.names import no_cavity
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import mm

@@ -19,7 +19,7 @@ from turgor.core.geometry.cad.split import SplitPlane, split_bodies
 from turgor.core.geometry.cad.surface.part import body_item, surface_facets, surface_items
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.directions import FileAxes, Vector, rotation_to
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.colors import hexadecimal, parse_color, same_color
 from turgor.core.geometry.directions import AXES, DIRECTIONS, Vector, normalized
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError, near_match
 from turgor.units import plain_number
 

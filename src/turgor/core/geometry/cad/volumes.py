@@ -10,7 +10,7 @@ from turgor.core.geometry import occ
 from turgor.core.geometry.cad.cavities import Hollow, Opening, chains, rim
 from turgor.core.geometry.cad.facets import Facets, Mirror, flux
 from turgor.core.geometry.cad.surface.shape import SurfaceFace
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 
 Array = NDArray[np.float64]
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.facets import Facets
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 
 Array = NDArray[np.float64]
 

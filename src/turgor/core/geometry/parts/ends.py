@@ -5,7 +5,7 @@ from typing import Any
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.names import INTERFACE
 from turgor.core.geometry.shapes.solids import name_plane, name_rest
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 
 
 def name_faces(shape: Any, *, end: float, clamp: float = 0.0, mirrors: str = "") -> None:

@@ -21,8 +21,8 @@ from turgor.core.geometry.shapes.solids import (
     union,
     volume,
 )
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.geometry.sweeps.prisms import layout_sweep
-from turgor.core.geometry.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 

@@ -20,7 +20,7 @@ from turgor.core.geometry.shapes.solids import (
     region_names,
     volume,
 )
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 from turgor.units import m, mm

@@ -2,7 +2,7 @@
 
 from math import atan2, cos, hypot, pi, sin, tan
 
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 
 Point = tuple[float, float]
 

@@ -16,7 +16,7 @@ from turgor.core.geometry.shapes.arcs import (
     split_edge,
 )
 from turgor.core.geometry.shapes.solids import Range
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 

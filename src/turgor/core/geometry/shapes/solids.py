@@ -7,7 +7,7 @@ from typing import Any
 
 from turgor.core.geometry import occ
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 
 Range = tuple[float, float]
 

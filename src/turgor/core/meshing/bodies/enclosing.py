@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.cells import side_type
 
 Array = NDArray[np.float64]

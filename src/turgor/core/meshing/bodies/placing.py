@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry.rules import check_angle, check_length
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.cells import CellType, SideType
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.openings import mirror_planes

@@ -8,7 +8,7 @@ import numpy as np
 
 from turgor.core.geometry.cad_unit import LARGEST_EXTENT, SMALLEST_EXTENT, unit_in_doubt
 from turgor.core.geometry.directions import FileAxes
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.exchange.boundary import Sides, sides_of
 from turgor.core.meshing.exchange.formats.abaqus import read_abaqus

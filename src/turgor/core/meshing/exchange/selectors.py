@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.selectors import SLACK, ByColor, ByName, InBox, NearestTo, Selector, WithNormal
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.exchange.boundary import Sides
 from turgor.core.meshing.exchange.formats.raw import Array, Ints
 from turgor.core.meshing.exchange.node_selectors import ByNodes, BySides

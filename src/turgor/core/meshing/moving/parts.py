@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.moving.curves import Curve, curve_of
 from turgor.core.meshing.moving.surfaces import Surface, surface_of
 from turgor.foundation.errors import TurgorError

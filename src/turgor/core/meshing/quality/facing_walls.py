@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.mesh import TRIANGLE_EDGES
 from turgor.core.meshing.quality.settings import CHUNK, FACING

@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import Mesh

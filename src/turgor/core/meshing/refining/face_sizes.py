@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.refining.split_hexahedra import CELL_EDGES, SIDE_EDGES, refine_hexahedra, sheets
 from turgor.core.meshing.sizing.settings import SIZING

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.shapes.planar import planar_faces
 from turgor.core.geometry.shapes.sections import Outline
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing import netgen
 from turgor.core.meshing.coinciding_points import same_places
 from turgor.core.meshing.silenced_output import captured_output

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from turgor.core.geometry.extrusion import Layer
 from turgor.core.geometry.shapes.arcs import edge_center, edge_radius
 from turgor.core.geometry.shapes.sections import Outline, Point
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.coinciding_points import same_places
 from turgor.core.meshing.sizing.settings import SIZING
 

@@ -12,12 +12,14 @@ class SectionSettings:
     core : float
         Radius of the core around an axis as a share of the smallest radius of the section.
     along_axes, along_diagonal : float
-        The square in the core of a disc reaches this share of the radius along the axes, and between them.
+        The square in the core of a disc, as at the end of an extending cylinder, reaches this share of the radius along
+        the axes, and between them.
     good_pair : float
-        Triangles are joined where the sine of the worst corner is above this: corners between 37° and 143°.
+        Triangles are joined where the sine of the worst corner is above this: corners between 37° and 143°. Sections of
+        omnidirectional actuators, joints and trapezoidal PneuNets change at half and double.
     flat_corner, longest_per_gap : float
         Sections with a flatter corner than this sine are meshed again with shorter cells between near edges: their
-        triangles are at most so many times as long as these edges are apart.
+        triangles are at most so many times as long as these edges are apart. The revolute joint needs them.
     """
 
     core: float = 0.5

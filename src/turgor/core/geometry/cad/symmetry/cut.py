@@ -14,7 +14,7 @@ from turgor.core.geometry.cad.symmetry.find import MirrorPlane, PartSymmetry, fi
 from turgor.core.geometry.cad.symmetry.modeled_share import Modeled
 from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
 from turgor.core.geometry.cad.symmetry.wedges import cut_to_wedge, requested_wedge, smaller_wedge
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 

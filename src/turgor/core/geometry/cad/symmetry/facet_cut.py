@@ -13,7 +13,7 @@ from turgor.core.geometry.cad.surface.repair import manifold
 from turgor.core.geometry.cad.surface.shape import SurfaceFace, SurfaceShape
 from turgor.core.geometry.cad.symmetry.find import MirrorPlane, PartSymmetry
 from turgor.core.geometry.cad.symmetry.settings import SYMMETRY
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]

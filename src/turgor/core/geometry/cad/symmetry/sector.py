@@ -10,7 +10,7 @@ from turgor.core.geometry import occ
 from turgor.core.geometry.cad.facets import find_facets
 from turgor.core.geometry.cad.part import Part, with_shape
 from turgor.core.geometry.cad.symmetry.settings import SYMMETRY
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.geometry.wedge import HIGH, LOW, Wedge
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm

@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 from turgor.core.geometry.child_process import in_child
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.geometry.tolerances import TOLERANCE
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.geometry.wedge import Wedge
 from turgor.core.meshing import netgen
 from turgor.core.meshing.cells import six_node_triangles
