@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class PlotSettings:
-    """Settings of plots: what can be told apart on a page.
+    """Settings of plots: what a reader can distinguish on a page.
 
     Parameters
     ----------

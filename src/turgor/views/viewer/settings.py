@@ -10,7 +10,7 @@ class ViewerSettings:
     Parameters
     ----------
     steps : int
-        Most steps that it shows: more cannot be told apart on a slider.
+        Most steps that it shows: more cannot be distinguished on a slider.
     surface_bytes, inside_bytes : int
         Bytes of all steps before they are packed, about as many as on the page: of the surface, beyond which there are
         fewer steps, and of the tetrahedra inside, beyond which they have no middle nodes, or are left out.
