@@ -26,7 +26,8 @@ class ContactSearchSettings:
     overhang : float
         Foot points may lie this far beyond an edge that joins two sides smoothly, whose kink leaves wedges in front of
         it; beyond a sharp edge there is nothing. Up to there a point keeps its partner: right above a kink, it would
-        change from one side to the other forever. No case changes with three times as much.
+        change from one side to the other forever. No case changes with
+        0.06; with 0.015, "walls meet, one pressed" takes 124 iterations instead of 92.
     smooth : float
         Cosine between the normals of two sides that join smoothly: below 37°. No case changes with 66°, as those of
         actuators are either rounded or sharp.
