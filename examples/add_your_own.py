@@ -54,7 +54,7 @@ class Bladder:
             solid_volume=self.side**3 - hollow,
             regions=("body",),
             faces=("cavity", "fixed", "outside", "tip"),
-            _shape=shape,
+            shape=shape,
         )
 
 

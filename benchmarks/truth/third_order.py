@@ -65,7 +65,7 @@ class Found:
 
 def curved_mesh(case: Any, size: float, order: int, grading: float = 0.5) -> ng.Mesh:
     """Mesh the CAD shape of a case at a size [mm], with cells that are curved to an order."""
-    shape = case.actuator.build()._shape
+    shape = case.actuator.build().shape
     for face in shape.faces:
         if face.name in case.face_sizes:
             face.maxh = min(size, case.face_sizes[face.name])

@@ -16,7 +16,7 @@ FINGER = FastPneuNet(symmetric=False, chambers=3, length=38 * mm)
 
 def finger():
     """A closed fast PneuNet without any name, in one body."""
-    shape = FINGER.build()._shape
+    shape = FINGER.build().shape
     bodies = list(shape.solids)
     joined = (bodies[0] + bodies[1]).UnifySameDomain()
     joined.faces.name = ""

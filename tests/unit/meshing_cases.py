@@ -22,7 +22,7 @@ def named(shape: Any, name: str, wall: float) -> Geometry:
         solid_volume=shape.mass * mm**3,
         regions=("body",),
         faces=tuple(sorted({face.name for face in shape.faces})),
-        _shape=shape,
+        shape=shape,
     )
 
 

@@ -13,14 +13,14 @@ from turgor.core.meshing.quality.cell_quality import cell_volumes
 def areas(geometry: Geometry) -> dict[str, float]:
     """Area of each named face in mm², faces between two solids once."""
     total: dict[str, float] = {}
-    for face in set(geometry._shape.faces):
+    for face in set(geometry.shape.faces):
         total[face.name] = total.get(face.name, 0.0) + face.mass
     return total
 
 
 def assert_cavity_between(geometry: Geometry, name: str, low: tuple[float, ...], high: tuple[float, ...]) -> None:
     """Compare the box around a cavity's faces with corners in mm."""
-    boxes = [face.bounding_box for face in geometry._shape.faces if face.name == name]
+    boxes = [face.bounding_box for face in geometry.shape.faces if face.name == name]
     assert [min(box[0][axis] for box in boxes) for axis in range(3)] == pytest.approx(low, abs=1e-4)
     assert [max(box[1][axis] for box in boxes) for axis in range(3)] == pytest.approx(high, abs=1e-4)
 
@@ -35,7 +35,7 @@ def assert_shape(actuator, *, solid: float, cavities: Mapping[str, float], regio
     assert geometry.smallest_wall == actuator.smallest_wall
     assert set(geometry.regions) == regions
     assert set(geometry.faces) == faces
-    assert all(solid.mass > 0 for solid in geometry._shape.solids)
+    assert all(solid.mass > 0 for solid in geometry.shape.solids)
 
 
 def assert_meshes(actuator, *, size: float, rel: float = 0.02) -> None:

@@ -186,7 +186,7 @@ def drawn(shape, wall: float) -> Geometry:
     return Geometry(
         name="drawn part", smallest_wall=wall, cavity_volumes={}, solid_volume=shape.mass * 1e-9,
         regions=tuple(str(solid.name) for solid in shape.solids),
-        faces=tuple(sorted({str(face.name) for face in shape.faces})), _shape=shape,
+        faces=tuple(sorted({str(face.name) for face in shape.faces})), shape=shape,
     )  # fmt: skip
 
 

@@ -105,7 +105,7 @@ def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[st
     """Names of the files; an error if one of them cannot be written, before any is."""
     names = [f"{job.name}.inp"] if "inp" in kinds else []
     if "step" in kinds:
-        if isinstance(geometry._shape, MeshedShape):
+        if isinstance(geometry.shape, MeshedShape):
             raise TurgorError("the actuator is a mesh, which has no form in STEP files; export it as stl.")
         names.append(f"{job.name}.step")
     if mesh is not None and "stl" in kinds:

@@ -71,7 +71,7 @@ def geometry_on_disk(actuator: Family) -> Geometry | None:
     geometry = _entries(actuator).get(*_key(actuator))
     if not isinstance(geometry, Geometry):
         return None
-    return replace(geometry, _shape=LateShape(build=actuator.build, bounding_box=geometry._shape))
+    return replace(geometry, shape=LateShape(build=actuator.build, bounding_box=geometry.shape))
 
 
 def mesh_on_disk(actuator: Family, settings: MeshSettings) -> Mesh | None:
@@ -116,10 +116,10 @@ def save_family(actuator: Family, geometry: Geometry, settings: MeshSettings, me
     if INSTEAD.get() is not None:
         return
     entries, results = _entries(actuator), check_results(mesh)
-    if not isinstance(geometry._shape, LateShape) and not entries.has(*_key(actuator)):
+    if not isinstance(geometry.shape, LateShape) and not entries.has(*_key(actuator)):
         extent_of(geometry)  # which triangulates the shape: its box is saved as meshing sees it
-        low, high = geometry._shape.bounding_box
-        entries.put(replace(geometry, _shape=(tuple(low), tuple(high))), *_key(actuator))
+        low, high = geometry.shape.bounding_box
+        entries.put(replace(geometry, shape=(tuple(low), tuple(high))), *_key(actuator))
     key = _key(actuator, settings)
     if not entries.has(*key):
         entries.put(mesh, *key)

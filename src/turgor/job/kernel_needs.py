@@ -15,8 +15,8 @@ def kernel_needs(job: Job) -> Needs:
     Whether walls can meet shows in the mesh, so they count as if they could.
     """
     geometry = job.geometry()
-    if isinstance(geometry._shape, MeshedShape):
-        kind = geometry._shape.mesh.cell_type
+    if isinstance(geometry.shape, MeshedShape):
+        kind = geometry.shape.mesh.cell_type
     else:
         kind = cell_type(10 if chosen_cells(geometry, job.mesh) == "tetrahedra" else 27)
     may_touch = job.contact.self_contact is not None or job.contact.obstacles or job.setup is not None

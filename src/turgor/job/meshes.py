@@ -59,8 +59,8 @@ def new_mesh_of(job: Job, geometry: Geometry) -> Mesh:
     -------
     Mesh
     """
-    if isinstance(geometry._shape, MeshedShape):
-        return geometry._shape.mesh
+    if isinstance(geometry.shape, MeshedShape):
+        return geometry.shape.mesh
     return _made(geometry, job.mesh)
 
 

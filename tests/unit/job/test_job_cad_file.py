@@ -135,7 +135,7 @@ def test_the_job_solves_and_bends_towards_its_stiffer_bottom(folder):
 
 
 def test_a_given_name_of_the_file_selects_a_face(tmp_path):
-    cases.written(tmp_path, cases.FINGER.build()._shape, "finger.step")
+    cases.written(tmp_path, cases.FINGER.build().shape, "finger.step")
     text = JOB.replace('fixed = { normal = "-x" }', 'fixed = { name = "fixed" }').replace(
         '[actuator.split]\nthickness = "2 mm"', ""
     )

@@ -47,6 +47,8 @@ class Geometry(Shown):
         (`turgor.core.geometry.child_process`), because it may crash the mesh generator.
     wedge : Wedge, optional
         The sector of the whole that it is, where it is one; its cut faces are ``cyclic_low`` and ``cyclic_high``.
+    shape : netgen.occ.TopoDS_Shape
+        CAD shape, whose solids and faces bear the names of regions and faces.
 
     Examples
     --------
@@ -71,7 +73,7 @@ regions: body, base, faces: cavity, fixed, outside, strain_limiting_layer, symme
     findings: tuple[Finding, ...] = ()
     file: str = ""
     wedge: Wedge | None = None
-    _shape: Any = field(repr=False)
+    shape: Any = field(repr=False)
     _sweep: Sweep | None = field(default=None, repr=False)
 
     def __repr__(self) -> str:
@@ -95,12 +97,12 @@ regions: body, base, faces: cavity, fixed, outside, strain_limiting_layer, symme
     @property
     def _cad(self) -> Any:
         """The CAD shape; it is made now where the geometry was found on disk."""
-        return self._shape.shape() if isinstance(self._shape, LateShape) else self._shape
+        return self.shape.shape() if isinstance(self.shape, LateShape) else self.shape
 
     @property
     def bounds(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Lowest and highest corner of the bounding box [m]."""
-        low, high = self._shape.bounding_box
+        low, high = self.shape.bounding_box
         scale = self.length_scale
         return (low[0] * scale, low[1] * scale, low[2] * scale), (high[0] * scale, high[1] * scale, high[2] * scale)
 
@@ -112,14 +114,14 @@ regions: body, base, faces: cavity, fixed, outside, strain_limiting_layer, symme
 
     def __reduce__(self) -> tuple[Callable[..., "Geometry"], tuple[dict[str, Any]]]:
         values = {item.name: getattr(self, item.name) for item in fields(self)}
-        if hasattr(self._shape, "WriteBrep"):  # what comes from a mesh file has no CAD shape
-            values["_shape"] = packed(self._shape)
+        if hasattr(self.shape, "WriteBrep"):  # what comes from a mesh file has no CAD shape
+            values["shape"] = packed(self.shape)
         return _unpacked, (values | {"cavity_volumes": dict(self.cavity_volumes)},)
 
 
 def _unpacked(values: dict[str, Any]) -> Geometry:
-    shape = values["_shape"]
-    return Geometry(**(values | {"_shape": shape.shape() if isinstance(shape, PackedShape) else shape}))
+    shape = values["shape"]
+    return Geometry(**(values | {"shape": shape.shape() if isinstance(shape, PackedShape) else shape}))
 
 
 def check_volume(what: str, measured: float, expected: float) -> None:

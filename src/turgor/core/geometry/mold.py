@@ -115,7 +115,7 @@ def _envelope(sizes: _Sizes, low: float, high: float, around: float = 0.0) -> An
 
 def _air(built: Geometry, sizes: _Sizes) -> tuple[Any, list[Any]]:
     """Split the air above the floor into the cavity, which touches no side of the envelope, and the gaps."""
-    air = _envelope(sizes, sizes.floor_top, sizes.height) - union(list(built._shape.solids))
+    air = _envelope(sizes, sizes.floor_top, sizes.height) - union(list(built.shape.solids))
     inside: list[Any] = []
     gaps: list[Any] = []
     for solid in air.solids:
@@ -183,5 +183,5 @@ def _geometry(title: str, name: str, shape: Any) -> Geometry:
         solid_volume=volume(shape),
         regions=(name,),
         faces=("outside",),
-        _shape=shape,
+        shape=shape,
     )

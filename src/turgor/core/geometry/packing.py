@@ -52,8 +52,8 @@ def packed(shape: Any) -> PackedShape:
     --------
     >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
     >>> finger = FastPneuNet(chambers=2, length=20e-3).build()
-    >>> again = packed(finger._shape).shape()
-    >>> [face.name for face in again.faces] == [face.name for face in finger._shape.faces]
+    >>> again = packed(finger.shape).shape()
+    >>> [face.name for face in again.faces] == [face.name for face in finger.shape.faces]
     True
     """
     with TemporaryDirectory() as folder:

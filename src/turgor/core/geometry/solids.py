@@ -161,6 +161,6 @@ def _built(title: str, section: Outline, length: float, mirrors: str, smallest: 
         solid_volume=solid_volume,
         regions=region_names(shape),
         faces=face_names(shape),
-        _shape=shape,
+        shape=shape,
         _sweep=Sweep(layers=layers_of([("body", section, along)]), names=tuple(planes)),
     )

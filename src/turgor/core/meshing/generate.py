@@ -165,7 +165,7 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
     try:
         return in_child(meshing(geometry.name), _meshed, geometry, chosen)
     except TurgorError as error:
-        if geometry.wedge is not None or isinstance(geometry._shape, SurfaceShape) or chosen.cells != "tetrahedra":
+        if geometry.wedge is not None or isinstance(geometry.shape, SurfaceShape) or chosen.cells != "tetrahedra":
             raise
         if len(geometry.regions) > 1:
             raise
@@ -195,7 +195,7 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
         if wide < size and chosen.wall_cells == 1 and not (chosen.cells == "hexahedra" and is_tube(geometry)):
             result = _noting(result, section_finer(size, wide, geometry.smallest_wall))
         return result
-    if isinstance(geometry._shape, SurfaceShape):
+    if isinstance(geometry.shape, SurfaceShape):
         return refine_walls(_enveloped(geometry, chosen, size), chosen.wall_cells)
     result = _following(geometry, chosen, size)
     if chosen.ignore_features_below and has_tiny_edges(geometry, chosen.ignore_features_below):

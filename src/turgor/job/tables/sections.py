@@ -51,7 +51,7 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
     table: MeshTable | None = read_table(MeshTable, values, key, problems)
     if table is None or geometry is None:
         return table
-    if isinstance(geometry._shape, MeshedShape):
+    if isinstance(geometry.shape, MeshedShape):
         if values:
             problems.add(key, "the actuator is a mesh already; leave the table [mesh] out, or mesh the part again.")
         return table.model_copy(update={"size": geometry.extent})

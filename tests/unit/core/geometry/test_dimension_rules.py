@@ -76,5 +76,5 @@ def test_a_cad_volume_that_differs_from_the_dimensions_is_refused() -> None:
 
 
 def test_a_geometry_has_no_shape_in_its_text() -> None:
-    assert "_shape" not in repr(FastPneuNet(chambers=1, length=20 * mm).build())
-    assert "_shape" in Geometry.__slots__
+    assert "shape" not in repr(FastPneuNet(chambers=1, length=20 * mm).build())
+    assert "shape" in Geometry.__slots__

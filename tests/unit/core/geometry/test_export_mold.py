@@ -31,8 +31,8 @@ def overlap(a, b):
 def test_parts_and_casting_do_not_overlap(actuator):
     parts = casting_mold(actuator)
     assert set(parts) == {"cup", "core", "tray"}
-    assert overlap(parts["cup"]._shape, parts["core"]._shape) == pytest.approx(0, abs=1e-6)
-    assert all(len(list(part._shape.solids)) == 1 for part in parts.values())
+    assert overlap(parts["cup"].shape, parts["core"].shape) == pytest.approx(0, abs=1e-6)
+    assert all(len(list(part.shape.solids)) == 1 for part in parts.values())
 
 
 def test_space_between_cup_and_core_is_the_body_above_its_floor(actuator):
@@ -40,7 +40,7 @@ def test_space_between_cup_and_core_is_the_body_above_its_floor(actuator):
     z = actuator.base + actuator.floor
     length = actuator.clamp_length + actuator.length
     block = box((-8 * mm, length + 8 * mm), (-18 * mm, 18 * mm), (z, actuator.height + 8 * mm))
-    casting = block - parts["cup"]._shape - parts["core"]._shape
+    casting = block - parts["cup"].shape - parts["core"].shape
     whole = 2 * actuator.solid_volume - length * actuator.width * z
     duct = np.pi * actuator.inlet_diameter**2 / 4 * (actuator.clamp_length + actuator.end_wall)
     assert sum(solid.mass for solid in casting.solids) == pytest.approx((whole + duct) * 1e9, rel=1e-9)
@@ -53,8 +53,8 @@ def test_parts_come_off_along_z(actuator, part, step):
     z = actuator.base + actuator.floor
     length = actuator.clamp_length + actuator.length
     block = box((0, length), (-actuator.width / 2, actuator.width / 2), (z, actuator.height))
-    casting = block - parts["cup"]._shape - parts["core"]._shape
-    pulled = parts[part]._shape.Move((0, 0, step))
+    casting = block - parts["cup"].shape - parts["core"].shape
+    pulled = parts[part].shape.Move((0, 0, step))
     assert overlap(pulled, casting) == pytest.approx(0, abs=1e-6)
 
 

@@ -44,7 +44,7 @@ def test_the_mesh_has_the_volumes_and_names_of_the_surface(bender):
 
 def test_the_corners_of_the_boundary_lie_on_the_surface(bender):
     part, mesh = bender
-    shape = part._shape
+    shape = part.shape
     surface = Triangles(points=shape.points, triangles=shape.triangles)
     for name, x in (("fixed", 0.0), ("tip", 50.0)):
         assert np.abs(mesh.points[np.unique(mesh.faces[name][:, :3]), 0] / mm - x).max() < 1e-5
@@ -72,7 +72,7 @@ def test_a_face_gets_cells_of_its_own_size(bender):
 
 def test_sizes_grow_away_from_a_face(bender):
     part, _ = bender
-    sizes = background(part._shape, 4.0, {"tip": 1.0}, 0.5)
+    sizes = background(part.shape, 4.0, {"tip": 1.0}, 0.5)
     at = sizes.points[:, 0]
     assert sizes.values[at < 30].min() == 4.0
     assert sizes.values[np.abs(at - 50) < 1].min() == 1.0
@@ -99,12 +99,12 @@ def test_edges_and_corners_of_a_cube():
 
 def test_a_cad_part_is_meshed_by_its_facets(tmp_path):
     tube = ExtendingCylinder(length=30 * mm, symmetric=False).build()
-    tube._shape.WriteStep(str(tmp_path / "tube.step"))
+    tube.shape.WriteStep(str(tmp_path / "tube.step"))
     part = replace(read_cad(tmp_path / "tube.step", faces=ENDS), name="tube")
     mesh = _meshed_by_facets(part, MeshSettings(size=4 * mm, cells="tetrahedra"))
     assert set(mesh.faces) == set(part.faces)
     assert cell_volumes(mesh).sum() == pytest.approx(part.solid_volume, rel=0.015), "facets cut off the curves"
-    assert not isinstance(part._shape, SurfaceShape)
+    assert not isinstance(part.shape, SurfaceShape)
 
 
 def test_nodes_of_a_mirror_plane_lie_on_it():

@@ -54,7 +54,7 @@ def entry(*key: object) -> Path:
 
 def as_text(value: object) -> tuple[str, list[bytes]]:
     """All that a value holds, but for its CAD shape: text, and the bytes of its arrays."""
-    shape = getattr(value, "_shape", None)
+    shape = getattr(value, "shape", None)
     encoder = Encoder(known=lambda each: "shape" if each is shape and shape is not None else None)
     return str(encoder.encode(value)), [
         f"{array.dtype} {array.shape} {array.flags.c_contiguous} {array.flags.writeable}".encode() + array.tobytes()
@@ -69,7 +69,7 @@ def test_what_was_kept_is_found_with_the_same_bits(made, folder):
     save_family(FINGER, geometry, SETTINGS, mesh)
     assert len(list(folder.iterdir())) == 2
     found = geometry_on_disk(FINGER)
-    assert isinstance(found._shape, LateShape)
+    assert isinstance(found.shape, LateShape)
     assert as_text(found) == as_text(geometry)
     assert found.bounds == geometry.bounds
     assert repr(found) == repr(geometry)
@@ -86,16 +86,16 @@ def test_every_family_is_found_as_it_was_built(name, made):
     assert as_text(found) == as_text(geometry)
     assert size_range(found) == size_range(geometry)
     assert repr(found) == repr(geometry)
-    assert found._shape._made is None
+    assert found.shape._made is None
 
 
 def test_the_shape_is_made_when_it_is_asked_for_and_gives_the_same_mesh(made, tmp_path):
     geometry, mesh = made
     save_family(FINGER, geometry, SETTINGS, mesh)
     found = pickle.loads(pickle.dumps(geometry_on_disk(FINGER)))
-    assert found._shape._made is None
+    assert found.shape._made is None
     assert as_text(mesh_with(found, SETTINGS)) == as_text(mesh)
-    assert found._shape._made is not None
+    assert found.shape._made is not None
     write_step(geometry_on_disk(FINGER), tmp_path / "finger.step")
     assert (tmp_path / "finger.step").stat().st_size > 1000
 

@@ -39,7 +39,7 @@ def half_cylinder() -> Geometry:
         solid_volume=volume,
         regions=("body",),
         faces=("fixed", "outside"),
-        _shape=shape,
+        shape=shape,
     )
 
 
@@ -220,7 +220,7 @@ def box_with(faces: tuple[str, ...], regions: tuple[str, ...], volume: float) ->
         solid_volume=volume * mm**3,
         regions=regions,
         faces=faces,
-        _shape=shape,
+        shape=shape,
     )
 
 
@@ -241,7 +241,7 @@ def test_a_part_that_cannot_be_meshed_is_refused_with_the_cause_and_nothing_else
     shape.mat("body")
     shape.faces.name = "outside"
     names = {"regions": ("body",), "faces": ("outside",)}
-    tube = Geometry(name="tube", smallest_wall=9 * mm, cavity_volumes={}, solid_volume=1e-6, _shape=shape, **names)
+    tube = Geometry(name="tube", smallest_wall=9 * mm, cavity_volumes={}, solid_volume=1e-6, shape=shape, **names)
     with refused("'tube'", "8 mm", "overlapping"):
         mesh(tube, size=8 * mm)  # cells so long that those inside and outside meet
     captured = capfd.readouterr()
@@ -265,7 +265,7 @@ def test_arcs_are_meshed_finer_where_the_first_mesh_is_not_sound() -> None:
     shape.mat("body")
     shape.faces.name = "outside"
     names = {"regions": ("body",), "faces": ("outside",), "cavity_volumes": {}}
-    tube = Geometry(name="tube", smallest_wall=3 * mm, solid_volume=shape.mass * mm**3, _shape=shape, **names)
+    tube = Geometry(name="tube", smallest_wall=3 * mm, solid_volume=shape.mass * mm**3, shape=shape, **names)
     made = mesh(tube, size=8 * mm)
     assert cell_volumes(made).sum() == pytest.approx(tube.solid_volume, rel=1e-3)
     assert [finding.code for finding in made.findings] == ["G08"]

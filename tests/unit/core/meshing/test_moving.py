@@ -115,7 +115,7 @@ def test_what_cannot_follow_says_why(tube):
     for name, fact, move in (
         (finger.name, "other faces", lambda: tube.at(finger)),
         ("cylinder, quarter", "CAD vertices", lambda: movable(tube.mesh, finger)),
-        (finger.name, "by facets", lambda: movable(tube.mesh, replace(finger, _shape=object()))),
+        (finger.name, "by facets", lambda: movable(tube.mesh, replace(finger, shape=object()))),
         (finger.name, "hexahedra", lambda: movable(tg.mesh(finger, size=8 * mm, cells="hexahedra"), finger)),
     ):
         with refused(name, fact):

@@ -41,7 +41,7 @@ def room(low, shift=(0.0, 0.0, 0.0)):
         solid_volume=solid,
         regions=("body",),
         faces=names,
-        _shape=shape,
+        shape=shape,
     )
     mesh = tg.mesh(geometry, size=3 * mm)
     return mesh, mesh.points + np.array(shift) * mm
@@ -86,7 +86,7 @@ def test_a_wall_without_a_name_is_no_opening():
         face.name = "cavity" if 2 < face.center.z < 8 and 2 < face.center.x < 8 and 2 < face.center.y < 8 else "outside"
     shape.faces.Max(Z).name = "outside"
     names = {"regions": ("body",), "faces": ("cavity", "outside")}
-    box = Geometry(name="box", smallest_wall=3 * mm, cavity_volumes={}, solid_volume=936 * mm**3, _shape=shape, **names)
+    box = Geometry(name="box", smallest_wall=3 * mm, cavity_volumes={}, solid_volume=936 * mm**3, shape=shape, **names)
     mesh = tg.mesh(box, size=3 * mm)
     top = (mesh.points[mesh.face("cavity")][:, :3, 2] > 6.99 * mm).all(axis=1)
     faces = {

@@ -67,7 +67,7 @@ class Twin:
         one = 16 * 6 * 4 * mm**3
         return Geometry(
             name="twin", smallest_wall=self.wall, cavity_volumes=dict.fromkeys(_VOIDS, one),
-            solid_volume=24 * 10 * 16 * mm**3 - 2 * one, regions=("body",), faces=face_names(shape), _shape=shape,
+            solid_volume=24 * 10 * 16 * mm**3 - 2 * one, regions=("body",), faces=face_names(shape), shape=shape,
         )  # fmt: skip
 
 

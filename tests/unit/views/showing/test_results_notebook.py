@@ -140,7 +140,7 @@ def test_a_geometry_that_was_read_as_a_mesh_shows_its_cells():
     mesh = cases.body(half=True)
     part = Geometry(
         name="a scan", smallest_wall=1e-3, cavity_volumes={}, solid_volume=1e-6, regions=tuple(mesh.regions),
-        faces=tuple(mesh.faces), length_scale=1.0, _shape=MeshedShape(mesh),
+        faces=tuple(mesh.faces), length_scale=1.0, shape=MeshedShape(mesh),
     )  # fmt: skip
     assert len(pictures(part._repr_html_())) == 1
     assert len(repr(part)) < LONGEST

@@ -138,7 +138,7 @@ radii 8 mm and 9 mm.
             solid_volume=self.solid_volume,
             regions=region_names(shape),
             faces=face_names(shape),
-            _shape=shape,
+            shape=shape,
             _sweep=self._sweep(mirrors),
         )
 

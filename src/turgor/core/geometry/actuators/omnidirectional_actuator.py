@@ -178,7 +178,7 @@ of 0.01 mm between them.
             solid_volume=self.solid_volume,
             regions=region_names(shape),
             faces=face_names(shape),
-            _shape=shape,
+            shape=shape,
             _sweep=self._sweep(),
         )
 

@@ -210,7 +210,7 @@ class ParallelBellows:
             solid_volume=self.solid_volume,
             regions=region_names(shape),
             faces=face_names(shape),
-            _shape=shape,
+            shape=shape,
         )
 
     @property

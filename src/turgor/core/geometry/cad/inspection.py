@@ -116,7 +116,7 @@ def inspect_cad(
     >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
     >>> finger = FastPneuNet(chambers=2, length=20e-3, symmetric=False).build()
     >>> with TemporaryDirectory() as folder:
-    ...     finger._shape.WriteStep(str(Path(folder) / "finger.step"))
+    ...     finger.shape.WriteStep(str(Path(folder) / "finger.step"))
     ...     found = inspect_cad(Path(folder) / "finger.step")
     >>> [(body.region, round(body.volume * 1e9)) for body in found.bodies]
     [('body', 3077), ('base', 600)]

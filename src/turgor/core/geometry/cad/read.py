@@ -84,7 +84,7 @@ def read_cad(
     >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
     >>> finger = FastPneuNet(chambers=2, length=20e-3, symmetric=False).build()
     >>> with TemporaryDirectory() as folder:
-    ...     finger._shape.WriteStep(str(Path(folder) / "finger.step"))
+    ...     finger.shape.WriteStep(str(Path(folder) / "finger.step"))
     ...     part = read_cad(Path(folder) / "finger.step")
     >>> part.faces
     ('cavity', 'fixed', 'outside', 'strain_limiting_layer', 'tip')
@@ -172,7 +172,7 @@ def _geometry(path: Path, part: Part, naming: Naming, wall: float) -> Geometry:
         faces=tuple(sorted(set(naming.names))),
         findings=(*part.file.findings, *naming.findings),
         file=str(path),
-        _shape=shape,
+        shape=shape,
     )
 
 

@@ -99,7 +99,7 @@ class Layout:
             solid_volume=self.solid_volume,
             regions=region_names(shape),
             faces=face_names(shape),
-            _shape=shape,
+            shape=shape,
             _sweep=None if self._ducts() else layout_sweep(self._pieces(), self._air(), self._face_names()),
         )
 

@@ -218,7 +218,7 @@ def finished(
         regions=region_names(shape),
         faces=face_names(shape),
         findings=(_OPEN,) if is_open else (),
-        _shape=shape,
+        shape=shape,
     )
 
 

@@ -26,7 +26,7 @@ class LateShape:
     def shape(self) -> Any:
         """Make the CAD shape, once, with the triangulation that the box is that of."""
         if self._made is None:
-            self._made = self.build()._shape
+            self._made = self.build().shape
             self._made.MakeTriangulation()
         return self._made
 

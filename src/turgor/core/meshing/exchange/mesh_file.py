@@ -120,7 +120,7 @@ class MeshFile:
             solid_volume=_enclosed(mesh, outer_triangles(mesh)),
             regions=tuple(mesh.regions),
             faces=tuple(sorted(mesh.faces)),
-            _shape=MeshedShape(mesh),
+            shape=MeshedShape(mesh),
         )
 
 

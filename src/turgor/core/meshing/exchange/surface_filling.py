@@ -115,7 +115,7 @@ def _enveloped(file: Path, shells: Sequence[Triangles], frame: Frame) -> RawMesh
         solid_volume=shape.mass * METERS_PER_CAD_UNIT**3,
         regions=("body",),
         faces=("outside",),
-        _shape=shape,
+        shape=shape,
     )
     made = mesh_with(geometry, MeshSettings())
     block = Block(kind=KINDS["tetrahedron10"], nodes=made.cells)

@@ -136,15 +136,15 @@ def check_features(geometry: Geometry, limit: object, size: float, cells: str) -
             f"mesh ignore_features_below is {float(limit) / mm:.6g} mm; allowed is 0 to {size / mm:.6g} mm, the size "
             "of the mesh."
         )
-    if cells == "hexahedra" or isinstance(geometry._shape, SurfaceShape):
+    if cells == "hexahedra" or isinstance(geometry.shape, SurfaceShape):
         what = "hexahedra of a swept section" if cells == "hexahedra" else "cells in a part that is given by facets"
         raise TurgorError(f"mesh ignore_features_below is given, but {what} are not smaller at rounds; leave it out.")
 
 
 def extent_of(geometry: Geometry) -> float:
     """Longest side [m], the same before and after meshing: a triangulation widens the box around curved faces."""
-    if not isinstance(geometry._shape, SurfaceShape | LateShape):  # the box of a late shape is the wider one
-        geometry._shape.MakeTriangulation()
+    if not isinstance(geometry.shape, SurfaceShape | LateShape):  # the box of a late shape is the wider one
+        geometry.shape.MakeTriangulation()
     return geometry.extent
 
 

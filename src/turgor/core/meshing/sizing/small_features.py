@@ -80,7 +80,7 @@ def small_features(geometry: Geometry, size: float, limit: float | None) -> Smal
     >>> small_features(ExtendingCylinder().build(), 2e-3, None) is None
     True
     """
-    if isinstance(geometry._shape, SurfaceShape) or (limit is None and not geometry.file) or limit == 0:
+    if isinstance(geometry.shape, SurfaceShape) or (limit is None and not geometry.file) or limit == 0:
         return None
     geometry._cad.MakeTriangulation()
     facets, scale = round_facets(geometry._cad), geometry.length_scale

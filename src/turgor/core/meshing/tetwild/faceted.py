@@ -28,7 +28,7 @@ def faceted(geometry: Geometry) -> Geometry:
         face=facets.face,
         faces=tuple(SurfaceFace(name=str(face.name), mass=float(face.mass)) for face in faces),
     )
-    return replace(geometry, _shape=surface, solid_volume=surface.mass * geometry.length_scale**3)
+    return replace(geometry, shape=surface, solid_volume=surface.mass * geometry.length_scale**3)
 
 
 def meshed_by_facets(error: TurgorError, result: Mesh, geometry: Geometry) -> Finding:

@@ -75,6 +75,6 @@ class Sketch(Shown):
             solid_volume=0.0,
             regions=regions,
             faces=(),
-            _shape=None,
+            shape=None,
             _sweep=sweep,
         )

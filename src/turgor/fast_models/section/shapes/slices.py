@@ -73,7 +73,7 @@ def meshed(name: str, regions: tuple[str, ...], sweep: Sweep, layer: Layer, size
     corners = tuple((float(y), float(z)) for y, z in sharp_corners(layer, mirrors))
     fine = Fineness(size=chosen, edge=SECTION_MESH.corner_edge * chosen if corners else None, corners=corners)
     flat = Geometry(
-        name=name, smallest_wall=chosen, cavity_volumes={}, solid_volume=0.0, regions=regions, faces=(), _shape=None
+        name=name, smallest_wall=chosen, cavity_volumes={}, solid_volume=0.0, regions=regions, faces=(), shape=None
     )
     made = assemble(fill(thin, section_of(thin, thin.outlines, fine), fine), flat, thin)
     kept = {region: cells for region, cells in made.regions.items() if len(cells)}

@@ -71,7 +71,7 @@ def test_each_cylinder_has_its_inlet() -> None:
 
 
 def test_the_first_cylinder_lies_above() -> None:
-    faces = RevoluteJoint().build()._shape.faces
+    faces = RevoluteJoint().build().shape.faces
     assert all(face.bounding_box[0][2] > 0 for face in faces if face.name == "cavity_1")
     assert all(face.bounding_box[1][2] < 0 for face in faces if face.name == "cavity_2")
 

@@ -36,7 +36,7 @@ def test_volumes_computed_by_hand(inner, wall, base_height, length, end_wall, sy
     )  # fmt: skip
     in_void = min(max(base_height - wall, 0.0), 2 * inner)
     base = segment(inner + wall, base_height) * length - segment(inner, in_void) * (length - 2 * end_wall)
-    volumes = [solid.mass for solid in bender.build()._shape.solids if solid.name == "base"]
+    volumes = [solid.mass for solid in bender.build().shape.solids if solid.name == "base"]
     assert sum(volumes) == pytest.approx(base / share, rel=1e-9)
 
 

@@ -42,7 +42,7 @@ def ends(turn):
 
 def centers(geometry):
     """Names and centers of all faces [mm], in their order."""
-    return [(face.name, *np.round([*face.center], 6)) for face in geometry._shape.faces]
+    return [(face.name, *np.round([*face.center], 6)) for face in geometry.shape.faces]
 
 
 @pytest.fixture(scope="module")

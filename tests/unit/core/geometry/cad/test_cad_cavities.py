@@ -122,7 +122,7 @@ def test_a_body_without_any_hollow_has_no_cavity():
 
 def test_half_a_finger_is_measured_at_its_mirror_plane(tmp_path):
     half = tg.FastPneuNet(chambers=2, length=20 * mm)
-    shape = half.build()._shape
+    shape = half.build().shape
     for face in shape.faces:
         face.name = ""
     path = cases.written(tmp_path, shape)

@@ -65,7 +65,7 @@ def test_the_part_is_the_same_as_without_a_child(tmp_path):
         (cases.FINGER.cavity_volume / mm**3) + 2 * np.pi * 1.2**2, rel=1e-6
     )
     assert part.file == str(path)
-    assert {face.name for face in part._shape.faces} == set(part.faces)
+    assert {face.name for face in part.shape.faces} == set(part.faces)
     assert [found.code for found in part.findings] == ["D02", "D05"]
 
 

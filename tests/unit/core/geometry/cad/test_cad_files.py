@@ -73,7 +73,7 @@ def test_a_file_in_inches_is_25_times_larger_and_a_given_unit_wins(tmp_path):
 
 
 def test_names_survive_another_unit(tmp_path):
-    shape = cases.FINGER.build()._shape
+    shape = cases.FINGER.build().shape
     path = in_meters(cases.written(tmp_path, shape))
     part = read_cad(path, unit="mm")
     assert part.faces == ("cavity", "fixed", "outside", "strain_limiting_layer", "tip")
@@ -158,7 +158,7 @@ def test_a_closed_stl_becomes_a_body_with_plane_walls(text, tmp_path):
     part = read_cad(path)
     assert part.solid_volume / mm**3 == pytest.approx(2000 - 16 * 36, rel=1e-6)
     assert part.cavity_volume / mm**3 == pytest.approx(16 * 36, rel=1e-6)
-    assert len(part._shape.faces) == 12
+    assert len(part.shape.faces) == 12
     mesh = tg.mesh(part, size=6 * mm)
     assert set(mesh.faces) == {"cavity", "outside"}
     # triangles that turn the other way are the same part

@@ -32,7 +32,7 @@ def block(tmp_path_factory):
 
 def areas(part):
     found = {}
-    for face in dict.fromkeys(part._shape.faces):
+    for face in dict.fromkeys(part.shape.faces):
         found[face.name] = found.get(face.name, 0.0) + face.mass
     return found
 
@@ -93,7 +93,7 @@ def test_selectors_are_checked_when_they_are_made(make, facts):
 
 
 def test_standard_names_of_the_file_are_kept_and_others_are_not(tmp_path):
-    shape = cases.FINGER.build()._shape
+    shape = cases.FINGER.build().shape
     for face in shape.faces:
         if face.name == "outside":
             face.name = "skin of the finger"
@@ -110,8 +110,8 @@ def test_a_plane_splits_off_the_bottom(tmp_path):
     whole = cases.FINGER.build()
     assert areas(part) == pytest.approx(areas(whole), rel=1e-9)
     assert part.cavity_volume == pytest.approx(whole.cavity_volume, rel=1e-9)
-    solids = {solid.name: solid.mass for solid in part._shape.solids}
-    assert solids == pytest.approx({solid.name: solid.mass for solid in whole._shape.solids}, rel=1e-9)
+    solids = {solid.name: solid.mass for solid in part.shape.solids}
+    assert solids == pytest.approx({solid.name: solid.mass for solid in whole.shape.solids}, rel=1e-9)
     named = read_cad(path, split=SplitPlane(position=-5 * mm, normal="-x", below="rear", interface="cut"))
     assert named.regions == ("body", "rear")
     assert "cut" in named.faces
@@ -125,7 +125,7 @@ def test_a_region_that_is_selected_does_not_move_the_split(tmp_path):
     path = cases.written(tmp_path, cases.tube())
     part = read_cad(path, regions={"rubber": NearestTo((0, 0, 0))}, split=SplitPlane(thickness=25 * mm, normal="+x"))
     assert set(part.regions) == {"rubber", "base"}
-    masses = {solid.name: solid.mass for solid in part._shape.solids}
+    masses = {solid.name: solid.mass for solid in part.shape.solids}
     assert masses["base"] == pytest.approx(masses["rubber"], rel=1e-9)
 
 

@@ -27,7 +27,7 @@ def codes(found):
 def test_a_print_is_read_with_its_cavities_and_ends(name, tmp_path):
     made = PRINTS[name]()
     part = read_here(made.write(tmp_path / f"{name}.stl"), faces=ENDS)
-    assert isinstance(part._shape, SurfaceShape)
+    assert isinstance(part.shape, SurfaceShape)
     assert part.solid_volume == pytest.approx(made.solid * mm**3, rel=max(made.tolerance, 1e-6))
     volumes = sorted(part.cavity_volumes.values())
     assert volumes == pytest.approx(sorted(v * mm**3 for v in made.cavities), rel=max(made.tolerance, 1e-6))
@@ -38,7 +38,7 @@ def test_a_print_is_read_with_its_cavities_and_ends(name, tmp_path):
 
 def test_both_ends_of_a_rough_tube_are_whole_faces(tmp_path):
     part = read_here(PRINTS["rough_tube"]().write(tmp_path / "tube.stl"), faces=ENDS)
-    areas = {face.name: face.mass for face in part._shape.faces if face.name in ENDS}
+    areas = {face.name: face.mass for face in part.shape.faces if face.name in ENDS}
     assert areas == pytest.approx(dict.fromkeys(ENDS, np.pi * 64), rel=0.03)
 
 

@@ -85,7 +85,7 @@ def test_a_quarter_is_a_quarter(tmp_path):
 @pytest.mark.slow
 def test_names_stay_and_halves_solve_alike(tmp_path):
     path = tmp_path / "finger.step"
-    FastPneuNet(chambers=2, length=20e-3, symmetric=False).build()._shape.WriteStep(str(path))
+    FastPneuNet(chambers=2, length=20e-3, symmetric=False).build().shape.WriteStep(str(path))
     grip = {"grip": WithNormal("+z")}
     whole, half = (read_cad(path, faces=grip, symmetry=each) for each in ("none", "automatic"))
     assert set(half.faces) - set(whole.faces) == {"symmetry_y"}

@@ -24,7 +24,7 @@ def test_a_print_is_cut_at_its_mirror_planes(name, planes, tmp_path):
     assert part.faces == tuple(sorted([*whole.faces, *(f"symmetry_{letter}" for letter in planes)]))
     assert copies * part.solid_volume == pytest.approx(whole.solid_volume, rel=2e-3)
     assert copies * part.cavity_volumes["cavity"] == pytest.approx(whole.cavity_volumes["cavity"], rel=2e-3)
-    edges = part._shape.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+    edges = part.shape.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
     assert len(np.unique(edges, axis=0)) == len(edges)  # closed, and all normals point outside
     assert set(map(tuple, edges)) == set(map(tuple, edges[:, ::-1]))
     assert "D07" in {found.code for found in part.findings}

@@ -28,7 +28,7 @@ def test_volumes_computed_by_hand(chambers, length, height, floor, symmetric):
 
 
 def test_the_first_cavity_is_above_the_layer_and_the_second_below():
-    faces = set(BidirectionalPneuNet(chambers=2, length=20 * mm).build()._shape.faces)
+    faces = set(BidirectionalPneuNet(chambers=2, length=20 * mm).build().shape.faces)
     assert min(face.center[2] for face in faces if face.name == "cavity_1") == pytest.approx(1.5)
     assert max(face.center[2] for face in faces if face.name == "cavity_2") == pytest.approx(-1.5)
     assert [face.center[2] for face in faces if face.name == "strain_limiting_layer"] == pytest.approx([0.0])

@@ -103,7 +103,7 @@ def test_any_admissible_dimensions_give_the_shape_that_they_say(finger: FastPneu
     assert found["fixed"] == pytest.approx(across * finger.height / mm, rel=1e-9)
     assert found["tip"] == pytest.approx(found["fixed"], rel=1e-9)
     assert found["strain_limiting_layer"] == pytest.approx(across * finger.length / mm, rel=1e-9)
-    assert len(geometry._shape.solids) == 2
+    assert len(geometry.shape.solids) == 2
 
 
 @pytest.mark.parametrize("symmetric", [True, False])

@@ -28,7 +28,7 @@ def test_volumes_computed_by_hand(chambers, length, free, bonded, symmetric):
 
 
 def test_the_layer_covers_the_base_but_is_bonded_to_the_body_only_below_chambers_and_strips():
-    shape = FreeBottomPneuNet(chambers=3, length=30 * mm, symmetric=False).build()._shape
+    shape = FreeBottomPneuNet(chambers=3, length=30 * mm, symmetric=False).build().shape
     body, base = shape.solids
     bonded = sum(face.mass for face in set(body.faces) & set(base.faces))
     layer = sum(face.mass for face in set(base.faces) if face.name == "strain_limiting_layer")
@@ -37,7 +37,7 @@ def test_the_layer_covers_the_base_but_is_bonded_to_the_body_only_below_chambers
 
 
 def test_the_tubes_hang_free_above_the_base():
-    faces = set(FreeBottomPneuNet(chambers=2, length=20 * mm, symmetric=False).build()._shape.faces)
+    faces = set(FreeBottomPneuNet(chambers=2, length=20 * mm, symmetric=False).build().shape.faces)
     below = [f for f in faces if f.name == "outside" and f.mass == pytest.approx(5) and abs(f.center[0] - 10) < 1e-9]
     assert sorted(face.center[2] for face in below) == pytest.approx([3.0, 7.0])  # 1.5 mm above the base of 1.5 mm
 

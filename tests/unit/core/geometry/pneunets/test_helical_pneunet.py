@@ -31,7 +31,7 @@ def test_without_a_slant_it_is_the_whole_fast_pneunet():
 
 @pytest.mark.parametrize("angle", [30 * deg, -25 * deg])
 def test_a_positive_angle_reaches_further_towards_the_tip_at_larger_y(angle):
-    shape = HelicalPneuNet(chambers=2, length=40 * mm, chamber_angle=angle).build()._shape
+    shape = HelicalPneuNet(chambers=2, length=40 * mm, chamber_angle=angle).build().shape
     # the sides of the gap: outside faces through the middle of the actuator, 12 mm high
     sides = [f for f in set(shape.faces) if f.name == "outside" and 18 < f.center[0] < 22 and f.mass > 200]
     sides = [f for f in sides if f.bounding_box[1][2] - f.bounding_box[0][2] > 11 and abs(f.center[1]) < 1]
@@ -90,7 +90,7 @@ def test_longer_ends_take_eleven_chambers_at_large_angles(angle, extension) -> N
     sizes = {"chamber_angle": angle * deg, "end_extension": extension * mm}
     actuator = HelicalPneuNet(**sizes)
     geometry = actuator.build()  # checks both volumes against the dimensions
-    bounds = geometry._shape.bounding_box
+    bounds = geometry.shape.bounding_box
     assert (bounds[1][0] - bounds[0][0]) == pytest.approx(110)
     ranges = actuator._row.chamber_ranges()
     lengths = [(end - start) / mm for start, end in ranges]

@@ -34,7 +34,7 @@ def test_volumes_computed_by_hand(chambers, length, lean, wall, symmetric):
 def test_the_flanks_are_as_thick_as_the_wall():
     wall, lean = 1.5, 10 * deg
     actuator = TrapezoidalPneuNet(chambers=2, length=30 * mm, symmetric=False)
-    flanks = [face for face in actuator.build()._shape.faces if abs(abs(_normal(face)[0]) - cos(lean)) < 1e-6]
+    flanks = [face for face in actuator.build().shape.faces if abs(abs(_normal(face)[0]) - cos(lean)) < 1e-6]
     planes = sorted(
         (_normal(face)[0] > 0, sum(c * n for c, n in zip(face.center, _normal(face), strict=True))) for face in flanks
     )

@@ -74,7 +74,7 @@ def test_volumes_of_rounded_folds_computed_by_hand(folds, inner, outer, wall, pi
 
 @pytest.mark.parametrize("shape", ["rounded", "straight"])
 def test_the_wall_is_as_thick_as_stated(shape) -> None:
-    faces = BellowsOfRevolution(fold_shape=shape, wall=1.3 * mm, folds=1).build()._shape.faces
+    faces = BellowsOfRevolution(fold_shape=shape, wall=1.3 * mm, folds=1).build().shape.faces
     outside = [face for face in faces if face.name == "outside"]
     gaps = [face.Distance(wall) for face in faces if face.name == "cavity" for wall in outside]
     assert min(gaps) == pytest.approx(1.3, rel=1e-6)
@@ -82,7 +82,7 @@ def test_the_wall_is_as_thick_as_stated(shape) -> None:
 
 @pytest.mark.parametrize(("quarter", "lowest"), [(True, 0), (False, -16)])
 def test_the_modeled_part_has_y_and_z_above_the_mirror_planes(quarter, lowest) -> None:
-    shape = BellowsOfRevolution(fold_shape="straight", quarter=quarter).build()._shape
+    shape = BellowsOfRevolution(fold_shape="straight", quarter=quarter).build().shape
     assert all(face.center.y > 0 for face in shape.faces if face.name in ("cavity", "outside"))
     corners = [vertex.p for vertex in shape.vertices]
     assert min(corner.z for corner in corners) == pytest.approx(lowest, abs=1e-6)
@@ -151,7 +151,7 @@ def test_any_admissible_folds_give_the_shape_that_they_say(folds: Folds) -> None
         pitch=folds.pitch, fold_shape=folds.shape, cap=max(folds.wall, 0.1 * mm),
     )  # fmt: skip
     geometry = bellows.build()  # raises if a CAD volume is off by 1e-9
-    assert len(geometry._shape.solids) == 1
+    assert len(geometry.shape.solids) == 1
     assert areas(geometry)["tip"] * mm**2 == pytest.approx(pi / 4 * folds.neck_radius**2, rel=1e-9)
 
 

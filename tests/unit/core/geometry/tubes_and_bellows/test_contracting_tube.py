@@ -23,7 +23,7 @@ def test_volumes_computed_by_hand(inner, wall, length, cap, symmetric):
     faces = FACES | ({"symmetry_y", "symmetry_z"} if symmetric else set())
     solid = (pi * (inner + wall) ** 2 * length - void) / share
     assert_shape(tube, solid=solid, cavities={"cavity": void / share}, regions={"body", "cap"}, faces=faces)
-    ends = [solid.mass for solid in tube.build()._shape.solids if solid.name == "cap"]
+    ends = [solid.mass for solid in tube.build().shape.solids if solid.name == "cap"]
     assert ends == pytest.approx([pi * (inner + wall) ** 2 * cap / share] * 2)
 
 

@@ -55,7 +55,7 @@ def test_volumes_computed_by_hand(shape, count, length, radius, size, wall, web,
 def test_chambers_follow_counterclockwise_from_the_top(symmetric) -> None:
     # seen from the tip, y points to the right: the second chamber lies on the left, the third on the right
     middle = {}
-    for face in OmnidirectionalActuator(symmetric=symmetric).build()._shape.faces:
+    for face in OmnidirectionalActuator(symmetric=symmetric).build().shape.faces:
         low, high = face.bounding_box
         middle.setdefault(face.name, []).append(((low[1] + high[1]) / 2, (low[2] + high[2]) / 2))
     right = "cavity_2" if symmetric else "cavity_3"
@@ -120,7 +120,7 @@ def test_ends_inlets_and_bore() -> None:
 def test_each_inlet_ends_in_its_own_chamber(shape) -> None:
     actuator = OmnidirectionalActuator(chambers=4, chamber_shape=shape, chamber_size=5 * mm, inlet_diameter=1 * mm)
     places = {"cavity_1": (0, 1), "cavity_2": (-1, 0), "cavity_3": (0, -1), "cavity_4": (1, 0)}
-    ducts = [face for face in actuator.build()._shape.faces if face.name in places and face.center.x < 5]
+    ducts = [face for face in actuator.build().shape.faces if face.name in places and face.center.x < 5]
     assert {face.name for face in ducts} == set(places)
     for face in ducts:
         y, z = places[face.name]

@@ -54,7 +54,7 @@ def test_areas_of_the_default_whole() -> None:
 
 def test_the_cylinders_form_an_equilateral_triangle_with_the_first_above() -> None:
     centers = {}
-    for face in ThreeExtenders().build()._shape.faces:
+    for face in ThreeExtenders().build().shape.faces:
         if face.name.startswith("cavity") and face.bounding_box[1][0] - face.bounding_box[0][0] < 1e-3:
             centers[face.name] = complex(face.center.y, face.center.z)
     first, second, third = (centers[f"cavity_{i}"] for i in (1, 2, 3))

@@ -169,7 +169,7 @@ def test_lists_of_nodes_and_sides_name_faces(tmp_path):
         '[materials]\nsolid = { law = "neo_hooke", C10 = "50 kPa" }\n[loads]\npressure = "1 kPa"\n'
     )
     job = tg.jobs.read_job(tmp_path / "job.toml")
-    mesh = job.geometry()._shape.mesh
+    mesh = job.geometry().shape.mesh
     assert np.ptp(mesh.points[:, 0]) == pytest.approx(30 * mm)
     assert mesh.points[mesh.face_nodes("fixed"), 0].max() == 0
     assert [len(mesh.faces[name]) for name in ("fixed", "same", "some")] == [9, 9, 4]

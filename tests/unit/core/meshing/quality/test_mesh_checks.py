@@ -48,7 +48,7 @@ def slab(thickness: float, size: float, bottom: str = "outside") -> Mesh:
     wall = thickness * mm
     volume = 100 * thickness * mm**3
     names = {"regions": ("body",), "faces": tuple({"outside", bottom})}
-    geometry = Geometry(name="slab", smallest_wall=wall, cavity_volumes={}, solid_volume=volume, _shape=shape, **names)
+    geometry = Geometry(name="slab", smallest_wall=wall, cavity_volumes={}, solid_volume=volume, shape=shape, **names)
     return mesh(geometry, size=size * mm)
 
 

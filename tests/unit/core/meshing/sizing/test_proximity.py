@@ -25,7 +25,7 @@ def boxes(*corners: tuple[tuple[float, float, float], tuple[float, float, float]
     volume = sum(float(np.prod(np.subtract(high, low))) for low, high in corners) * mm**3
     thin = min(float(np.subtract(high, low).min()) for low, high in corners) * mm
     names = {"regions": ("body",), "faces": ("outside",)}
-    geometry = Geometry(name="boxes", smallest_wall=thin, cavity_volumes={}, solid_volume=volume, _shape=shape, **names)
+    geometry = Geometry(name="boxes", smallest_wall=thin, cavity_volumes={}, solid_volume=volume, shape=shape, **names)
     return mesh(geometry, size=size * mm)
 
 
@@ -130,7 +130,7 @@ def groove(bottom: float, angle: float) -> Mesh:
     shape.faces.name = "outside"
     volume = shape.mass * mm**3
     names = {"regions": ("body",), "faces": ("outside",)}
-    part = Geometry(name="groove", smallest_wall=2 * mm, cavity_volumes={}, solid_volume=volume, _shape=shape, **names)
+    part = Geometry(name="groove", smallest_wall=2 * mm, cavity_volumes={}, solid_volume=volume, shape=shape, **names)
     return mesh(part, size=3 * mm)
 
 
@@ -164,7 +164,7 @@ def test_the_walls_of_a_rounded_slot_end_in_its_bottom() -> None:
     shape.faces.name = "outside"
     volume = shape.mass * mm**3
     names = {"regions": ("body",), "faces": ("outside",)}
-    part = Geometry(name="slot", smallest_wall=3 * mm, cavity_volumes={}, solid_volume=volume, _shape=shape, **names)
+    part = Geometry(name="slot", smallest_wall=3 * mm, cavity_volumes={}, solid_volume=volume, shape=shape, **names)
     walls = find_facing_walls(mesh(part, size=1.5 * mm))
     assert len(walls.pairs) == 1
     assert smallest_gap(walls) == pytest.approx(2 * mm, rel=1e-3)

@@ -97,7 +97,7 @@ def test_the_mesh_is_the_shape_of_the_dimensions(shape, tolerance: float) -> Non
         assert -enclosed_volume(made.points, walls) == pytest.approx(volume, rel=tolerance)
     found = {name: area(made.points, six_node_triangles(face)) for name, face in made.faces.items()}
     expected: dict[str, float] = {}
-    for face in set(geometry._shape.faces):
+    for face in set(geometry.shape.faces):
         expected[face.name] = expected.get(face.name, 0.0) + face.mass * mm**2
     assert found == pytest.approx(expected, rel=max(tolerance, 1e-8))  # CAD areas of slanted faces are good to 1e-8
     assert tuple(made.regions) == geometry.regions

@@ -119,7 +119,7 @@ def bodies(*shapes, sizes=(3 * mm, 3 * mm)):
         shape.faces.name = "outside"
         part = mesh(
             Geometry(name="part", smallest_wall=2 * mm, cavity_volumes={}, solid_volume=shape.mass * mm**3,
-                     _shape=shape, regions=("body",), faces=("outside",)), size=size,
+                     shape=shape, regions=("body",), faces=("outside",)), size=size,
         )  # fmt: skip
         points.append(part.points)
         cells.append(part.cells + count)
