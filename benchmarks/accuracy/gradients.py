@@ -67,9 +67,9 @@ def main() -> None:
     print(f"run: {run:.1f} CPU s, {told}")
     for measures in (SMOOTH, ALL):
         start = process_time()
-        found = tg.studies.gradient_of_job(job, KEYS, measures, solution=solution, options=options)
+        result = tg.studies.gradient_of_job(job, KEYS, measures, solution=solution, options=options)
         spent = process_time() - start
-        print(f"{found.way}: {spent:.1f} CPU s, {spent / run:.0%} of the run, {found.solves} solutions")
+        print(f"{result.way}: {spent:.1f} CPU s, {spent / run:.0%} of the run, {result.solves} solutions")
 
 
 if __name__ == "__main__":

@@ -131,11 +131,11 @@ def main():
     if shutil.which("ccx") is None:
         sys.exit("CalculiX (ccx) is not installed; on Debian: apt install calculix-ccx")
     plt.rcParams["svg.hashsalt"] = "turgor"
-    found = curves()
-    for name, points in found.items():
+    result = curves()
+    for name, points in result.items():
         cells = " | ".join(f"{bent / deg:.2f}°" for _, bent in points[1:])
         print(f"| {name} | {cells} |{'' if len(points) > len(FACTORS) else ' stops'}")
-    draw(found)
+    draw(result)
 
 
 if __name__ == "__main__":

@@ -98,7 +98,7 @@ def read_wedge() -> Geometry:
 
 def parts() -> dict[str, Part]:
     """All parts by their names."""
-    found = {
+    results = {
         f"print {name}": Part(f"STL, {len(make().corners):,} facets", lambda name=name: read_print(name), PRINT, {})
         for name, make in PRINTS.items()
     }
@@ -107,17 +107,17 @@ def parts() -> dict[str, Part]:
         "lobed bellows, two cells through walls": {"size": 2.5 * mm, "wall_cells": 2},
         "lobed bellows, axisymmetric": {"size": 2 * mm, "cells": "axisymmetric"},
     }.items():
-        found[name] = Part("STEP, quarter", lambda: read_here(LOBED, faces=ENDS | QUARTER), FAMILY, settings)
+        results[name] = Part("STEP, quarter", lambda: read_here(LOBED, faces=ENDS | QUARTER), FAMILY, settings)
     for name, job in JOBS.items():
         stated = tg.jobs.read_job(ROOT / "examples" / job).mesh
         settings = {key: value for key in ("size", "cells") if (value := getattr(stated, key))}
-        found[name] = Part("job of the examples", lambda job=job: read_example(job), FAMILY, settings)
-    found["lobed bellows, wedge of a sixth"] = Part("STEP", read_wedge, FAMILY, {"size": 2 * mm})
+        results[name] = Part("job of the examples", lambda job=job: read_example(job), FAMILY, settings)
+    results["lobed bellows, wedge of a sixth"] = Part("STEP", read_wedge, FAMILY, {"size": 2 * mm})
     for name, kind in SPECIAL.items():
-        found[name] = Part("family", kind.build, FAMILY, {})
+        results[name] = Part("family", kind.build, FAMILY, {})
     for name, kind in ACTUATORS.items():
-        found[name] = Part("family", kind().build, FAMILY, {"cells": "tetrahedra"})
-    return found
+        results[name] = Part("family", kind().build, FAMILY, {"cells": "tetrahedra"})
+    return results
 
 
 def row(name: str, part: Part) -> tuple[tuple[str, ...], float]:
@@ -134,10 +134,10 @@ def row(name: str, part: Part) -> tuple[tuple[str, ...], float]:
         else:
             os.environ[FOLDER] = before
     done = spent()
-    found = quality(made)
+    result = quality(made)
     seconds = (f"{built - start:.2f}", f"{done - built:.2f}")
-    shape = (f"{found.min_shape:.2f}", f"{found.mean_shape:.2f}", f"{found.min_jacobian_ratio:.2f}")
-    return (name, part.given, *seconds, f"{found.cells:,}", f"{found.unknowns:,}", *shape), done - start
+    shape = (f"{result.min_shape:.2f}", f"{result.mean_shape:.2f}", f"{result.min_jacobian_ratio:.2f}")
+    return (name, part.given, *seconds, f"{result.cells:,}", f"{result.unknowns:,}", *shape), done - start
 
 
 def solved() -> float:

@@ -80,11 +80,11 @@ def section() -> str:
 def text_of(runs: Mapping[str, Sequence[tuple[int | None, float]]]) -> str:
     """The section: a row for each case, their sum, and the demo."""
     rows, sums = [], {way: [0, 0.0] for _, way in WAYS}
-    for name, found in runs.items():
-        if name != "demo" and all(count is not None for count, _ in found):
-            for (_, way), (count, seconds) in zip(WAYS, found, strict=True):
+    for name, result in runs.items():
+        if name != "demo" and all(count is not None for count, _ in result):
+            for (_, way), (count, seconds) in zip(WAYS, result, strict=True):
                 sums[way] = [sums[way][0] + (count or 0), sums[way][1] + seconds]
-        rows.append((name, *(text for each in found for text in cells(*each))))
+        rows.append((name, *(text for each in result for text in cells(*each))))
     rows.insert(-1, ("all that all reach", *(text for _, way in WAYS for text in cells(*sums[way]))))
     head = ("case", *(text for title, _ in WAYS for text in (title, "CPU s")))
     text = (

@@ -195,13 +195,13 @@ def rod(name: str) -> Computed:
     began = process_time()
     solution = tg.rods.static(one, at=[low / high, 1.0])
     seconds = process_time() - began
-    found = solution.response()
-    moved = found.find(case.quantity)
+    result = solution.response()
+    moved = result.find(case.quantity)
     columns = (
         Column("pressure", "kPa", np.array(case.pressures) * kPa),
         Column(case.quantity, moved.unit, moved.values[-2:]),
     )
-    return Computed(response=tg.Response(columns=columns, source=found.source), seconds=seconds)
+    return Computed(response=tg.Response(columns=columns, source=result.source), seconds=seconds)
 
 
 def formula(name: str) -> Computed:
@@ -221,10 +221,10 @@ def formula(name: str) -> Computed:
 
     call()
     began = process_time()
-    found = call()
+    result = call()
     seconds = process_time() - began
-    columns = (found.find("pressure"), found.find(case.quantity))
-    return Computed(response=tg.Response(columns=columns, source=found.source), seconds=seconds)
+    columns = (result.find("pressure"), result.find(case.quantity))
+    return Computed(response=tg.Response(columns=columns, source=result.source), seconds=seconds)
 
 
 def _free(actuator: Any) -> float:
@@ -253,15 +253,15 @@ MODELS: dict[str, Callable[[str], Computed]] = {
 
 def runs() -> tuple[Run, ...]:
     """Every model that takes a case."""
-    found = []
+    results = []
     for name, case in CASES.items():
         for model, function in MODELS.items():
             if (model in ("section", "rod") and not case.section) or (model == "formula" and not case.formula):
                 continue
             if model == "rod" and (case.loaded != "cavity" or case.quantity == TWISTS):
                 continue
-            found.append(Run(name=f"{name}: {model}", function=function, values=MappingProxyType({"name": name})))
-    return tuple(found)
+            results.append(Run(name=f"{name}: {model}", function=function, values=MappingProxyType({"name": name})))
+    return tuple(results)
 
 
 def main(folder: Path) -> None:

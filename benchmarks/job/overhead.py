@@ -85,12 +85,12 @@ def parts() -> dict[str, float]:
         command = [sys.executable, __file__, "--one"]
         told = subprocess.run(command, capture_output=True, text=True, check=True, env=keeping).stdout
         lines = (line[2:].rpartition(": ") for line in told.splitlines() if line.startswith("= "))
-        found = defaultdict(float, {part: float(seconds) for part, _, seconds in lines})
-        found["end"] = _of_children() - before - found["all"]
-        counted = found["loading compiled kernels"] + found["tables"] + found["end"]
-        found["overhead"] = found["all"] - found["mesh"] - found["solve"] - found["files"] + counted
-        if not best or found["overhead"] < best["overhead"]:
-            best = found
+        result = defaultdict(float, {part: float(seconds) for part, _, seconds in lines})
+        result["end"] = _of_children() - before - result["all"]
+        counted = result["loading compiled kernels"] + result["tables"] + result["end"]
+        result["overhead"] = result["all"] - result["mesh"] - result["solve"] - result["files"] + counted
+        if not best or result["overhead"] < best["overhead"]:
+            best = result
     return best
 
 
@@ -123,11 +123,11 @@ def again() -> list[tuple[str, float, float, float]]:
 
 def section() -> str:
     """The section of the page."""
-    found = parts()
-    rows = [(part, f"{seconds:.2f}") for part, seconds in found.items()]
+    result = parts()
+    rows = [(part, f"{seconds:.2f}") for part, seconds in result.items()]
     text = (
         "`turgor run` of the demo with a small pressure, caches filled. Overhead is all but mesh, solve and files: "
-        f"{found['overhead']:.2f} CPU s, of which at most {MOST:g} are asked. The parts contain each other."
+        f"{result['overhead']:.2f} CPU s, of which at most {MOST:g} are asked. The parts contain each other."
     )
     more = "Three pressures in one process, CPU seconds before the path begins; the first run does what all need."
     head = ("pressure", "reading", "mesh and checks", "equations")
@@ -138,14 +138,14 @@ def section() -> str:
 def main() -> int:
     if sys.argv[1:] == ["--one"]:
         one()
-    found = parts()
-    for part, seconds in found.items():
+    result = parts()
+    for part, seconds in result.items():
         print(f"{seconds:6.2f} CPU s  {part}")
-    print("shape and mesh were", "built" if found["mesh"] else "found on disk, where the run before kept them")
+    print("shape and mesh were", "built" if result["mesh"] else "found on disk, where the run before kept them")
     print(f"{MOST:g} CPU s of overhead asked")
     for pressure, read, prepared, equations in again():
         print(f"{pressure}: reading {read:.2f}, mesh and checks {prepared:.2f}, equations {equations:.2f} CPU s")
-    return int(found["overhead"] > MOST)
+    return int(result["overhead"] > MOST)
 
 
 if __name__ == "__main__":

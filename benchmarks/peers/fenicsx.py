@@ -39,11 +39,11 @@ def materials(body: mesh.Mesh) -> tuple[fem.Function, fem.Function, fem.Function
     middle = mesh.compute_midpoints(body, 3, np.arange(count, dtype=np.int32))
     stiff = middle[:, 2] < problem.stated()["geometry"]["stiff_layer"]
     space = fem.FunctionSpace(body, ("DG", 0))
-    found = tuple(fem.Function(space) for _ in range(3))
+    results = tuple(fem.Function(space) for _ in range(3))
     for name, where in (("soft", ~stiff), ("stiff", stiff)):
-        for function, value in zip(found, problem.constants(name), strict=True):
+        for function, value in zip(results, problem.constants(name), strict=True):
             function.x.array[where] = value
-    return found
+    return results
 
 
 def solver(file: str) -> tuple[nls.petsc.NewtonSolver, fem.Function, fem.Constant, tuple[int, ...]]:
@@ -103,7 +103,7 @@ def main() -> None:
         "solve": time.perf_counter() - began,
         "cpu": WORLD.allreduce(time.process_time()),
         "memory": WORLD.allreduce(problem.peak_memory()),
-        "tips": next(found for found in WORLD.allgather(tips) if found[0]),
+        "tips": next(result for result in WORLD.allgather(tips) if result[0]),
     }
     if not WORLD.rank:
         print(json.dumps(facts))

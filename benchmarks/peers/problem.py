@@ -32,9 +32,9 @@ def peak_memory() -> float:
     Linux counts it anew for each process here; `ru_maxrss` begins with that of the process that started this one.
     """
     status = Path("/proc/self/status")
-    found = re.search(r"VmHWM:\s+(\d+) kB", status.read_text(encoding="utf-8")) if status.exists() else None
-    if found:
-        return int(found[1]) / 1024
+    match = re.search(r"VmHWM:\s+(\d+) kB", status.read_text(encoding="utf-8")) if status.exists() else None
+    if match:
+        return int(match[1]) / 1024
     try:
         import resource
     except ImportError:

@@ -80,12 +80,12 @@ def with_probes(text: str, module: str) -> ast.Module:
     """A module in which `made` stands around each chosen number."""
     tree = ast.parse(text)
     classes = [node for node in tree.body if isinstance(node, ast.ClassDef) and node.name.endswith("Settings")]
-    found = list(_assignments(tree.body, False))
-    found += [(node, f"{each.name}.{name}") for each in classes for node, name in _assignments(each.body, True)]
-    for node, name in found:
+    results = list(_assignments(tree.body, False))
+    results += [(node, f"{each.name}.{name}") for each in classes for node, name in _assignments(each.body, True)]
+    for node, name in results:
         node.value = _wrapped(node.value, f"{module}.{name}")
-    if found:
-        first = next(k for k, node in enumerate(tree.body) if node in classes or node in [one for one, _ in found])
+    if results:
+        first = next(k for k, node in enumerate(tree.body) if node in classes or node in [one for one, _ in results])
         tree.body.insert(first, ast.ImportFrom(__name__, [ast.alias("made", "__made__")], 0))
     return ast.fix_missing_locations(tree)
 

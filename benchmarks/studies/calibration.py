@@ -56,12 +56,12 @@ def main(folder: Path) -> None:
     columns = Column("pressure", "kPa", at), Column("bending_angle", "deg", angle)
     measured = Response(columns=columns, source=Source(text="made up"))
     runs = tg.studies.kept_in(folder / "calibration" / "runs")
-    found = tg.studies.calibrate(
+    result = tg.studies.calibrate(
         job_trial(job, measured, spread=0.05 * deg), free_parameters(FREE, PRIOR, job), evaluations=runs
     )
     seconds = sum(each.found.seconds for each in runs.ended.values() if each.found is not None)
-    print(found.summary())
-    print(f"{found.solves} solves, {found.computed} of them computed now; {seconds:.1f} CPU s")
+    print(result.summary())
+    print(f"{result.solves} solves, {result.computed} of them computed now; {seconds:.1f} CPU s")
 
 
 if __name__ == "__main__":

@@ -53,11 +53,11 @@ def main(folder: Path) -> None:
         tg.studies.Factor(name=name, low=low * mm, high=high * mm, unit="mm") for name, (low, high) in RANGES.items()
     ]
     search = tg.studies.Search(most_solves=MOST)
-    found = tg.optimize(computation, factors, goals, start=START, search=search, evaluations=runs)
-    seconds = sum(row.seconds for row in found.study.rows)
-    print(found.summary())
-    print(f"{found.solves} runs, at most {MOST} are allowed; {seconds:.0f} CPU s")
-    assert found.converged, "all targets within 1 % in at most 25 runs"
+    result = tg.optimize(computation, factors, goals, start=START, search=search, evaluations=runs)
+    seconds = sum(row.seconds for row in result.study.rows)
+    print(result.summary())
+    print(f"{result.solves} runs, at most {MOST} are allowed; {seconds:.0f} CPU s")
+    assert result.converged, "all targets within 1 % in at most 25 runs"
 
 
 def told(ended: tg.studies.Ended) -> None:

@@ -175,8 +175,8 @@ def formulas() -> list[Case]:
 
 
 def tip(curvature: float, length: float) -> list[tuple[float, float]]:
-    found = cases.arc(length, curvature)
-    return list(zip(found["tip_displacement_x"], found["tip_displacement_z"], strict=True))[1:]
+    result = cases.arc(length, curvature)
+    return list(zip(result["tip_displacement_x"], result["tip_displacement_z"], strict=True))[1:]
 
 
 def tin(radius: float, length: float) -> tg.Response:
@@ -244,10 +244,10 @@ def scipy_fit(objective: Objective, start: np.ndarray, most: int, cobyqa: bool) 
     def residuals(at: np.ndarray) -> np.ndarray:
         if len(objective.evaluations.ended) >= most:
             raise DoneError
-        found = objective.residuals(np.clip(at, low, high))
-        if found @ found < best["cost"]:
-            best.update(cost=found @ found, at=np.clip(at, low, high))
-        return found
+        result = objective.residuals(np.clip(at, low, high))
+        if result @ result < best["cost"]:
+            best.update(cost=result @ result, at=np.clip(at, low, high))
+        return result
 
     def jacobian(at: np.ndarray) -> np.ndarray:
         table = objective.jacobian(at)
@@ -277,10 +277,10 @@ def fit_main() -> None:
         row, misfits = [], []
         for method in FIT_METHODS:
             calibrate.search = own if method == "turgor" else partial(scipy_fit, cobyqa=method == "COBYQA")
-            found = calibrate.calibrate(trial, free, most_solves=MOST)
-            misfits.append(found.fits[0].rms)
-            worse = misfits[-1] > 1.02 * misfits[0] + 1e-3 * found.fits[0].rms_start
-            row.append(f"{found.solves}{'*' if worse else ''}")
+            result = calibrate.calibrate(trial, free, most_solves=MOST)
+            misfits.append(result.fits[0].rms)
+            worse = misfits[-1] > 1.02 * misfits[0] + 1e-3 * result.fits[0].rms_start
+            row.append(f"{result.solves}{'*' if worse else ''}")
         print(f"| {name} | " + " | ".join(row) + " |", flush=True)
     calibrate.search = own
 

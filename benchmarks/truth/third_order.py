@@ -240,16 +240,16 @@ def main() -> None:
     words = [word for word in sys.argv[1:] if word != "--json"]
     case = next(case for case in CASES if case.name == words[0])
     size = float(words[1]) if len(words) > 1 else case.third_order_size
-    found = solve(case, size, int(words[2]) if len(words) > 2 else 3)
-    values = {each.name: found.values[each.name] for each in case.measures}
+    result = solve(case, size, int(words[2]) if len(words) > 2 else 3)
+    values = {each.name: result.values[each.name] for each in case.measures}
     if "--json" in sys.argv:
-        row = {"size": size, "cells": found.cells, "unknowns": found.unknowns, "values": values}
-        print(json.dumps(row | {"meshing": 0.0, "solving": found.seconds, "change": found.change}))
+        row = {"size": size, "cells": result.cells, "unknowns": result.unknowns, "values": values}
+        print(json.dumps(row | {"meshing": 0.0, "solving": result.seconds, "change": result.change}))
         return
     for each in case.measures:
         print(f"{each.name} {values[each.name]:.6g} {each.unit}")
-    size_of = f"{found.cells} cells, {found.unknowns} unknowns"
-    print(f"{size_of}, {found.seconds:.0f} CPU s; order 2 to 3: {found.change:+.3%}")
+    size_of = f"{result.cells} cells, {result.unknowns} unknowns"
+    print(f"{size_of}, {result.seconds:.0f} CPU s; order 2 to 3: {result.change:+.3%}")
 
 
 if __name__ == "__main__":

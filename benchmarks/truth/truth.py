@@ -57,8 +57,8 @@ def separate(arguments: list[str]) -> dict[str, Any]:
     lines = done.stdout.splitlines()
     if done.returncode or not lines:
         return {"note": (done.stderr.strip().splitlines() or ["no output"])[-1][:200]}
-    found: dict[str, Any] = json.loads(lines[-1])
-    return found
+    result: dict[str, Any] = json.loads(lines[-1])
+    return result
 
 
 def measured(case: Case, kind: str, step: str, formulation: str) -> dict[str, Any]:
@@ -99,17 +99,17 @@ def renew_values(cases: list[Case], runs: dict[str, Any]) -> None:
     """Store the reference values of cases from the runs of their two discretizations."""
     values = read(VALUES)
     for case in cases:
-        found = [(kind, runs.get(key(case, kind, step), {})) for kind, step in witnesses(case)]
-        if not all("values" in row for _, row in found):
+        results = [(kind, runs.get(key(case, kind, step), {})) for kind, step in witnesses(case)]
+        if not all("values" in row for _, row in results):
             continue
         values[case.name] = {
             "title": case.title,
             "unit": {each.name: each.unit for each in case.measures},
             "witnesses": [
                 {name: row[name] for name in ("size", "cells", "unknowns", "values")} | {"kind": kind}
-                for kind, row in found
+                for kind, row in results
             ],
-            "value": {each.name: reference(case, each.name, [row for _, row in found]) for each in case.measures},
+            "value": {each.name: reference(case, each.name, [row for _, row in results]) for each in case.measures},
         }
     write(VALUES, values)
 

@@ -143,8 +143,8 @@ def errors(case: Case, stored: Store, row: Store | None) -> dict[str, float] | N
 
 def worst(case: Case, stored: Store, row: Store | None) -> tuple[str, float] | None:
     """Measure with the largest error, and that error."""
-    found = errors(case, stored, row)
-    asked = {name: off for name, off in (found or {}).items() if name != BESIDE}
+    result = errors(case, stored, row)
+    asked = {name: off for name, off in (result or {}).items() if name != BESIDE}
     return max(asked.items(), key=lambda item: abs(item[1])) if asked else None
 
 
@@ -155,17 +155,17 @@ def seconds(row: Store) -> float:
 
 def run_of(case: Case, runs: Store, kind: str, step: str, formulation: str = "mixed") -> Store | None:
     """A stored run."""
-    found: Store | None = runs.get("|".join((case.name, kind, step, formulation)))
-    return found
+    result: Store | None = runs.get("|".join((case.name, kind, step, formulation)))
+    return result
 
 
 def cell(case: Case, stored: Store, row: Store | None, allowed: float) -> str:
     """Largest error of a run, bold where it is more than allowed."""
-    found = worst(case, stored, row)
-    if found is None or row is None:
+    result = worst(case, stored, row)
+    if result is None or row is None:
         return (row or {}).get("note", "–")
-    text = f"{found[1]:+.2%}"
-    return f"**{text}**" if abs(found[1]) > allowed else text
+    text = f"{result[1]:+.2%}"
+    return f"**{text}**" if abs(result[1]) > allowed else text
 
 
 def summary(cases: Sequence[Case], values: Store, runs: Store) -> str:
@@ -174,9 +174,9 @@ def summary(cases: Sequence[Case], values: Store, runs: Store) -> str:
     for case in cases:
         stored = values[case.name]
         default = run_of(case, runs, "tetrahedra", "default")
-        found = worst(case, stored, default)
+        result = worst(case, stored, default)
         lines.append((
-            case.title, words(found[0]) if found else "–", cell(case, stored, default, ASKED),
+            case.title, words(result[0]) if result else "–", cell(case, stored, default, ASKED),
             f"{default['unknowns']:,}" if default and "unknowns" in default else "–",
             cell(case, stored, run_of(case, runs, "tetrahedra", "default", "continuous"), ASKED),
             cell(case, stored, run_of(case, runs, "hexahedra", "default"), ASKED),
@@ -192,20 +192,20 @@ def misses(cases: Sequence[Case], values: Store, runs: Store) -> str:
     """How many cases keep what is asked."""
     lines = []
     for kind in KINDS:
-        found = [worst(case, values[case.name], run_of(case, runs, kind, "default")) for case in cases]
-        kept = [abs(each[1]) <= ASKED for each in found if each]
+        results = [worst(case, values[case.name], run_of(case, runs, kind, "default")) for case in cases]
+        kept = [abs(each[1]) <= ASKED for each in results if each]
         lines.append(f"With {kind} at the default size, {sum(kept)} of {len(kept)} cases are within 2 %.")
     for kind in KINDS:
-        found = [worst(case, values[case.name], nearest(case, runs, kind)) for case in cases]
-        kept = [abs(each[1]) <= ASKED_NEAR for each in found if each]
+        results = [worst(case, values[case.name], nearest(case, runs, kind)) for case in cases]
+        kept = [abs(each[1]) <= ASKED_NEAR for each in results if each]
         lines.append(f"With {kind} at about 60,000 unknowns, {sum(kept)} of {len(kept)} are within 1 %.")
     return " ".join(lines)
 
 
 def nearest(case: Case, runs: Store, kind: str) -> Store | None:
     """The run with a kind of cells whose unknowns are nearest to 60,000; None where none is near."""
-    found = [run_of(case, runs, kind, step) for step in STEPS]
-    solved = [row for row in found if row and "values" in row]
+    results = [run_of(case, runs, kind, step) for step in STEPS]
+    solved = [row for row in results if row and "values" in row]
     near = [row for row in solved if 1 / AS_NEAR <= row["unknowns"] / NEAR <= AS_NEAR]
     return min(near, key=lambda row: abs(math.log(row["unknowns"] / NEAR)), default=None)
 
@@ -256,8 +256,8 @@ def line(case: Case, stored: Store, row: Store, name: str, step: str) -> tuple[s
     if off is None:
         empty = ("–",) * (len(case.measures) + 1)
         return (name, step, *known, *("–",) * (3 - len(known)), row.get("note", "–"), *empty)
-    found = (f"{off[each.name]:+.2%}" for each in case.measures)
-    return (name, step, *known, f"{seconds(row):.1f}", *found, estimate(case, stored, row, off))
+    results = (f"{off[each.name]:+.2%}" for each in case.measures)
+    return (name, step, *known, f"{seconds(row):.1f}", *results, estimate(case, stored, row, off))
 
 
 def estimate(case: Case, stored: Store, row: Store, off: Mapping[str, float]) -> str:

@@ -84,8 +84,8 @@ def run(case: Case, kind: str, step: str, formulation: str, most: float) -> dict
     solution = solve(apart, mesh, formulation)
     if step in TARGETS:
         most = MOST_TOUCHING if case.touches else MOST_REFINED
-        found = refine_to(solution, case.measures[0], TARGETS[step], most_unknowns=most, options=OPTIONS)
-        solution, row["rounds"] = found.solution, [[each.unknowns, each.value, each.error] for each in found.rounds]
+        result = refine_to(solution, case.measures[0], TARGETS[step], most_unknowns=most, options=OPTIONS)
+        solution, row["rounds"] = result.solution, [[each.unknowns, each.value, each.error] for each in result.rounds]
         row["cells"] = len(solution.model.mesh.cells)
     if apart.touches != case.touches:
         solution = solve(case, solution.model.mesh, formulation)
@@ -107,12 +107,12 @@ def unknowns_of(solution: tg.Solution) -> int:
 
 def estimates(response: tg.Response, case: Case) -> dict[str, float]:
     """Estimated mesh errors of the measures in their unit, where the response has columns for them."""
-    found = {}
+    results = {}
     for each in case.measures:
         name = f"{each.name}_mesh_error"
         if name in response.names and np.isfinite(response.column(name)[-1]):
-            found[each.name] = float(response.find(name).in_unit[-1])
-    return found
+            results[each.name] = float(response.find(name).in_unit[-1])
+    return results
 
 
 if __name__ == "__main__":

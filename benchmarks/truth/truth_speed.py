@@ -76,13 +76,13 @@ def bold(text: str, miss: bool) -> str:
 
 def costs(case: Case, values: Store, runs: Store, kind: str, formulation: str) -> dict[str, tuple[float, float]]:
     """Size of the headline error and CPU seconds of cells of a kind and formulation, by step."""
-    found, headline = {}, case.measures[0].name
+    result, headline = {}, case.measures[0].name
     for step in STEPS:
         row = runs.get("|".join((case.name, kind, step, formulation)), {})
         if "values" in row:
             error = abs(row["values"][headline] / values[case.name]["value"][headline] - 1)
-            found[step] = (error, row["meshing"] + row["solving"])
-    return found
+            result[step] = (error, row["meshing"] + row["solving"])
+    return result
 
 
 def cost_of(error: float, meshes: Costs) -> tuple[str, float]:
@@ -96,9 +96,9 @@ def cost_of(error: float, meshes: Costs) -> tuple[str, float]:
     (('≥', 1.0), ('<', 4.0))
     """
     front: list[tuple[float, float]] = []
-    for found in sorted(meshes, key=lambda mesh: (mesh[1], mesh[0])):
-        if not front or found[0] < front[-1][0]:
-            front.append(found)
+    for result in sorted(meshes, key=lambda mesh: (mesh[1], mesh[0])):
+        if not front or result[0] < front[-1][0]:
+            front.append(result)
     if front[0][0] <= error:
         return "" if front[0][0] == error else "≥", front[0][1]
     for (large, cheap), (small, dear) in pairwise(front):

@@ -27,15 +27,15 @@ def refuses(slope: float) -> Computed:
     raise tg.TurgorError("wall is -1 mm; allowed is above 0 mm.")
 
 
-def steeper(found) -> Judgement:
+def steeper(runs) -> Judgement:
     """Whether the last angles rise from run to run."""
-    angles = [last(each.response, "bending_angle") for each in found.values()]
+    angles = [last(each.response, "bending_angle") for each in runs.values()]
     return Judgement(verdict=Verdict.CONFIRMED if rises(angles) else Verdict.NOT_REPRODUCED, found=listed(angles))
 
 
-def curves(found):
+def curves(runs):
     """Two panels."""
-    responses = [(name, each.response) for name, each in found.items()]
+    responses = [(name, each.response) for name, each in runs.items()]
     numbers = tg.pictures.Line(x=[1, 2], y=[1, 4], error=[0.1, 0.2], label="a < b")
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=responses),

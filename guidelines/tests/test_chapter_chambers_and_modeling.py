@@ -155,14 +155,14 @@ def test_slow_and_fast_come_out_both_ways():
 
 def test_which_dimension_decides_is_told():
     ratios = {"reference": 10, "height 13 mm": 3, "stiff base": 9}
-    found = {}
+    results = {}
     for name, ratio in ratios.items():
-        found |= {f"{name}: fast": bent(15), f"{name}: slow": bent(15, pressure=30 * ratio)}
-    near = slow_and_fast.judge_varied(found)
+        results |= {f"{name}: fast": bent(15), f"{name}: slow": bent(15, pressure=30 * ratio)}
+    near = slow_and_fast.judge_varied(results)
     assert near.verdict is Verdict.CONDITIONAL
     assert "Most decides: height 13 mm" in near.conditions
-    found["height 13 mm: slow"] = bent(15, pressure=240)
-    assert slow_and_fast.judge_varied(found).verdict is Verdict.NOT_REPRODUCED
+    results["height 13 mm: slow"] = bent(15, pressure=240)
+    assert slow_and_fast.judge_varied(results).verdict is Verdict.NOT_REPRODUCED
 
 
 def test_shapes_of_chambers_come_out_both_ways():

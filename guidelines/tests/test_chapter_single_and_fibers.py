@@ -53,12 +53,12 @@ def test_runs(key):
 
 def helices(most_twist, longest=0.0, axial=1.001):
     """Tubes whose twist, as a parabola of the angle, is largest at an angle from the circumference."""
-    found = {}
+    results = {}
     for angle in single_wrap.QUICK:
         stretch = 1.2 - abs(angle - longest) / 500 if angle < 90 else axial
         twist = max(4e3 - (angle - most_twist) ** 2, 0.0) * 1e-2
-        found[f"{angle} deg"] = made_up(62.5, stretch=stretch, outside_ballooning=1 + angle / 100, twist=-twist)
-    return found
+        results[f"{angle} deg"] = made_up(62.5, stretch=stretch, outside_ballooning=1 + angle / 100, twist=-twist)
+    return results
 
 
 @pytest.mark.parametrize(
@@ -70,8 +70,8 @@ def helices(most_twist, longest=0.0, axial=1.001):
         (helices(30.0, axial=1.1), Verdict.NOT_REPRODUCED),
     ],
 )
-def test_single_wrap(found, verdict):
-    assert single_wrap.judge(found).verdict is verdict
+def test_single_wrap(runs, verdict):
+    assert single_wrap.judge(runs).verdict is verdict
 
 
 def test_the_angle_of_most_twist_is_found_between_the_angles():
@@ -82,27 +82,27 @@ def test_the_angle_of_most_twist_is_found_between_the_angles():
 @pytest.mark.parametrize(("twist", "verdict"), [(1e-6, Verdict.CONFIRMED), (0.5, Verdict.NOT_REPRODUCED)])
 def test_double_wrap(twist, verdict):
     names = [run.name for run in double_wrap.runs("quick")]
-    found = {name: made_up(62.5, twist=1.0, stretch=1.1) for name in names}
-    found["double, alike"] = made_up(62.5, twist=twist, stretch=1.1)
-    assert double_wrap.judge(found).verdict is verdict
+    results = {name: made_up(62.5, twist=1.0, stretch=1.1) for name in names}
+    results["double, alike"] = made_up(62.5, twist=twist, stretch=1.1)
+    assert double_wrap.judge(results).verdict is verdict
 
 
 @pytest.mark.parametrize(("softest", "verdict"), [(0.0, Verdict.NOT_REPRODUCED), (0.1, Verdict.CONFIRMED)])
 def test_too_dense(softest, verdict):
     """Pressures for a stretch that are all the same, or have a least value in the middle."""
     spacings = too_dense.SPACINGS
-    found = {
+    results = {
         f"{spacing:g} mm": made_up(140.0, stretch=1.4 - softest * abs(k - 3) / 3) for k, spacing in enumerate(spacings)
     }
-    assert too_dense.judge(found).verdict is verdict
+    assert too_dense.judge(results).verdict is verdict
 
 
 @pytest.mark.parametrize(("neutral", "verdict"), [(54.74, Verdict.CONFIRMED), (52.0, Verdict.NOT_REPRODUCED)])
 def test_neutral_angle(neutral, verdict):
-    found = {
+    results = {
         run.name: made_up(62.5, stretch=1 + (run.values["from_axis"] - neutral) / 100) for run in braids.runs("quick")
     }
-    assert braids.judge(found).verdict is verdict
+    assert braids.judge(results).verdict is verdict
 
 
 @pytest.mark.parametrize(
@@ -115,48 +115,48 @@ def test_neutral_angle(neutral, verdict):
 )
 def test_two_sides(best, difference, named):
     """Bending that is largest at one lower angle, and larger for hoops above."""
-    found = {}
+    results = {}
     for run in two_sides.runs("quick"):
         bend = 5 - abs(run.values["lower"] - best) / 20 + run.values["upper"] / 50
-        found[run.name] = made_up(30.0, curvature_y=bend, blocked_moment=bend / 100)
-    assert two_sides.judge_difference(found).verdict is difference
-    assert two_sides.judge_named(found).verdict is named
+        results[run.name] = made_up(30.0, curvature_y=bend, blocked_moment=bend / 100)
+    assert two_sides.judge_difference(results).verdict is difference
+    assert two_sides.judge_named(results).verdict is named
 
 
 def test_difference_counts_beyond_the_mesh_error_only():
-    found = {
+    results = {
         f"wall {wall:g} mm": made_up(50.0, error=error, tip_displacement_x=1 / wall)
         for wall, error in zip(thin_walls.TUBES, [0.0] * 4 + [10.0], strict=True)
     }
-    assert thin_walls.judge_tubes(found).verdict is Verdict.NOT_REPRODUCED
-    found = {name: made_up(50.0, tip_displacement_x=1 / float(name.split()[1])) for name in found}
-    assert thin_walls.judge_tubes(found).verdict is Verdict.CONFIRMED
+    assert thin_walls.judge_tubes(results).verdict is Verdict.NOT_REPRODUCED
+    results = {name: made_up(50.0, tip_displacement_x=1 / float(name.split()[1])) for name in results}
+    assert thin_walls.judge_tubes(results).verdict is Verdict.CONFIRMED
 
 
 @pytest.mark.parametrize(("back", "verdict"), [(True, Verdict.CONFIRMED), (False, Verdict.NOT_REPRODUCED)])
 def test_two_directions(back, verdict):
     bend = PRESSURES**2 - 0.3 * PRESSURES * back
-    found = {run.name: made_up(20.0, curvature_y=bend) for run in two_directions.runs("quick")}
-    assert two_directions.judge(found).verdict is verdict
-    assert two_directions.threshold(next(iter(found.values())).response) == pytest.approx(6.0) or not back
+    results = {run.name: made_up(20.0, curvature_y=bend) for run in two_directions.runs("quick")}
+    assert two_directions.judge(results).verdict is verdict
+    assert two_directions.threshold(next(iter(results.values())).response) == pytest.approx(6.0) or not back
 
 
 @pytest.mark.parametrize(("best", "verdict"), [(2.5, Verdict.CONFIRMED), (6.0, Verdict.NOT_REPRODUCED)])
 def test_layer_ratio(best, verdict):
-    found = {
+    results = {
         run.name: made_up(20.0, curvature_y=10 - abs(run.values["ratio"] - best))
         for run in layer_ratio.thickness_runs("quick")
     }
-    assert layer_ratio.judge_thickness(found).verdict is verdict
+    assert layer_ratio.judge_thickness(results).verdict is verdict
 
 
 @pytest.mark.parametrize(("shape", "verdict"), [(shapes.HALF, Verdict.CONFIRMED), ("square", Verdict.NOT_REPRODUCED)])
 def test_best_shape(shape, verdict):
-    found = {
+    results = {
         run.name: made_up(30.0, curvature_y=1.0 + (run.values["shape"] == shape))
         for run in best_shape.bending_runs("quick")
     }
-    assert best_shape.judge_bending(found).verdict is verdict
+    assert best_shape.judge_bending(results).verdict is verdict
 
 
 @pytest.mark.parametrize("shape", shapes.SHAPES)

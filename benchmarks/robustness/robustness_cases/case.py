@@ -127,15 +127,15 @@ def judge(case: Case, solution: tg.Solution) -> tuple[str, str]:
             )  # without an imperfection it stays on the branch that buckles, and says so
         if solution.status is not tg.Status.LIMIT_POINT:
             return WRONG, f"a limit point should have been reported, not: {solution.message}"
-        found = case.check(solution)
+        result = case.check(solution)
         said = "Stability was lost before" in solution.message
-        return (DIAGNOSED if found.agrees else UNSTABLE if said else WRONG), found.text
+        return (DIAGNOSED if result.agrees else UNSTABLE if said else WRONG), result.text
     if solution.complete:
-        found = case.check(solution)
+        result = case.check(solution)
         said = solution.states[-1].unstable_modes and "unstable" in solution.message
-        if found.agrees is None:
-            return UNCHECKED, found.text
-        return (REACHED if found.agrees else UNSTABLE if said else WRONG), found.text
+        if result.agrees is None:
+            return UNCHECKED, result.text
+        return (REACHED if result.agrees else UNSTABLE if said else WRONG), result.text
     if solution.status is tg.Status.INTERRUPTED:
         return GAVE_UP, f"not done after {case.limit:g} CPU s: {solution.message}"
     if solution.status is tg.Status.LIMIT_POINT:

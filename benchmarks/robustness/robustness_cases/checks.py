@@ -30,10 +30,10 @@ def both(*checks: Check) -> Check:
     """Several checks in a row."""
 
     def check(solution: tg.Solution) -> Found:
-        found = [each(solution) for each in checks]
-        open_ = any(each.agrees is None for each in found)
-        agrees = None if open_ and all(each.agrees is not False for each in found) else all(e.agrees for e in found)
-        return Found(agrees, "; ".join(each.text for each in found))
+        results = [each(solution) for each in checks]
+        open_ = any(each.agrees is None for each in results)
+        agrees = None if open_ and all(each.agrees is not False for each in results) else all(e.agrees for e in results)
+        return Found(agrees, "; ".join(each.text for each in results))
 
     return check
 
@@ -106,9 +106,9 @@ def limit_at(pressure: float, below: float = 0.003, above: float = 0.001) -> Che
 
     def check(solution: tg.Solution) -> Found:
         got = solution.states[-1].load_factor * solution.model.pressures[0].pressure
-        found = value("stopped at", got / KPA, pressure / KPA, 1.0, " kPa")
+        result = value("stopped at", got / KPA, pressure / KPA, 1.0, " kPa")
         right = (1 - below) * pressure <= got <= (1 + above) * pressure
-        return Found(right and "VolumeControl" in solution.advice, found.text)
+        return Found(right and "VolumeControl" in solution.advice, result.text)
 
     return check
 
@@ -163,8 +163,8 @@ def small_gas(ambient: float, outside: float, tolerance: float = 2e-3) -> Check:
 def law_gives_way(law: Any) -> Check:
     """Rubber has been stretched to where its own law has no stable states any more (Drucker), in some mode."""
     modes = ("uniaxial", "equibiaxial", "planar")
-    found = [first_instability(law, mode, criterion="drucker", lower=0.999) for mode in modes]
-    first = min((stretch for stretch in found if stretch), default=np.inf)
+    results = [first_instability(law, mode, criterion="drucker", lower=0.999) for mode in modes]
+    first = min((stretch for stretch in results if stretch), default=np.inf)
 
     def check(solution: tg.Solution) -> Found:
         largest = tg.measures.maximum_principal_stretch(solution.states[-1])

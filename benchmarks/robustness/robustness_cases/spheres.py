@@ -73,9 +73,9 @@ def jump_said(law: Any, limit: float) -> Check:
     def check(solution: tg.Solution) -> Found:
         if not solution.complete:
             return checks.limit_at(limit)(solution)
-        found = on_curve(law)(solution)
+        result = on_curve(law)(solution)
         said = "jumped past a limit point" in solution.message
-        return Found(found.agrees and said, f"{found.text}; the jump is {'' if said else 'not '}said")
+        return Found(result.agrees and said, f"{result.text}; the jump is {'' if said else 'not '}said")
 
     return check
 

@@ -37,8 +37,8 @@ def bent_section(
     -------
     Computed
     """
-    found = solved_twice(lambda cells: section_of(cells).solve(pressure, throw=False, mesh_error=False), size)
-    response = found.response
+    result = solved_twice(lambda cells: section_of(cells).solve(pressure, throw=False, mesh_error=False), size)
+    response = result.response
     columns = []
     for column in response.columns:
         if column.name == f"{driven}_pressure":
@@ -51,4 +51,4 @@ def bent_section(
                 tg.experiments.Column(f"bending_angle{end}", "deg", response.column(f"curvature_y{end}") * length)
             )
     bent = tg.Response(columns=tuple(columns), source=response.source, status=response.status, message=response.message)
-    return Computed(response=bent, picture=found.picture)
+    return Computed(response=bent, picture=result.picture)

@@ -33,14 +33,14 @@ def guidelines() -> dict[str, Guideline]:
     >>> guidelines()["7.4-8"].families
     ('free_bottom_pneunet', 'fast_pneunet')
     """
-    found = []
+    results = []
     for chapter in CHAPTERS:
         package = import_module(f"turgor_guidelines.{chapter}")
         for module in pkgutil.iter_modules(package.__path__):
             member = import_module(f"{package.__name__}.{module.name}")
             if hasattr(member, "GUIDELINE"):
-                found.append(member.GUIDELINE)
-    return {each.key: each for each in sorted(found, key=lambda each: _order(each.key))}
+                results.append(member.GUIDELINE)
+    return {each.key: each for each in sorted(results, key=lambda each: _order(each.key))}
 
 
 def chosen(keys: Sequence[str]) -> tuple[Guideline, ...]:

@@ -88,11 +88,11 @@ def _report(
 
         if not (output / "runs").is_dir():
             raise tg.TurgorError(f"--output is '{output}', which has no runs; 'turgor guidelines run' makes them.")
-        found = tuple(judged(each, output / "runs", _setting(full)) for each in _chosen(keys))
-        _report_verdicts(found)
-        page = write_page(found, output)
+        results = tuple(judged(each, output / "runs", _setting(full)) for each in _chosen(keys))
+        _report_verdicts(results)
+        page = write_page(results, output)
         typer.echo(f"Page with figures: {page}.")
-        answer.give(lambda: judged_result(found, page))
+        answer.give(lambda: judged_result(results, page))
 
 
 def _chosen(keys: list[str] | None) -> "tuple[Guideline, ...]":

@@ -6,7 +6,7 @@ from itertools import product
 import turgor as tg
 from turgor.studies import Anova, Computed, Ended, Factor, Row, Run, Study, anova
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found
+from turgor_guidelines.guideline import Runs
 from turgor_guidelines.judging import line_of
 from turgor_guidelines.values import Value
 
@@ -38,13 +38,13 @@ def corner_name(scales: Mapping[str, float]) -> str:
     return ", ".join(f"{name} x {scale:g}" for name, scale in scales.items())
 
 
-def analyses(found: Found, names: Sequence[str], pressures: Sequence[float]) -> dict[float, Anova]:
+def analyses(runs: Runs, names: Sequence[str], pressures: Sequence[float]) -> dict[float, Anova]:
     """Return the analysis of variance of the bending angle at each pressure [kPa]."""
     factors = tuple(Factor(name=name, levels=LEVELS) for name in names)
     rows = []
     for scales in corners(names):
         name = corner_name(scales)
-        ended = Ended(run=Run(name=name, function=Computed, values=scales), found=found[name])
+        ended = Ended(run=Run(name=name, function=Computed, values=scales), found=runs[name])
         rows.append(Row(values=scales, ended=ended))
     study = Study(factors=factors, rows=tuple(rows), source=tg.laws.Source(text="runs of a guideline"))
     return {each: anova(study, "bending_angle", at=("pressure", each * kPa)) for each in pressures}

@@ -12,7 +12,7 @@ from turgor.studies import Computed, Run
 Setting = Literal["quick", "full"]
 
 #: What the runs of a study found, by the names of the runs.
-Found = Mapping[str, Computed]
+Runs = Mapping[str, Computed]
 
 
 class Verdict(StrEnum):
@@ -66,8 +66,8 @@ class GuidelineTest:
     setup: str
     expected: str
     runs: Callable[[Setting], tuple[Run, ...]]
-    judge: Callable[[Found], Judgement]
-    panels: Callable[[Found], tuple[tg.pictures.Panel, ...]]
+    judge: Callable[[Runs], Judgement]
+    panels: Callable[[Runs], tuple[tg.pictures.Panel, ...]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

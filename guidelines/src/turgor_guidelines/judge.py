@@ -6,7 +6,7 @@ from pathlib import Path
 
 import turgor as tg
 from turgor.studies import Ended, ended_before, run_all
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict, overall
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict, overall
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -23,7 +23,7 @@ class JudgedStudy:
 
     study: GuidelineTest
     judgement: Judgement
-    found: Found
+    found: Runs
 
     @property
     def seconds(self) -> float:
@@ -110,11 +110,11 @@ def judged(
 
 
 def _judged_study(study: GuidelineTest, folder: Path, setting: Setting, problems: dict[str, str]) -> JudgedStudy:
-    found, missing = {}, []
+    result, missing = {}, []
     for run in study.runs(setting):
         ended = ended_before(run, folder)
         if ended is not None and ended.found is not None:
-            found[run.name] = ended.found
+            result[run.name] = ended.found
         else:
             why = problems.get(run.key) or (ended.problem if ended is not None else "not run yet")
             missing.append(f"{run.name}: {why}")
@@ -122,7 +122,7 @@ def _judged_study(study: GuidelineTest, folder: Path, setting: Setting, problems
         judgement = Judgement(verdict=Verdict.NOT_JUDGED, found="; ".join(missing))
     else:
         try:
-            judgement = study.judge(found)
+            judgement = study.judge(result)
         except tg.TurgorError as error:  # such as a column that a run which stopped early does not have
             judgement = Judgement(verdict=Verdict.NOT_JUDGED, found=str(error))
-    return JudgedStudy(study=study, judgement=judgement, found=found)
+    return JudgedStudy(study=study, judgement=judgement, found=result)

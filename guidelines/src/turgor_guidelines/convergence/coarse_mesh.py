@@ -4,7 +4,7 @@ import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
 from turgor_guidelines.convergence.mesh_size import bend
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.values import Value, at
 
@@ -33,9 +33,9 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _values(found: Found, kind: str, column: str) -> list[float]:
+def _values(runs: Runs, kind: str, column: str) -> list[float]:
     """A quantity at the pressure for all sizes."""
-    responses = [found[f"{kind}, cells of {size:g} mm"].response for size in SIZES]
+    responses = [runs[f"{kind}, cells of {size:g} mm"].response for size in SIZES]
     return [at(each, column, "pressure", PRESSURE * kPa).number - QUANTITIES[column] for each in responses]
 
 
@@ -44,12 +44,12 @@ def _short(values: list[float]) -> list[float]:
     return [value / values[-1] - 1 for value in values[:-1]]
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """The coarsest mesh moves less than the finest, for both quantities of both kinds."""
     holds, parts, seen = [], [], []
     for kind in KINDS:
         for column in QUANTITIES:
-            short = _short(_values(found, kind, column))
+            short = _short(_values(runs, kind, column))
             name = column.split("_")[-2 if column.startswith("curvature") else -1]
             holds.append(short[0] < -SAME)
             sizes = ", ".join(f"{size:g} mm {value:+.2%}" for size, value in zip(SIZES, short, strict=False))
@@ -64,13 +64,13 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves without hoops, and differences against the size."""
-    curves = tuple((n.split(", ")[1], e.response) for n, e in found.items() if n.startswith("without"))
+    curves = tuple((n.split(", ")[1], e.response) for n, e in runs.items() if n.startswith("without"))
     out = [tg.pictures.Panel(x="pressure", y="cavity_ballooning", responses=curves)]
     for column in QUANTITIES:
         lines = [
-            line_of(list(SIZES[:-1]), [Value(100 * v) for v in _short(_values(found, kind, column))], kind)
+            line_of(list(SIZES[:-1]), [Value(100 * v) for v in _short(_values(runs, kind, column))], kind)
             for kind in KINDS
         ]
         out.append(tg.pictures.Panel(x="size of cells [mm]", y=f"{column}, off the finest [%]", lines=lines))

@@ -6,7 +6,7 @@ import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
 from turgor_guidelines.convergence.trials import end, spent
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.values import Value
 
@@ -54,31 +54,31 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _of(found: Found, kind: str) -> list[Computed]:
+def _of(runs: Runs, kind: str) -> list[Computed]:
     """Runs with one kind of cells, the finest last."""
-    return [each for name, each in found.items() if name.startswith(kind)]
+    return [each for name, each in runs.items() if name.startswith(kind)]
 
 
-def _errors(found: Found, kind: str) -> list[float]:
+def _errors(runs: Runs, kind: str) -> list[float]:
     """Relative error of the angle of all but the finest, against the mean of the finest of both kinds."""
-    exact = sum(end(_of(found, each)[-1]).number for each in KINDS) / len(KINDS)
-    return [abs(end(each).number / exact - 1) for each in _of(found, kind)[:-1]]
+    exact = sum(end(_of(runs, each)[-1]).number for each in KINDS) / len(KINDS)
+    return [abs(end(each).number / exact - 1) for each in _of(runs, kind)[:-1]]
 
 
-def _counts(found: Found, kind: str) -> list[float]:
-    return [spent(each, "unknowns") for each in _of(found, kind)[:-1]]
+def _counts(runs: Runs, kind: str) -> list[float]:
+    return [spent(each, "unknowns") for each in _of(runs, kind)[:-1]]
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Less distortion, less volume lost, and a smaller error for as many unknowns."""
-    finest = [end(_of(found, kind)[-1]).number for kind in KINDS]
+    finest = [end(_of(runs, kind)[-1]).number for kind in KINDS]
     apart = finest[0] / finest[1] - 1
-    worst = [min(spent(each, "worst_cell") for each in _of(found, kind)) for kind in KINDS]
-    lost = [max(spent(each, "lost_volume") for each in _of(found, kind)) for kind in KINDS]
-    cheaper = [_cheaper(found, error, count) for error, count in zip(*_curve(found, "hexahedra"), strict=True)]
+    worst = [min(spent(each, "worst_cell") for each in _of(runs, kind)) for kind in KINDS]
+    lost = [max(spent(each, "lost_volume") for each in _of(runs, kind)) for kind in KINDS]
+    cheaper = [_cheaper(runs, error, count) for error, count in zip(*_curve(runs, "hexahedra"), strict=True)]
     summary = "; ".join(
         f"{kind} "
-        + ", ".join(f"{error:.2%} with {n:,.0f} unknowns" for error, n in zip(*_curve(found, kind), strict=True))
+        + ", ".join(f"{error:.2%} with {n:,.0f} unknowns" for error, n in zip(*_curve(runs, kind), strict=True))
         for kind in KINDS
     )
     return Judgement(
@@ -94,20 +94,20 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def _curve(found: Found, kind: str) -> tuple[list[float], list[float]]:
-    return _errors(found, kind), _counts(found, kind)
+def _curve(runs: Runs, kind: str) -> tuple[list[float], list[float]]:
+    return _errors(runs, kind), _counts(runs, kind)
 
 
-def _cheaper(found: Found, error: float, count: float) -> bool:
+def _cheaper(runs: Runs, error: float, count: float) -> bool:
     """Whether every mesh of tetrahedra with at most so many unknowns has a larger error."""
-    return all(other > error for other, n in zip(*_curve(found, "tetrahedra"), strict=True) if n <= count)
+    return all(other > error for other, n in zip(*_curve(runs, "tetrahedra"), strict=True) if n <= count)
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Error of the angle, and the worst cell, against the unknowns."""
-    errors = [line_of(_counts(found, kind), [Value(100 * e) for e in _errors(found, kind)], kind) for kind in KINDS]
+    errors = [line_of(_counts(runs, kind), [Value(100 * e) for e in _errors(runs, kind)], kind) for kind in KINDS]
     cells = [
-        line_of(_counts(found, kind), [Value(spent(each, "worst_cell")) for each in _of(found, kind)[:-1]], kind)
+        line_of(_counts(runs, kind), [Value(spent(each, "worst_cell")) for each in _of(runs, kind)[:-1]], kind)
         for kind in KINDS
     ]
     return (

@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Run
 from turgor_guidelines.convergence.trials import SETUP, end, reached, solve, spent
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.values import Value
 
@@ -25,27 +25,27 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Few iterations stop early; more reach further."""
-    shares = [reached(each) for each in found.values()]
+    shares = [reached(each) for each in runs.values()]
     further = shares == sorted(shares) and shares[-1] > shares[0]
-    enough = next((name for name, share in zip(found, shares, strict=True) if share > 1 - 1e-9), "")
+    enough = next((name for name, share in zip(runs, shares, strict=True) if share > 1 - 1e-9), "")
     last_two = shares[-1] > shares[-2]
     return Judgement(
         verdict=verdict_of([further, last_two or not further]),
-        found=", ".join(f"{name} reach {share:.0%}" for name, share in zip(found, shares, strict=True))
+        found=", ".join(f"{name} reach {share:.0%}" for name, share in zip(runs, shares, strict=True))
         + " of the load; angles "
-        + ", ".join(f"{end(each)}" for each in found.values()),
+        + ", ".join(f"{end(each)}" for each in runs.values()),
         conditions=(f"{enough} are enough here; more change nothing." if enough and not last_two else "")
         or ("" if further else "The number of iterations changes nothing here."),
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """What was reached, and what it took."""
-    most = [float(name.split()[0]) for name in found]
-    shares = line_of(most, [Value(100 * reached(each)) for each in found.values()])
-    costs = line_of(most, [Value(spent(each, "iterations")) for each in found.values()])
+    most = [float(name.split()[0]) for name in runs]
+    shares = line_of(most, [Value(100 * reached(each)) for each in runs.values()])
+    costs = line_of(most, [Value(spent(each, "iterations")) for each in runs.values()])
     return (
         tg.pictures.Panel(x="most iterations of a step", y="load that was reached [%]", lines=[shares]),
         tg.pictures.Panel(x="most iterations of a step", y="iterations in all", lines=[costs]),

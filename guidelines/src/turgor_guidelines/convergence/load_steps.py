@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Run
 from turgor_guidelines.convergence.trials import SETUP, end, reached, solve, spent
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.values import Value, listed
 
@@ -31,14 +31,14 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """One step fails, small ones reach the end, and all that do reach the same end."""
-    complete = {name: reached(each) > 1 - 1e-9 for name, each in found.items()}
-    names = list(found)
-    ends = [end(found[name]) for name in names if complete[name]]
+    complete = {name: reached(each) > 1 - 1e-9 for name, each in runs.items()}
+    names = list(runs)
+    ends = [end(runs[name]) for name in names if complete[name]]
     same = all(abs(each.number / ends[-1].number - 1) < SAME for each in ends) if ends else False
-    summary = ", ".join(f"{name} {reached(found[name]):.0%} of the load" for name in names)
-    iterations = ", ".join(f"{spent(found[name], 'iterations'):.0f}" for name in names)
+    summary = ", ".join(f"{name} {reached(runs[name]):.0%} of the load" for name in names)
+    iterations = ", ".join(f"{spent(runs[name], 'iterations'):.0f}" for name in names)
     return Judgement(
         verdict=verdict_of([not complete[names[0]], complete[names[-1]] and same]),
         found=f"reached: {summary}; iterations {iterations}" + (f"; angles at the end {listed(ends)}" if ends else ""),
@@ -49,11 +49,11 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves, and what was reached."""
-    curves = tuple((name, each.response) for name, each in found.items())
-    shares = line_of(list(found), [Value(100 * reached(each)) for each in found.values()])
-    costs = line_of(list(found), [Value(spent(each, "iterations")) for each in found.values()])
+    curves = tuple((name, each.response) for name, each in runs.items())
+    shares = line_of(list(runs), [Value(100 * reached(each)) for each in runs.values()])
+    costs = line_of(list(runs), [Value(spent(each, "iterations")) for each in runs.values()])
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=curves),
         tg.pictures.Panel(x="steps", y="load that was reached [%]", lines=[shares]),

@@ -6,7 +6,7 @@ from typing import Any
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.modeling.benders import rubber_of, threads
 from turgor_guidelines.values import Value, last
@@ -35,11 +35,13 @@ def bend(width: float, size: float, hoops: bool = True, paper: bool = False) -> 
         fibers = [threads(flat, angle, 1.187, 1.0) for angle in (0, 90)]
     fibers += [threads(("outside", flat), 90, 3, 1.0)] if hoops else []
     section = tg.Section(finger, materials, reinforcements=fibers, size=size * mm)
-    found = section.solve([p * kPa for p in range(0, highest + 1, STEP)], throw=False, mesh_error=False).response
-    cells = tg.experiments.Column("cells", "", found["stretch"] * 0 + len(section.model.mesh.cells))
-    columns = [found.find(name) for name in ("pressure", "curvature_y", "cavity_ballooning")]
+    result = section.solve([p * kPa for p in range(0, highest + 1, STEP)], throw=False, mesh_error=False).response
+    cells = tg.experiments.Column("cells", "", result["stretch"] * 0 + len(section.model.mesh.cells))
+    columns = [result.find(name) for name in ("pressure", "curvature_y", "cavity_ballooning")]
     return Computed(
-        response=tg.Response(columns=(*columns, cells), source=found.source, status=found.status, message=found.message)
+        response=tg.Response(
+            columns=(*columns, cells), source=result.source, status=result.status, message=result.message
+        )
     )
 
 
@@ -57,21 +59,21 @@ def runs(setting: Setting, paper: bool = False) -> tuple[Run, ...]:
     )
 
 
-def _apart(found: Found, column: str, width: float) -> dict[float, float]:
+def _apart(runs: Runs, column: str, width: float) -> dict[float, float]:
     """Difference to the finest cells by size, relative."""
     values = {}
     for size in (*SIZES, FINEST):
-        response = found[f"{width} mm wide, cells of {size:g} mm"].response
+        response = runs[f"{width} mm wide, cells of {size:g} mm"].response
         values[size] = last(response, column).number - (column == "cavity_ballooning")
     return {size: values[size] / values[FINEST] - 1 for size in SIZES}
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Cells of 1 to 3 mm are good enough for both widths, for bending and for ballooning."""
     holds, rows, seen = [], [], []
     for width in WIDTHS:
         for column, name in (("curvature_y", "curvature"), ("cavity_ballooning", "ballooning")):
-            apart = _apart(found, column, width)
+            apart = _apart(runs, column, width)
             holds += [abs(apart[size]) < GOOD for size in SIZES if size <= 3]
             rows.append(
                 f"{width} mm wide, {name} " + ", ".join(f"{size:g} mm {value:+.2%}" for size, value in apart.items())
@@ -88,13 +90,13 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Differences against the size."""
     out = []
     for column, name in (("curvature_y", "curvature"), ("cavity_ballooning", "ballooning")):
         lines = []
         for width in WIDTHS:
-            apart = _apart(found, column, width)
+            apart = _apart(runs, column, width)
             lines.append(line_of(list(apart), [Value(100 * abs(v)) for v in apart.values()], f"{width} mm wide"))
         out.append(tg.pictures.Panel(x="size of cells [mm]", y=f"{name}, off the finest [%]", lines=lines))
     return tuple(out)

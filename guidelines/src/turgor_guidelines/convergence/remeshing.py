@@ -8,7 +8,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.judging import line_of
 from turgor_guidelines.modeling.benders import rubber_of
 from turgor_guidelines.values import Value, last
@@ -36,15 +36,15 @@ def inflate(size: float, bends: bool) -> Computed:
         materials |= {"base": materials["body"], "strain_limiting_layer": tg.Shell(paper, thickness=0.1 * mm)}
     section = tg.Section(actuator, materials, size=size * mm)
     pressures = np.array([0.0, *(BENDER_PRESSURES if bends else TUBE_PRESSURES)]) * kPa
-    found = section.solve(pressures, throw=False, mesh_error=False).response
-    moved = found.find("curvature_y") if bends else tg.experiments.Column("strain", "", found["stretch"] - 1)
+    result = section.solve(pressures, throw=False, mesh_error=False).response
+    moved = result.find("curvature_y") if bends else tg.experiments.Column("strain", "", result["stretch"] - 1)
     columns = (
-        found.find("pressure"),
+        result.find("pressure"),
         tg.experiments.Column("motion", moved.unit, abs(moved.values)),
-        found.find("largest_stretch"),
+        result.find("largest_stretch"),
     )
     return Computed(
-        response=tg.Response(columns=columns, source=found.source, status=found.status, message=found.message)
+        response=tg.Response(columns=columns, source=result.source, status=result.status, message=result.message)
     )
 
 
@@ -57,22 +57,22 @@ def runs(setting: Setting, bends: bool) -> tuple[Run, ...]:
     )
 
 
-def _errors(found: Found) -> dict[float, tuple[list[float], list[float]]]:
+def _errors(runs: Runs) -> dict[float, tuple[list[float], list[float]]]:
     """Largest stretch and relative error of the motion in each state, by size."""
-    fine = found[f"cells of {FINEST:g} mm"].response
+    fine = runs[f"cells of {FINEST:g} mm"].response
     errors = {}
     for size in SIZES:
-        each = found[f"cells of {size:g} mm"].response
+        each = runs[f"cells of {size:g} mm"].response
         count = min(len(each["motion"]), len(fine["motion"]))
         apart = each["motion"][1:count] / fine["motion"][1:count] - 1
         errors[size] = (fine["largest_stretch"][1:count].tolist(), abs(apart).tolist())
     return errors
 
 
-def judge(found: Found, wanted: float) -> Judgement:
+def judge(runs: Runs, wanted: float) -> Judgement:
     """A mesh that stays the same stops, or becomes wrong as it distorts; a finer one from the start does so too."""
-    stopped = [last(each.response, "pressure").number < wanted * (1 - 1e-9) for each in found.values()]
-    errors = _errors(found)
+    stopped = [last(each.response, "pressure").number < wanted * (1 - 1e-9) for each in runs.values()]
+    errors = _errors(runs)
     wrong = [end > TOO_MUCH and end > first for _, (first, *_, end) in errors.values()]
     bad = [a or b for a, b in zip(stopped[:-1], wrong, strict=True)]
     verdict = Verdict.CONFIRMED if all(bad) else Verdict.CONDITIONAL if any(bad) else Verdict.NOT_REPRODUCED
@@ -90,12 +90,12 @@ def judge(found: Found, wanted: float) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Motion, and its error against the stretch."""
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     lines = [
         line_of(stretches, [Value(100 * each) for each in errors], f"{size:g} mm")
-        for size, (stretches, errors) in _errors(found).items()
+        for size, (stretches, errors) in _errors(runs).items()
     ]
     return (
         tg.pictures.Panel(x="pressure", y="motion", responses=curves),

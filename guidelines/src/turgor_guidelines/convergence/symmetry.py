@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Run
 from turgor_guidelines.convergence.trials import SETUP, end, solve, spent
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import change, line_of, verdict_of
 from turgor_guidelines.values import Value, listed
 
@@ -20,9 +20,9 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """The same angle and the same ballooning, with about half the unknowns."""
-    half, whole = found["half"], found["whole"]
+    half, whole = runs["half"], runs["whole"]
     apart = [change(end(half, name), end(whole, name)) for name in ("bending_angle", "ballooning")]
     share = spent(half, "unknowns") / spent(whole, "unknowns")
     time = half.seconds / whole.seconds if whole.seconds else float("nan")
@@ -37,10 +37,10 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Both curves, and the unknowns."""
-    curves = tuple((name, each.response) for name, each in found.items())
-    costs = line_of(list(found), [Value(spent(each, "unknowns")) for each in found.values()])
+    curves = tuple((name, each.response) for name, each in runs.items())
+    costs = line_of(list(runs), [Value(spent(each, "unknowns")) for each in runs.values()])
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=curves),
         tg.pictures.Panel(x="model", y="unknowns", lines=[costs]),

@@ -2,27 +2,27 @@
 
 from turgor_guidelines.fiber_reinforced.banded import SETUP
 from turgor_guidelines.fiber_reinforced.density import extension, injected, panels, runs
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Verdict
 from turgor_guidelines.values import falls, last, listed
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Injected volume over the extension that it brings: all that is more went into the radius."""
-    volumes = [injected(each.response) for each in found.values()]
-    stretch = [last(each.response, "principal_stretch_p99") for each in found.values()]
+    volumes = [injected(each.response) for each in runs.values()]
+    stretch = [last(each.response, "principal_stretch_p99") for each in runs.values()]
     holds = falls(volumes)
-    bare, *_, dense = found
+    bare, *_, dense = runs
     return Judgement(
         verdict=Verdict.CONFIRMED if holds else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: injected volume {listed(volumes)} of that at rest; largest stretch of the rubber "
+        found=f"{', '.join(runs)}: injected volume {listed(volumes)} of that at rest; largest stretch of the rubber "
         f"{listed(stretch)}.",
         conditions=f"Without hoops the tube takes {volumes[0].number / volumes[-1].number:.1f} times the volume "
-        f"of that with {dense}, and its tip moves {extension(found, bare)} where the other one moves "
-        f"{extension(found, dense)}. The bulges between hoops follow their distance over the wall: with hoops every "
+        f"of that with {dense}, and its tip moves {extension(runs, bare)} where the other one moves "
+        f"{extension(runs, dense)}. The bulges between hoops follow their distance over the wall: with hoops every "
         f"4 mm, two walls, the volume is "
-        f"{injected(found['hoops every 4 mm'].response).number / volumes[-1].number:.2f} times that of the densest, "
+        f"{injected(runs['hoops every 4 mm'].response).number / volumes[-1].number:.2f} times that of the densest, "
         f"every 16 mm, eight walls, "
-        f"{injected(found['hoops every 16 mm'].response).number / volumes[-1].number:.2f} times.",
+        f"{injected(runs['hoops every 16 mm'].response).number / volumes[-1].number:.2f} times.",
     )
 
 

@@ -7,7 +7,7 @@ from turgor.studies import Run
 from turgor.units import kPa
 from turgor_guidelines.fiber_reinforced import two_sides
 from turgor_guidelines.fiber_reinforced.wound import TUBE, cells, tube
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.values import at
 
 #: The neutral angle from the axis [deg], how near it must be found, and pressures [kPa].
@@ -31,9 +31,9 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def longer(found: Found, kind: str, pressure: float) -> tuple[list[float], list[float]]:
+def longer(runs: Runs, kind: str, pressure: float) -> tuple[list[float], list[float]]:
     """Angles, and stretch less 1 at a pressure [kPa]."""
-    chosen = {name: each for name, each in found.items() if name.endswith(kind)}
+    chosen = {name: each for name, each in runs.items() if name.endswith(kind)}
     angles = [float(name.split()[0]) for name in chosen]
     return angles, [at(each.response, "stretch", "pressure", pressure * kPa).number - 1 for each in chosen.values()]
 
@@ -48,15 +48,15 @@ def neutral(angles: list[float], change: list[float]) -> float:
     return float(angles[k] - change[k] * (angles[k + 1] - angles[k]) / (change[k + 1] - change[k]))
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Where the sign of the extension changes, at three pressures and for two densities."""
     where = {
-        (kind, pressure): neutral(*longer(found, kind, pressure))
+        (kind, pressure): neutral(*longer(runs, kind, pressure))
         for kind in ("dense", "loose")
         for pressure in PRESSURES
     }
     dense = [where["dense", pressure] for pressure in PRESSURES]
-    contracts = longer(found, "dense", PRESSURES[-1])[1][0] < 0
+    contracts = longer(runs, "dense", PRESSURES[-1])[1][0] < 0
     close = [abs(each - NEUTRAL) < NEAR for each in dense]
     verdict = Verdict.CONFIRMED if all(close) and contracts else Verdict.NOT_REPRODUCED
     summary = ", ".join(f"{where['dense', p]:.2f} deg at {p:g} kPa" for p in PRESSURES)
@@ -70,13 +70,13 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Stretch against the angle, for dense and loose threads."""
     drawn = []
     for kind in ("dense", "loose"):
         lines = []
         for pressure in PRESSURES:
-            angles, change = longer(found, kind, pressure)
+            angles, change = longer(runs, kind, pressure)
             lines.append(tg.pictures.Line(x=angles, y=[each + 1 for each in change], label=f"{kind}, {pressure:g} kPa"))
         drawn.append(tg.pictures.Panel(x="angle from the axis [deg]", y="stretch [-]", lines=lines))
     return tuple(drawn)

@@ -6,7 +6,7 @@ import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
 from turgor_guidelines.fiber_reinforced.wound import BENDER, bender, cells
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.values import last, linearity, listed, rises
 
 #: Last pressure [kPa], and distances between hoops [mm], 0 for none.
@@ -33,12 +33,12 @@ def density(name: str) -> float:
     return 0.0 if name == "no hoops" else 100 / float(name.split()[1])
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Curvature, R² and largest stretch over the density."""
-    names = list(found)
-    bends = [last(each.response, "curvature_y") for each in found.values()]
-    straight = [linearity(each.response, "curvature_y", "pressure", PRESSURE * kPa) for each in found.values()]
-    stretched = [last(each.response, "largest_stretch") for each in found.values()]
+    names = list(runs)
+    bends = [last(each.response, "curvature_y") for each in runs.values()]
+    straight = [linearity(each.response, "curvature_y", "pressure", PRESSURE * kPa) for each in runs.values()]
+    stretched = [last(each.response, "largest_stretch") for each in runs.values()]
     gains = [b.number / a.number - 1 for a, b in pairwise(bends)]
     enough = next((names[k] for k, gain in enumerate(gains) if gain < WORTH), names[-1])
     further, straighter = rises(bends), straight == sorted(straight)
@@ -61,13 +61,13 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature against pressure, and curvature and R² against the density."""
-    bends = [last(each.response, "curvature_y") for each in found.values()]
-    x = [density(name) for name in found]
+    bends = [last(each.response, "curvature_y") for each in runs.values()]
+    x = [density(name) for name in runs]
     line = tg.pictures.Line(x=x, y=[each.number for each in bends], error=[each.error for each in bends])
-    straight = [linearity(each.response, "curvature_y", "pressure", PRESSURE * kPa) for each in found.values()]
-    curves = tuple((name, each.response) for name, each in found.items())
+    straight = [linearity(each.response, "curvature_y", "pressure", PRESSURE * kPa) for each in runs.values()]
+    curves = tuple((name, each.response) for name, each in runs.items())
     return (
         tg.pictures.Panel(x="pressure", y="curvature_y", responses=curves),
         tg.pictures.Panel(x="threads on 100 mm", y=f"curvature at {PRESSURE:g} kPa [1/m]", lines=[line]),

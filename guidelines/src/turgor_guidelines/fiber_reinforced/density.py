@@ -6,7 +6,7 @@ import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa, mm
 from turgor_guidelines.fiber_reinforced.banded import inflated
-from turgor_guidelines.guideline import Found, Setting
+from turgor_guidelines.guideline import Runs, Setting
 from turgor_guidelines.values import Value, at, last
 
 #: Pressure up to which the tubes are inflated [kPa].
@@ -18,9 +18,9 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     return inflated(setting, PRESSURE)
 
 
-def extension(found: Found, name: str, pressure: float = PRESSURE) -> Value:
+def extension(runs: Runs, name: str, pressure: float = PRESSURE) -> Value:
     """How far the tip of a tube moved at a pressure [kPa]."""
-    return at(found[name].response, "tip_displacement_x", "pressure", pressure * kPa)
+    return at(runs[name].response, "tip_displacement_x", "pressure", pressure * kPa)
 
 
 def injected(response: tg.Response) -> Value:
@@ -35,16 +35,16 @@ def along(response: tg.Response, name: str, drive: str, where: float) -> float:
     return float(np.interp(where, response[drive], response[name], right=np.nan))
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Extension against pressure, volume against extension, and the largest stretch of the rubber."""
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     volumes = [
         tg.pictures.Line(
             x=each.response["tip_displacement_x"] / mm,
             y=100 * (each.response["cavity_volume"] / each.response["cavity_volume"][0] - 1),
             label=name,
         )
-        for name, each in found.items()
+        for name, each in runs.items()
     ]
     return (
         tg.pictures.Panel(x="pressure", y="tip_displacement_x", responses=curves),

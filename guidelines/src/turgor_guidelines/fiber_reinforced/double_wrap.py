@@ -6,7 +6,7 @@ import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import deg, kPa, mm
 from turgor_guidelines.fiber_reinforced.wound import TUBE, cells
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.parts import elastosil, threads
 from turgor_guidelines.sections import solved_twice
 from turgor_guidelines.values import last
@@ -46,9 +46,9 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Twist of two equal helices over that of one; what small differences bring back."""
-    turned = {name: last(each.response, "twist") for name, each in found.items()}
+    turned = {name: last(each.response, "twist") for name, each in runs.items()}
     single = abs(turned["single helix"].number)
     share = {name: abs(each.number) / single for name, each in turned.items()}
     summary = ", ".join(f"{name} {abs(each.number) / deg * mm:.3g} deg/mm" for name, each in turned.items())
@@ -57,21 +57,21 @@ def judge(found: Found) -> Judgement:
         verdict=Verdict.CONFIRMED if share["double, alike"] < NOTHING else Verdict.NOT_REPRODUCED,
         found=f"Twist at {PRESSURE:g} kPa: {summary}.",
         conditions=f"Both helices must be alike; what remains of the twist of a single one: {'; '.join(others)}. The "
-        f"double wrap also extends less: stretch {last(found['double, alike'].response, 'stretch')}, single "
-        f"{last(found['single helix'].response, 'stretch')}.",
+        f"double wrap also extends less: stretch {last(runs['double, alike'].response, 'stretch')}, single "
+        f"{last(runs['single helix'].response, 'stretch')}.",
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Twist and stretch against pressure."""
     lines = [
         tg.pictures.Line(x=each.response["pressure"] / kPa, y=np.abs(each.response["twist"]) / deg * mm, label=name)
-        for name, each in found.items()
+        for name, each in runs.items()
     ]
     return (
         tg.pictures.Panel(x="pressure [kPa]", y="size of the twist [deg/mm]", lines=lines),
         tg.pictures.Panel(
-            x="pressure", y="stretch", responses=tuple((name, each.response) for name, each in found.items())
+            x="pressure", y="stretch", responses=tuple((name, each.response) for name, each in runs.items())
         ),
     )
 

@@ -6,7 +6,7 @@ from turgor.units import kPa, mm
 from turgor_guidelines.fiber_reinforced.banded import SETUP
 from turgor_guidelines.fiber_reinforced.density import PRESSURE, along, extension, panels, runs
 from turgor_guidelines.fiber_reinforced.wound import BENDER, bender, cells
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.values import at
 
 #: Pressures at which tubes and benders are compared [kPa].
@@ -16,15 +16,15 @@ TUBES, BENDERS = (10.0, 20.0, 30.0, 40.0, PRESSURE), (4.0, 8.0, 20.0, 40.0)
 EXTENSION = 4 * mm
 
 
-def judge_tubes(found: Found) -> Judgement:
+def judge_tubes(runs: Runs) -> Judgement:
     """Extension at equal pressure, and volume at equal extension."""
-    names = list(found)
+    names = list(runs)
     bare, dense = names[0], names[-1]
-    pairs = [(extension(found, bare, p), extension(found, dense, p)) for p in TUBES]
+    pairs = [(extension(runs, bare, p), extension(runs, dense, p)) for p in TUBES]
     ahead = [wound.number - plain.number > wound.error + plain.error for plain, wound in pairs]
     share = []
     for name in (bare, dense):
-        response = found[name].response
+        response = runs[name].response
         rest = response["cavity_volume"][0]
         share.append(along(response, "cavity_volume", "tip_displacement_x", EXTENSION) / rest - 1)
     less = share[0] > share[1]
@@ -56,9 +56,9 @@ def bent(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def judge_benders(found: Found) -> Judgement:
+def judge_benders(runs: Runs) -> Judgement:
     """Curvature at equal pressure, and volume at equal curvature."""
-    bare, wound = (each.response for each in found.values())
+    bare, wound = (each.response for each in runs.values())
     pairs = [tuple(at(each, "curvature_y", "pressure", p * kPa) for each in (bare, wound)) for p in BENDERS]
     ahead = [b.number - a.number > a.error + b.error for a, b in pairs]
     bend = float(bare["curvature_y"][-1])
@@ -77,16 +77,16 @@ def judge_benders(found: Found) -> Judgement:
     )
 
 
-def bender_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def bender_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature against pressure, and volume against curvature."""
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     lines = [
         tg.pictures.Line(
             x=each.response["curvature_y"],
             y=100 * (each.response["cavity_volume_per_length"] / each.response["cavity_volume_per_length"][0] - 1),
             label=name,
         )
-        for name, each in found.items()
+        for name, each in runs.items()
     ]
     return (
         tg.pictures.Panel(x="pressure", y="curvature_y", responses=curves),

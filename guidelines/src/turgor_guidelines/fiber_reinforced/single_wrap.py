@@ -6,7 +6,7 @@ import turgor as tg
 from turgor.studies import Run
 from turgor.units import deg, kPa, mm
 from turgor_guidelines.fiber_reinforced.wound import TUBE, cells, tube
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.values import Value, at, largest, listed
 
 #: Angles from the circumference [deg], and pressures at which they are compared [kPa].
@@ -35,9 +35,9 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def angles_of(found: Found) -> list[float]:
+def angles_of(runs: Runs) -> list[float]:
     """Angles from the circumference, by the names of the runs."""
-    return [float(name.split()[0]) for name in found]
+    return [float(name.split()[0]) for name in runs]
 
 
 def optimum(angles: list[float], values: list[float]) -> float:
@@ -49,17 +49,17 @@ def optimum(angles: list[float], values: list[float]) -> float:
     return float(-b / (2 * a))
 
 
-def values_at(found: Found, name: str, pressure: float) -> list[Value]:
+def values_at(runs: Runs, name: str, pressure: float) -> list[Value]:
     """A column of every run at a pressure [kPa]."""
-    return [at(each.response, name, "pressure", pressure * kPa) for each in found.values()]
+    return [at(each.response, name, "pressure", pressure * kPa) for each in runs.values()]
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Where extension, expansion and twist are largest, at three pressures."""
-    angles, parts, longest, widest, most = angles_of(found), [], [], [], []
+    angles, parts, longest, widest, most = angles_of(runs), [], [], [], []
     for pressure in PRESSURES:
-        stretch, radius = (values_at(found, name, pressure) for name in ("stretch", "outside_ballooning"))
-        twist = [abs(each.number) for each in values_at(found, "twist", pressure)]
+        stretch, radius = (values_at(runs, name, pressure) for name in ("stretch", "outside_ballooning"))
+        twist = [abs(each.number) for each in values_at(runs, "twist", pressure)]
         longest.append(angles[largest(stretch)])
         widest.append(angles[largest(radius)])
         most.append(optimum(angles, twist))
@@ -68,7 +68,7 @@ def judge(found: Found) -> Judgement:
             f"{widest[-1]:g} deg ({radius[largest(radius)]} times), most twist at {most[-1]:.1f} deg "
             f"({max(twist) / deg * mm:.3g} deg/mm)"
         )
-    axial = [at(list(found.values())[-1].response, "stretch", "pressure", p * kPa) for p in PRESSURES]
+    axial = [at(list(runs.values())[-1].response, "stretch", "pressure", p * kPa) for p in PRESSURES]
     ends = all(angle == 0 for angle in longest) and abs(axial[-1].number - 1) < NO_EXTENSION
     near = [NEAR[0] <= angle <= NEAR[1] for angle in most]
     wide = [angle == angles[-1] for angle in widest]
@@ -86,9 +86,9 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Stretch, radius and twist against the angle."""
-    angles = angles_of(found)
+    angles = angles_of(runs)
     drawn = []
     for name, label, scale in (
         ("stretch", "stretch [-]", 1.0),
@@ -98,8 +98,8 @@ def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
         lines = [
             tg.pictures.Line(
                 x=angles,
-                y=[abs(each.number) * scale for each in values_at(found, name, pressure)],
-                error=[each.error * scale for each in values_at(found, name, pressure)],
+                y=[abs(each.number) * scale for each in values_at(runs, name, pressure)],
+                error=[each.error * scale for each in values_at(runs, name, pressure)],
                 label=f"{pressure:g} kPa",
             )
             for pressure in PRESSURES

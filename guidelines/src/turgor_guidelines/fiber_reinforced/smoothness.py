@@ -3,18 +3,18 @@
 from turgor.units import kPa, mm
 from turgor_guidelines.fiber_reinforced.banded import SETUP
 from turgor_guidelines.fiber_reinforced.density import PRESSURE, along, panels, runs
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Verdict
 from turgor_guidelines.values import linearity
 
 #: Extension at which the rubber is compared [m].
 EXTENSION = 4 * mm
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """R² of the extension, and the largest stretch of the rubber at equal extension."""
-    straight = [linearity(each.response, "tip_displacement_x", "pressure", PRESSURE * kPa) for each in found.values()]
+    straight = [linearity(each.response, "tip_displacement_x", "pressure", PRESSURE * kPa) for each in runs.values()]
     stretched = [
-        along(each.response, "principal_stretch_p99", "tip_displacement_x", EXTENSION) for each in found.values()
+        along(each.response, "principal_stretch_p99", "tip_displacement_x", EXTENSION) for each in runs.values()
     ]
     ordered = straight == sorted(straight)
     spared = stretched == sorted(stretched, reverse=True)
@@ -22,7 +22,7 @@ def judge(found: Found) -> Judgement:
     verdict = Verdict.CONFIRMED if ordered and spared else Verdict.CONDITIONAL
     return Judgement(
         verdict=verdict if dense else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: R² of a straight line up to {PRESSURE:g} kPa "
+        found=f"{', '.join(runs)}: R² of a straight line up to {PRESSURE:g} kPa "
         f"{', '.join(f'{each:.4f}' for each in straight)}; stretch that 99 % of the rubber stay below at an extension "
         f"of {EXTENSION / mm:g} mm {', '.join(f'{each:.3f}' for each in stretched)}.",
         conditions="Durability is judged by the stretch of the rubber alone; friction of threads on rubber is not "
@@ -31,8 +31,8 @@ def judge(found: Found) -> Judgement:
             "Every step to denser hoops helps."
             if ordered and spared
             else "Not every step to denser hoops helps: "
-            f"the straightest is that with {list(found)[straight.index(max(straight))]}, the rubber is spared most "
-            f"with {list(found)[stretched.index(min(stretched))]}."
+            f"the straightest is that with {list(runs)[straight.index(max(straight))]}, the rubber is spared most "
+            f"with {list(runs)[stretched.index(min(stretched))]}."
         ),
     )
 

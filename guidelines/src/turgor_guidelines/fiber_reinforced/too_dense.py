@@ -8,7 +8,7 @@ import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
 from turgor_guidelines.fiber_reinforced.wound import TUBE, cells
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.parts import elastosil, threads
 from turgor_guidelines.sections import solved_twice
 from turgor_guidelines.values import Value, at, listed, rises
@@ -60,10 +60,10 @@ def bonded_runs(setting: Setting) -> tuple[Run, ...]:
     return _runs(setting, bonded=True)
 
 
-def needed(found: Found) -> list[Value]:
+def needed(runs: Runs) -> list[Value]:
     """Pressure of each run at the requested stretch, with the mesh error of the stretch there [kPa]."""
     out = []
-    for each in found.values():
+    for each in runs.values():
         pressure, stretch = each.response["pressure"] / kPa, each.response["stretch"]
         where = float(np.interp(STRETCH, stretch, pressure, right=np.nan))
         error = at(each.response, "stretch", "pressure", where * kPa).error
@@ -71,13 +71,13 @@ def needed(found: Found) -> list[Value]:
     return out
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Whether the pressure for a stretch rises again where threads are dense."""
-    pressures = needed(found)
+    pressures = needed(runs)
     numbers = [each.number for each in pressures]
     least = int(np.argmin(numbers))
     more = numbers[-1] / numbers[least] - 1
-    names = list(found)
+    names = list(runs)
     if more > HIGHER and rises(pressures[least:]):
         first = next(name for name, each in zip(names, numbers, strict=True) if each > (1 + HIGHER) * numbers[least])
         verdict = Verdict.CONFIRMED
@@ -93,15 +93,15 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Stretch against pressure, and the pressure that is needed against the distance."""
-    pressures = needed(found)
+    pressures = needed(runs)
     line = tg.pictures.Line(
-        x=[float(name.split()[0]) for name in found],
+        x=[float(name.split()[0]) for name in runs],
         y=[each.number for each in pressures],
         error=[each.error for each in pressures],
     )
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     return (
         tg.pictures.Panel(x="pressure", y="stretch", responses=curves),
         tg.pictures.Panel(

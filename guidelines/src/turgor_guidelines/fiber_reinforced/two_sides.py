@@ -6,7 +6,7 @@ import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
 from turgor_guidelines.fiber_reinforced.wound import cells
-from turgor_guidelines.guideline import Found, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Judgement, Runs, Setting, Verdict
 from turgor_guidelines.parts import elastosil, threads
 from turgor_guidelines.pictures import outline_of
 from turgor_guidelines.sections import COARSER, compared
@@ -64,40 +64,40 @@ def pair(name: str) -> tuple[float, float]:
     return float(upper), float(lower)
 
 
-def _rows(found: Found, name: str) -> dict[float, list[Value]]:
+def _rows(runs: Runs, name: str) -> dict[float, list[Value]]:
     """A column by the upper angle, over falling lower angles: over rising differences."""
     out: dict[float, list[Value]] = {}
-    for key in sorted(found, key=lambda each: -pair(each)[1]):
-        out.setdefault(pair(key)[0], []).append(last(found[key].response, name))
+    for key in sorted(runs, key=lambda each: -pair(each)[1]):
+        out.setdefault(pair(key)[0], []).append(last(runs[key].response, name))
     return out
 
 
-def _best(found: Found, name: str) -> dict[float, tuple[float, bool]]:
+def _best(runs: Runs, name: str) -> dict[float, tuple[float, bool]]:
     """For each upper angle, the lower one of the largest value, and whether that is the greatest difference."""
     out = {}
-    for upper, values in _rows(found, name).items():
-        lowers = _lowers(found, upper)
+    for upper, values in _rows(runs, name).items():
+        lowers = _lowers(runs, upper)
         out[upper] = lowers[largest(values)], rises(values)
     return out
 
 
-def _lowers(found: Found, upper: float) -> list[float]:
+def _lowers(runs: Runs, upper: float) -> list[float]:
     """Lower angles of an upper one, over rising differences."""
-    return sorted((pair(name)[1] for name in found if pair(name)[0] == upper), reverse=True)
+    return sorted((pair(name)[1] for name in runs if pair(name)[0] == upper), reverse=True)
 
 
-def judge_difference(found: Found) -> Judgement:
+def judge_difference(runs: Runs) -> Judgement:
     """Whether curvature and moment rise with the difference of the angles while one of them stays."""
-    bends, moments = (_best(found, name) for name in ("curvature_y", "blocked_moment"))
+    bends, moments = (_best(runs, name) for name in ("curvature_y", "blocked_moment"))
     throughout = all(rising for each in (bends, moments) for _, rising in each.values())
-    at_first = all(lower < _lowers(found, upper)[0] for each in (bends, moments) for upper, (lower, _) in each.items())
+    at_first = all(lower < _lowers(runs, upper)[0] for each in (bends, moments) for upper, (lower, _) in each.items())
     parts = [
-        f"upper {upper:g} deg with lower {', '.join(f'{each:g}' for each in _lowers(found, upper))} deg: curvature "
+        f"upper {upper:g} deg with lower {', '.join(f'{each:g}' for each in _lowers(runs, upper))} deg: curvature "
         f"{', '.join(f'{each.number:.3g}' for each in values)} 1/m, moment that holds it straight "
-        f"{', '.join(f'{1e3 * each.number:.3g}' for each in _rows(found, 'blocked_moment')[upper])} mNm"
-        for upper, values in _rows(found, "curvature_y").items()
+        f"{', '.join(f'{1e3 * each.number:.3g}' for each in _rows(runs, 'blocked_moment')[upper])} mNm"
+        for upper, values in _rows(runs, "curvature_y").items()
     ]
-    top = max(found, key=lambda name: last(found[name].response, "curvature_y").number)
+    top = max(runs, key=lambda name: last(runs[name].response, "curvature_y").number)
     verdict = Verdict.CONDITIONAL if at_first else Verdict.NOT_REPRODUCED
     return Judgement(
         verdict=Verdict.CONFIRMED if throughout else verdict,
@@ -113,19 +113,19 @@ def judge_difference(found: Found) -> Judgement:
     )
 
 
-def judge_named(found: Found) -> Judgement:
+def judge_named(runs: Runs) -> Judgement:
     """Where 70 deg with 35 deg stands among all pairs, with both ways to count the angles."""
-    ranked = sorted(found, key=lambda name: -last(found[name].response, "curvature_y").number)
-    named = {pair(name): last(found[name].response, "curvature_y") for name in found}
+    ranked = sorted(runs, key=lambda name: -last(runs[name].response, "curvature_y").number)
+    named = {pair(name): last(runs[name].response, "curvature_y") for name in runs}
     place = [pair(name) for name in ranked].index(NAMED) + 1
     other = tuple(sorted((90 - each for each in NAMED), reverse=True))
-    below, moment = (_best(found, name)[NAMED[0]][0] for name in ("curvature_y", "blocked_moment"))
+    below, moment = (_best(runs, name)[NAMED[0]][0] for name in ("curvature_y", "blocked_moment"))
     partly = NAMED[1] in (below, moment)
     verdict = Verdict.CONDITIONAL if partly else Verdict.NOT_REPRODUCED
     return Judgement(
         verdict=Verdict.CONFIRMED if place == 1 else verdict,
         found=f"70/35 deg from the axis: curvature {named[NAMED]} at {PRESSURE:g} kPa, place {place} of {len(ranked)} "
-        f"pairs; most: {ranked[0]} with {last(found[ranked[0]].response, 'curvature_y')}. Counted from the "
+        f"pairs; most: {ranked[0]} with {last(runs[ranked[0]].response, 'curvature_y')}. Counted from the "
         f"circumference the same pair is {other[0]:g}/{other[1]:g} deg from the axis"
         + (f", {named[other]}." if other in named else ", which was not computed."),
         conditions=f"With 70 deg above, {below:g} deg below bends most, and {moment:g} deg has the largest moment; "
@@ -135,13 +135,13 @@ def judge_named(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature and moment against the lower angle, a line for each upper angle."""
     drawn = []
     for name, label in (("curvature_y", "curvature [1/m]"), ("blocked_moment", "moment that holds it straight [Nm]")):
         lines = []
-        for upper, values in _rows(found, name).items():
-            lowers = sorted((pair(key)[1] for key in found if pair(key)[0] == upper), reverse=True)
+        for upper, values in _rows(runs, name).items():
+            lowers = sorted((pair(key)[1] for key in runs if pair(key)[0] == upper), reverse=True)
             error = [each.error for each in values]
             numbers = [each.number for each in values]
             lines.append(tg.pictures.Line(x=lowers, y=numbers, error=error, label=f"upper half at {upper:g} deg"))

@@ -76,13 +76,13 @@ def tube(rubber: str, stretch: float, hoops: bool) -> Computed:
     material = rubber_of(rubber)
     stretches = np.linspace(1, stretch, 41)[1:]
     if not hoops:
-        found = tg.formulas.thick_tube(actuator, material, inner_stretch=stretches)
-        return Computed(response=pressures_of(found["pressure"], found["inner_stretch"], found.source))
+        result = tg.formulas.thick_tube(actuator, material, inner_stretch=stretches)
+        return Computed(response=pressures_of(result["pressure"], result["inner_stretch"], result.source))
     wound = threads("outside", 90, 0.2, 1.0)
-    found = tg.formulas.wound_tube(
+    result = tg.formulas.wound_tube(
         actuator, material, wound, np.linspace(0, stretch_pressure(material, stretch), 41)[1:]
     )
-    return Computed(response=pressures_of(found["pressure"], found["axial_stretch"], found.source))
+    return Computed(response=pressures_of(result["pressure"], result["axial_stretch"], result.source))
 
 
 def stretch_pressure(material: tg.Material, stretch: float) -> float:

@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.judging import change, line_of
 from turgor_guidelines.modeling.benders import BENDER, bender
 from turgor_guidelines.values import Value, at, listed
@@ -30,15 +30,15 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _changes(found: Found, pressure: float) -> dict[str, float]:
-    angles = {n: at(e.response, "bending_angle", "pressure", pressure * kPa) for n, e in found.items()}
+def _changes(runs: Runs, pressure: float) -> dict[str, float]:
+    angles = {n: at(e.response, "bending_angle", "pressure", pressure * kPa) for n, e in runs.items()}
     rest = angles.pop("all rods")
     return {name: change(angle, rest) for name, angle in angles.items()}
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Rods bend less than threads by more than what counts; where hoops are in tension they do not."""
-    changes = {pressure: _changes(found, pressure) for pressure in PRESSURES}
+    changes = {pressure: _changes(runs, pressure) for pressure in PRESSURES}
     hoops = [abs(row["hoops slack"]) > COUNTS for row in changes.values()]
     fabric = [row["all slack"] > COUNTS for row in changes.values()]
     verdict = Verdict.CONFIRMED if all(hoops) and all(fabric) else Verdict.CONDITIONAL
@@ -49,7 +49,7 @@ def judge(found: Found) -> Judgement:
         for pressure, row in changes.items()
     )
     where = [f"{p} kPa" for p, more in zip(PRESSURES, hoops, strict=True) if more]
-    angles = [at(found["all rods"].response, "bending_angle", "pressure", p * kPa) for p in PRESSURES]
+    angles = [at(runs["all rods"].response, "bending_angle", "pressure", p * kPa) for p in PRESSURES]
     return Judgement(
         verdict=verdict,
         found=f"angle against that with rods everywhere: {summary}; with rods {listed(angles)}",
@@ -59,12 +59,12 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves, and changes."""
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     lines = []
     for pressure in PRESSURES:
-        changes = _changes(found, pressure)
+        changes = _changes(runs, pressure)
         lines.append(line_of(list(changes), [Value(100 * size) for size in changes.values()], f"{pressure} kPa"))
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=curves),

@@ -7,7 +7,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.judging import line_of
 from turgor_guidelines.modeling.benders import rubber_of
 from turgor_guidelines.values import Value, last
@@ -71,19 +71,19 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _apart(found: Found) -> dict[str, float]:
+def _apart(runs: Runs) -> dict[str, float]:
     """Distance between both tips over the length of the arm, at the full pressure."""
-    names = list(found)
+    names = list(runs)
     out = {}
     for without, with_ in zip(names[::2], names[1::2], strict=True):
-        tips = [[last(found[name].response, f"tip_{axis}").number for axis in "xz"] for name in (without, with_)]
+        tips = [[last(runs[name].response, f"tip_{axis}").number for axis in "xz"] for name in (without, with_)]
         out[without.rsplit(",", 1)[0]] = float(np.linalg.norm(np.subtract(tips[0], tips[1])))
     return out
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Distances beyond what counts, and for which arms."""
-    apart = _apart(found)
+    apart = _apart(runs)
     far = [name for name, size in apart.items() if size > COUNTS]
     verdict = (
         Verdict.NOT_REPRODUCED if not far else Verdict.CONFIRMED if len(far) == len(apart) else Verdict.CONDITIONAL
@@ -100,10 +100,10 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Paths of the tips, and the distances against the length."""
-    shown = tuple((name, each.response) for name, each in found.items() if f"{2 * SLENDERNESS[1]} diameters" in name)
-    apart = _apart(found)
+    shown = tuple((name, each.response) for name, each in runs.items() if f"{2 * SLENDERNESS[1]} diameters" in name)
+    apart = _apart(runs)
     lines = [
         line_of(
             [2 * s for s in SLENDERNESS], [Value(100 * apart[f"{name}, {2 * s} diameters"]) for s in SLENDERNESS], name

@@ -4,7 +4,7 @@ import numpy as np
 
 import turgor as tg
 from turgor.studies import Computed, Run
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.modeling.benders import rubber_of
 from turgor_guidelines.parts import law_of
@@ -32,8 +32,8 @@ def fitted(rubber: str, law: str) -> Computed:
         stretch = np.linspace(1, 1 + strain, 31)[1:]
         stress = tg.laws.curve(truth, "uniaxial", stretch).nominal_stress
         test = tg.experiments.MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stress, name="a strip")
-        found = law_of(tg.fit(law, test).material)
-        again = tg.laws.curve(found, "uniaxial", stretch).nominal_stress
+        result = law_of(tg.fit(law, test).material)
+        again = tg.laws.curve(result, "uniaxial", stretch).nominal_stress
         far = stretch > 1 + 0.1 * strain
         errors.append(float(np.abs(again / stress - 1)[far].max()))
     columns = (
@@ -60,11 +60,11 @@ def accurate_until(response: tg.Response) -> float:
     return float(response["strain"][count - 1]) if count else 0.0
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Ranges in which each law is accurate, against those that are claimed."""
     holds, parts, seen = [], [], []
     for rubber in RUBBERS:
-        reach = {law: accurate_until(found[f"{law}; {rubber}"].response) for law in CLAIMED}
+        reach = {law: accurate_until(runs[f"{law}; {rubber}"].response) for law in CLAIMED}
         low, high = ("neo-hooke", "mooney-rivlin"), ("yeoh", "ogden-2")
         holds += [reach[law] >= CLAIMED[law] for law in CLAIMED]
         holds += [max(reach[law] for law in low) < min(reach[law] for law in high)]
@@ -80,13 +80,13 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Error against the range of the fit, a panel for each rubber."""
     out = []
     for rubber in RUBBERS:
         lines = []
         for law in CLAIMED:
-            response = found[f"{law}; {rubber}"].response
+            response = runs[f"{law}; {rubber}"].response
             values = [Value(100 * float(error)) for error in response["error"]]
             lines.append(line_of([100 * float(strain) for strain in response["strain"]], values, law))
         out.append(

@@ -7,7 +7,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import MPa, kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import change, line_of, verdict_of
 from turgor_guidelines.sections import solved_twice
 from turgor_guidelines.values import Value, last
@@ -64,16 +64,16 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _curvatures(found: Found, form: str) -> list[Value]:
-    return [last(found[f"{form}, {thickness:g} mm"].response, "curvature_y") for thickness in LAYERS]
+def _curvatures(runs: Runs, form: str) -> list[Value]:
+    return [last(runs[f"{form}, {thickness:g} mm"].response, "curvature_y") for thickness in LAYERS]
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Membrane and shell bend as the solid layer does."""
-    solid = _curvatures(found, "solid")
+    solid = _curvatures(runs, "solid")
     holds, parts, apart = [], [], []
     for form in FORMS[1:]:
-        changes = [change(value, rest) for value, rest in zip(_curvatures(found, form), solid, strict=True)]
+        changes = [change(value, rest) for value, rest in zip(_curvatures(runs, form), solid, strict=True)]
         holds += [abs(each) < SAME for each in changes]
         parts.append(f"{form} {', '.join(f'{each:+.1%}' for each in changes)}")
         apart += [
@@ -91,9 +91,9 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature against the thickness, for each form."""
-    lines = [line_of(list(LAYERS), _curvatures(found, form), form) for form in FORMS]
+    lines = [line_of(list(LAYERS), _curvatures(runs, form), form) for form in FORMS]
     return (
         tg.pictures.Panel(x="thickness of the layer [mm]", y=f"curvature at {PRESSURES[-1]} kPa [1/m]", lines=lines),
     )

@@ -5,7 +5,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import change, line_of, verdict_of
 from turgor_guidelines.modeling.benders import TUBE, bender, rubber_of, tube
 from turgor_guidelines.multi_chamber.pneunets import ELASTOSIL, bend, run_of
@@ -40,15 +40,15 @@ def pressure_at(response: tg.Response, stretch: float) -> Value:
     return Value(float(np.interp(stretch, response["stretch"], response["pressure"] / kPa)), 0.0, "kPa")
 
 
-def _differences(found: Found) -> dict[str, float]:
+def _differences(runs: Runs) -> dict[str, float]:
     """Neo-Hooke against Yeoh for each actuator."""
     low, high = LAWS
     out = {}
     for name, stretch in (("free tube", FREE), ("wound tube", WOUND)):
-        out[name] = change(*(pressure_at(found[f"{name}, {law}"].response, stretch) for law in (low, high)))
+        out[name] = change(*(pressure_at(runs[f"{name}, {law}"].response, stretch) for law in (low, high)))
     for name, pressure in (("wound bender", 60), ("PneuNet", 14)):
         angles = (
-            at(found[f"{name}, {law}"].response, "bending_angle", "pressure", pressure * kPa) for law in (low, high)
+            at(runs[f"{name}, {law}"].response, "bending_angle", "pressure", pressure * kPa) for law in (low, high)
         )
         out[name] = change(*angles)
     return out
@@ -60,9 +60,9 @@ def _moduli() -> float:
     return low / high - 1
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """The free tube differs by more than what is tolerated, the others do not."""
-    found_here = _differences(found)
+    found_here = _differences(runs)
     holds = [
         abs(size) > TOLERATED if name == "free tube" else abs(size) < TOLERATED for name, size in found_here.items()
     ]
@@ -79,11 +79,11 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves of all, and the differences."""
-    tubes = tuple((name, each.response) for name, each in found.items() if "tube" in name)
-    others = tuple((name, each.response) for name, each in found.items() if "tube" not in name)
-    sizes = _differences(found)
+    tubes = tuple((name, each.response) for name, each in runs.items() if "tube" in name)
+    others = tuple((name, each.response) for name, each in runs.items() if "tube" not in name)
+    sizes = _differences(runs)
     bars = line_of(list(sizes), [Value(100 * size) for size in sizes.values()])
     return (
         tg.pictures.Panel(x="stretch", y="pressure", responses=tubes),

@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.judging import line_of
 from turgor_guidelines.modeling.benders import BENDER, bender
 from turgor_guidelines.values import Value, at, listed
@@ -58,32 +58,32 @@ def published(setting: Setting) -> tuple[Run, ...]:
     return _runs(PUBLISHED, setting)
 
 
-def _angles(found: Found) -> dict[str, Value]:
-    return {name: at(each.response, "bending_angle", "pressure", PRESSURE * kPa) for name, each in found.items()}
+def _angles(runs: Runs) -> dict[str, Value]:
+    return {name: at(each.response, "bending_angle", "pressure", PRESSURE * kPa) for name, each in runs.items()}
 
 
-def judge_borrowed(found: Found) -> Judgement:
+def judge_borrowed(runs: Runs) -> Judgement:
     """How far borrowed constants are from own ones."""
-    angles = list(_angles(found).values())
+    angles = list(_angles(runs).values())
     ratios = [b.number / a.number for a, b in zip(angles[::2], angles[1::2], strict=True)]
     far = all(abs(ratio - 1) > SUBSTANTIAL for ratio in ratios)
     return Judgement(
         verdict=Verdict.CONFIRMED if far else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: {listed(angles)} at {PRESSURE} kPa; with the borrowed constants the angle is "
+        found=f"{', '.join(runs)}: {listed(angles)} at {PRESSURE} kPa; with the borrowed constants the angle is "
         + " and ".join(f"{ratio:.2g}" for ratio in ratios)
         + " times that with constants of the rubber itself",
     )
 
 
-def judge_published(found: Found) -> Judgement:
+def judge_published(runs: Runs) -> Judgement:
     """How far published constants of one rubber are from each other."""
-    angles = _angles(found)
+    angles = _angles(runs)
     low, high = min(angles, key=lambda n: angles[n].number), max(angles, key=lambda n: angles[n].number)
-    stretch = max(at(each.response, "largest_stretch", "pressure", PRESSURE * kPa).number for each in found.values())
+    stretch = max(at(each.response, "largest_stretch", "pressure", PRESSURE * kPa).number for each in runs.values())
     spread = angles[high].number / angles[low].number - 1
     return Judgement(
         verdict=Verdict.CONFIRMED if spread > SUBSTANTIAL else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: {listed(list(angles.values()))} at {PRESSURE} kPa; {high} bends {spread:.0%} "
+        found=f"{', '.join(runs)}: {listed(list(angles.values()))} at {PRESSURE} kPa; {high} bends {spread:.0%} "
         f"further "
         f"than {low}",
         conditions=f"The rubber is stretched {stretch:.2f} times at most there. Records with borrowed constants, "
@@ -92,10 +92,10 @@ def judge_published(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves, and angles."""
-    curves = tuple((name, each.response) for name, each in found.items())
-    angles = _angles(found)
+    curves = tuple((name, each.response) for name, each in runs.items())
+    angles = _angles(runs)
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=curves),
         tg.pictures.Panel(

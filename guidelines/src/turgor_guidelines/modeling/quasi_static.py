@@ -5,7 +5,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 
 #: Length of the pressure's ramp over the first period of the actuator, and damping ratios of that vibration.
 RAMPS, RATIOS = (0.5, 2.0, 20.0), (0.0, 0.02)
@@ -68,14 +68,14 @@ def _name(periods: float, ratio: float) -> str:
     return f"{periods:g} periods, damping {ratio:.0%}"
 
 
-def _most(found: Found, ratio: float, column: str) -> list[float]:
-    return [float(np.abs(found[_name(periods, ratio)].response[column]).max()) for periods in RAMPS]
+def _most(runs: Runs, ratio: float, column: str) -> list[float]:
+    return [float(np.abs(runs[_name(periods, ratio)].response[column]).max()) for periods in RAMPS]
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Fast ramps leave the static path; slow ones with damping follow it, with little kinetic energy."""
     differences, energies = (
-        {ratio: _most(found, ratio, each) for ratio in RATIOS} for each in ("difference", "energy_share")
+        {ratio: _most(runs, ratio, each) for ratio in RATIOS} for each in ("difference", "energy_share")
     )
     slow = [k for k, periods in enumerate(RAMPS) if periods >= SLOW]
     follows = all(differences[RATIOS[1]][k] < NEAR and energies[RATIOS[1]][k] < ENERGY for k in slow)
@@ -97,12 +97,12 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Largest difference and energy against the length of the ramp."""
     out = []
     for column, name in (("difference", "largest difference [%]"), ("energy_share", "kinetic over strain energy [%]")):
         lines = [
-            tg.pictures.Line(x=RAMPS, y=100 * np.array(_most(found, ratio, column)), label=f"damping {ratio:.0%}")
+            tg.pictures.Line(x=RAMPS, y=100 * np.array(_most(runs, ratio, column)), label=f"damping {ratio:.0%}")
             for ratio in RATIOS
         ]
         out.append(tg.pictures.Panel(x="length of the ramp [periods]", y=name, lines=lines))

@@ -5,7 +5,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.judging import line_of
 from turgor_guidelines.modeling.benders import pressures_of, rubber_of, threads
 from turgor_guidelines.values import Value
@@ -22,8 +22,8 @@ def extend(skin: float, wall: float) -> Computed:
     actuator = tg.actuators.FiberReinforcedCylinder(inner_radius=6.35 * mm, wall=wall * mm, skin=skin * mm)
     wound = threads("winding" if skin else "outside", 90, 0.5, 1.0)
     pressure = np.linspace(0, 12 + 6 * skin, 41)[1:] * kPa * wall / 2
-    found = tg.formulas.wound_tube(actuator, rubber_of("ecoflex-00-30/yeoh-kulkarni-2015"), wound, pressure)
-    return Computed(response=pressures_of(found["pressure"], found["axial_stretch"], found.source))
+    result = tg.formulas.wound_tube(actuator, rubber_of("ecoflex-00-30/yeoh-kulkarni-2015"), wound, pressure)
+    return Computed(response=pressures_of(result["pressure"], result["axial_stretch"], result.source))
 
 
 def runs(setting: Setting) -> tuple[Run, ...]:
@@ -36,19 +36,19 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _shift(found: Found, wall: float, stretch: float) -> dict[float, float]:
+def _shift(runs: Runs, wall: float, stretch: float) -> dict[float, float]:
     """Pressure that is needed more, by skin."""
     pressures = {}
     for skin in SKINS:
-        response = found[f"wall {wall:g} mm, skin {skin:g} mm"].response
+        response = runs[f"wall {wall:g} mm, skin {skin:g} mm"].response
         reached = response["stretch"][-1] >= stretch
         pressures[skin] = float(np.interp(stretch, response["stretch"], response["pressure"])) if reached else np.nan
     return {skin: pressures[skin] / pressures[0.0] - 1 for skin in SKINS[1:]}
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Whether some skin shifts the pressure by the published amount, and that all shift it up."""
-    shifts = {(wall, stretch): _shift(found, wall, stretch) for wall in (2.0, 4.0) for stretch in STRETCHES}
+    shifts = {(wall, stretch): _shift(runs, wall, stretch) for wall in (2.0, 4.0) for stretch in STRETCHES}
     low, high = PUBLISHED
     up = all(value > 0 for row in shifts.values() for value in row.values())
     near = [
@@ -74,13 +74,13 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves, and the shift against the skin."""
-    curves = tuple((name, each.response) for name, each in found.items() if name.startswith("wall 2"))
+    curves = tuple((name, each.response) for name, each in runs.items() if name.startswith("wall 2"))
     lines = []
     for wall in (2.0, 4.0):
         for stretch in STRETCHES:
-            row = _shift(found, wall, stretch)
+            row = _shift(runs, wall, stretch)
             values = [Value(100 * value) for value in row.values()]
             lines.append(line_of(list(row), values, f"wall {wall:g} mm, stretch {stretch:g}"))
     return (

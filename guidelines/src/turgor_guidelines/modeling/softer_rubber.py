@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import deg
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.modeling.benders import BENDER, bender
 from turgor_guidelines.multi_chamber.pneunets import at_angle
@@ -42,18 +42,18 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _pressures(found: Found, fabric: str) -> tuple[float, list[Value]]:
+def _pressures(runs: Runs, fabric: str) -> tuple[float, list[Value]]:
     """Common angle [deg] of the benders with a fabric, and their pressures there."""
-    kind = [each.response for name, each in found.items() if name.endswith(fabric)]
+    kind = [each.response for name, each in runs.items() if name.endswith(fabric)]
     angle = min(ANGLE, *(0.999 * float((each.column("bending_angle") / deg).max()) for each in kind))
     return angle, [at_angle(each, "pressure", angle) for each in kind]
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Pressures for an angle rise with the hardness."""
     parts, holds, seen = [], [], []
     for fabric in FABRICS:
-        angle, pressures = _pressures(found, fabric)
+        angle, pressures = _pressures(runs, fabric)
         holds.append(rises(pressures))
         times = pressures[-1].number / pressures[0].number
         parts.append(f"{fabric}: {listed(pressures)} for {angle:.3g} deg")
@@ -65,19 +65,19 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves of both kinds, and the pressures."""
     out = [
         tg.pictures.Panel(
             x="pressure",
             y="bending_angle",
-            responses=tuple((n.split(",")[0], e.response) for n, e in found.items() if n.endswith(fabric)),
+            responses=tuple((n.split(",")[0], e.response) for n, e in runs.items() if n.endswith(fabric)),
         )
         for fabric in FABRICS
     ]
     lines = []
     for fabric in FABRICS:
-        angle, pressures = _pressures(found, fabric)
+        angle, pressures = _pressures(runs, fabric)
         lines.append(line_of(list(RUBBERS), pressures, f"{fabric}, {angle:.3g} deg"))
     return (*out, tg.pictures.Panel(x="rubber", y="pressure for an angle [kPa]", lines=lines))
 

@@ -7,7 +7,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.modeling.benders import pressures_of, rubber_of
 from turgor_guidelines.parts import law_of
@@ -40,10 +40,10 @@ def predicted(truth: str, law: str, tests: str) -> Computed:
         material = tg.fit(law, made).material
     else:
         material = tg.Material(name="rubber", law=law_of(material))
-    found = tg.formulas.thick_tube(
+    result = tg.formulas.thick_tube(
         tg.actuators.ExtendingCylinder(), material, inner_stretch=np.linspace(1, 2.5, 31)[1:]
     )
-    return Computed(response=pressures_of(found["pressure"], found["inner_stretch"], found.source))
+    return Computed(response=pressures_of(result["pressure"], result["inner_stretch"], result.source))
 
 
 def runs(setting: Setting) -> tuple[Run, ...]:
@@ -65,17 +65,17 @@ def _error(response: tg.Response, truth: tg.Response) -> float:
     return a / b - 1
 
 
-def _errors(found: Found, tests: str) -> dict[str, float]:
+def _errors(runs: Runs, tests: str) -> dict[str, float]:
     return {
-        f"{name}: {law}": _error(found[f"{name}: {law}, {tests}"].response, found[f"{name}: truth"].response)
+        f"{name}: {law}": _error(runs[f"{name}: {law}, {tests}"].response, runs[f"{name}: truth"].response)
         for name in TRUTHS
         for law in LAWS
     }
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Uniaxial tests alone leave an error that counts, and equibiaxial ones reduce it."""
-    alone, both = (_errors(found, tests) for tests in TESTS)
+    alone, both = (_errors(runs, tests) for tests in TESTS)
     holds = [abs(alone[name]) > COUNTS and abs(both[name]) < abs(alone[name]) for name in alone]
     harmless = [name for name, size in alone.items() if abs(size) <= COUNTS]
     return Judgement(
@@ -86,17 +86,17 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves of each rubber, and the errors."""
     curves = [
         tg.pictures.Panel(
-            x="stretch", y="pressure", responses=tuple((n, e.response) for n, e in found.items() if n.startswith(name))
+            x="stretch", y="pressure", responses=tuple((n, e.response) for n, e in runs.items() if n.startswith(name))
         )
         for name in TRUTHS
     ]
     lines = []
     for tests in TESTS:
-        errors = _errors(found, tests)
+        errors = _errors(runs, tests)
         lines.append(line_of(list(errors), [Value(100 * size) for size in errors.values()], tests))
     return (*curves, tg.pictures.Panel(x="law", y="error of the pressure [%]", lines=lines))
 

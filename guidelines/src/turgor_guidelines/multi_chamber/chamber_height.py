@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import change, line_of, verdict_of
 from turgor_guidelines.multi_chamber.pneunets import (
     MULTI_CHAMBERED,
@@ -34,31 +34,28 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """The force rises with the height, at both pressures."""
-    forces = {
-        p: [at(each.response, "blocked_force", "pressure", p * kPa) for each in found.values()] for p in PRESSURES
-    }
+    forces = {p: [at(each.response, "blocked_force", "pressure", p * kPa) for each in runs.values()] for p in PRESSURES}
     holds = {p: rises(values) for p, values in forces.items()}
     missed = [f"{p} kPa" for p, confirmed in holds.items() if not confirmed]
     gains = ", ".join(f"{change(values[-1], values[0]):+.0%} at {p} kPa" for p, values in forces.items())
     return Judgement(
         verdict=verdict_of(holds.values()),
-        found=f"height {', '.join(found)}: "
-        + "; ".join(f"{listed(values)} at {p} kPa" for p, values in forces.items()),
+        found=f"height {', '.join(runs)}: " + "; ".join(f"{listed(values)} at {p} kPa" for p, values in forces.items()),
         conditions=f"From the lowest to the highest the force changes by {gains}."
         + (f" It does not rise at every step at {', '.join(missed)}." if missed else ""),
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Force against pressure, and against the height."""
-    curves = tuple((name, each.response) for name, each in found.items())
-    heights = [float(name.split()[0]) for name in found]
+    curves = tuple((name, each.response) for name, each in runs.items())
+    heights = [float(name.split()[0]) for name in runs]
     lines = [
         line_of(
             heights,
-            [at(each.response, "blocked_force", "pressure", p * kPa) for each in found.values()],
+            [at(each.response, "blocked_force", "pressure", p * kPa) for each in runs.values()],
             f"{p} kPa",
         )
         for p in PRESSURES

@@ -6,7 +6,7 @@ import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
 from turgor_guidelines.factorials import analyses, corner_name, corners, share_lines, shares_text
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import change, line_of, verdict_of
 from turgor_guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, count_and_size, pneunet, run_of
 from turgor_guidelines.values import Value, at, listed
@@ -70,9 +70,9 @@ def _corner(scales: Mapping[str, float], count: int) -> dict[str, float]:
     return out
 
 
-def judge_corners(found: Found) -> Judgement:
+def judge_corners(runs: Runs) -> Judgement:
     """Signs of the effects, and the order of their shares of the variance."""
-    tables = analyses(found, ORDER, PRESSURES)
+    tables = analyses(runs, ORDER, PRESSURES)
     holds = [each.effect(name) < 0 for each in tables.values() for name in ORDER]
     holds += [each.ranking == ORDER for each in tables.values()]
     seen = [f"At {pressure} kPa the order is {', '.join(each.ranking)}." for pressure, each in tables.items()]
@@ -83,30 +83,30 @@ def judge_corners(found: Found) -> Judgement:
     )
 
 
-def corner_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def corner_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Shares of the variance."""
-    lines = share_lines(analyses(found, ORDER, PRESSURES))
+    lines = share_lines(analyses(runs, ORDER, PRESSURES))
     return (tg.pictures.Panel(x="dimension", y="share of the sum of squares [%]", lines=lines),)
 
 
-def _angles(found: Found, pressure: float) -> dict[str, Value]:
+def _angles(runs: Runs, pressure: float) -> dict[str, Value]:
     """Angles [deg] at a pressure [kPa]."""
-    return {name: at(each.response, "bending_angle", "pressure", pressure * kPa) for name, each in found.items()}
+    return {name: at(each.response, "bending_angle", "pressure", pressure * kPa) for name, each in runs.items()}
 
 
-def _effects(found: Found, pressure: float) -> dict[str, float]:
-    angles = _angles(found, pressure)
+def _effects(runs: Runs, pressure: float) -> dict[str, float]:
+    angles = _angles(runs, pressure)
     rest = angles.pop("reference")
     return {name: change(each, rest) for name, each in angles.items()}
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Signs, and the order of the sizes, before walls touch and after."""
-    largest = max(float(name.split(" x ")[1]) for name in found if " x " in name)
+    largest = max(float(name.split(" x ")[1]) for name in runs if " x " in name)
     holds, parts, seen = [], [], []
     for pressure in PRESSURES:
         effects = {
-            name.split(" x ")[0]: size for name, size in _effects(found, pressure).items() if f"x {largest:g}" in name
+            name.split(" x ")[0]: size for name, size in _effects(runs, pressure).items() if f"x {largest:g}" in name
         }
         sizes = [abs(effects[name]) for name in ORDER]
         holds += [effects[name] < 0 for name in ORDER] + [sizes == sorted(sizes, reverse=True)]
@@ -115,7 +115,7 @@ def judge(found: Found) -> Judgement:
         signs = [f"a larger {name} bends further" for name in ORDER if effects[name] >= 0]
         seen.append(f"At {pressure} kPa the order is {', '.join(order)}" + "".join(f", and {each}" for each in signs))
         seen[-1] += f"; where the chambers keep their length, thicker walls change the angle by {effects[LONGER]:+.1%}."
-    angles = listed(list(_angles(found, PRESSURES[-1]).values()))
+    angles = listed(list(_angles(runs, PRESSURES[-1]).values()))
     return Judgement(
         verdict=verdict_of(holds),
         found=f"change of the angle with dimensions {largest:g} times as large; {'; '.join(parts)}. Angles: {angles}",
@@ -123,12 +123,12 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves, and effects at both pressures."""
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     lines = []
     for pressure in PRESSURES:
-        effects = _effects(found, pressure)
+        effects = _effects(runs, pressure)
         sizes = [Value(100 * size) for size in effects.values()]
         lines.append(line_of(list(effects), sizes, f"{pressure} kPa"))
     return (

@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import change, line_of, verdict_of
 from turgor_guidelines.multi_chamber.pneunets import SETUP, bend, count_and_size, pneunet, push, run_of
 from turgor_guidelines.values import Value, at
@@ -31,11 +31,11 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _gains(found: Found) -> dict[str, dict[str, float]]:
+def _gains(runs: Runs) -> dict[str, dict[str, float]]:
     """Relative gain over the conventional one by quantity and name."""
     names = [*(f"angle at {p} kPa" for p in PRESSURES), f"force at {PUSH} kPa"]
     values: dict[str, dict[str, Value]] = {name: {} for name in names}
-    for name, each in found.items():
+    for name, each in runs.items():
         if name.startswith("pushing, "):
             force = at(each.response, "blocked_force", "pressure", PUSH * kPa)
             values[f"force at {PUSH} kPa"][name.removeprefix("pushing, ")] = force
@@ -48,9 +48,9 @@ def _gains(found: Found) -> dict[str, dict[str, float]]:
     }
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """All gains have the sign of the publication; for confirmation they lie in the range around its numbers too."""
-    gains = _gains(found)
+    gains = _gains(runs)
     more = [gain > 0 for row in gains.values() for gain in row.values()]
     inside = []
     for what, row in gains.items():
@@ -69,13 +69,13 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Angles, forces, and gains against the width of the strips."""
-    bent = tuple((name, each.response) for name, each in found.items() if "bending_angle" in each.response)
-    pushed = tuple((name, each.response) for name, each in found.items() if "blocked_force" in each.response)
+    bent = tuple((name, each.response) for name, each in runs.items() if "bending_angle" in each.response)
+    pushed = tuple((name, each.response) for name, each in runs.items() if "blocked_force" in each.response)
     lines = [
         line_of([float(name.split()[-2]) for name in row], [Value(100 * gain) for gain in row.values()], what)
-        for what, row in _gains(found).items()
+        for what, row in _gains(runs).items()
     ]
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=bent),

@@ -5,7 +5,7 @@ from itertools import pairwise
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.multi_chamber.pneunets import PITCH, SETUP, bend, count_and_size, pneunet, push, run_of
 from turgor_guidelines.values import Value, at, falls, listed, rises
@@ -43,58 +43,58 @@ def longer(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _read(found: Found, name: str) -> list[Value]:
-    bent = [each.response for each in found.values() if name in each.response]
+def _read(runs: Runs, name: str) -> list[Value]:
+    bent = [each.response for each in runs.values() if name in each.response]
     values = [at(each, name, "pressure", PRESSURE * kPa) for each in bent]
     return [Value(abs(value.number), value.error, value.unit) for value in values]
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Angle, twist and force against the angle of the chambers."""
-    angle, twist = _read(found, "bending_angle"), _read(found, "twist_angle")
+    angle, twist = _read(runs, "bending_angle"), _read(runs, "twist_angle")
     forces = [
-        at(e.response, "blocked_force", "pressure", PUSH * kPa) for e in found.values() if "blocked_force" in e.response
+        at(e.response, "blocked_force", "pressure", PUSH * kPa) for e in runs.values() if "blocked_force" in e.response
     ]
     holds = {"less bending": falls(angle), "more twist": rises(twist), "more force": rises(forces)}
     missed = [name for name, confirmed in holds.items() if not confirmed]
     return Judgement(
         verdict=verdict_of(holds.values()),
-        found=f"chambers at {', '.join(name for name in found if 'pushing' not in name)}: bending {listed(angle)} "
+        found=f"chambers at {', '.join(name for name in runs if 'pushing' not in name)}: bending {listed(angle)} "
         f"and twist "
         f"{listed(twist)} at {PRESSURE} kPa; force at {PUSH} kPa, first and last, {listed(forces)}",
         conditions=f"Not seen here: {', '.join(missed)}." if missed else "",
     )
 
 
-def judge_longer(found: Found) -> Judgement:
+def judge_longer(runs: Runs) -> Judgement:
     """Each further chamber adds the same angle and the same twist, so that radius and pitch stay."""
     parts, holds = [], []
     for name in ("bending_angle", "twist_angle"):
-        values = [value.number for value in _read(found, name)]
+        values = [value.number for value in _read(runs, name)]
         added = [b - a for a, b in pairwise(values)]
         spread = max(added) / min(added) - 1
         holds.append(0 <= spread < SAME)
         parts.append(
-            f"{name.replace('_', ' ')} {listed(_read(found, name))}, each chamber adds {spread:.1%} more or less"
+            f"{name.replace('_', ' ')} {listed(_read(runs, name))}, each chamber adds {spread:.1%} more or less"
         )
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"{', '.join(found)} at {PRESSURE} kPa: {'; '.join(parts)}",
+        found=f"{', '.join(runs)} at {PRESSURE} kPa: {'; '.join(parts)}",
         conditions="" if all(holds) else "Ends of the actuator still matter with so few chambers.",
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves, and angle and twist against the angle of the chambers."""
-    bent = {name: each.response for name, each in found.items() if "bending_angle" in each.response}
+    bent = {name: each.response for name, each in runs.items() if "bending_angle" in each.response}
     curves = tuple(bent.items())
     x = [float(name.split()[0]) for name in bent]
-    lines = [line_of(x, _read(found, f"{name}_angle"), name) for name in ("bending", "twist")]
+    lines = [line_of(x, _read(runs, f"{name}_angle"), name) for name in ("bending", "twist")]
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=curves),
         tg.pictures.Panel(x="pressure", y="twist_angle", responses=curves),
         tg.pictures.Panel(
-            x="number of chambers" if "chambers" in next(iter(found)) else "angle of the chambers [deg]",
+            x="number of chambers" if "chambers" in next(iter(runs)) else "angle of the chambers [deg]",
             y=f"angles at {PRESSURE} kPa [deg]",
             lines=lines,
         ),

@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import verdict_of
 from turgor_guidelines.multi_chamber.pneunets import SETUP, at_angle, bend, count_and_size, pneunet, run_of
 from turgor_guidelines.values import last, linearity, listed
@@ -24,17 +24,17 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Straightness up to the same angle, and how far the sides have bulged there."""
-    reached = min(last(each.response, "bending_angle").number for each in found.values())
+    reached = min(last(each.response, "bending_angle").number for each in runs.values())
     angle = 0.999 * reached
     straight, bulges = [], []
-    for each in found.values():
+    for each in runs.values():
         pressure = at_angle(each.response, "pressure", angle).number * kPa
         straight.append(linearity(each.response, "bending_angle", "pressure", pressure))
         bulges.append(at_angle(each.response, "bulge", angle))
     fast, slow, void = straight
-    fits = ", ".join(f"{name} {value:.4f}" for name, value in zip(found, straight, strict=True))
+    fits = ", ".join(f"{name} {value:.4f}" for name, value in zip(runs, straight, strict=True))
     return Judgement(
         verdict=verdict_of(
             [fast > void, slow > void, bulges[0].number < bulges[2].number, bulges[1].number < bulges[2].number]
@@ -58,9 +58,9 @@ def _times(bulges: list[float], k: int) -> str:
     return f"{1 / ratio:.2g} times less" if ratio < 1 else f"{ratio:.2g} times more"
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Angle and bulge against pressure and angle."""
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=curves),
         tg.pictures.Panel(x="bending_angle", y="bulge", responses=curves),

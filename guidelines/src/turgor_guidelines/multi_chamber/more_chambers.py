@@ -5,7 +5,7 @@ from itertools import pairwise
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.judging import verdict_of
 from turgor_guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, pneunet
 from turgor_guidelines.values import at, linearity, listed, rises
@@ -30,14 +30,14 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """More chambers, larger angle; and how straight the curves are."""
-    angles = [at(each.response, "bending_angle", "pressure", PRESSURE) for each in found.values()]
-    straight = [linearity(each.response, "bending_angle", "pressure", PRESSURE) for each in found.values()]
+    angles = [at(each.response, "bending_angle", "pressure", PRESSURE) for each in runs.values()]
+    straight = [linearity(each.response, "bending_angle", "pressure", PRESSURE) for each in runs.values()]
     straighter = all(b > a - SAME for a, b in pairwise(straight))
     return Judgement(
         verdict=verdict_of([True, straighter]) if rises(angles) else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: {listed(angles)} at {PRESSURE / kPa:g} kPa; R² of a straight line "
+        found=f"{', '.join(runs)}: {listed(angles)} at {PRESSURE / kPa:g} kPa; R² of a straight line "
         + ", ".join(f"{each:.4f}" for each in straight),
         conditions=""
         if straighter
@@ -45,15 +45,15 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Angle against pressure, and against the number of chambers."""
-    angles = [at(each.response, "bending_angle", "pressure", PRESSURE) for each in found.values()]
+    angles = [at(each.response, "bending_angle", "pressure", PRESSURE) for each in runs.values()]
     line = tg.pictures.Line(
-        x=[int(name.split()[0]) for name in found],
+        x=[int(name.split()[0]) for name in runs],
         y=[each.number for each in angles],
         error=[each.error for each in angles],
     )
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=curves),
         tg.pictures.Panel(x="number of chambers", y=f"bending angle at {PRESSURE / kPa:g} kPa [deg]", lines=[line]),

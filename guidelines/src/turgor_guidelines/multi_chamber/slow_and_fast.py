@@ -6,7 +6,7 @@ import numpy as np
 
 import turgor as tg
 from turgor.studies import Run
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.multi_chamber.pneunets import SETUP, at_angle, bend, count_and_size, pneunet, push, run_of
 from turgor_guidelines.values import Value, last
@@ -66,10 +66,10 @@ def varied(setting: Setting) -> tuple[Run, ...]:
     return (*same, *both, *fast, *slow, *stiff)
 
 
-def _angle(found: Found) -> float:
+def _angle(runs: Runs) -> float:
     """Angle [deg] that all have reached, a little below the requested one."""
     return 0.999 * min(
-        last(each.response, "bending_angle").number for each in found.values() if "bending_angle" in each.response
+        last(each.response, "bending_angle").number for each in runs.values() if "bending_angle" in each.response
     )
 
 
@@ -78,10 +78,10 @@ def _ratio(a: Value, b: Value) -> Value:
     return Value(number, abs(number) * float(np.hypot(a.error / a.number, b.error / b.number)))
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Ratios of pressure, volume and force against those of the publication."""
-    fast, slow, *pushing = (each.response for each in found.values())
-    angle = _angle(found)
+    fast, slow, *pushing = (each.response for each in runs.values())
+    angle = _angle(runs)
     ratios = {
         "pressure": _ratio(at_angle(slow, "pressure", angle), at_angle(fast, "pressure", angle)),
         "volume": _ratio(
@@ -101,28 +101,28 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def _ratios(found: Found) -> dict[str, float]:
+def _ratios(runs: Runs) -> dict[str, float]:
     """Pressure of the slow one over that of the fast one for each change."""
-    angle = _angle(found)
-    pressures = {name: at_angle(each.response, "pressure", angle).number for name, each in found.items()}
+    angle = _angle(runs)
+    pressures = {name: at_angle(each.response, "pressure", angle).number for name, each in runs.items()}
     rest = {kind: pressures[f"reference: {kind}"] for kind in PRESSURES}
-    names = dict.fromkeys(name.split(": ")[0] for name in found)
+    names = dict.fromkeys(name.split(": ")[0] for name in runs)
     return {
         name: pressures.get(f"{name}: slow", rest["slow"]) / pressures.get(f"{name}: fast", rest["fast"])
         for name in names
     }
 
 
-def judge_varied(found: Found) -> Judgement:
+def judge_varied(runs: Runs) -> Judgement:
     """Whether some change of one dimension brings the ratio near the published one, and which changes it most."""
-    ratios = _ratios(found)
+    ratios = _ratios(runs)
     rest, low = ratios["reference"], PUBLISHED["pressure"]
     spread = sorted(ratios, key=lambda name: abs(np.log(ratios[name] / rest)), reverse=True)
     near = [name for name, ratio in ratios.items() if 1 / NEAR < ratio / low < NEAR]
     strongest = spread[0]
     return Judgement(
         verdict=Verdict.CONDITIONAL if near else Verdict.NOT_REPRODUCED,
-        found=f"slow over fast pressure at {_angle(found):.3g} deg: "
+        found=f"slow over fast pressure at {_angle(runs):.3g} deg: "
         + ", ".join(f"{name} {ratio:.2g}" for name, ratio in ratios.items()),
         conditions=f"Most decides: {strongest} (from {rest:.2g} to {ratios[strongest]:.2g}), then {spread[1]} (to "
         f"{ratios[spread[1]]:.2g}). "
@@ -134,25 +134,25 @@ def judge_varied(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Angles, and forces on the plate."""
-    bent = tuple((name, each.response) for name, each in found.items() if "bending_angle" in each.response)
-    pushed = tuple((name, each.response) for name, each in found.items() if "blocked_force" in each.response)
+    bent = tuple((name, each.response) for name, each in runs.items() if "bending_angle" in each.response)
+    pushed = tuple((name, each.response) for name, each in runs.items() if "blocked_force" in each.response)
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=bent),
         tg.pictures.Panel(x="pressure", y="blocked_force", responses=pushed),
     )
 
 
-def panels_varied(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels_varied(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Ratio of pressures against the angle, and for each change."""
-    ratios = _ratios(found)
-    angle = _angle(found)
+    ratios = _ratios(runs)
+    angle = _angle(runs)
     angles = [share * angle for share in (0.2, 0.4, 0.6, 0.8, 1.0)]
-    pairs = [name for name in ratios if f"{name}: slow" in found and f"{name}: fast" in found]
+    pairs = [name for name in ratios if f"{name}: slow" in runs and f"{name}: fast" in runs]
     lines = []
     for name in pairs:
-        both = [found[f"{name}: {kind}"].response for kind in ("slow", "fast")]
+        both = [runs[f"{name}: {kind}"].response for kind in ("slow", "fast")]
         values = [_ratio(*(at_angle(each, "pressure", a) for each in both)) for a in angles]
         lines.append(line_of(angles, values, name))
     bars = line_of(list(ratios), [Value(ratio) for ratio in ratios.values()])

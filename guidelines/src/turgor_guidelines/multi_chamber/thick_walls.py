@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, count_and_size, pneunet, push, run_of
 from turgor_guidelines.values import Value, at, falls, last, listed
@@ -26,18 +26,18 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _split(found: Found) -> tuple[list[float], dict[int, list[Value]], list[Value]]:
+def _split(runs: Runs) -> tuple[list[float], dict[int, list[Value]], list[Value]]:
     """Walls [mm], angles at each pressure, and forces."""
-    bent = {name: each.response for name, each in found.items() if name.startswith("bent")}
-    forces = [last(each.response, "blocked_force") for name, each in found.items() if name.startswith("pushing")]
+    bent = {name: each.response for name, each in runs.items() if name.startswith("bent")}
+    forces = [last(each.response, "blocked_force") for name, each in runs.items() if name.startswith("pushing")]
     walls = [float(name.split()[1]) for name in bent]
     angles = {p: [at(each, "bending_angle", "pressure", p * kPa) for each in bent.values()] for p in PRESSURES}
     return walls, angles, forces
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Angles and forces fall."""
-    walls, angles, forces = _split(found)
+    walls, angles, forces = _split(runs)
     text = "; ".join(f"angle at {p} kPa {listed(values)}" for p, values in angles.items())
     holds = {f"the angle at {p} kPa": falls(values) for p, values in angles.items()} | {"the force": falls(forces)}
     missed = [name for name, confirmed in holds.items() if not confirmed]
@@ -48,10 +48,10 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves, and the angle and the force against the wall."""
-    walls, angles, forces = _split(found)
-    bent = tuple((name.split(", ")[1], each.response) for name, each in found.items() if name.startswith("bent"))
+    walls, angles, forces = _split(runs)
+    bent = tuple((name.split(", ")[1], each.response) for name, each in runs.items() if name.startswith("bent"))
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=bent),
         tg.pictures.Panel(

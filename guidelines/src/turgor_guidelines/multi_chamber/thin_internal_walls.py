@@ -4,7 +4,7 @@ from scipy.optimize import brentq
 
 import turgor as tg
 from turgor.studies import Run
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.multi_chamber.pneunets import (
     MULTI_CHAMBERED,
@@ -66,12 +66,12 @@ def higher(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _at_equal_angle(found: Found) -> tuple[float, dict[str, list[Value]]]:
+def _at_equal_angle(runs: Runs) -> tuple[float, dict[str, list[Value]]]:
     """Common angle [deg]; pressure, bulge and air there."""
-    angle = 0.999 * min(last(each.response, "bending_angle").number for each in found.values())
+    angle = 0.999 * min(last(each.response, "bending_angle").number for each in runs.values())
     named = {"pressure": False, "bulge": False, "cavity_volume": True}
     return angle, {
-        name: [at_angle(each.response, name, angle, less_rest=less) for each in found.values()]
+        name: [at_angle(each.response, name, angle, less_rest=less) for each in runs.values()]
         for name, less in named.items()
     }
 
@@ -82,42 +82,42 @@ def _energy(values: dict[str, list[Value]]) -> list[Value]:
     return [Value(p.number * v.number, abs(p.error * v.number) + abs(p.number * v.error), "mJ") for p, v in pairs]
 
 
-def _judged(found: Found, better: str, order: object) -> Judgement:
+def _judged(runs: Runs, better: str, order: object) -> Judgement:
     """Whether pressure times air and bulge at equal angle change in the expected direction."""
-    angle, values = _at_equal_angle(found)
+    angle, values = _at_equal_angle(runs)
     ordered = {"rises": rises, "falls": falls}[str(order)]
     work = _energy(values)
     holds = {"pressure times air": ordered(work), "bulge": ordered(values["bulge"])}
     missed = [name for name, confirmed in holds.items() if not confirmed]
     return Judgement(
         verdict=verdict_of(holds.values()),
-        found=f"{'; '.join(found)}: at {angle:.3g} deg {listed(values['pressure'])}, air "
+        found=f"{'; '.join(runs)}: at {angle:.3g} deg {listed(values['pressure'])}, air "
         f"{listed(values['cavity_volume'])}, "
         f"their product {listed(work)}, bulge of the sides {listed(values['bulge'])}",
         conditions=f"{better} does not reduce {' and '.join(missed)} by more than the mesh error." if missed else "",
     )
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Thinner walls between chambers: less work for the pump, less bulge."""
-    return _judged(found, "A thinner wall between chambers at equal mass", "rises")
+    return _judged(runs, "A thinner wall between chambers at equal mass", "rises")
 
 
-def judge_higher(found: Found) -> Judgement:
+def judge_higher(runs: Runs) -> Judgement:
     """Larger walls between chambers: less work for the pump, less bulge."""
-    return _judged(found, "A larger wall between chambers", "falls")
+    return _judged(runs, "A larger wall between chambers", "falls")
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves of angle and of bulge; pressure times air."""
-    curves = tuple((name, each.response) for name, each in found.items())
-    angle, values = _at_equal_angle(found)
-    sizes = [float(name.split()[0]) for name in found]
+    curves = tuple((name, each.response) for name, each in runs.items())
+    angle, values = _at_equal_angle(runs)
+    sizes = [float(name.split()[0]) for name in runs]
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=curves),
         tg.pictures.Panel(x="bending_angle", y="bulge", responses=curves),
         tg.pictures.Panel(
-            x="wall between chambers [mm]" if "between" in next(iter(found)) else "height [mm]",
+            x="wall between chambers [mm]" if "between" in next(iter(runs)) else "height [mm]",
             y=f"pressure times air at {angle:.3g} deg [mJ]",
             lines=[line_of(sizes, _energy(values))],
         ),

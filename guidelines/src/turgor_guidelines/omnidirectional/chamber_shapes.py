@@ -2,7 +2,7 @@
 
 import turgor as tg
 from turgor.studies import Run
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import verdict_of
 from turgor_guidelines.omnidirectional.chambers import SETUP
 from turgor_guidelines.omnidirectional.shapes import AREA, SHAPES, read, runs_of
@@ -17,17 +17,17 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     return runs_of(tuple(SHAPES), setting)
 
 
-def _ballooning(found: Found, pressure: float) -> dict[str, Value]:
+def _ballooning(runs: Runs, pressure: float) -> dict[str, Value]:
     """Widening of the outside in percent."""
-    values = read(found, "outside_ballooning", pressure)
+    values = read(runs, "outside_ballooning", pressure)
     return {name: Value(100 * (each.number - 1), 100 * each.error, "%") for name, each in values.items()}
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Which shape bends most and which balloons least, at equal pressure and at equal angle."""
     holds, parts, seen = [], [], []
     for pressure in PRESSURES:
-        angles, wide = read(found, "bending_angle", pressure), _ballooning(found, pressure)
+        angles, wide = read(runs, "bending_angle", pressure), _ballooning(runs, pressure)
         most = max(angles, key=lambda name: angles[name].number)
         least = min(wide, key=lambda name: wide[name].number)
         least_each = min(wide, key=lambda name: wide[name].number / angles[name].number)
@@ -39,9 +39,9 @@ def judge(found: Found) -> Judgement:
     return Judgement(verdict=verdict_of(holds), found=", ".join(parts), conditions=" ".join(seen))
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Angle against pressure, ballooning against angle."""
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=curves),
         tg.pictures.Panel(x="bending_angle", y="outside_ballooning", responses=curves),

@@ -5,7 +5,7 @@ from typing import Any
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import change, differs, line_of, verdict_of
 from turgor_guidelines.parts import elastosil
 from turgor_guidelines.pictures import picture_of
@@ -83,11 +83,11 @@ def _shapes() -> tuple[tuple[str, float, float], ...]:
     return walls + tuple((f"inner radius {radius:g} mm", WALLS[1], radius) for radius in RADII)
 
 
-def judge_kinds(found: Found) -> Judgement:
+def judge_kinds(runs: Runs) -> Judgement:
     """The constrained ones bend further at both pressures."""
     holds, parts, apart = [], [], False
     for pressure in PRESSURES:
-        free, ribbed = (at(each.response, "bending_angle", "pressure", pressure * kPa) for each in found.values())
+        free, ribbed = (at(each.response, "bending_angle", "pressure", pressure * kPa) for each in runs.values())
         holds.append(rises([free, ribbed]))
         apart = apart or differs(free, ribbed)
         parts.append(f"{listed([free, ribbed])} at {pressure:g} kPa ({change(ribbed, free):+.1%})")
@@ -99,10 +99,10 @@ def judge_kinds(found: Found) -> Judgement:
     )
 
 
-def judge_dimensions(found: Found) -> Judgement:
+def judge_dimensions(runs: Runs) -> Judgement:
     """Thinner walls and wider bellows extend further and push harder."""
     ways, forces = (
-        {name: last(found[name + end].response, column) for name, _, _ in _shapes()}
+        {name: last(runs[name + end].response, column) for name, _, _ in _shapes()}
         for end, column in (("", "tip_displacement_x"), (", blocked", "blocked_force"))
     )
     holds, parts = [], []
@@ -113,16 +113,16 @@ def judge_dimensions(found: Found) -> Judgement:
     return Judgement(verdict=verdict_of(holds), found=f"At {SINGLE:g} kPa: {'; '.join(parts)}")
 
 
-def panels_kinds(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels_kinds(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Angle against pressure."""
     return (
         tg.pictures.Panel(
-            x="pressure", y="bending_angle", responses=[(name, each.response) for name, each in found.items()]
+            x="pressure", y="bending_angle", responses=[(name, each.response) for name, each in runs.items()]
         ),
     )
 
 
-def panels_dimensions(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels_dimensions(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Extension and force against wall and radius."""
     out = []
     for end, column, label in (
@@ -131,7 +131,7 @@ def panels_dimensions(found: Found) -> tuple[tg.pictures.Panel, ...]:
     ):
         for part, x in ((_shapes()[:3], "wall [mm]"), (_shapes()[3:], "inner radius [mm]")):
             numbers: list[float] = [wall if x.startswith("wall") else radius for _, wall, radius in part]
-            values: list[Value] = [last(found[name + end].response, column) for name, _, _ in part]
+            values: list[Value] = [last(runs[name + end].response, column) for name, _, _ in part]
             out.append(tg.pictures.Panel(x=x, y=label, lines=[line_of(numbers, values)]))
     return tuple(out)
 

@@ -6,7 +6,7 @@ from math import log
 import turgor as tg
 from turgor.studies import Run
 from turgor_guidelines.factorials import analyses, corner_name, corners, share_lines, shares_text
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import line_of, verdict_of
 from turgor_guidelines.omnidirectional.chambers import REFERENCE, SETUP, angle_at, omni
 from turgor_guidelines.values import Value, listed
@@ -62,9 +62,9 @@ def corner_runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def judge_corners(found: Found) -> Judgement:
+def judge_corners(runs: Runs) -> Judgement:
     """Signs of the effects, and the order of their shares of the variance."""
-    tables = analyses(found, list(SIGNS), PRESSURES)
+    tables = analyses(runs, list(SIGNS), PRESSURES)
     holds = [each.effect(name) * sign > 0 for each in tables.values() for name, sign in SIGNS.items()]
     holds += [each.ranking == tuple(SIGNS) for each in tables.values()]
     seen = [f"At {pressure} kPa the order is {', '.join(each.ranking)}." for pressure, each in tables.items()]
@@ -75,28 +75,28 @@ def judge_corners(found: Found) -> Judgement:
     )
 
 
-def corner_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def corner_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Shares of the variance."""
-    lines = share_lines(analyses(found, list(SIGNS), PRESSURES))
+    lines = share_lines(analyses(runs, list(SIGNS), PRESSURES))
     return (tg.pictures.Panel(x="parameter", y="share of the sum of squares [%]", lines=lines),)
 
 
-def _sensitivities(found: Found, pressure: float) -> dict[str, Value]:
+def _sensitivities(runs: Runs, pressure: float) -> dict[str, Value]:
     """Change of log angle for a change of the log of each parameter."""
     out = {}
     for what in SIGNS:
-        low, high = (angle_at(found[f"{what} x {factor:g}"].response, pressure) for factor in (0.9, 1.1))
+        low, high = (angle_at(runs[f"{what} x {factor:g}"].response, pressure) for factor in (0.9, 1.1))
         # both meshes differ from finer ones by the same sign, so the error of the ratio is that of the difference
         error = abs(low.error / low.number - high.error / high.number) / log(1.1 / 0.9)
         out[what] = Value(log(high.number / low.number) / log(1.1 / 0.9), error)
     return out
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Signs and order at both pressures."""
     holds, parts, seen = [], [], []
     for pressure in PRESSURES:
-        values = _sensitivities(found, pressure)
+        values = _sensitivities(runs, pressure)
         order = sorted(SIGNS, key=lambda name: -abs(values[name].number))
         holds += [values[name].number * sign > 0 for name, sign in SIGNS.items()] + [order == list(SIGNS)]
         parts.append(f"at {pressure} kPa " + ", ".join(f"{name} {value}" for name, value in values.items()))
@@ -106,15 +106,15 @@ def judge(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict_of(holds),
         found=f"d ln(angle) / d ln(parameter): {'; '.join(parts)}. Angles of the reference: "
-        + listed([angle_at(found["reference"].response, pressure) for pressure in PRESSURES]),
+        + listed([angle_at(runs["reference"].response, pressure) for pressure in PRESSURES]),
         conditions=" ".join(seen),
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curves with a tenth more, and the sensitivities."""
-    shown = {name: each for name, each in found.items() if not name.endswith("0.9")}
-    lines = [line_of(list(SIGNS), list(_sensitivities(found, p).values()), f"{p} kPa") for p in PRESSURES]
+    shown = {name: each for name, each in runs.items() if not name.endswith("0.9")}
+    lines = [line_of(list(SIGNS), list(_sensitivities(runs, p).values()), f"{p} kPa") for p in PRESSURES]
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=tuple((n, e.response) for n, e in shown.items())),
         tg.pictures.Panel(x="parameter", y="d ln(angle) / d ln(parameter)", lines=lines),

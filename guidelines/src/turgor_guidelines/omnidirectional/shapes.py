@@ -5,7 +5,7 @@ from scipy.optimize import brentq
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Setting
+from turgor_guidelines.guideline import Runs, Setting
 from turgor_guidelines.omnidirectional.chambers import REFERENCE, area_of, omni
 from turgor_guidelines.values import Value, at
 
@@ -54,6 +54,6 @@ def runs_of(names: tuple[str, ...], setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def read(found: Found, name: str, pressure: float) -> dict[str, Value]:
+def read(runs: Runs, name: str, pressure: float) -> dict[str, Value]:
     """A column of all shapes at a pressure [kPa]."""
-    return {shape: at(each.response, name, "pressure", pressure * kPa) for shape, each in found.items()}
+    return {shape: at(each.response, name, "pressure", pressure * kPa) for shape, each in runs.items()}

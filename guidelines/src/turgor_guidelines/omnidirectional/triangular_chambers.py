@@ -2,7 +2,7 @@
 
 import turgor as tg
 from turgor.studies import Run
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting
 from turgor_guidelines.judging import change, differs, verdict_of
 from turgor_guidelines.omnidirectional.chambers import SETUP
 from turgor_guidelines.omnidirectional.shapes import AREA, read, runs_of
@@ -18,11 +18,11 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     return runs_of(NAMES, setting)
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Both ways round, at both pressures."""
     holds, parts, seen = [], [], []
     for pressure in PRESSURES:
-        angles = read(found, "bending_angle", pressure)
+        angles = read(runs, "bending_angle", pressure)
         rest = angles["circular"]
         parts.append(f"{pressure} kPa {listed(list(angles.values()))}")
         for name in NAMES[1:]:
@@ -31,14 +31,14 @@ def judge(found: Found) -> Judgement:
             seen.append(f"{name} {more:+.0%} at {pressure} kPa")
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"{'; '.join(found)}: {'; '.join(parts)}",
+        found=f"{'; '.join(runs)}: {'; '.join(parts)}",
         conditions=f"At equal area and equal wall, against round chambers: {', '.join(seen)}.",
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Angle and ballooning against pressure."""
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     return (
         tg.pictures.Panel(x="pressure", y="bending_angle", responses=curves),
         tg.pictures.Panel(x="pressure", y="outside_ballooning", responses=curves),

@@ -2,7 +2,7 @@
 
 import turgor as tg
 from turgor.studies import Run
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.single_chamber.shapes import (
     FABRIC,
     HALF,
@@ -40,9 +40,9 @@ def _summary(values: dict[str, Value]) -> str:
     return ", ".join(f"{shape} {each}" for shape, each in values.items())
 
 
-def judge_bending(found: Found) -> Judgement:
+def judge_bending(runs: Runs) -> Judgement:
     """Which shape bends most, in each way."""
-    ways = by_way(found, "curvature_y")
+    ways = by_way(runs, "curvature_y")
     first = {way: best(values) for way, values in ways.items()}
     share = {way: values[HALF].number / values[first[way]].number for way, values in ways.items()}
     against = {way: values[HALF].number / values[ROUND].number for way, values in ways.items()}
@@ -63,9 +63,9 @@ def judge_bending(found: Found) -> Judgement:
     )
 
 
-def judge_extension(found: Found) -> Judgement:
+def judge_extension(runs: Runs) -> Judgement:
     """Which shape extends most, and which of them stays straight."""
-    ways, turns = by_way(found, "stretch"), by_way(found, "curvature")
+    ways, turns = by_way(runs, "stretch"), by_way(runs, "curvature")
     first = {way: best(values) for way, values in ways.items()}
     straight = {
         way: best({shape: each for shape, each in values.items() if turns[way][shape].number < STRAIGHT})
@@ -73,7 +73,7 @@ def judge_extension(found: Found) -> Judgement:
     }
     right = [way for way, shape in first.items() if shape == ROUND]
     among = [way for way, shape in straight.items() if shape == ROUND]
-    wide = by_way(found, "outside_ballooning")
+    wide = by_way(runs, "outside_ballooning")
     verdict = Verdict.CONFIRMED if len(right) == len(ways) else Verdict.CONDITIONAL
     return Judgement(
         verdict=verdict if right or among else Verdict.NOT_REPRODUCED,
@@ -89,18 +89,18 @@ def judge_extension(found: Found) -> Judgement:
     )
 
 
-def bending_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def bending_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature against the shape, and against pressure in hoops on a plate."""
-    return (bars(found, "curvature_y", f"curvature at {PRESSURE:g} kPa [1/m]"), _curves(found, "curvature_y", "plate"))
+    return (bars(runs, "curvature_y", f"curvature at {PRESSURE:g} kPa [1/m]"), _curves(runs, "curvature_y", "plate"))
 
 
-def extension_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def extension_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Stretch against the shape, and against pressure in hoops."""
-    return (bars(found, "stretch", f"stretch at {PRESSURE:g} kPa [-]"), _curves(found, "stretch", "hoops"))
+    return (bars(runs, "stretch", f"stretch at {PRESSURE:g} kPa [-]"), _curves(runs, "stretch", "hoops"))
 
 
-def _curves(found: Found, name: str, kind: str) -> tg.pictures.Panel:
-    chosen = tuple((key, each.response) for key, each in found.items() if key.startswith("hoops") and kind in key)
+def _curves(runs: Runs, name: str, kind: str) -> tg.pictures.Panel:
+    chosen = tuple((key, each.response) for key, each in runs.items() if key.startswith("hoops") and kind in key)
     return tg.pictures.Panel(x="pressure", y=name, responses=chosen)
 
 

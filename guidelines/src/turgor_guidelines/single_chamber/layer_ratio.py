@@ -5,7 +5,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import MPa, kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.parts import elastosil, threads
 from turgor_guidelines.sections import solved_twice
 from turgor_guidelines.single_chamber.half_round import BARE, HOOPED, cells
@@ -74,13 +74,13 @@ def thickness_runs(setting: Setting) -> tuple[Run, ...]:
     return _runs(setting, stiffness=False)
 
 
-def bends(found: Found, around: str, mean: bool = False) -> tuple[list[float], list[Value]]:
+def bends(runs: Runs, around: str, mean: bool = False) -> tuple[list[float], list[Value]]:
     """Ratios and curvatures at the last pressure.
 
     With ``mean``, at the mean stiffness of ratio 1 instead of the softer part: neo-Hookean rubber knows the pressure
     over its modulus only, so that it is the curvature at a pressure 2 / (1 + ratio) times as large.
     """
-    chosen = {float(name.split()[-1]): each.response for name, each in found.items() if name.startswith(around)}
+    chosen = {float(name.split()[-1]): each.response for name, each in runs.items() if name.startswith(around)}
     if not mean:
         return list(chosen), [last(each, "curvature_y") for each in chosen.values()]
     from scipy.interpolate import CubicSpline  # slow to load, and guidelines are listed without it
@@ -97,7 +97,7 @@ def _summary(ratios: list[float], values: list[Value]) -> str:
     return f"largest at {ratios[top]:g}"
 
 
-def _judge(found: Found, ways: dict[str, tuple[list[float], list[Value]]]) -> Judgement:
+def _judge(runs: Runs, ways: dict[str, tuple[list[float], list[Value]]]) -> Judgement:
     """Whether the largest curvature lies at the ratios that the rule names."""
     inside = {way: NAMED[0] <= ratios[largest(values)] <= NAMED[1] for way, (ratios, values) in ways.items()}
     verdict = Verdict.CONFIRMED if all(inside.values()) else Verdict.CONDITIONAL
@@ -113,34 +113,34 @@ def _judge(found: Found, ways: dict[str, tuple[list[float], list[Value]]]) -> Ju
     )
 
 
-def judge_stiffness(found: Found) -> Judgement:
+def judge_stiffness(runs: Runs) -> Judgement:
     """With the softer part kept, and with the mean kept."""
-    kept = {around: bends(found, around) for around in (BARE, HOOPED)}
-    means = {f"{around}, mean stiffness kept": bends(found, around, mean=True) for around in (BARE, HOOPED)}
-    return _judge(found, kept | means)
+    kept = {around: bends(runs, around) for around in (BARE, HOOPED)}
+    means = {f"{around}, mean stiffness kept": bends(runs, around, mean=True) for around in (BARE, HOOPED)}
+    return _judge(runs, kept | means)
 
 
-def judge_thickness(found: Found) -> Judgement:
+def judge_thickness(runs: Runs) -> Judgement:
     """With the sum of both walls kept."""
-    return _judge(found, {around: bends(found, around) for around in (BARE, HOOPED)})
+    return _judge(runs, {around: bends(runs, around) for around in (BARE, HOOPED)})
 
 
-def stiffness_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def stiffness_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature against the ratio, each over its largest value."""
-    return _panels(found, "stiffness of the lower over the upper half", (False, True))
+    return _panels(runs, "stiffness of the lower over the upper half", (False, True))
 
 
-def thickness_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def thickness_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature against the ratio."""
-    return _panels(found, "wall below over wall above", (False,))
+    return _panels(runs, "wall below over wall above", (False,))
 
 
-def _panels(found: Found, label: str, means: tuple[bool, ...]) -> tuple[tg.pictures.Panel, ...]:
+def _panels(runs: Runs, label: str, means: tuple[bool, ...]) -> tuple[tg.pictures.Panel, ...]:
     drawn = []
     for around in (BARE, HOOPED):
         lines = []
         for mean in means:
-            ratios, values = bends(found, around, mean)
+            ratios, values = bends(runs, around, mean)
             name = "mean kept" if mean else "softer half kept" if len(means) > 1 else ""
             error = [each.error for each in values]
             lines.append(tg.pictures.Line(x=ratios, y=[each.number for each in values], error=error, label=name))

@@ -4,7 +4,7 @@ import numpy as np
 
 import turgor as tg
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Verdict
 from turgor_guidelines.single_chamber.best_shape import extension_runs
 from turgor_guidelines.single_chamber.shapes import PRESSURE, ROUND, SETUP, bars
 from turgor_guidelines.values import linearity
@@ -13,24 +13,24 @@ from turgor_guidelines.values import linearity
 STRETCH = 1.01
 
 
-def worn(found: Found) -> dict[str, float]:
+def worn(runs: Runs) -> dict[str, float]:
     """Largest stretch of the rubber where the actuator has the same stretch."""
     return {
         name: float(np.interp(STRETCH, each.response["stretch"], each.response["largest_stretch"], right=np.nan))
-        for name, each in found.items()
+        for name, each in runs.items()
     }
 
 
-def straight(found: Found) -> dict[str, float]:
+def straight(runs: Runs) -> dict[str, float]:
     """R² of the stretch against the pressure."""
-    return {name: linearity(each.response, "stretch", "pressure", PRESSURE * kPa) for name, each in found.items()}
+    return {name: linearity(each.response, "stretch", "pressure", PRESSURE * kPa) for name, each in runs.items()}
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Whether the round section has the largest R² and the smallest stretch of the rubber."""
-    wear, lines, parts, good = worn(found), straight(found), [], []
-    for way in dict.fromkeys(name.split(", ")[0] for name in found):
-        names = [name for name in found if name.split(", ")[0] == way]
+    wear, lines, parts, good = worn(runs), straight(runs), [], []
+    for way in dict.fromkeys(name.split(", ")[0] for name in runs):
+        names = [name for name in runs if name.split(", ")[0] == way]
         of_round = f"{way}, {ROUND}"
         line, spared = max(names, key=lambda each: lines[each]), min(names, key=lambda each: wear[each])
         good += [line == of_round, spared == of_round]
@@ -39,7 +39,7 @@ def judge(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict if any(good) else Verdict.NOT_REPRODUCED,
         found=f"R² up to {PRESSURE:g} kPa, and largest stretch of the rubber at a stretch of {STRETCH:g}: "
-        + "; ".join(f"{name} {lines[name]:.5f}, {wear[name]:.3f}" for name in found)
+        + "; ".join(f"{name} {lines[name]:.5f}, {wear[name]:.3f}" for name in runs)
         + ".",
         conditions="; ".join(parts)
         + ". Wear is judged by the stretch of the rubber; the stretch at the inner corners of "
@@ -47,15 +47,15 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Stretch of the rubber against that of the actuator, and R² by shape."""
     lines = [
         tg.pictures.Line(x=each.response["stretch"], y=each.response["largest_stretch"], label=name)
-        for name, each in found.items()
+        for name, each in runs.items()
         if name.startswith("hoops")
     ]
     ways: dict[str, tuple[list[str], list[float]]] = {}
-    for name, value in straight(found).items():
+    for name, value in straight(runs).items():
         way, shape = name.split(", ")
         ways.setdefault(way, ([], []))[0].append(shape)
         ways[way][1].append(value)
@@ -66,7 +66,7 @@ def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
             y="R² of a straight line [-]",
             lines=[tg.pictures.Line(x=x, y=y, label=way) for way, (x, y) in ways.items()],
         ),
-        bars(found, "largest_stretch", f"largest stretch at {PRESSURE:g} kPa [-]"),
+        bars(runs, "largest_stretch", f"largest stretch at {PRESSURE:g} kPa [-]"),
     )
 
 

@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.parts import elastosil, fabric, threads
 from turgor_guidelines.pictures import picture_of
 from turgor_guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
@@ -36,18 +36,18 @@ def _radius_run(around: str, walls: str, radius: float, cell: float) -> Run:
     return Run(name=name, function=bend, values=values | {"base": wall, "hooped": around == HOOPED})
 
 
-def _groups(found: Found) -> dict[str, list[str]]:
+def _groups(runs: Runs) -> dict[str, list[str]]:
     out: dict[str, list[str]] = {}
-    for name in found:
+    for name in runs:
         out.setdefault(name.rpartition(", ")[0], []).append(name)
     return out
 
 
-def judge_radius(found: Found) -> Judgement:
+def judge_radius(runs: Runs) -> Judgement:
     """Larger radius, larger curvature, in each of four ways."""
     texts, grown, good = [], [], {}
-    for group, names in _groups(found).items():
-        bends = [last(found[name].response, "curvature_y") for name in names]
+    for group, names in _groups(runs).items():
+        bends = [last(runs[name].response, "curvature_y") for name in names]
         good[group] = rises(bends)
         texts.append(f"{group}: {listed(bends)}")
         more = bends[-1].number / bends[0].number
@@ -66,14 +66,14 @@ def judge_radius(found: Found) -> Judgement:
     )
 
 
-def radius_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def radius_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature against the radius, bare and in hoops."""
     drawn = []
     for around in (BARE, HOOPED, FLAT):
         lines = []
-        for group, names in _groups(found).items():
+        for group, names in _groups(runs).items():
             if group.partition(", ")[0] == around:
-                bends = [last(found[name].response, "curvature_y") for name in names]
+                bends = [last(runs[name].response, "curvature_y") for name in names]
                 error = [each.error for each in bends]
                 label = group.partition(", ")[2]
                 lines.append(tg.pictures.Line(x=RADII, y=[each.number for each in bends], error=error, label=label))
@@ -107,27 +107,27 @@ def length_runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def judge_length(found: Found) -> Judgement:
+def judge_length(runs: Runs) -> Judgement:
     """Longer, larger angle; and how the angle of a length grows."""
-    angles = [last(each.response, "bending_angle") for each in found.values()]
+    angles = [last(each.response, "bending_angle") for each in runs.values()]
     each_mm = [angle.number / length for angle, length in zip(angles, LENGTHS, strict=True)]
     return Judgement(
         verdict=Verdict.CONFIRMED if rises(angles) else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: bending angle {listed(angles)} at {WHOLE_PRESSURE:g} kPa.",
+        found=f"{', '.join(runs)}: bending angle {listed(angles)} at {WHOLE_PRESSURE:g} kPa.",
         conditions=f"The angle grows {'faster' if each_mm[-1] > each_mm[0] else 'more slowly'} than the length: "
         f"{', '.join(f'{each:.3f}' for each in each_mm)} deg for each mm. The ends bend less than the middle, and the "
         "stiff fabric carries that far: see the section of V21 in the verification.",
     )
 
 
-def length_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def length_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Angle against pressure, and against the length."""
-    angles = [last(each.response, "bending_angle") for each in found.values()]
+    angles = [last(each.response, "bending_angle") for each in runs.values()]
     error = [each.error for each in angles]
     line = tg.pictures.Line(x=LENGTHS, y=[each.number for each in angles], error=error)
     return (
         tg.pictures.Panel(
-            x="pressure", y="bending_angle", responses=tuple((name, each.response) for name, each in found.items())
+            x="pressure", y="bending_angle", responses=tuple((name, each.response) for name, each in runs.items())
         ),
         tg.pictures.Panel(x="length [mm]", y=f"bending angle at {WHOLE_PRESSURE:g} kPa [deg]", lines=[line]),
     )

@@ -10,7 +10,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import MPa, kPa, mm
-from turgor_guidelines.guideline import Found, Setting
+from turgor_guidelines.guideline import Runs, Setting
 from turgor_guidelines.parts import FABRIC_SPACING, elastosil, threads
 from turgor_guidelines.sections import solved_twice
 from turgor_guidelines.values import Value, last
@@ -149,16 +149,16 @@ def way_name(hooped: bool, base: str) -> str:
     return around if base == NONE else f"{around} and {base}"
 
 
-def by_way(found: Found, name: str) -> dict[str, dict[str, Value]]:
+def by_way(runs: Runs, name: str) -> dict[str, dict[str, Value]]:
     """A column in the last state: by the way, then by the shape."""
     out: dict[str, dict[str, Value]] = {}
-    for key, each in found.items():
+    for key, each in runs.items():
         way, shape = key.split(", ")
         out.setdefault(way, {})[shape] = last(each.response, name)
     return out
 
 
-def bars(found: Found, name: str, label: str) -> tg.pictures.Panel:
+def bars(runs: Runs, name: str, label: str) -> tg.pictures.Panel:
     """A column of the last state against the shape, a line for each way."""
     lines = [
         tg.pictures.Line(
@@ -167,6 +167,6 @@ def bars(found: Found, name: str, label: str) -> tg.pictures.Panel:
             error=[each.error for each in values.values()],
             label=way,
         )
-        for way, values in by_way(found, name).items()
+        for way, values in by_way(runs, name).items()
     ]
     return tg.pictures.Panel(x="", y=label, lines=lines)

@@ -7,7 +7,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.parts import fabric, threads
 from turgor_guidelines.pictures import outline_of, picture_of
 from turgor_guidelines.sections import COARSER, compared
@@ -79,9 +79,9 @@ def bending_runs(setting: Setting) -> tuple[Run, ...]:
     return tuple(Run(name=name, function=bend, values={"rubber": name, "size": cells(setting)}) for name in RUBBERS)
 
 
-def judge_stress(found: Found) -> Judgement:
+def judge_stress(runs: Runs) -> Judgement:
     """Extension and stress at equal pressure, stress at equal extension."""
-    drives = [each.response for each in found.values()]
+    drives = [each.response for each in runs.values()]
     moves = [at(each, "tip_displacement_x", "pressure", PRESSURE * kPa) for each in drives]
     pressed = [at(each, "von_mises_p99", "pressure", PRESSURE * kPa) for each in drives]
     equal = [at(each, "von_mises_p99", "tip_displacement_x", EXTENSION) for each in drives]
@@ -89,7 +89,7 @@ def judge_stress(found: Found) -> Judgement:
     verdict = Verdict.CONFIRMED if less and at_pressure else Verdict.CONDITIONAL if less or at_pressure else None
     return Judgement(
         verdict=verdict if further and verdict else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: extension {listed(moves)} and von Mises stress (99 % of the volume) "
+        found=f"{', '.join(runs)}: extension {listed(moves)} and von Mises stress (99 % of the volume) "
         f"{listed(pressed)} at {PRESSURE:g} kPa; stress {listed(equal)} at an extension of {EXTENSION / mm:g} mm.",
         conditions=f"At equal extension the softest has {equal[0].number / equal[-1].number:.0%} of the stress of the "
         f"hardest; at equal pressure it has {pressed[0].number / pressed[-1].number:.0%}: "
@@ -101,21 +101,21 @@ def judge_stress(found: Found) -> Judgement:
     )
 
 
-def judge_force(found: Found) -> Judgement:
+def judge_force(runs: Runs) -> Judgement:
     """Curvature and blocked moment at equal pressure, and blocked moment where the rubber reaches a stretch."""
-    drives = [each.response for each in found.values()]
+    drives = [each.response for each in runs.values()]
     bends = [at(each, "curvature_y", "pressure", PRESSURE * kPa) for each in drives]
     moments = [at(each, "blocked_moment", "pressure", PRESSURE * kPa) for each in drives]
     usable = [_at_stretch(each, "pressure", 1 / kPa, "kPa") for each in drives]
     most = [_at_stretch(each, "blocked_moment", 1e3, "mNm") for each in drives]
-    short = [name for name, each in zip(found, most, strict=True) if not np.isfinite(each.number)]
+    short = [name for name, each in zip(runs, most, strict=True) if not np.isfinite(each.number)]
     if short:
         raise tg.TurgorError(f"the path of {', '.join(short)} ends before a stretch of {USABLE:g}.")
     further, weaker = falls(bends), most == sorted(most, key=lambda each: each.number)
     numbers = [1e3 * each.number for each in moments]
     return Judgement(
         verdict=Verdict.CONFIRMED if further and weaker else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: curvature {listed(bends)} and moment that holds it straight "
+        found=f"{', '.join(runs)}: curvature {listed(bends)} and moment that holds it straight "
         f"{', '.join(f'{each:.3g}' for each in numbers)} mNm at {PRESSURE:g} kPa; the rubber reaches a stretch of "
         f"{USABLE:g} at {listed(usable)}, where the moment is {listed(most)}.",
         conditions=f"The lower force is one of the pressure that the rubber bears, which differs by "
@@ -136,9 +136,9 @@ def _at_stretch(response: tg.Response, name: str, scale: float, unit: str) -> Va
     return Value(float(reached) * scale, 0.0, unit)
 
 
-def stress_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def stress_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Extension and stress against pressure, stress against extension."""
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     return (
         tg.pictures.Panel(x="pressure", y="tip_displacement_x", responses=curves),
         tg.pictures.Panel(x="pressure", y="von_mises_p99", responses=curves),
@@ -146,19 +146,19 @@ def stress_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
     )
 
 
-def force_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def force_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature and moment against pressure."""
     drawn = []
     for name, label in (("curvature_y", "curvature [1/m]"), ("blocked_moment", "moment that holds it straight [Nm]")):
         lines = [
             tg.pictures.Line(x=each.response["pressure"] / kPa, y=each.response[name], label=key)
-            for key, each in found.items()
+            for key, each in runs.items()
         ]
         drawn.append(tg.pictures.Panel(x="pressure [kPa]", y=label, lines=lines))
-    ends = [last(each.response, "curvature_y").number for each in found.values()]
+    ends = [last(each.response, "curvature_y").number for each in runs.values()]
     drawn.append(
         tg.pictures.Panel(
-            x="", y="curvature at 0.4 times the modulus [1/m]", lines=[tg.pictures.Line(x=list(found), y=ends)]
+            x="", y="curvature at 0.4 times the modulus [1/m]", lines=[tg.pictures.Line(x=list(runs), y=ends)]
         )
     )
     return tuple(drawn)

@@ -3,7 +3,7 @@
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.parts import elastosil, threads
 from turgor_guidelines.pictures import picture_of
 from turgor_guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
@@ -36,26 +36,26 @@ def tube_runs(setting: Setting) -> tuple[Run, ...]:
     return tuple(Run(name=f"wall {wall:g} mm", function=extend, values={"wall": wall, "size": size}) for wall in TUBES)
 
 
-def judge_tubes(found: Found) -> Judgement:
+def judge_tubes(runs: Runs) -> Judgement:
     """Thinner wall, longer tube."""
-    lengths = [at(each.response, "tip_displacement_x", "pressure", TUBE_PRESSURE * kPa) for each in found.values()]
+    lengths = [at(each.response, "tip_displacement_x", "pressure", TUBE_PRESSURE * kPa) for each in runs.values()]
     return Judgement(
         verdict=Verdict.CONFIRMED if rises(lengths) else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: extension {listed(lengths)} at {TUBE_PRESSURE:g} kPa.",
+        found=f"{', '.join(runs)}: extension {listed(lengths)} at {TUBE_PRESSURE:g} kPa.",
         conditions=f"The extension grows {lengths[-1].number / lengths[0].number:.1f} times while the wall becomes "
         f"{TUBES[0] / TUBES[-1]:g} times thinner: the outside stays, so that the pressure also acts on a larger area.",
     )
 
 
-def tube_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def tube_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Extension against pressure, and against the wall."""
-    lengths = [last(each.response, "tip_displacement_x") for each in found.values()]
+    lengths = [last(each.response, "tip_displacement_x") for each in runs.values()]
     line = tg.pictures.Line(
-        x=[float(name.split()[1]) for name in found],
+        x=[float(name.split()[1]) for name in runs],
         y=[each.number for each in lengths],
         error=[each.error for each in lengths],
     )
-    curves = tuple((name, each.response) for name, each in found.items())
+    curves = tuple((name, each.response) for name, each in runs.items())
     return (
         tg.pictures.Panel(x="pressure", y="tip_displacement_x", responses=curves),
         tg.pictures.Panel(x="wall [mm]", y=f"extension at {TUBE_PRESSURE:g} kPa [mm]", lines=[line]),
@@ -83,19 +83,19 @@ def bender_runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _groups(found: Found) -> dict[str, list[str]]:
+def _groups(runs: Runs) -> dict[str, list[str]]:
     """Names of runs that differ in their wall only."""
     out: dict[str, list[str]] = {}
-    for name in found:
+    for name in runs:
         out.setdefault(name.rpartition(", ")[0], []).append(name)
     return out
 
 
-def judge_benders(found: Found) -> Judgement:
+def judge_benders(runs: Runs) -> Judgement:
     """Thinner wall, larger curvature, in each of four ways."""
     parts, good = [], {}
-    for group, names in _groups(found).items():
-        bends = [last(found[name].response, "curvature_y") for name in names]
+    for group, names in _groups(runs).items():
+        bends = [last(runs[name].response, "curvature_y") for name in names]
         good[group] = rises(bends)
         parts.append(f"{group}: {listed(bends)}")
     verdict = Verdict.CONFIRMED if all(good.values()) else Verdict.CONDITIONAL
@@ -111,11 +111,11 @@ def judge_benders(found: Found) -> Judgement:
     )
 
 
-def bender_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def bender_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature against pressure, and against the wall."""
     lines = []
-    for group, names in _groups(found).items():
-        bends = [last(found[name].response, "curvature_y") for name in names]
+    for group, names in _groups(runs).items():
+        bends = [last(runs[name].response, "curvature_y") for name in names]
         lines.append(
             tg.pictures.Line(
                 x=[float(name.split()[-2]) for name in names],
@@ -124,11 +124,9 @@ def bender_panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
                 label=group,
             )
         )
-    kept = [name for name in found if VOID in name]
+    kept = [name for name in runs if VOID in name]
     return (
-        tg.pictures.Panel(
-            x="pressure", y="curvature_y", responses=tuple((name, found[name].response) for name in kept)
-        ),
+        tg.pictures.Panel(x="pressure", y="curvature_y", responses=tuple((name, runs[name].response) for name in kept)),
         tg.pictures.Panel(x="wall [mm]", y=f"curvature at {BENDER_PRESSURE:g} kPa [1/m]", lines=lines),
     )
 

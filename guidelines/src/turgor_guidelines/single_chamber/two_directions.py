@@ -5,7 +5,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Run
 from turgor.units import kPa
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
 from turgor_guidelines.values import Value
 
@@ -50,14 +50,14 @@ def threshold(response: tg.Response) -> float:
     return float(pressure[k - 1] - bends[k - 1] * (pressure[k] - pressure[k - 1]) / (bends[k] - bends[k - 1]))
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Which of them bend back first by more than the mesh error, and where they turn."""
-    back = {name: furthest_back(each.response) for name, each in found.items()}
-    turn = {name: threshold(each.response) for name, each in found.items()}
-    both = [name for name in found if back[name].number > back[name].error and np.isfinite(turn[name])]
-    never = [name for name in found if name not in both]
-    bare = {name for name in found if name.startswith(BARE)}
-    largest = max((abs(each.response["curvature_y"]).max() for each in found.values()), default=0.0)
+    back = {name: furthest_back(each.response) for name, each in runs.items()}
+    turn = {name: threshold(each.response) for name, each in runs.items()}
+    both = [name for name in runs if back[name].number > back[name].error and np.isfinite(turn[name])]
+    never = [name for name in runs if name not in both]
+    bare = {name for name in runs if name.startswith(BARE)}
+    largest = max((abs(each.response["curvature_y"]).max() for each in runs.values()), default=0.0)
     return Judgement(
         verdict=Verdict.NOT_REPRODUCED if not both else Verdict.CONDITIONAL if never else Verdict.CONFIRMED,
         found="; ".join(
@@ -72,9 +72,9 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature of the bare benders against pressure, and the threshold against the base."""
-    bare = {name: each.response for name, each in found.items() if name.startswith(BARE)}
+    bare = {name: each.response for name, each in runs.items() if name.startswith(BARE)}
     lines = [
         tg.pictures.Line(x=each["pressure"] / kPa, y=each["curvature_y"], label=name) for name, each in bare.items()
     ]

@@ -5,7 +5,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.parts import elastosil, fabric, threads
 from turgor_guidelines.pictures import outline_of
 from turgor_guidelines.sections import COARSER, compared
@@ -60,13 +60,13 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def forces(found: Found, around: str, drive: str, where: float) -> dict[str, tuple[list[float], list[float]]]:
+def forces(runs: Runs, around: str, drive: str, where: float) -> dict[str, tuple[list[float], list[float]]]:
     """Ratios of length to width, and forces of the tip [N], with the length kept and with the area kept.
 
     A beam that is fixed at one end and whose other end is fixed across, free to turn, pushes with 1.5 times the moment
     over its length.
     """
-    chosen = {float(name.split()[-3]): each.response for name, each in found.items() if name.startswith(around)}
+    chosen = {float(name.split()[-3]): each.response for name, each in runs.items() if name.startswith(around)}
     moments = {
         width: float(np.interp(where, each[drive], each["blocked_moment"], right=np.nan))
         for width, each in chosen.items()
@@ -79,7 +79,7 @@ def forces(found: Found, around: str, drive: str, where: float) -> dict[str, tup
     return out
 
 
-def ways(found: Found) -> dict[str, tuple[list[float], list[float]]]:
+def ways(runs: Runs) -> dict[str, tuple[list[float], list[float]]]:
     """Ratios and forces in each of eight ways to ask."""
     return {
         f"{around}, {kept} kept, equal {drive}": values
@@ -88,14 +88,14 @@ def ways(found: Found) -> dict[str, tuple[list[float], list[float]]]:
             ("pressure", "pressure", EQUAL * kPa),
             ("stretch of the rubber", "largest_stretch", STRETCH),
         )
-        for kept, values in forces(found, around, column, where).items()
+        for kept, values in forces(runs, around, column, where).items()
     }
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """The ratio of the largest force, in each way."""
     parts, inside = [], []
-    for way, (ratios, pushes) in ways(found).items():
+    for way, (ratios, pushes) in ways(runs).items():
         top = int(np.argmax(pushes))
         end = " (the last that was tried)" if top in (0, len(pushes) - 1) else ""
         inside.append(not end and NAMED[0] <= ratios[top] <= NAMED[1])
@@ -103,7 +103,7 @@ def judge(found: Found) -> Judgement:
     verdict = Verdict.CONFIRMED if all(inside) else Verdict.CONDITIONAL if any(inside) else Verdict.NOT_REPRODUCED
     errors = [
         float((each.response.mesh_error("blocked_moment") / np.abs(each.response["blocked_moment"]).max()).max())
-        for each in found.values()
+        for each in runs.values()
     ]
     return Judgement(
         verdict=verdict,
@@ -115,13 +115,13 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Force against the ratio, at equal pressure and at equal stretch."""
     drawn = []
     for drive in ("pressure", "stretch of the rubber"):
         lines = [
             tg.pictures.Line(x=ratios, y=pushes, label=way.rpartition(", ")[0])
-            for way, (ratios, pushes) in ways(found).items()
+            for way, (ratios, pushes) in ways(runs).items()
             if way.endswith(drive)
         ]
         drawn.append(

@@ -5,7 +5,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.parts import threads
 from turgor_guidelines.sections import solved_twice
 from turgor_guidelines.values import Value
@@ -64,7 +64,7 @@ def ranks() -> dict[str, int]:
     return {f"{rubber}, {record}": rank for rank, rubber, record in RECORDS}
 
 
-def needed(found: Found) -> dict[str, Value]:
+def needed(runs: Runs) -> dict[str, Value]:
     """Pressure for the requested stretch [kPa]."""
     return {
         name: Value(
@@ -72,14 +72,14 @@ def needed(found: Found) -> dict[str, Value]:
             0.0,
             "kPa",
         )
-        for name, each in found.items()
+        for name, each in runs.items()
     }
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Pairs of records of which the harder rubber needs less pressure."""
-    pressures, rank = needed(found), ranks()
-    names = list(found)
+    pressures, rank = needed(runs), ranks()
+    names = list(runs)
     pairs = [(a, b) for a in names for b in names if rank[a] < rank[b]]
     wrong = [(a, b) for a, b in pairs if not pressures[a].number < pressures[b].number]
     table = sorted((name for name in names if name.endswith(ONE_TABLE) or "polygerinos" in name), key=rank.__getitem__)
@@ -105,10 +105,10 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Stretch against pressure, against pressure over modulus, and pressure against the hardness."""
-    pressures, rank = needed(found), ranks()
-    shown = {name: each for name, each in found.items() if "polygerinos" in name}
+    pressures, rank = needed(runs), ranks()
+    shown = {name: each for name, each in runs.items() if "polygerinos" in name}
     curves = [
         tg.pictures.Line(x=each.response["pressure"] / kPa, y=each.response["stretch"], label=name)
         for name, each in shown.items()
@@ -117,7 +117,7 @@ def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
         tg.pictures.Line(x=[rank[name] for name in chosen], y=[pressures[name].number for name in chosen], label=label)
         for label, chosen in (
             ("one group", list(shown)),
-            ("others", sorted((name for name in found if name not in shown), key=rank.__getitem__)),
+            ("others", sorted((name for name in runs if name not in shown), key=rank.__getitem__)),
         )
     ]
     return (

@@ -7,7 +7,7 @@ import numpy as np
 import turgor as tg
 from turgor.studies import Computed, Run
 from turgor.units import kPa, mm
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.parts import elastosil
 from turgor_guidelines.sections import solved_twice
 from turgor_guidelines.values import last, listed, rises
@@ -50,24 +50,24 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _groups(found: Found) -> dict[str, list[str]]:
+def _groups(runs: Runs) -> dict[str, list[str]]:
     out: dict[str, list[str]] = {}
-    for name in found:
+    for name in runs:
         out.setdefault(name.split(", ")[0], []).append(name)
     return out
 
 
-def judge(found: Found) -> Judgement:
+def judge(runs: Runs) -> Judgement:
     """Whether the curvature rises with the area."""
     parts, good = [], []
-    for kept, names in _groups(found).items():
-        bends = [last(found[name].response, "curvature") for name in names]
+    for kept, names in _groups(runs).items():
+        bends = [last(runs[name].response, "curvature") for name in names]
         good.append(rises(bends))
         parts.append(f"{kept}, void of {', '.join(name.split()[-2] for name in names)} mm²: {listed(bends)}")
     verdict = Verdict.CONFIRMED if all(good) else Verdict.CONDITIONAL if any(good) else Verdict.NOT_REPRODUCED
     first, second = (
-        last(found[names[-1]].response, "curvature").number / last(found[names[0]].response, "curvature").number
-        for names in _groups(found).values()
+        last(runs[names[-1]].response, "curvature").number / last(runs[names[0]].response, "curvature").number
+        for names in _groups(runs).values()
     )
     return Judgement(
         verdict=verdict,
@@ -78,19 +78,19 @@ def judge(found: Found) -> Judgement:
     )
 
 
-def panels(found: Found) -> tuple[tg.pictures.Panel, ...]:
+def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature against pressure, and against the area."""
     lines = []
-    for kept, names in _groups(found).items():
-        bends = [last(found[name].response, "curvature") for name in names]
+    for kept, names in _groups(runs).items():
+        bends = [last(runs[name].response, "curvature") for name in names]
         error = [each.error for each in bends]
         area = [float(name.split()[-2]) for name in names]
         lines.append(tg.pictures.Line(x=area, y=[each.number for each in bends], error=error, label=kept))
     curves = [
         tg.pictures.Line(
-            x=np.linspace(0, PRESSURE, len(found[name].response)), y=found[name].response["curvature"], label=name
+            x=np.linspace(0, PRESSURE, len(runs[name].response)), y=runs[name].response["curvature"], label=name
         )
-        for name in found
+        for name in runs
         if name.startswith(CENTERS)
     ]
     return (

@@ -4,21 +4,21 @@ from turgor.units import deg, kPa, mm
 from turgor_guidelines.fiber_reinforced import density, single_wrap
 from turgor_guidelines.fiber_reinforced.banded import SETUP
 from turgor_guidelines.fiber_reinforced.wound import TUBE
-from turgor_guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Verdict
+from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Verdict
 from turgor_guidelines.values import at, last
 
 #: Change of the extension that counts as a high impact: that of a wall of half the thickness.
 HIGH = 2.0
 
 
-def judge_density(found: Found) -> Judgement:
+def judge_density(runs: Runs) -> Judgement:
     """Largest over smallest extension, at half and at full pressure."""
-    names = list(found)
+    names = list(runs)
     ratio = {}
     for pressure in (density.PRESSURE / 5, density.PRESSURE):
-        lengths = [density.extension(found, name, pressure).number for name in names]
+        lengths = [density.extension(runs, name, pressure).number for name in names]
         ratio[pressure] = max(lengths) / min(lengths)
-    volumes = [density.injected(found[name].response).number for name in names]
+    volumes = [density.injected(runs[name].response).number for name in names]
     high = [each > HIGH for each in ratio.values()]
     return Judgement(
         verdict=Verdict.CONFIRMED if all(high) else Verdict.CONDITIONAL if any(high) else Verdict.NOT_REPRODUCED,
@@ -30,15 +30,15 @@ def judge_density(found: Found) -> Judgement:
     )
 
 
-def judge_angle(found: Found) -> Judgement:
+def judge_angle(runs: Runs) -> Judgement:
     """Range of extension, expansion and twist over the angles, at full pressure."""
     stretch, wide, twist = (
-        [last(each.response, name).number for each in found.values()]
+        [last(each.response, name).number for each in runs.values()]
         for name in ("stretch", "outside_ballooning", "twist")
     )
     top = max(stretch) - 1
     signs = min(stretch) < 1 < max(stretch)
-    small = [at(each.response, "stretch", "pressure", single_wrap.PRESSURES[0] * kPa).number for each in found.values()]
+    small = [at(each.response, "stretch", "pressure", single_wrap.PRESSURES[0] * kPa).number for each in runs.values()]
     high = max(abs(each) for each in twist) > 0 and top / max(min(stretch) - 1, 1e-12) > HIGH
     return Judgement(
         verdict=Verdict.CONFIRMED if high else Verdict.NOT_REPRODUCED,
