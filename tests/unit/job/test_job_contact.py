@@ -243,7 +243,7 @@ MISTAKES = [
     ("[obstacles.plate]", "[obstacles]", "23: obstacles.shape: an obstacle needs a name of its own; write"),
     ("[obstacles.plate]", "[obstacles.self]", "22: obstacles.self: the name 'self' is that of the results of"),
     ("[obstacles.plate]", "[obstacles.my-plate]", "22: obstacles.my-plate: obstacle 'my-plate': a name holds letters"),
-    ('shape = "plane"', "", "22: obstacles.plate.shape: 'shape' is missing; allowed: plane, sphere, cylinder, box, st"),
+    ('shape = "plane"', "", "22: obstacles.plate.shape: 'shape' is missing; allowed: box, cylinder, plane, sphere, st"),
     ('"plane"', '"plain"', "23: obstacles.plate.shape: unknown shape 'plain'; did you mean 'plane'?"),
     ('"plane"', '"sphere"', "25: obstacles.plate.normal: unknown key 'normal'. Known keys: shape, friction, path, "
      "spring, face, stiffness, elastic_slip, center, radius."),

@@ -171,7 +171,7 @@ MISTAKES = [
     ("[fibers.braid]", "[fibers]", "13: fibers.face: a winding needs a name of its own; write [fibers.winding]"),
     ("[fibers.braid]", "[fibres.braid]", "12: fibres: unknown key 'fibres'; did you mean 'fibers'?"),
     ("[loads]", '[supports]\nfixed = "xyz"\noutside = "radal"\n[loads]', "21: supports.outside: 'radal' is not "
-     "allowed; name the fixed directions, such as 'xyz' or 'z', or one of 'radial', 'radial about y'"),
+     "allowed; name the fixed directions, such as 'xyz' or 'z', or one of 'plane section', 'radial'"),
 ]  # fmt: skip
 
 
