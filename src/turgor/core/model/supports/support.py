@@ -15,12 +15,10 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import History
 from turgor.core.model.loads.load import Deck, DeckRows
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: A face is plane when its nodes lie nearer to a plane than this share of its size.
-FLAT = 1e-6
 
 
 class Support:
@@ -151,7 +149,7 @@ def coordinate_plane(mesh: Mesh, face: str, what: str) -> int:
     """Return the number of the axis along the normal of a face that must be a coordinate plane."""
     extent = np.ptp(mesh.points[mesh.face_nodes(face)], axis=0)
     axis = int(extent.argmin())
-    if extent[axis] > FLAT * extent.max():
+    if extent[axis] > ROUND_OFF.mesh_digits * extent.max():
         raise TurgorError(f"face '{face}' is not a coordinate plane; {what} must be one.")
     return axis
 
