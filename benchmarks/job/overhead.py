@@ -60,7 +60,7 @@ def one() -> None:
     spent["Python and imports"] = process_time()
     clock(read, "_build", "shape")
     clock(meshes, "mesh_on_disk", "mesh looked up on disk")
-    clock(meshes, "_made", "mesh")
+    clock(meshes, "_new_mesh", "mesh")
     clock(prepare, "check_mesh", "checks of the mesh")
     clock(solve, "compile_kernels", "loading compiled kernels")
     clock(run, "prepare", "all before the solve")

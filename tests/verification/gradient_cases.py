@@ -11,7 +11,7 @@ import meshes
 import problems
 import turgor as tg
 from problems import MPA
-from turgor.accuracy.gradients.moved_mesh import carried
+from turgor.accuracy.gradients.moved_mesh import on_moved_mesh
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.meshing.cells import HEXAHEDRON
@@ -53,10 +53,10 @@ class Case:
     def measured(self, values: Values, guide: tg.Solution) -> np.ndarray:
         """The measures of the last state, found exactly; the path at other values leads straight to it.
 
-        Tetrahedra are those of the guide, carried along.
+        Tetrahedra are those of the guide, moved along with the shape.
         """
         procedure = replace(self.procedure(values), **EXACT)
-        model = carried(self.variation, guide.model.mesh).model(values)
+        model = on_moved_mesh(self.variation, guide.model.mesh).model(values)
         relaxes = any(material.viscoelasticity for material in model.region_materials.values())
         led = {"guide": guide} if isinstance(procedure, tg.Static) and not relaxes else {}
         state = problems.solve(model, replace(procedure, max_step=1.0) if led else procedure, **led).states[-1]

@@ -59,11 +59,11 @@ def measure(
     one(solution, Solution, "solution", "a Solution is needed, as solve(model) returns it")
     if not isinstance(mesh_error, bool) and mesh_error != LINEAR:
         raise TurgorError(f"mesh_error is {mesh_error!r}; allowed are True, False and '{LINEAR}'.")
-    wanted = tuple(map(as_measure, measures))
-    response = read(solution, *wanted)
+    chosen = tuple(map(as_measure, measures))
+    response = read(solution, *chosen)
     if not mesh_error:
         return response
-    return with_mesh_error(response, mesh_error_of(solution, wanted, options, linear=mesh_error == LINEAR))
+    return with_mesh_error(response, mesh_error_of(solution, chosen, options, linear=mesh_error == LINEAR))
 
 
 def mesh_error_of(
@@ -90,8 +90,8 @@ def mesh_error_of(
     -------
     MeshError
     """
-    wanted = (*_found_pressures(solution), *chosen_measures(solution, measures))
-    return estimate_mesh_error(solution, wanted, options, refined_before, linear)
+    chosen = (*_unknown_pressures(solution), *chosen_measures(solution, measures))
+    return estimate_mesh_error(solution, chosen, options, refined_before, linear)
 
 
 def with_mesh_error(response: Response, estimate: MeshError) -> Response:
@@ -120,13 +120,13 @@ def with_mesh_error(response: Response, estimate: MeshError) -> Response:
     )
 
 
-def _found_pressures(solution: Solution) -> tuple[Measure, ...]:
+def _unknown_pressures(solution: Solution) -> tuple[Measure, ...]:
     """Measures of the pressures that the procedure found, by the names of their columns."""
     last = solution.states[-1]
     acting, stated = pressures_of(last), {load.face for load in solution.model.pressures}
     given = last.model is solution.model and stated_by_loads(last)
     controlled = [] if given else [name for name, value in last.pressures.items() if name not in stated and value]
-    found = list(acting) if solution.procedure.parts(last.stage)[-1].finds_load else controlled
+    faces = list(acting) if solution.procedure.parts(last.stage)[-1].finds_load else controlled
     return tuple(
         Measure(
             name="pressure" if len(acting) == 1 else f"{face}_pressure",
@@ -134,7 +134,7 @@ def _found_pressures(solution: Solution) -> tuple[Measure, ...]:
             function=partial(_pressure, face),
             definition=f"gauge pressure on {face}",
         )
-        for face in found
+        for face in faces
     )
 
 

@@ -71,7 +71,7 @@ def _solve(job: "Job", sizes: int | list[float], measure: str) -> "Convergence":
 
     console = Console()
     with LiveDisplay(console) if console.is_terminal else PlainDisplay(console) as display:
-        return convergence(job, sizes, wanted=measure, notify=display.notify, progress=display.progress)
+        return convergence(job, sizes, measure=measure, notify=display.notify, progress=display.progress)
 
 
 def _write(folder: Path, job: "Job", study: "Convergence") -> None:

@@ -82,7 +82,7 @@ def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
             threads=chosen.threads,
             notify=show.notify,
             progress=show.progress,
-            found=show.report,
+            report=show.report,
         )
     return outcome, show.reported
 

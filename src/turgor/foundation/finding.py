@@ -55,12 +55,12 @@ class FindingWarning(UserWarning):
     """
 
 
-def show_warning(found: Finding) -> None:
+def show_warning(finding: Finding) -> None:
     """Show a finding as a warning of Python, once for each line of a script that leads to it."""
     level, frame = 2, sys._getframe(1)
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("turgor."):
         frame, level = frame.f_back, level + 1
-    warnings.warn(str(found), FindingWarning, stacklevel=level)
+    warnings.warn(str(finding), FindingWarning, stacklevel=level)
 
 
 #: Severities by weight.
@@ -77,7 +77,7 @@ def by_weight(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     >>> [found.code for found in by_weight([note, thin, note])]
     ['G01', 'B03']
     """
-    return tuple(sorted(dict.fromkeys(findings), key=lambda found: HEAVIEST_FIRST.index(found.severity)))
+    return tuple(sorted(dict.fromkeys(findings), key=lambda finding: HEAVIEST_FIRST.index(finding.severity)))
 
 
 def not_reported(findings: Iterable[Finding], reported: Iterable[Finding]) -> tuple[Finding, ...]:

@@ -29,7 +29,7 @@ def names_in(file: str) -> dict[str, str]:
     return {name: source for source, name in _LINE.findall(Path(file).read_text("utf-8"))}
 
 
-def found(name: str, names: dict[str, str], namespace: dict[str, Any]) -> Any:
+def imported(name: str, names: dict[str, str], namespace: dict[str, Any]) -> Any:
     """Import a public name and store it in its module, so that the next use finds it at once.
 
     Parameters
@@ -74,4 +74,4 @@ def public(file: str, namespace: dict[str, Any]) -> tuple[Callable[[str], Any], 
     tuple
     """
     names = names_in(file)
-    return partial(found, names=names, namespace=namespace), lambda: sorted({*namespace, *names}), sorted(names)
+    return partial(imported, names=names, namespace=namespace), lambda: sorted({*namespace, *names}), sorted(names)

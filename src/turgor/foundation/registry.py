@@ -9,10 +9,10 @@ from typing import Generic, TypeVar
 
 from turgor.foundation.errors import TurgorError
 
-Found = TypeVar("Found")
+Value = TypeVar("Value")
 
 
-class Registry(Mapping[str, Found], Generic[Found]):
+class Registry(Mapping[str, Value], Generic[Value]):
     """What the files of a folder define, by name.
 
     A name that a file has too is looked for in that file. All files are imported when another name is requested, and
@@ -33,31 +33,31 @@ class Registry(Mapping[str, Found], Generic[Found]):
     'Yeoh'
     """
 
-    def __init__(self, package: str, listed: Callable[[ModuleType], Iterable[tuple[str, Found]]]) -> None:
+    def __init__(self, package: str, listed: Callable[[ModuleType], Iterable[tuple[str, Value]]]) -> None:
         self._package = package
         self._listed = listed
         self._places: tuple[str, ...] = ()
-        self._known: dict[str, Found] = {}
-        self._own: dict[tuple[str, tuple[str, ...]], Found | None] = {}
+        self._known: dict[str, Value] = {}
+        self._own: dict[tuple[str, tuple[str, ...]], Value | None] = {}
 
-    def __getitem__(self, name: str) -> Found:
+    def __getitem__(self, name: str) -> Value:
         places = self._now()
         if places == self._places:
             return self._known[name]
         own = self._of_its_file(name, places)
-        return self._found()[name] if own is None else own
+        return self._all()[name] if own is None else own
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._found())
+        return iter(self._all())
 
     def __len__(self) -> int:
-        return len(self._found())
+        return len(self._all())
 
     def _now(self) -> tuple[str, ...]:
         package = sys.modules.get(self._package) or import_module(self._package)  # a run calls it a thousand times
         return tuple(package.__path__)
 
-    def _of_its_file(self, name: str, places: tuple[str, ...]) -> Found | None:
+    def _of_its_file(self, name: str, places: tuple[str, ...]) -> Value | None:
         """What the file of this name defines under it: most names are found without importing the other files."""
         if (name, places) not in self._own:
             there = any(module.name == name for module in iter_modules(places))
@@ -65,10 +65,10 @@ class Registry(Mapping[str, Found], Generic[Found]):
             self._own[name, places] = dict(listed).get(name)
         return self._own[name, places]
 
-    def _found(self) -> dict[str, Found]:
+    def _all(self) -> dict[str, Value]:
         places = self._now()
         if places != self._places:
-            known: dict[str, Found] = {}
+            known: dict[str, Value] = {}
             for each in sorted(module.name for module in iter_modules(places)):
                 for name, value in self._listed(import_module(f"{self._package}.{each}")):
                     if known.setdefault(name, value) is not value:

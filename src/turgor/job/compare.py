@@ -77,10 +77,10 @@ def compare_folder(
     measured = _measured(Path(experiment), options)
     if options.only_loading:
         measured = loading(measured, drive_of(measured))
-    found = compare(computed, measured, options.y, x=options.x)
+    comparison = compare(computed, measured, options.y, x=options.x)
     other = Path(experiment)
     name = other.resolve().parent.name if other.name == RESPONSE else other.stem
-    return found, _write(run / COMPARISONS, name, found) if run.is_dir() else []
+    return comparison, _write(run / COMPARISONS, name, comparison) if run.is_dir() else []
 
 
 def _measured(experiment: Path, options: ComparisonOptions) -> Response:
@@ -101,20 +101,20 @@ def comparisons_of(folder: Path, computed: Response) -> list[tuple[str, Comparis
     computed : Response
         Its response.
     """
-    found = []
+    comparisons = []
     for file in sorted((folder / COMPARISONS).glob("*_measured.csv")):
         measured = read_response(file, Source(text=file.name.removesuffix("_measured.csv")))
         x, y = measured.names[:2]
         if x in computed and y in computed:  # the run may have been measured again with less
-            found.append((measured.source.text, compare(computed, measured, y, x=x)))
-    return found
+            comparisons.append((measured.source.text, compare(computed, measured, y, x=x)))
+    return comparisons
 
 
 def comparison_sections(folder: Path, computed: Response) -> tuple[tuple[str, str, str], ...]:
     """Return title, text and picture (SVG) of each comparison, for the report of a run; see `comparisons_of`."""
     return tuple(
-        (f"Against {name}", _words(found), svg_of(comparison_figure(found)))
-        for name, found in comparisons_of(folder, computed)
+        (f"Against {name}", _words(comparison), svg_of(comparison_figure(comparison)))
+        for name, comparison in comparisons_of(folder, computed)
     )
 
 
@@ -122,32 +122,32 @@ def measured_points(folder: Path, computed: Response) -> tuple[Measured, ...]:
     """Return the measured points of each comparison, for the curves next to the viewer; see `comparisons_of`."""
     return tuple(
         Measured(
-            name=name, x=found.x, y=found.y,
-            across=found.measured.column(found.measured_x), upward=found.measured.column(found.measured_y),
+            name=name, x=each.x, y=each.y,
+            across=each.measured.column(each.measured_x), upward=each.measured.column(each.measured_y),
         )
-        for name, found in comparisons_of(folder, computed)
+        for name, each in comparisons_of(folder, computed)
     )  # fmt: skip
 
 
-def _words(found: Comparison) -> str:
+def _words(comparison: Comparison) -> str:
     """Differences and notes in sentences, with the signs of a printed page."""
-    return " ".join([_sentence(found.summary()), *found.notes]).replace(" deg", "°")
+    return " ".join([_sentence(comparison.summary()), *comparison.notes]).replace(" deg", "°")
 
 
-def _write(folder: Path, name: str, found: Comparison) -> list[Path]:
+def _write(folder: Path, name: str, comparison: Comparison) -> list[Path]:
     folder.mkdir(exist_ok=True)
     files = [folder / f"{name}_measured.csv", folder / f"{name}_compared.csv", folder / f"{name}.png"]
-    x, y = found.computed.find(found.x), found.computed.find(found.y)
+    x, y = comparison.computed.find(comparison.x), comparison.computed.find(comparison.y)
     columns = [
-        Column(found.x, x.unit, found.measured.column(found.measured_x)),
-        Column(found.y, y.unit, found.measured.column(found.measured_y)),
+        Column(comparison.x, x.unit, comparison.measured.column(comparison.measured_x)),
+        Column(comparison.y, y.unit, comparison.measured.column(comparison.measured_y)),
     ]
-    spread = found.measured_y + SPREAD
-    if spread in found.measured:
-        columns.append(Column(found.y + SPREAD, y.unit, found.measured.column(spread)))
-    Response(columns=tuple(columns), source=found.measured.source).to_csv(files[0])
-    found.to_response().to_csv(files[1])
-    write_figure(files[2], comparison_figure(found), dpi=160)
+    spread = comparison.measured_y + SPREAD
+    if spread in comparison.measured:
+        columns.append(Column(comparison.y + SPREAD, y.unit, comparison.measured.column(spread)))
+    Response(columns=tuple(columns), source=comparison.measured.source).to_csv(files[0])
+    comparison.to_response().to_csv(files[1])
+    write_figure(files[2], comparison_figure(comparison), dpi=160)
     return files
 
 

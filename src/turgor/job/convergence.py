@@ -10,7 +10,8 @@ from turgor.core.engine.runtime import EngineOptions
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.sizing.sizes import size_range, wall_size
 from turgor.core.results.convergence.study import Convergence
-from turgor.core.results.measures.measures import Measure, find_measure, measure
+from turgor.core.results.measures.measures import Measure, find_measure
+from turgor.core.results.measures.measures import measure as measured
 from turgor.core.setups.with_setup import with_direction
 from turgor.core.solvers.solution import Solution, SolveError
 from turgor.core.solvers.solve import Progress, solve
@@ -32,7 +33,7 @@ def convergence(
     question: Question,
     sizes: int | Sequence[float] = 3,
     *,
-    wanted: str | Measure = "bending_angle",
+    measure: str | Measure = "bending_angle",
     notify: Callable[[str], None] | None = None,
     progress: Progress = None,
 ) -> Convergence:
@@ -45,7 +46,7 @@ def convergence(
     sizes : int or sequence of float [m]
         Mesh sizes, three or more. For a job also their number: they are then a factor of 1.4 apart, around the size of
         the job. Sizes of faces change with them.
-    wanted : str or Measure
+    measure : str or Measure
         Measure to compare.
     notify : callable, optional
         ``notify(text)``, called with each activity.
@@ -64,7 +65,7 @@ def convergence(
         If a solve does not reach the full load: only complete paths can be compared.
     """
     say = notify or _silent
-    compared = find_measure(wanted) if isinstance(wanted, str) else wanted
+    compared = find_measure(measure) if isinstance(measure, str) else measure
     chosen = study_sizes(question, sizes)
     counts, values = [], []
     for number, size in enumerate(chosen, start=1):
@@ -80,7 +81,7 @@ def convergence(
             question = replace(question, setup=with_direction(question.setup, solution.model))
         mesh = solution.model.mesh
         counts.append((len(mesh.cells), mesh.unknown_count))
-        values.append(measure(solution, compared).column(compared.name)[-1])
+        values.append(measured(solution, compared).column(compared.name)[-1])
         say(f"{len(mesh.cells)} cells, {compared.name.replace('_', ' ')} {compared.text(values[-1])}")
     cells, unknowns = np.array(counts).T
     return Convergence(

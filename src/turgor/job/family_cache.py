@@ -152,5 +152,5 @@ def _key(actuator: Family, settings: MeshSettings | None = None) -> tuple[object
     """All that a shape or mesh follows from: the dimensions and settings, versions, and sources."""
     if settings is not None and isinstance(settings.face_sizes, Mapping):
         settings = replace(settings, face_sizes=dict(settings.face_sizes))  # an equal frozen one is written like it
-    made_by = [sys.version, platform.machine(), *map(version, _LIBRARIES), *map(sources, _PACKAGES)]
-    return made_by, actuator, settings
+    programs = [sys.version, platform.machine(), *map(version, _LIBRARIES), *map(sources, _PACKAGES)]
+    return programs, actuator, settings

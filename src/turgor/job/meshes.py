@@ -61,7 +61,7 @@ def new_mesh_of(job: Job, geometry: Geometry) -> Mesh:
     """
     if isinstance(geometry.shape, MeshedShape):
         return geometry.shape.mesh
-    return _made(geometry, job.mesh)
+    return _new_mesh(geometry, job.mesh)
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,10 +79,10 @@ class _Key:
 @lru_cache(maxsize=2)
 def _mesh_of_family(key: _Key) -> Mesh:
     on_disk = mesh_on_disk(key.actuator, key.settings)
-    return _made(key.geometry, key.settings) if on_disk is None else on_disk
+    return _new_mesh(key.geometry, key.settings) if on_disk is None else on_disk
 
 
-def _made(geometry: Geometry, settings: MeshSettings) -> Mesh:
+def _new_mesh(geometry: Geometry, settings: MeshSettings) -> Mesh:
     from turgor.core.meshing.generate import mesh_with  # here: it loads all ways to mesh, and a mesh may be on disk
 
     return mesh_with(geometry, settings)

@@ -43,18 +43,18 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     say("building the actuator")
     geometry = job.geometry()
     say("meshing")
-    made = mesh_of(job, geometry)
-    say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
-    model = model_of(job, made)
+    mesh = mesh_of(job, geometry)
+    say(f"mesh: {len(mesh.cells)} cells, {mesh.unknown_count} unknowns")
+    model = model_of(job, mesh)
     model_to_solve = with_setup(model, job.setup, say)
     early = check_before_solve(model_to_solve, job.procedure)
     check_measures(questions(model_to_solve, job.procedure)[0], [find_measure(name) for name in job.output.measures])
     if job.output.markers:
         from turgor.core.results.measures.markers import check_markers  # here: it loads the engine
 
-        check_markers(made, job.output.markers)
-    found = (*check_mesh(made), *meridian_would_do(model, geometry), *early)
-    return model_to_solve, by_weight((*geometry.findings, *found))
+        check_markers(mesh, job.output.markers)
+    findings = (*check_mesh(mesh), *meridian_would_do(model, geometry), *early)
+    return model_to_solve, by_weight((*geometry.findings, *findings))
 
 
 def model_of(job: Job, mesh: Mesh) -> Model:

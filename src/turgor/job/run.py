@@ -32,7 +32,7 @@ from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
 from turgor.job.prepare import Notify, prepare, silent
 
-Found = Callable[[Finding], None]
+Report = Callable[[Finding], None]
 
 
 def run_job(
@@ -44,7 +44,7 @@ def run_job(
     threads: int | None = None,
     notify: Notify | None = None,
     progress: Progress = None,
-    found: Found | None = None,
+    report: Report | None = None,
 ) -> RunOutcome:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder of its own.
 
@@ -67,7 +67,7 @@ def run_job(
         ``notify(text)``, called with each activity.
     progress : callable or bool, optional
         As that of `solve`: a function, or whether a bar is shown; by default where a terminal or a notebook looks on.
-    found : callable, optional
+    report : callable, optional
         ``found(finding)``, called before the solve with each error and warning that is known by then. By default these
         and the later ones are warnings of Python.
 
@@ -82,9 +82,9 @@ def run_job(
         or the run to continue is one of another job.
     """
     options = EngineOptions()
-    wanted = threads if threads is not None else job.threads
-    if wanted is not None:
-        options = replace(options, threads=wanted)
+    count = threads if threads is not None else job.threads
+    if count is not None:
+        options = replace(options, threads=count)
     chosen = Path(output) if output is not None else default_folder(job.name)
     with claimed(chosen, force, resume) as folder, watched(progress) as watcher:
         files = GrowingFiles(folder, replace(job, threads=options.threads), notify or watcher.notify or silent)
@@ -93,12 +93,12 @@ def run_job(
             record = _record(files, options, resume)
             early = matter(record.question.findings or (), bool(job.output.mesh_error))
             for each in early:
-                (found or show_warning)(each)
+                (report or show_warning)(each)
             solution, response, findings = _solved(files, record, options, watcher.progress)
             outcome = _written(files, solution, response, findings)
         if solution.status is not Status.INTERRUPTED:
             drop_previous(folder)
-        for each in matter(outcome.findings, mesh_error=False) if found is None else ():
+        for each in matter(outcome.findings, mesh_error=False) if report is None else ():
             if each not in early:
                 show_warning(each)
         return outcome
@@ -184,16 +184,16 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
         return solution, ()
     from turgor.accuracy.adaptivity.mesh_to import refine_to  # here: few jobs need it
 
-    wanted = find_measure(job.mesh_target_measure or job.output.measures[0])
-    found = refine_to(
+    measure = find_measure(job.mesh_target_measure or job.output.measures[0])
+    refined = refine_to(
         solution,
-        wanted,
+        measure,
         job.mesh_target,
         most_unknowns=job.mesh_most_unknowns,
         options=options,
         notify=options.notify,
     )
-    return found.solution, (found.finding,)
+    return refined.solution, (refined.finding,)
 
 
 def _with_errors(

@@ -47,7 +47,7 @@ def test_a_function_may_be_asked_instead() -> None:
         asked.append(size)
         return solve(prepare(replace(JOB, mesh=MeshSettings(size=size)))[0], JOB.procedure)
 
-    study = convergence(question, (2.5 * mm, 6 * mm, 4 * mm), wanted="cavity_volume")
+    study = convergence(question, (2.5 * mm, 6 * mm, 4 * mm), measure="cavity_volume")
     assert asked == [6 * mm, 4 * mm, 2.5 * mm]  # from coarse to fine
     assert study.measure.name == "cavity_volume"
 
@@ -101,4 +101,4 @@ def test_a_function_needs_its_sizes() -> None:
 
 def test_an_unknown_measure_is_answered_at_once() -> None:
     with refused("'bend_angle'", "'bending_angle'"):
-        convergence(JOB, wanted="bend_angle")
+        convergence(JOB, measure="bend_angle")

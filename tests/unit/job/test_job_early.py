@@ -50,7 +50,7 @@ def file(tmp_path, monkeypatch):
 
 def test_findings_come_before_the_solve_and_once(file):
     said = []
-    outcome = run_job(read_job(file), notify=said.append, found=said.append)
+    outcome = run_job(read_job(file), notify=said.append, report=said.append)
     found = [each for each in said if not isinstance(each, str)]
     assert said.index("solving") > max(said.index(each) for each in found)
     assert [each.code for each in found] == ["G01", "M06", "M06", "P01"]  # laws that differ in density are told apart
@@ -69,7 +69,7 @@ def test_g01_waits_for_the_mesh_error(file):
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        run_job(read_job(file), notify=stop, found=said.append)
+        run_job(read_job(file), notify=stop, report=said.append)
     assert [each.code for each in said] == ["M06", "M06", "P01"]
 
 

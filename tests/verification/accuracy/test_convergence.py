@@ -32,7 +32,7 @@ def inflate(size: float) -> tg.Solution:
 
 
 def test_three_meshes_extrapolate_to_the_exact_volume(record_verification):
-    study = convergence(inflate, (2 * problems.MM, 1 * problems.MM, 0.5 * problems.MM), wanted="cavity_volume")
+    study = convergence(inflate, (2 * problems.MM, 1 * problems.MM, 0.5 * problems.MM), measure="cavity_volume")
     found, volume = study.extrapolation, 4 / 3 * np.pi * (STRETCH * INNER) ** 3
     true_error = abs(study.values[-1] - volume)
     record_verification(

@@ -9,7 +9,7 @@ from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response
 
 #: Measures that do not converge, or whose value may be nearly zero.
-LEFT_OUT = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "contact_area", "bearing_distance")
+UNJUDGED = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "contact_area", "bearing_distance")
 
 #: Finding that is kept only where the mesh error is noted.
 ONLY_WITH_ERROR = "G01"
@@ -33,10 +33,10 @@ def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[
     """
     errors = {column.name: _relative(response, column) for column in response.quantities}
     known = {name: error for name, error in errors.items() if error is not None}
-    large = {name: error for name, error in known.items() if error > MESH_ERROR.noted and not _left_out(name)}
-    kept = tuple(found for found in before if found.code != ONLY_WITH_ERROR or large or not known)
+    large = {name: error for name, error in known.items() if error > MESH_ERROR.noted and not _is_unjudged(name)}
+    relevant = tuple(finding for finding in before if finding.code != ONLY_WITH_ERROR or large or not known)
     if not large:
-        return kept
+        return relevant
     worst = sorted(large, key=lambda name: -large[name])
     listed = ", ".join(
         f"{response.find(name).label.split(' [')[0]} {last_with_error(response, response.find(name))} "
@@ -45,7 +45,7 @@ def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[
     )
     doubted = large[worst[0]] > MESH_ERROR.doubted
     return (
-        *kept,
+        *relevant,
         Finding(
             code="N02",
             severity=Severity.WARNING if doubted else Severity.NOTE,
@@ -67,9 +67,9 @@ def matter(findings: Sequence[Finding], mesh_error: bool) -> tuple[Finding, ...]
         Whether the mesh error will be estimated; G01 waits for it then.
     """
     return tuple(
-        found
-        for found in findings
-        if found.severity is not Severity.NOTE and not (mesh_error and found.code == ONLY_WITH_ERROR)
+        finding
+        for finding in findings
+        if finding.severity is not Severity.NOTE and not (mesh_error and finding.code == ONLY_WITH_ERROR)
     )
 
 
@@ -81,5 +81,5 @@ def _relative(response: Response, column: Column) -> float | None:
     return float(errors[-1]) / last if last > MESH_ERROR.negligible * largest else None
 
 
-def _left_out(name: str) -> bool:
-    return name.startswith(LEFT_OUT) or name.endswith(LEFT_OUT)
+def _is_unjudged(name: str) -> bool:
+    return name.startswith(UNJUDGED) or name.endswith(UNJUDGED)

@@ -86,17 +86,17 @@ def estimate_mesh_error(
         With nan and a finding (N03) where it cannot be estimated: motion and friction depend on all that was before.
     """
     reason = why_not(solution)
-    found = None if reason else find_again(solution, options or EngineOptions(), refined_before, linear)
-    if found is None or not found.pairs:
+    paired = None if reason else find_again(solution, options or EngineOptions(), refined_before, linear)
+    if paired is None or not paired.pairs:
         unknown = {each.name: np.full(len(solution.states), np.nan) for each in measures}
         return MeshError(errors=unknown, finding=_not_estimated(reason or "no state was found on the second mesh"))
     values = _read(solution.states, measures)
-    known = _read_again(solution, found, measures, values)
+    known = _read_again(solution, paired, measures, values)
     errors = {
-        each.name: _along_path(path_length(solution), each, (values[:, k], known[:, k]), found)
+        each.name: _along_path(path_length(solution), each, (values[:, k], known[:, k]), paired)
         for k, each in enumerate(measures)
     }
-    return MeshError(errors=errors, unknowns=found.unknowns, states=tuple(found.pairs), seconds=found.seconds)
+    return MeshError(errors=errors, unknowns=paired.unknowns, states=tuple(paired.pairs), seconds=paired.seconds)
 
 
 @lru_cache(maxsize=1)
@@ -114,12 +114,12 @@ def find_again(
     if not chosen:
         return None
     shares = np.mean([error_indicator(solution.states[number]) for number in chosen[:2]], axis=0)
-    found = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, growth), options, linear)
-    if not found.pairs:
+    paired = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, growth), options, linear)
+    if not paired.pairs:
         every = _chosen(solution, len(MESH_ERROR.places))
         coarser = refined(solution.model.mesh, shares, _least_growth(solution))
-        found = _on_second_mesh(solution, every, coarser, options, linear, enough=1)
-    return replace(found, seconds=perf_counter() - began)
+        paired = _on_second_mesh(solution, every, coarser, options, linear, enough=1)
+    return replace(paired, seconds=perf_counter() - began)
 
 
 def _on_second_mesh(
@@ -141,11 +141,11 @@ def _on_second_mesh(
             if len(pairs) == enough:
                 break
             state = solution.states[number]
-            found = mesh.found_again(state, solution.procedure.parts(state.stage)[-1], linear=linear)
-            if found is not None:
+            state_there = mesh.solved_again(state, solution.procedure.parts(state.stage)[-1], linear=linear)
+            if state_there is not None:
                 before = transfer.nodal(state.displacement)
-                pairs[number] = found
-                moved[number] = float(np.linalg.norm(found.displacement - before) / np.linalg.norm(before))
+                pairs[number] = state_there
+                moved[number] = float(np.linalg.norm(state_there.displacement - before) / np.linalg.norm(before))
     factor = max(captured, 0.05) ** -MESH_ERROR.captured_power
     return PairedStates(pairs, moved, refinement.mesh.unknown_count, factor, 0.0)
 
@@ -230,13 +230,13 @@ def _read(states: Sequence[State], measures: Sequence[Measure]) -> Array:
     return out
 
 
-def _read_again(solution: Solution, found: PairedStates, measures: Sequence[Measure], values: Array) -> Array:
+def _read_again(solution: Solution, paired: PairedStates, measures: Sequence[Measure], values: Array) -> Array:
     """Measures (k, m) of the states that were found again, in their order.
 
     A sum along the path is made over these states alone on both meshes; the difference is added to its value.
     """
-    numbers = sorted(found.pairs)
-    again = [found.pairs[number] for number in numbers]
+    numbers = sorted(paired.pairs)
+    again = [paired.pairs[number] for number in numbers]
     sums = [k for k, each in enumerate(measures) if each.along is not None]
     out = np.empty((len(numbers), len(measures)))
     alone = [k for k in range(len(measures)) if k not in sums]
@@ -264,17 +264,17 @@ def _at_rest(state: State) -> State:
     )
 
 
-def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], found: PairedStates) -> Array:
+def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], paired: PairedStates) -> Array:
     """Estimated error (n,) of a measure, read at all states and at those that were found again, by their places."""
-    (values, known), numbers = read, sorted(found.pairs)
+    (values, known), numbers = read, sorted(paired.pairs)
     difference = known - values[numbers]
     if measure.unwrap:
         values, difference = np.unwrap(values), np.arctan2(np.sin(difference), np.cos(difference))
     change = np.abs(values - (values[0] if np.isfinite(values[0]) else 0.0))  # what is straight at rest has no radius
     size = np.abs(difference)
-    least = np.array([found.moved[number] for number in numbers]) * change[numbers]
+    least = np.array([paired.moved[number] for number in numbers]) * change[numbers]
     # two meshes may agree by accident, but for measures that are prescribed
-    size = np.where(size > MESH_ERROR.negligible * change[numbers], found.factor * np.maximum(size, least), size)
+    size = np.where(size > MESH_ERROR.negligible * change[numbers], paired.factor * np.maximum(size, least), size)
     if (change[numbers] > MESH_ERROR.negligible * max(float(np.nanmax(np.abs(values))), 1e-300)).all():
         return np.asarray(np.interp(place, place[numbers], size / change[numbers]) * change)
     return np.asarray(np.interp(place, [0.0, *place[numbers]], [0.0, *size]))

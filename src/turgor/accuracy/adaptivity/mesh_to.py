@@ -203,10 +203,10 @@ def _solved_on(solution: Solution, refinement: Refinement, options: EngineOption
     states = [second.at_rest(solution.states[0])]
     with use_threads(options.threads):
         for state in solution.states[1:]:
-            found = second.found_again(state, solution.procedure.parts(state.stage)[-1], exact=True)
-            if found is None or (found.unstable_modes or 0) != (state.unstable_modes or 0):
+            state_there = second.solved_again(state, solution.procedure.parts(state.stage)[-1], exact=True)
+            if state_there is None or (state_there.unstable_modes or 0) != (state.unstable_modes or 0):
                 return _solved_again(model, solution, options)
-            states.append(found)
+            states.append(state_there)
     return replace(solution, model=states[-1].model, states=tuple(states))
 
 

@@ -43,8 +43,8 @@ def refined(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float
 
 def _tetrahedra(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float]:
     count = len(mesh.cells)
-    wanted = count if growth >= ALL_CUT else int(np.ceil((growth - 1) * count / REFINEMENT.new_cells))
-    marked = np.argsort(-shares, kind="stable")[: max(1, min(wanted, count))]
+    target = count if growth >= ALL_CUT else int(np.ceil((growth - 1) * count / REFINEMENT.new_cells))
+    marked = np.argsort(-shares, kind="stable")[: max(1, min(target, count))]
     edges = mesh.cells[marked][:, np.array(TETRAHEDRON.edges)].reshape(-1, 2)
     edges = np.unique(np.sort(edges, axis=1), axis=0)
     return refine_tetrahedra(mesh, edges), float(shares[marked].sum())
@@ -53,11 +53,11 @@ def _tetrahedra(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, f
 def ring_sheets(mesh: Mesh, of_cell: Ints) -> Ints:
     """Sheets of an axisymmetric mesh whose edges run around the axis: cutting them adds no degree of freedom."""
     ring = rings_of(mesh).leader
-    found = []
+    rings = []
     for direction, edges in enumerate(CELL_EDGES):
         ends = ring[mesh.cells[:, np.array(edges)]]
-        found.append(of_cell[(ends[..., 0] == ends[..., 1]).any(axis=1), direction])
-    return np.unique(np.concatenate(found))
+        rings.append(of_cell[(ends[..., 0] == ends[..., 1]).any(axis=1), direction])
+    return np.unique(np.concatenate(rings))
 
 
 def _hexahedra(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float]:

@@ -65,7 +65,7 @@ class SecondMesh:
     options: EngineOptions
     _known: list[tuple[Model, tuple[str, ...], System, Tangent]] = field(default_factory=list)
 
-    def found_again(
+    def solved_again(
         self, state: State, procedure: Procedure, exact: bool = False, linear: bool = False
     ) -> State | None:
         """Find a state on the refined mesh under the constraint of its procedure; None where Newton's method fails.
@@ -158,13 +158,13 @@ def _linearly(equations: Equations, unknowns: Array, state: State) -> State | No
     system, tangent, history = equations
     start = Start(unknowns, None, np.zeros(0))
     constraint = load_control(system, history=history)
-    found = newton(constraint, tangent, start, state.load_factor, LINEAR_SETTINGS, _unheard).evaluation
-    if found is None:
+    result = newton(constraint, tangent, start, state.load_factor, LINEAR_SETTINGS, _unheard).evaluation
+    if result is None:
         return None
-    moved = (found.unknowns - unknowns)[system.moving]
+    moved = (result.unknowns - unknowns)[system.moving]
     if np.linalg.norm(moved) > SIMPLE.far * np.linalg.norm(unknowns[system.moving]):
         return None
-    return _state(system, found, state)
+    return _state(system, result, state)
 
 
 def _at_volume(equations: Equations, unknowns: Array, state: State, controlled: tuple[str, ...]) -> State | None:

@@ -99,9 +99,9 @@ class SimpleUpdates:
         geometric = now.geometric if now.fresh and tangent.mixed_points else None
         return self.border.newton_update(at, (geometric, jump, fresh), none, REFINED)[0], fresh
 
-    def advanced(self, now: Iterate, made: tuple[Array, bool]) -> Iterate:
+    def advanced(self, now: Iterate, solved: tuple[Array, bool]) -> Iterate:
         """The state after the update; the same one where old factors fail, to be tried again with new ones."""
-        (update, fresh), system, tangent = made, self.border.constraint.scalar_unknowns.system, self.border.tangent
+        (update, fresh), system, tangent = solved, self.border.constraint.scalar_unknowns.system, self.border.tangent
         new = system.evaluate(now.at.unknowns + update, now.at.load_factor, history=now.at.history)
         moved = update[system.moving]
         size, total = float(np.linalg.norm(moved)), float(np.linalg.norm(now.whole + moved))

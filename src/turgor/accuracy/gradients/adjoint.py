@@ -28,13 +28,13 @@ class Adjoint:
         Change of each measure by a unit of residual, zero at fixed unknowns.
     scalars : (m, k) array [SI]
         By a unit of error of each condition.
-    left : float
+    mismatch : float
         Largest relative difference of what the tangent says about them and what residuals do.
     """
 
     unknowns: Array
     scalars: Array
-    left: float
+    mismatch: float
 
     def slopes(self, residual: Array, errors: Array) -> Array:
         """Changes (m,) of the measures that changes of residual and conditions cause."""
@@ -71,13 +71,13 @@ def adjoint_of(base: Equilibrium, measures: tuple[Measure, ...], facts: MeshFact
     -------
     Adjoint
     """
-    fixed, found, left = base.system.prescribed, [], 0.0
+    fixed, adjoints, mismatch = base.system.prescribed, [], 0.0
     for each in measures:
         right = np.where(fixed, 0.0, by_unknowns(base, each, facts))
         unknowns, scalars = base.transposed_answer(right)
-        found.append((unknowns, scalars))
-        left = max(left, _difference(base, unknowns))
-    return Adjoint(np.array([a for a, _ in found]), np.array([b for _, b in found]), left)
+        adjoints.append((unknowns, scalars))
+        mismatch = max(mismatch, _difference(base, unknowns))
+    return Adjoint(np.array([a for a, _ in adjoints]), np.array([b for _, b in adjoints]), mismatch)
 
 
 def _difference(base: Equilibrium, unknowns: Array) -> float:

@@ -49,16 +49,16 @@ def chosen_measures(state: State, measures: Sequence[Measure | str]) -> tuple[Me
     pressures = {f"{face}_{_PRESSURE}": face for face in acting}
     if len(acting) == 1:
         pressures[_PRESSURE] = next(iter(acting))
-    found: list[Measure] = []
+    chosen: list[Measure] = []
     for each in measures:
         known = isinstance(each, str) and each in pressures
-        found.append(_pressure_in(each, pressures[each]) if known else as_measure(each))  # type: ignore[index,arg-type]
-        check_alone(found[-1])
-    names = [each.name for each in found]
+        chosen.append(_pressure_in(each, pressures[each]) if known else as_measure(each))  # type: ignore[index,arg-type]
+        check_alone(chosen[-1])
+    names = [each.name for each in chosen]
     for name in names:
         if names.count(name) > 1:
             raise TurgorError(f"the measure '{name}' is named twice.")
-    return tuple(found)
+    return tuple(chosen)
 
 
 def _pressure_in(name: str, face: str) -> Measure:

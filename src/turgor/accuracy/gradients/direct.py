@@ -62,7 +62,7 @@ class Rates:
         The equations at the neighbors, with the unknowns of the state.
     motion : Motion or None
         None where nothing moves.
-    left : float
+    residual : float
         Share of the forces ∂R/∂p that is left.
     solves : int
         Solutions with the factors.
@@ -72,7 +72,7 @@ class Rates:
     scalars: Array
     places: tuple[Place, ...]
     motion: Motion | None
-    left: float
+    residual: float
     solves: int
 
 
@@ -102,18 +102,18 @@ def rates_of(base: Equilibrium, neighbors: Neighbors) -> Rates:
     for number in range(1, GRADIENTS.corrections + 1):
         motion = motion_along(base, unknowns, scalars)
         caused = motion.forces()
-        left, error = right + caused[0], wrong + caused[1]
-        share = _size(left, error) / size
-        before = np.inf if best is None else best.left
+        residual, error = right + caused[0], wrong + caused[1]
+        share = _size(residual, error) / size
+        before = np.inf if best is None else best.residual
         if share < before:
             best = Rates(unknowns, scalars, places, motion, share, number)
         if share <= GRADIENTS.accurate or share > GRADIENTS.contraction * before:
             break
-        update, change = base.answer(-left, -error)
+        update, change = base.answer(-residual, -error)
         unknowns, scalars = unknowns + update, scalars + change
     assert best is not None
-    if best.left > GRADIENTS.good_enough:
-        raise unsettled(neighbors.name, best.left)
+    if best.residual > GRADIENTS.good_enough:
+        raise unsettled(neighbors.name, best.residual)
     return best
 
 
@@ -164,20 +164,20 @@ def motion_along(base: Equilibrium, unknowns: Array, scalars: Array) -> Motion:
     return Motion(itself, (ends[0], ends[1]), step)
 
 
-def unsettled(name: str, left: float) -> TurgorError:
+def unsettled(name: str, residual: float) -> TurgorError:
     """Make the error for rates that do not settle.
 
     Parameters
     ----------
     name : str
-    left : float
+    residual : float
 
     Returns
     -------
     TurgorError
     """
     return TurgorError(
-        f"the derivative by '{name}' does not settle: {left:.1e} of the change of the forces is left. The state is "
+        f"the derivative by '{name}' does not settle: {residual:.1e} of the change of the forces is left. The state is "
         "near a limit point, or something switches there, such as a thread that goes slack; take a state away from it."
     )
 

@@ -85,11 +85,11 @@ class Equilibrium:
         def once(residual: Array, wrong: Array) -> Pair:
             return self.border.update(residual, self.conditions, -wrong)
 
-        def left(unknowns: Array, scalars: Array) -> Pair:
+        def residual_of(unknowns: Array, scalars: Array) -> Pair:
             forces = right - self.border.tangent.product(unknowns) - scalars @ self.columns
             return forces, errors - self.conditions.rows @ unknowns - self.conditions.corner @ scalars
 
-        return _refined(once, left, (right, errors))
+        return _refined(once, residual_of, (right, errors))
 
     def transposed_answer(self, right: Array) -> tuple[Array, Array]:
         """Solve the transposed equations, with zero for the conditions: Kᵀ a + Cᵀ b = right, Fᵀ a + Dᵀ b = 0.
@@ -106,19 +106,19 @@ class Equilibrium:
             scalars = np.asarray(np.linalg.solve(small, wrong - self.columns @ free), dtype=np.float64)
             return free - scalars @ solved, scalars
 
-        def left(unknowns: Array, scalars: Array) -> Pair:
+        def residual_of(unknowns: Array, scalars: Array) -> Pair:
             wrong = self.columns @ unknowns + corner @ scalars
             return right - tangent.product(unknowns) - scalars @ rows, -wrong
 
-        return _refined(once, left, (right, np.zeros(len(self.scalars))))
+        return _refined(once, residual_of, (right, np.zeros(len(self.scalars))))
 
 
-def _refined(once: Callable[[Array, Array], Pair], left: Callable[[Array, Array], Pair], right: Pair) -> Pair:
+def _refined(once: Callable[[Array, Array], Pair], residual_of: Callable[[Array, Array], Pair], right: Pair) -> Pair:
     """Solve a bordered system by its factors, and refine the answer until nothing more is gained."""
     unknowns, scalars = once(*right)
     before = np.inf
     for _ in range(GRADIENTS.corrections):
-        update, change = once(*left(unknowns, scalars))
+        update, change = once(*residual_of(unknowns, scalars))
         size = float(np.linalg.norm(update)) / max(float(np.linalg.norm(unknowns)), 1e-300)
         if size > GRADIENTS.contraction * before:
             break
@@ -155,18 +155,18 @@ def equilibrium_of(
     system = systems.of(state.model, procedure.filled(state.model))
     constraint = constraint_of(system, state, procedure)
     try:
-        result, border = _found_again(state, constraint, options, systems)
+        result, border = _solved_again(state, constraint, options, systems)
     except (SingularTangentError, np.linalg.LinAlgError):
         raise limit_point(state) from None
     at = result.evaluation
-    assert at is not None  # _found_again has it
+    assert at is not None  # _solved_again has it
     conditions = constraint.target.conditions(at.unknowns, state.load_factor, result.scalars)
     if state.displacement.any() and whole_residual(system, at, conditions) > GRADIENTS.accurate:
         raise limit_point(state)
     return Equilibrium(state, procedure, system, border, constraint, at, result.scalars, systems)
 
 
-def _found_again(
+def _solved_again(
     state: State, constraint: Constraint, options: EngineOptions, systems: Systems
 ) -> tuple[NewtonResult, Border]:
     """Newton's method from a state, with factors of the tangent where it begins, and the tangent where it ends.

@@ -11,7 +11,7 @@ from turgor.accuracy.gradients.differentiated import Reading, chosen_measures
 from turgor.accuracy.gradients.equilibrium import equilibrium_of
 from turgor.accuracy.gradients.measure_derivatives import derived
 from turgor.accuracy.gradients.model_keys import model_variation
-from turgor.accuracy.gradients.moved_mesh import carried
+from turgor.accuracy.gradients.moved_mesh import on_moved_mesh
 from turgor.accuracy.gradients.result import Gradient, numbers_in
 from turgor.accuracy.gradients.systems import Systems
 from turgor.accuracy.gradients.variation import Variation
@@ -96,7 +96,7 @@ def gradient_with(
     with use_threads(threads):
         base = equilibrium_of(at, procedure, replace(options, threads=threads), systems)
         reading = Reading(base, chosen)
-        found = derived(base, reading, carried(variation, at.model.mesh))
+        derivatives = derived(base, reading, on_moved_mesh(variation, at.model.mesh))
         values = reading.along(solution, state % len(solution.states))
     return Gradient(
         measures=tuple(
@@ -104,10 +104,10 @@ def gradient_with(
         ),
         numbers=numbers_in(variation.values, variation.units),
         keys=tuple(variation.values),
-        values=found.slopes,
+        values=derivatives.slopes,
         load_factor=at.load_factor,
-        way=found.way,
-        solves=found.solves,
+        way=derivatives.way,
+        solves=derivatives.solves,
         seconds=perf_counter() - began,
-        left=found.left,
+        residual=derivatives.residual,
     )

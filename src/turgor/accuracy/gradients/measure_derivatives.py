@@ -29,14 +29,14 @@ class Derived:
     way : str
     solves : int
         Solutions with the factors.
-    left : float
+    residual : float
         Largest share of a change of the forces that is left unbalanced.
     """
 
     slopes: Array
     way: str
     solves: int
-    left: float
+    residual: float
 
 
 def derived(base: Equilibrium, reading: Reading, variation: Variation) -> Derived:
@@ -55,20 +55,20 @@ def derived(base: Equilibrium, reading: Reading, variation: Variation) -> Derive
     """
     if len(reading.measures) < len(variation.values) and has_adjoint(base, reading.measures):
         adjoint = adjoint_of(base, reading.measures, reading.facts())
-        if adjoint.left <= GRADIENTS.consistent:
+        if adjoint.mismatch <= GRADIENTS.consistent:
             return _by_adjoint(base, reading, variation, adjoint)
     return _directly(base, reading, variation)
 
 
 def _directly(base: Equilibrium, reading: Reading, variation: Variation) -> Derived:
     """One solution for each number."""
-    slopes, solves, left = [], 0, 0.0
+    slopes, solves, residual = [], 0, 0.0
     for name in variation.values:
         neighbors = neighbors_of(base, variation, name)
         rates = rates_of(base, neighbors)
         slopes.append(reading.slopes(neighbors, rates))
-        solves, left = solves + rates.solves, max(left, rates.left)
-    return Derived(np.array(slopes).T, DIRECT, solves, left)
+        solves, residual = solves + rates.solves, max(residual, rates.residual)
+    return Derived(np.array(slopes).T, DIRECT, solves, residual)
 
 
 def _by_adjoint(base: Equilibrium, reading: Reading, variation: Variation, adjoint: Adjoint) -> Derived:
@@ -78,4 +78,4 @@ def _by_adjoint(base: Equilibrium, reading: Reading, variation: Variation, adjoi
         neighbors = neighbors_of(base, variation, name)
         places, residual, errors = forces_of(base, neighbors)
         slopes.append(reading.by_number(neighbors, places) + adjoint.slopes(residual, errors))
-    return Derived(np.array(slopes).T, ADJOINT, len(reading.measures), adjoint.left)
+    return Derived(np.array(slopes).T, ADJOINT, len(reading.measures), adjoint.mismatch)

@@ -22,7 +22,7 @@ _PARTS = {"materials": "materials", "loads": "loads", "fibers": "reinforcements"
 COMMON = "loads.pressure"
 
 #: What is no quantity that could change by little: ranges of validity, histories, counts.
-_LEFT_OUT = ("source", "stretch_range", "history", "starts", "viscoelasticity", "stress_softening")
+_EXCLUDED = ("source", "stretch_range", "history", "starts", "viscoelasticity", "stress_softening")
 
 #: Fields whose content counts as that of the whole: constants of the law of a material, of the material of a sheet.
 _THROUGH = {Material: ("law",), Shell: ("material",), Membrane: ("material",)}
@@ -48,13 +48,13 @@ def model_numbers(model: Model) -> dict[str, float]:
     dict of str to float [SI]
         Constants of materials, thickness of layers, fibers, loads, and what supports state.
     """
-    found: dict[str, float] = {}
+    numbers: dict[str, float] = {}
     common = common_pressure(model.loads)
     if common is not None:
-        found[COMMON] = common.pressure
+        numbers[COMMON] = common.pressure
     for name, attribute in _PARTS.items():
-        found |= dict(_numbers(name, getattr(model, attribute)))
-    return found
+        numbers |= dict(_numbers(name, getattr(model, attribute)))
+    return numbers
 
 
 def with_number(model: Model, key: str, value: float) -> Model:
@@ -71,7 +71,7 @@ def with_number(model: Model, key: str, value: float) -> Model:
     -------
     Model
     """
-    return reduce(lambda made, single: _with_one(made, single, value), key.split(","), model)
+    return reduce(lambda changed, single: _with_one(changed, single, value), key.split(","), model)
 
 
 def model_variation(model: Model, keys: Sequence[str]) -> Variation:
@@ -95,19 +95,19 @@ def model_variation(model: Model, keys: Sequence[str]) -> Variation:
     known = model_numbers(model)
     values: dict[str, float] = {}
     for key in keys:
-        found = [_found(known, single) for single in key.split(",")]
-        if len(set(found)) > 1:
-            raise TurgorError(f"'{key}' has the numbers {' and '.join(f'{each:g}' for each in found)}; one is needed.")
-        values[key] = found[0]
+        equal = [_number_of(known, single) for single in key.split(",")]
+        if len(set(equal)) > 1:
+            raise TurgorError(f"'{key}' has the numbers {' and '.join(f'{each:g}' for each in equal)}; one is needed.")
+        values[key] = equal[0]
     units = {key: unit for key in keys if (unit := _unit_of(key))}
 
-    def made(numbers: Mapping[str, float]) -> Model:
-        return reduce(lambda so_far, key: with_number(so_far, key, numbers[key]), numbers, model)
+    def model_of(numbers: Mapping[str, float]) -> Model:
+        return reduce(lambda changed, key: with_number(changed, key, numbers[key]), numbers, model)
 
-    return Variation(made, values, units)
+    return Variation(model_of, values, units)
 
 
-def _found(known: Mapping[str, float], key: str) -> float:
+def _number_of(known: Mapping[str, float], key: str) -> float:
     if key not in known:
         same = [each for each in known if each.split(".")[0] == key.split(".")[0]]
         raise unknown("number of the model", key, same or known)
@@ -149,16 +149,16 @@ def _children(value: Any) -> dict[str, Any]:
         return dict(zip(_names(value), value, strict=True))
     if not is_dataclass(value):
         return {}
-    found: dict[str, Any] = {}
+    children: dict[str, Any] = {}
     for each in fields(value):
-        if each.name in _LEFT_OUT:
+        if each.name in _EXCLUDED:
             continue
         child = getattr(value, each.name)
         if each.name in _THROUGH.get(type(value), ()):
-            found |= _children(child)
+            children |= _children(child)
         else:
-            found[each.name] = child
-    return found
+            children[each.name] = child
+    return children
 
 
 def _names(values: Sequence[Any]) -> list[str]:

@@ -18,7 +18,7 @@ from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 
 
-def carried(variation: Variation, mesh: Mesh) -> Variation:
+def on_moved_mesh(variation: Variation, mesh: Mesh) -> Variation:
     """Return a variation whose models have the cells of a mesh.
 
     Hexahedra are swept again in the same order. Tetrahedra that are generated again would be others, so those of the
@@ -36,11 +36,11 @@ def carried(variation: Variation, mesh: Mesh) -> Variation:
     """
     if mesh.cell_type is not TETRAHEDRON:
         return variation
-    return replace(variation, model=Carried(variation, mesh).model)
+    return replace(variation, model=OnMovedMesh(variation, mesh).model)
 
 
 @dataclass(frozen=True, eq=False)
-class Carried:
+class OnMovedMesh:
     """A variation whose models carry a mesh along.
 
     Parameters
@@ -54,18 +54,18 @@ class Carried:
 
     def model(self, values: Mapping[str, float]) -> Model:
         """The model of values, on the mesh carried along."""
-        with meshing_instead(self._made):
+        with meshing_instead(self._mesh_of):
             return self.variation.model(values)
 
-    def _made(self, geometry: Geometry, settings: MeshSettings) -> Mesh:
+    def _mesh_of(self, geometry: Geometry, settings: MeshSettings) -> Mesh:
         """The mesh of a geometry: the known one, moved; or a new one, if that has the same cells."""
         known = self._movable
         if isinstance(known, MovableMesh):
             return known.at(geometry)
         with meshing_instead(None):
-            made = mesh_with(geometry, settings)
-        if known is None or same_cells(self.mesh, made):
-            return made
+            new = mesh_with(geometry, settings)
+        if known is None or same_cells(self.mesh, new):
+            return new
         raise known
 
     @cached_property
@@ -78,8 +78,8 @@ class Carried:
             return self.mesh
 
         with meshing_instead(known):
-            made = self.variation.model(self.variation.values).mesh
-        if len(parts) != 1 or not same_cells(self.mesh, made) or not np.array_equal(made.points, self.mesh.points):
+            mesh = self.variation.model(self.variation.values).mesh
+        if len(parts) != 1 or not same_cells(self.mesh, mesh) or not np.array_equal(mesh.points, self.mesh.points):
             return None
         try:
             return movable(self.mesh, parts[0])

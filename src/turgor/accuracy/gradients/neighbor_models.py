@@ -98,8 +98,8 @@ class Neighbor:
     def state(self, place: Place) -> State:
         """Return the state at a place."""
         known = self.base.state
-        found = state_of(self.system, place.at, known.unstable_modes)
-        return replace(found, model=self.model, driven=known.driven, time=known.time, stage=known.stage)
+        result = state_of(self.system, place.at, known.unstable_modes)
+        return replace(result, model=self.model, driven=known.driven, time=known.time, stage=known.stage)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -131,13 +131,13 @@ class Neighbors:
         TurgorError
             If a cell turns inside out.
         """
-        found = []
+        places = []
         for each in self.each:
             place = each.look(each.steps * self.step * rates, np.zeros(len(each.base.scalars)))
             if place is None:
                 raise TurgorError(f"a cell turns inside out where '{self.name}' changes by little; mesh more finely.")
-            found.append(place)
-        return tuple(found)
+            places.append(place)
+        return tuple(places)
 
     def difference(self, values: Callable[[Neighbor, Place], Array], places: tuple[Place, ...]) -> Array:
         """Return the difference quotient of what a function gives at each place."""
@@ -167,27 +167,27 @@ def neighbors_of(base: Equilibrium, variation: Variation, name: str) -> Neighbor
         If neither side is allowed.
     """
     step, errors = variation.step(name), []
-    made = {0: (base.system, base.state.model, base.constraint)}
+    known = {0: (base.system, base.state.model, base.constraint)}
 
     def at(steps: int, weight: float) -> Neighbor:
-        if steps not in made:
-            made[steps] = _neighbor(base, variation, name, steps)
-        return Neighbor(base, *made[steps], steps, weight)
+        if steps not in known:
+            known[steps] = _neighbor(base, variation, name, steps)
+        return Neighbor(base, *known[steps], steps, weight)
 
     for stencil in (CENTRAL, FORWARD, BACKWARD):
         try:
-            found = Neighbors(name, step, tuple(at(*point) for point in stencil))
+            neighbors = Neighbors(name, step, tuple(at(*point) for point in stencil))
         except TurgorError as error:
             errors.append(error)
             continue
-        if stencil is not CENTRAL or not _turns(base.system, found):
-            return found
+        if stencil is not CENTRAL or not _turns(base.system, neighbors):
+            return neighbors
     raise TurgorError(f"'{name}' cannot change by little: {errors[-1]}") from errors[-1]
 
 
-def _turns(middle: System, found: Neighbors) -> bool:
+def _turns(middle: System, neighbors: Neighbors) -> bool:
     """Whether nodes move another way on the other side of a value, so that there are two derivatives."""
-    more, less = (each.system.points for each in found.each)
+    more, less = (each.system.points for each in neighbors.each)
     second, first = np.abs(more + less - 2 * middle.points).max(), np.abs(more - less).max()
     return bool(second > GRADIENTS.kink * first + ROUND_OFF.zero)
 

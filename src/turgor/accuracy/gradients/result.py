@@ -39,7 +39,7 @@ class Gradient:
         Solutions with the factors of the tangent.
     seconds : float [s]
         Wall time.
-    left : float
+    residual : float
         Largest share of the forces of a change that the rates leave unbalanced, an estimate of the relative error.
     """
 
@@ -51,7 +51,7 @@ class Gradient:
     way: str
     solves: int
     seconds: float
-    left: float
+    residual: float
 
     def __getitem__(self, key: str | tuple[str, str]) -> float | Array:
         """Return the derivatives of a measure, or that by one number [SI]."""
@@ -97,8 +97,8 @@ class Gradient:
         dict of str to float
         """
         grown = [0.01 * abs(float(each.values[0])) for each in self.numbers]
-        found = self.values[self._row(measure)]
-        return {key: float(slope * size) for key, slope, size in zip(self.keys, found, grown, strict=True)}
+        slopes = self.values[self._row(measure)]
+        return {key: float(slope * size) for key, slope, size in zip(self.keys, slopes, grown, strict=True)}
 
     def table(self) -> str:
         """Return a table for a person: how much each measure changes where a number grows by 1 %.

@@ -13,7 +13,7 @@ from turgor.core.solvers.solve import FEW_UNKNOWNS
 #: What equations belong to: a model, and what is requested of it.
 Key = tuple[int, object]
 
-Made = TypeVar("Made")
+Value = TypeVar("Value")
 
 
 @dataclass(slots=True, eq=False)
@@ -38,7 +38,7 @@ class Systems:
         -------
         System
         """
-        return self._kept(model, controlled, lambda: System(model, controlled))
+        return self._cached(model, controlled, lambda: System(model, controlled))
 
     def tangent_of(self, model: Model, system: System, options: EngineOptions) -> Tangent:
         """Return the tangent of such equations, analyzed for what touches now.
@@ -55,7 +55,7 @@ class Systems:
         Tangent
         """
         what = system.controlled, options.linear_solver, options.threads
-        tangent = self._kept(model, what, lambda: Tangent(system, options.linear_solver, options.threads))
+        tangent = self._cached(model, what, lambda: Tangent(system, options.linear_solver, options.threads))
         tangent.use_double()  # a solution in single precision takes two or three refinements, every answer five of them
         return tangent
 
@@ -76,14 +76,14 @@ class Systems:
         -------
         System
         """
-        return self._kept(model, (id(like), touching), lambda: System(contact_model, like.controlled, like=like))
+        return self._cached(model, (id(like), touching), lambda: System(contact_model, like.controlled, like=like))
 
-    def _kept(self, model: Model, what: object, make: Callable[[], Made]) -> Made:
+    def _cached(self, model: Model, what: object, make: Callable[[], Value]) -> Value:
         key = id(model), what
         if key in self._known:
-            kept: Made = self._known[key][1]
-            return kept
-        found = make()
+            cached: Value = self._known[key][1]
+            return cached
+        value = make()
         if model.mesh.unknown_count <= FEW_UNKNOWNS:
-            self._known[key] = model, found  # with the model, whose id would else be given to another one
-        return found
+            self._known[key] = model, value  # with the model, whose id would else be given to another one
+        return value

@@ -181,7 +181,7 @@ def best_shift(computed: Response, x: str, y: str, measured: Array) -> tuple[flo
         computed range.
     """
 
-    def left(shift: float) -> float:
+    def distance(shift: float) -> float:
         at = interpolated(computed, x, y, measured[:, 0] + shift)
         within = np.isfinite(at)
         if within.mean() < LEAST_OVERLAP:
@@ -192,12 +192,12 @@ def best_shift(computed: Response, x: str, y: str, measured: Array) -> tuple[flo
 
     reach = float(np.ptp(measured[:, 0])) / 2
     tried = np.linspace(-reach, reach, TRIED)
-    differences = np.array([left(shift) for shift in tried])
+    differences = np.array([distance(shift) for shift in tried])
     if (differences >= FAR).all():
         return np.nan, np.nan
     best = int(np.argmin(differences))
     step = tried[1] - tried[0]
-    finer = minimize_scalar(left, bounds=(tried[best] - step, tried[best] + step), method="bounded")
+    finer = minimize_scalar(distance, bounds=(tried[best] - step, tried[best] + step), method="bounded")
     if finer.fun < differences[best]:
         return float(finer.x), float(finer.fun)
     return float(tried[best]), float(differences[best])

@@ -11,12 +11,12 @@ from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
 
 
-def comparison_figure(found: Comparison, title: str = "") -> PlotFigure:
+def comparison_figure(comparison: Comparison, title: str = "") -> PlotFigure:
     """Draw a comparison.
 
     Parameters
     ----------
-    found : Comparison
+    comparison : Comparison
         What `compare` returned.
     title : str
         Line above the panels.
@@ -28,16 +28,16 @@ def comparison_figure(found: Comparison, title: str = "") -> PlotFigure:
     """
     figure = PlotFigure(figsize=(6.4, 5.4))
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3, 1))
-    y = found.computed.find(found.y)
-    _measured(upper, found)
-    plot_response(upper, found.computed, found.x, found.y, color=BLUE, label=f"computed: {found.computed.source.text}")
+    computed, y = comparison.computed, comparison.computed.find(comparison.y)
+    _measured(upper, comparison)
+    plot_response(upper, computed, comparison.x, comparison.y, color=BLUE, label=f"computed: {computed.source.text}")
     upper.set_xlabel("")
     upper.legend(frameon=False, labelcolor=INK)
-    rows = found.to_response()
+    rows = comparison.to_response()
     drive = rows.columns[0]
     lower.axhline(0.0, color=QUIET, lw=0.8)
     lower.plot(drive.in_unit, rows.columns[3].in_unit, ".", color=COLORS[1], ms=3)
-    lower.set_xlabel(found.computed.find(found.x).label, color=INK)
+    lower.set_xlabel(computed.find(comparison.x).label, color=INK)
     lower.set_ylabel(f"difference [{unit_text(y.unit)}]", color=INK)
     style_axes(lower)
     if title:
@@ -45,15 +45,16 @@ def comparison_figure(found: Comparison, title: str = "") -> PlotFigure:
     return figure
 
 
-def _measured(axes: Any, found: Comparison) -> None:
+def _measured(axes: Any, comparison: Comparison) -> None:
     """Draw the measured curve in the units of the computed one, with the spread of its runs."""
-    response = found.measured
-    x, y = found.computed.find(found.x), found.computed.find(found.y)
-    drive = Column(found.x, x.unit, response.column(found.measured_x))
-    value = Column(found.y, y.unit, response.column(found.measured_y))
-    spread = found.measured_y + SPREAD
+    response = comparison.measured
+    x, y = comparison.computed.find(comparison.x), comparison.computed.find(comparison.y)
+    drive = Column(comparison.x, x.unit, response.column(comparison.measured_x))
+    value = Column(comparison.y, y.unit, response.column(comparison.measured_y))
+    spread = comparison.measured_y + SPREAD
     if spread in response:
-        low, high = (Column(found.y, y.unit, value.values + sign * response.column(spread)).in_unit for sign in (-1, 1))
+        reach = response.column(spread)
+        low, high = (Column(comparison.y, y.unit, value.values + sign * reach).in_unit for sign in (-1, 1))
         axes.fill_between(drive.in_unit, low, high, color=COLORS[1], alpha=0.2, lw=0)
     style = "o" if len(response) <= PLOT.marks else "-"  # more dots than these would merge into a bar
     label = f"measured: {response.source.text}"

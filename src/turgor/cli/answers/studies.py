@@ -168,6 +168,6 @@ def gradient_result(found: "Gradient", file: Path | None) -> GradientResult:
         ],
         derivatives=found.values.tolist(),
         way=found.way,
-        left=found.left,
+        left=found.residual,
         files=[] if file is None else [file],
     )

@@ -24,7 +24,7 @@ class Listeners:
         Called after every Newton update, with the state after every accepted step, and after every rejected step.
     stop : callable or None
         Returns why the run ends early, None where it goes on.
-    found : callable or None
+    warn : callable or None
         Called with each finding that is a warning or an error, as soon as it is known.
     stage : str
         Name of the stage whose steps are reported.
@@ -32,14 +32,14 @@ class Listeners:
 
     progress: Callable[[Iteration, State | None], None] | None = None
     stop: Callable[[State], str | None] | None = None
-    found: Callable[[Finding], None] | None = None
+    warn: Callable[[Finding], None] | None = None
     stage: str = ""
 
     def tell(self, findings: Iterable[Finding]) -> None:
         """Tell findings but notes."""
         for each in findings:
-            if self.found is not None and each.severity is not Severity.NOTE:
-                self.found(each)
+            if self.warn is not None and each.severity is not Severity.NOTE:
+                self.warn(each)
 
     def reporter(self, step: int, load_factor: float) -> Report:
         """Return what Newton's method calls after each update of a step."""

@@ -89,15 +89,15 @@ def reach(
         raise TurgorError(f"direction is {direction!r}; three coordinates of a direction are needed.")
     look = None if look is None else look / np.linalg.norm(look)
     best = _attempts(target, sizes, look, largest_angle)[-1][1]
-    found = _reach(best, sizes, target, look)
+    result = _reach(best, sizes, target, look)
     total = float(sizes.sum())
-    if throw and max(found.position_error / total, found.direction_error) > REACHED:
+    if throw and max(result.position_error / total, result.direction_error) > REACHED:
         raise TurgorError(
-            f"the target was not reached: the tip stays {found.position_error / mm:.3g} mm and "
-            f"{found.direction_error / deg:.3g} deg away. Segments of {total / mm:g} mm in all may be too short, or "
+            f"the target was not reached: the tip stays {result.position_error / mm:.3g} mm and "
+            f"{result.direction_error / deg:.3g} deg away. Segments of {total / mm:g} mm in all may be too short, or "
             "largest_angle too small; throw=False returns the nearest."
         )
-    return found
+    return result
 
 
 def _attempts(target: Array, sizes: Array, look: Array | None, most: float) -> list[tuple[float, Array]]:
@@ -111,16 +111,16 @@ def _attempts(target: Array, sizes: Array, look: Array | None, most: float) -> l
         over = np.maximum(np.hypot(*bends.reshape(-1, 2).T) - most, 0.0)
         return np.concatenate([off, [] if look is None else tip[:3, 0] - look, over])
 
-    found: list[tuple[float, Array]] = []
+    attempts: list[tuple[float, Array]] = []
     for size in (0.3, 0.9, 1.8):
         for turn in (0.0, pi, 2 * pi / 3):
             plane = towards + turn * np.arange(count)
             start = (size * np.stack([np.cos(plane), np.sin(plane)], axis=1)).ravel()
             solved = least_squares(residual, start, xtol=1e-12, ftol=1e-15, gtol=1e-15, max_nfev=60)
-            found.append((float(solved.cost), solved.x))
+            attempts.append((float(solved.cost), solved.x))
             if solved.cost < (REACHED * 1e-3) ** 2:
-                return found
-    return sorted(found, key=lambda each: -each[0])
+                return attempts
+    return sorted(attempts, key=lambda each: -each[0])
 
 
 def _arcs(bends: Array, sizes: Array) -> tuple[Arc, ...]:

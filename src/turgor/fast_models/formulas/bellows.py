@@ -144,11 +144,11 @@ def castigliano_bellows(
     array([2.26])
     """
     CASTIGLIANO_BELLOWS.check_family(actuator)
-    wanted = path_of("pressure", pressure)
+    pressures = path_of("pressure", pressure)
     fold = fold_of(actuator, material)
     compliance = 2 * actuator.folds * fold.compliance
-    one = wanted * fold.area
-    columns = [Column("pressure", "kPa", wanted)]
+    one = pressures * fold.area
+    columns = [Column("pressure", "kPa", pressures)]
     if isinstance(actuator, BellowsOfRevolution):
         columns += [Column("blocked_force", "N", one), Column("tip_displacement_x", "mm", one * compliance)]
         moved = one * compliance

@@ -92,11 +92,11 @@ def euler_bernoulli(actuator: Bender, material: Material | Mapping[str, Material
     (array([3.72]), array([0.]), 'F02')
     """
     EULER_BERNOULLI.check_family(actuator)
-    wanted = path_of("pressure", pressure)
+    pressures = path_of("pressure", pressure)
     section = section_of(actuator, material)
     length = actuator.length - 2 * actuator.end_wall
-    angle = wanted * section.first_moment / section.stiffness * length
-    columns = [Column("pressure", "kPa", wanted), Column("bending_angle", "deg", angle)]
+    angle = pressures * section.first_moment / section.stiffness * length
+    columns = [Column("pressure", "kPa", pressures), Column("bending_angle", "deg", angle)]
     wound = isinstance(actuator, FiberReinforcedBender)
     if not wound:
         share = max(1 - 2 * nu for nu in section.poisson)
@@ -213,15 +213,15 @@ def _material(material: Material | Mapping[str, Material], region: str) -> Mater
 
 def _unreinforced(section: Section) -> Finding | None:
     """F02: nothing carries the stress around the cavity."""
-    left = max(1 - 2 * nu for nu in section.poisson)
-    if left > 0.99:
+    share = max(1 - 2 * nu for nu in section.poisson)
+    if share > 0.99:
         return None
-    begins = "the bending begins with the square of the pressure" if left < 1e-3 else "the first slope is that share"
+    begins = "the bending begins with the square of the pressure" if share < 1e-3 else "the first slope is that share"
     return Finding(
         code="F02",
         severity=Severity.WARNING,
         message="Euler–Bernoulli takes the pressure on the ends of the cavity alone; that on its sides takes away "
-        f"{100 * (1 - left):.4g} % of the moment of a section without fibers (twice Poisson's ratio), so that "
+        f"{100 * (1 - share):.4g} % of the moment of a section without fibers (twice Poisson's ratio), so that "
         f"{begins}.",
         advice="Use finite elements, or fibers around the cavity, which carry that stress.",
     )

@@ -89,17 +89,17 @@ def ideal_mckibben(
     """
     IDEAL_MCKIBBEN.check_family(actuator)
     start = _angle(actuator, fibers)
-    wanted = path_of("pressure", pressure)
-    shortened = _matched(contraction, wanted)
+    pressures = path_of("pressure", pressure)
+    shortened = _matched(contraction, pressures)
     a, b = 3 / np.tan(start) ** 2, 1 / sin(start) ** 2
-    force = np.pi * actuator.outer_radius**2 * wanted * (a * (1 - shortened) ** 2 - b)
+    force = np.pi * actuator.outer_radius**2 * pressures * (a * (1 - shortened) ** 2 - b)
     along = cos(start) * (1 - shortened)
     if (along > 1).any():
         raise TurgorError(
             f"contraction is {shortened.min():g}; the threads lie along the axis at {1 - 1 / cos(start):.4g} already."
         )
     columns = [
-        Column("pressure", "kPa", wanted),
+        Column("pressure", "kPa", pressures),
         Column("contraction", "", shortened),
         Column("pull_force", "N", force),
         Column("fiber_angle", "deg", np.arccos(along)),
@@ -159,15 +159,15 @@ def mckibben(
     MCKIBBEN.check_family(actuator)
     start = _angle(actuator, fibers)
     wall = wound_wall(actuator, material, (fibers,), wall="thick", inextensible=True)
-    wanted = path_of("pressure", pressure)
+    pressures = path_of("pressure", pressure)
     length = actuator.length - 2 * actuator.cap
-    shortened = 1 - _unloaded(wall, start, wanted) if contraction is None else _matched(contraction, wanted)
+    shortened = 1 - _unloaded(wall, start, pressures) if contraction is None else _matched(contraction, pressures)
     states = _braid_states(wall, start, 1 - shortened)
     by_wall, by_pressure = _pull(wall, states)
-    pull = by_wall - wanted * by_pressure
+    pull = by_wall - pressures * by_pressure
     inner, axial = states[:, 0], states[:, 1]
     columns = [
-        Column("pressure", "kPa", wanted),
+        Column("pressure", "kPa", pressures),
         Column("contraction", "", 1 - axial),
         Column("pull_force", "N", pull),
         Column("fiber_angle", "deg", np.arccos(np.minimum(cos(start) * axial, 1.0))),

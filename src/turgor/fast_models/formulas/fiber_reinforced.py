@@ -86,7 +86,7 @@ def fiber_reinforced_bender(
     array([ 54.95, 119.37])
     """
     FIBER_REINFORCED.check_family(actuator)
-    law, wanted = law_of(material), path_of("pressure", pressure)
+    law, pressures = law_of(material), path_of("pressure", pressure)
     z, weights = _wall(actuator)
     r, b = actuator.radius, actuator.base
     area, lever = pi * r**2 / 2, (4 * r**3 + 3 * pi * r**2 * b) / 6
@@ -97,25 +97,25 @@ def fiber_reinforced_bender(
         """The pressure that a curvature needs."""
         return _moment(law, z, weights, curvature) / lever
 
-    rise = rising(balanced, np.concatenate([[0.0], np.geomspace(0.01, HIGHEST - 1, 24)]) / top, wanted.max())
-    if wanted.max() > rise.y[-1]:
+    rise = rising(balanced, np.concatenate([[0.0], np.geomspace(0.01, HIGHEST - 1, 24)]) / top, pressures.max())
+    if pressures.max() > rise.y[-1]:
         raise TurgorError(
-            f"pressure is {wanted.max() / kPa:g} kPa; at {rise.y[-1] / kPa:.4g} kPa the top of the wall is stretched "
-            f"{1 + rise.x[-1] * top:.3g} times already, and the formula is not followed further."
+            f"pressure is {pressures.max() / kPa:g} kPa; at {rise.y[-1] / kPa:.4g} kPa the top of the wall is "
+            f"stretched {1 + rise.x[-1] * top:.3g} times already, and the formula is not followed further."
         )
-    curvature = inverted(balanced, rise, wanted)
+    curvature = inverted(balanced, rise, pressures)
     blocked_curvature = prescribed_angle / length
     wall_moment = _moment(law, z, weights, np.array([blocked_curvature]))[0]
     columns = [
-        Column("pressure", "kPa", wanted),
+        Column("pressure", "kPa", pressures),
         Column("bending_angle", "deg", curvature * length),
-        Column("blocked_force", "N", (wanted * lever - wall_moment) / actuator.length),
+        Column("blocked_force", "N", (pressures * lever - wall_moment) / actuator.length),
         Column("cavity_volume", "mL", (area + curvature * lever) * length),
         Column("largest_stretch", "", 1 + curvature * top),
     ]
     findings: list[Finding | None] = [not_so_simple(material), too_short(length, 2 * r)]
     findings += beyond_tests(material, 1 + curvature * top)
-    findings += [_bulging(actuator, law, float(wanted.max())), _closed(float(curvature.max()) * length)]
+    findings += [_bulging(actuator, law, float(pressures.max())), _closed(float(curvature.max()) * length)]
     return FIBER_REINFORCED.response(columns, findings)
 
 

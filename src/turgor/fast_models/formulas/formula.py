@@ -70,7 +70,7 @@ class Formula:
             source=Source(text=f"the formula {self.name}", detail=str(self.source), doubts=self.source.doubts),
             status=status,
             message=message,
-            findings=by_weight(found for found in findings if found is not None),
+            findings=by_weight(finding for finding in findings if finding is not None),
         )
 
 

@@ -88,14 +88,14 @@ def extremum(curve: Callable[[Array], Array], low: float, high: float, passes: i
     return float((low + high) / 2)
 
 
-def inverted(curve: Callable[[Array], Array], rise: Rise, wanted: Array) -> Array:
+def inverted(curve: Callable[[Array], Array], rise: Rise, targets: Array) -> Array:
     """Find x with curve(x) = wanted on a rising part; the false position with halved ends (Illinois).
 
     Parameters
     ----------
     curve : callable
     rise : Rise
-    wanted : (m,) array
+    targets : (m,) array
         Between the first and the last sample.
 
     Returns
@@ -108,20 +108,20 @@ def inverted(curve: Callable[[Array], Array], rise: Rise, wanted: Array) -> Arra
     >>> inverted(lambda x: x**2, Rise(x, x**2, False), np.array([0.0, 2.0])).round(9)
     array([0.        , 1.41421356])
     """
-    above = np.clip(np.searchsorted(rise.y, wanted), 1, len(rise.y) - 1)
+    above = np.clip(np.searchsorted(rise.y, targets), 1, len(rise.y) - 1)
     low, high = rise.x[above - 1], rise.x[above]
-    below, over = rise.y[above - 1] - wanted, rise.y[above] - wanted
-    side = np.zeros(len(wanted))
+    below, over = rise.y[above - 1] - targets, rise.y[above] - targets
+    side = np.zeros(len(targets))
     x = low
     for _ in range(PASSES):
         gap = np.where(over > below, over - below, 1.0)
         x = np.where(below == 0, low, np.where(over == 0, high, (low * over - high * below) / gap))
-        y = curve(x) - wanted
-        left = y < 0
-        over = np.where(left, np.where(side < 0, over / 2, over), y)
-        below = np.where(left, y, np.where(side > 0, below / 2, below))
-        low, high = np.where(left, x, low), np.where(left, high, x)
-        side = np.where(left, -1.0, 1.0)
+        y = curve(x) - targets
+        short = y < 0
+        over = np.where(short, np.where(side < 0, over / 2, over), y)
+        below = np.where(short, y, np.where(side > 0, below / 2, below))
+        low, high = np.where(short, x, low), np.where(short, high, x)
+        side = np.where(short, -1.0, 1.0)
         if (np.abs(y) <= CLOSE * np.abs(rise.y[-1])).all() or (high - low <= CLOSE * np.abs(x)).all():
             break
     return np.asarray(x)

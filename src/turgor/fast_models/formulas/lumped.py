@@ -176,8 +176,8 @@ def identify_step(response: Response, measure: str, *, drive: float = 1.0, delay
         natural_frequency_uncertainty=frequency * errors[1],
         damping_ratio_uncertainty=damping * errors[2],
         gain_uncertainty=spread / abs(drive) * errors[0],
-        unexplained=_left(best.fun, x / spread),
-        findings=_not_second_order(_left(best.fun, x / spread), measure),
+        unexplained=_unexplained(best.fun, x / spread),
+        findings=_not_second_order(_unexplained(best.fun, x / spread), measure),
     )
 
 
@@ -224,8 +224,8 @@ def identify_sweep(frequency: ArrayLike, amplitude: ArrayLike, *, drive: float =
     def residual(p: Array) -> Array:
         gain, log_f, log_z = p
         share = f / np.exp(log_f)
-        made = gain / (1 - share**2 + 2j * np.exp(log_z) * share)
-        off = made - moved / size if known else np.abs(made) - np.abs(moved) / size
+        model = gain / (1 - share**2 + 2j * np.exp(log_z) * share)
+        off = model - moved / size if known else np.abs(model) - np.abs(moved) / size
         return np.concatenate([off.real, off.imag]) if known else np.asarray(off)
 
     peak = float(f[np.argmax(np.abs(moved))])
@@ -234,7 +234,8 @@ def identify_sweep(frequency: ArrayLike, amplitude: ArrayLike, *, drive: float =
     best = _best(residual, starts)
     errors = _uncertainties(best.jac, best.fun)
     gain, natural, damping = best.x[0], float(np.exp(best.x[1])), float(np.exp(best.x[2]))
-    left = _left(best.fun, np.concatenate([moved.real, moved.imag]) / size if known else np.abs(moved) / size)
+    motion = np.concatenate([moved.real, moved.imag]) if known else np.abs(moved)
+    unexplained = _unexplained(best.fun, motion / size)
     return SecondOrder(
         natural_frequency=natural,
         damping_ratio=damping,
@@ -242,8 +243,8 @@ def identify_sweep(frequency: ArrayLike, amplitude: ArrayLike, *, drive: float =
         natural_frequency_uncertainty=natural * errors[1],
         damping_ratio_uncertainty=damping * errors[2],
         gain_uncertainty=size / abs(drive) * errors[0],
-        unexplained=left,
-        findings=_not_second_order(left, "amplitude"),
+        unexplained=unexplained,
+        findings=_not_second_order(unexplained, "amplitude"),
     )
 
 
@@ -267,33 +268,33 @@ def _frequencies(t: Array, x: Array) -> list[float]:
 
 
 def _best(residual: Callable[[Array], Array], starts: list[list[float]]) -> Any:
-    found = [least_squares(residual, start, x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14) for start in starts]
-    return min(found, key=lambda each: each.cost)
+    fits = [least_squares(residual, start, x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14) for start in starts]
+    return min(fits, key=lambda each: each.cost)
 
 
-def _uncertainties(jacobian: Array, left: Array) -> list[float]:
+def _uncertainties(jacobian: Array, residuals: Array) -> list[float]:
     """Standard deviations from the residuals, as of independent errors; infinite where the record says nothing."""
-    spare = len(left) - jacobian.shape[1]
+    spare = len(residuals) - jacobian.shape[1]
     normal = jacobian.T @ jacobian
     if spare < 1 or np.linalg.cond(normal) > 1e14:
         return [inf] * jacobian.shape[1]
-    return np.sqrt(np.diag(np.linalg.inv(normal)) * float(left @ left) / spare).tolist()
+    return np.sqrt(np.diag(np.linalg.inv(normal)) * float(residuals @ residuals) / spare).tolist()
 
 
-def _left(left: Array, motion: Array) -> float:
+def _unexplained(residuals: Array, motion: Array) -> float:
     spread = float(np.std(motion)) or 1.0
-    return float(np.sqrt((left**2).mean())) / spread
+    return float(np.sqrt((residuals**2).mean())) / spread
 
 
-def _not_second_order(left: float, measure: str) -> tuple[Finding, ...]:
+def _not_second_order(unexplained: float, measure: str) -> tuple[Finding, ...]:
     """F07: one mass, damper and spring do not explain the motion."""
-    if left < UNEXPLAINED:
+    if unexplained < UNEXPLAINED:
         return ()
     return (
         Finding(
             code="F07",
             severity=Severity.WARNING,
-            message=f"One mass, damper and spring leave {100 * left:.3g} % of '{measure}' unexplained.",
+            message=f"One mass, damper and spring leave {100 * unexplained:.3g} % of '{measure}' unexplained.",
             advice="Look at the record: a second mode, creep, a drive that rises slowly (delayed=True helps with a "
             "dead time) or large motion; use natural_frequencies or a dynamic solve instead.",
         ),

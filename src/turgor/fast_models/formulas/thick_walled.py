@@ -132,12 +132,12 @@ def thick_tube(
     wall = Wall(law_of(material), actuator.inner_radius, actuator.inner_radius + actuator.wall)
     axial_of = _axial_of(wall, ends)
     along = _followed(lambda x: axial_of(x)[0], pressure, inner_stretch)
-    found, axial = axial_of(along.stretch)
+    pressures, axial = axial_of(along.stretch)
     length = actuator.length - 2 * actuator.cap
     inside = wall.inner * along.stretch
     _, force = wall.tube(along.stretch, axial)
     columns = [
-        Column("pressure", "kPa", found),
+        Column("pressure", "kPa", pressures),
         Column("inner_stretch", "", along.stretch),
         Column("outer_stretch", "", wall.tube_outside(along.stretch, axial)),
         Column("axial_stretch", "", axial),
@@ -275,16 +275,16 @@ def _followed(curve: Callable[[Array], Array], pressure: ArrayLike | None, stret
     if stretch is not None:
         return _Path(path_of("inner_stretch", stretch, low=1.0))
     assert pressure is not None
-    wanted = path_of("pressure", pressure)
-    rise = rising(curve, _samples(HIGHEST, SAMPLES), float(wanted.max()))
+    pressures = path_of("pressure", pressure)
+    rise = rising(curve, _samples(HIGHEST, SAMPLES), float(pressures.max()))
     top = float(rise.y[-1])
-    within = wanted <= top
+    within = pressures <= top
     if not rise.turns and not within.all():
         raise TurgorError(
-            f"pressure is {wanted.max() / kPa:g} kPa; at {top / kPa:.4g} kPa the inner wall is stretched "
+            f"pressure is {pressures.max() / kPa:g} kPa; at {top / kPa:.4g} kPa the inner wall is stretched "
             f"{rise.x[-1]:.3g} times already, and the formula is not followed further."
         )
-    known = inverted(curve, rise, wanted[within])
+    known = inverted(curve, rise, pressures[within])
     if within.all():
         return _Path(known)
     return _Path(np.append(known, rise.x[-1]), "limit_point", _limit(top, rise.x))

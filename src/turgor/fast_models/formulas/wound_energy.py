@@ -168,13 +168,13 @@ class WoundWall:
 
     def follow(self, pressures: Array, *, axial: float | None = None) -> list[Point]:
         """Take the tube through pressures [Pa], its ends free or its stretch fixed; ends where no state is found."""
-        found: list[Point] = []
+        points: list[Point] = []
         at = self.rest
         if axial is not None:
             for stretch in np.linspace(1.0, axial, max(2, int(abs(axial - 1) / 0.02) + 2))[1:]:
                 reached = self._solved(self._moved(at, float(stretch)), 0.0, stretch_fixed=True)
                 if reached is None:
-                    return found
+                    return points
                 at = reached
         path = [(0.0, at)]
         for pressure in pressures.tolist():
@@ -187,9 +187,9 @@ class WoundWall:
                     path.append((target, reached))
                 share = min(1.0, 2 * share) if reached is not None else share / 2
                 if share < SETTINGS.finest_step:
-                    return found
-            found.append(path[-1][1])
-        return found
+                    return points
+            points.append(path[-1][1])
+        return points
 
     def _next(self, path: Sequence[tuple[float, Point]], pressure: float, *, stretch_fixed: bool) -> Point | None:
         """State at the next pressure, from the path so far continued as a parabola, or from its last state."""

@@ -103,28 +103,28 @@ def wound_tube(
             f"{len(body.families)} directions of threads that do not stretch leave the tube no way to move; "
             "use inextensible=False, or fewer windings."
         )
-    wanted = path_of("pressure", pressure)
-    if (falls := np.diff(wanted) < 0).any():
+    pressures = path_of("pressure", pressure)
+    if (falls := np.diff(pressures) < 0).any():
         row = int(falls.argmax())
         raise TurgorError(
-            f"pressure falls from {wanted[row] / 1e3:g} to {wanted[row + 1] / 1e3:g} kPa; it must rise, as the path is "
-            "followed from rest."
+            f"pressure falls from {pressures[row] / 1e3:g} to {pressures[row + 1] / 1e3:g} kPa; it must rise, as "
+            "the path is followed from rest."
         )
-    return _answered(actuator, material, windings, body, wanted)
+    return _answered(actuator, material, windings, body, pressures)
 
 
 def _answered(
-    actuator: Tube, material: Material, windings: Sequence[Fibers], body: WoundWall, wanted: np.ndarray
+    actuator: Tube, material: Material, windings: Sequence[Fibers], body: WoundWall, pressures: np.ndarray
 ) -> Response:
     """Follow the pressures, and say where the path ends and what does not hold."""
-    states = body.follow(wanted)
-    ended = wanted[: len(states)]
+    states = body.follow(pressures)
+    ended = pressures[: len(states)]
     length = actuator.length - 2 * actuator.cap
     findings: list[Finding | None] = [not_so_simple(material), too_short(length, 2 * actuator.inner_radius)]
     findings += beyond_tests(material, [max(at.axial, at.inner / body.base) for at in states])
     findings.append(pushed(body, states))
     status, message = "converged", ""
-    if len(states) < len(wanted):
+    if len(states) < len(pressures):
         last = ended[-1] / kPa if len(ended) else 0.0
         status, message = "limit_point", f"No state was found beyond {last:.5g} kPa: the tube balloons or buckles."
     return WOUND_TUBE.response(
@@ -171,7 +171,7 @@ def angle_and_spacing(fibers: Fibers, radius: float, length: float) -> tuple[flo
 
 
 def _families(windings: Sequence[Fibers], radius: float, length: float, *, rigid: bool) -> tuple[Family, ...]:
-    found, single = [], False
+    families, single = [], False
     for fibers in windings:
         angle, spacing = angle_and_spacing(fibers, radius, length)
         stiffness = inf if rigid else fibers.stretching_stiffness / spacing
@@ -179,10 +179,10 @@ def _families(windings: Sequence[Fibers], radius: float, length: float, *, rigid
         hand = {"right": 1.0, "left": -1.0, "both": 0.0}[fibers.winding.hand] if turned else 0.0
         single = single or hand != 0
         double = 2 if turned and hand == 0 else 1
-        found.append(Family(angle, stiffness * double, hand, fibers.compression))
+        families.append(Family(angle, stiffness * double, hand, fibers.compression))
     if not single:
-        return tuple(found)
-    return tuple(part for family in found for part in _hands(family))
+        return tuple(families)
+    return tuple(part for family in families for part in _hands(family))
 
 
 def _hands(family: Family) -> tuple[Family, ...]:

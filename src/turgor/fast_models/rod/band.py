@@ -30,8 +30,8 @@ class Band:
         at = number.reshape(count, 6)
         row = np.concatenate([_spread(at[ends], 1), _spread_own(at, 1)])
         column = np.concatenate([_spread(at[ends], 2), _spread_own(at, 2)])
-        self._kept = (row >= 0) & (column >= 0)
-        row, column = row[self._kept], column[self._kept]
+        self._in_system = (row >= 0) & (column >= 0)
+        row, column = row[self._in_system], column[self._in_system]
         self.width = int(np.abs(row - column).max(initial=0))
         self._place = (2 * self.width + row - column) * self.size + column
 
@@ -43,7 +43,7 @@ class Band:
         FloatingPointError
             If it is singular.
         """
-        values = np.concatenate([blocks.ravel(), own.ravel()])[self._kept]
+        values = np.concatenate([blocks.ravel(), own.ravel()])[self._in_system]
         rows = 3 * self.width + 1
         band = np.bincount(self._place, values, rows * self.size).reshape(rows, self.size)
         lu, pivots, info = dgbtrf(band, self.width, self.width, overwrite_ab=True)
@@ -53,11 +53,11 @@ class Band:
 
     def dense(self, blocks: Array, own: Array) -> Array:
         """Return the tangent as a full matrix."""
-        values = np.concatenate([blocks.ravel(), own.ravel()])[self._kept]
+        values = np.concatenate([blocks.ravel(), own.ravel()])[self._in_system]
         line, column = np.divmod(self._place, self.size)
-        found = np.zeros((self.size, self.size))
-        np.add.at(found, (line - 2 * self.width + column, column), values)
-        return found
+        matrix = np.zeros((self.size, self.size))
+        np.add.at(matrix, (line - 2 * self.width + column, column), values)
+        return matrix
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,11 +74,11 @@ class Factors:
         right = np.zeros((band.size, len(sides)))
         for k, side in enumerate(sides):
             right[band.number[band.of_node], k] = side.ravel()[band.of_node]
-        found, _ = dgbtrs(self.lu, band.width, band.width, right, self.pivots)
+        solutions, _ = dgbtrs(self.lu, band.width, band.width, right, self.pivots)
         answers = []
         for k, side in enumerate(sides):
             answer = np.zeros(side.size)
-            answer[band.of_node] = found[band.number[band.of_node], k]
+            answer[band.of_node] = solutions[band.number[band.of_node], k]
             answers.append(answer.reshape(side.shape))
         return answers
 

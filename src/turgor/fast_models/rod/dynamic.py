@@ -125,12 +125,12 @@ class _Motions:
         """Return the accelerations (n, 6) of a state; those of prescribed motions are zero."""
         forces = self.forces(state, np.zeros((len(state.turn), 6)), self.system.evaluate(state))
         free = self.system.layout.free
-        found = np.zeros_like(forces.residual)
-        for node in range(len(found)):
+        accelerations = np.zeros_like(forces.residual)
+        for node in range(len(accelerations)):
             own = np.flatnonzero(free[node])
             mass = self.masses[node][np.ix_(own, own)]
-            found[node, own] = np.linalg.lstsq(mass, -forces.residual[node, own], rcond=None)[0]
-        return found
+            accelerations[node, own] = np.linalg.lstsq(mass, -forces.residual[node, own], rcond=None)[0]
+        return accelerations
 
     def next_state(self, state: RodState, now: Motion, load_factor: float) -> tuple[RodState, Motion, int]:
         """Return the state and the motion after a step, and the iterations that it took."""

@@ -71,10 +71,10 @@ def wrench_matrix(wrenches: Array) -> Array:
 def adjoint_inverse(rotation: Array, position: Array) -> Array:
     """Return Ad of the inverse frame, (..., 6, 6): it turns twists of a body into those of a frame fixed to it."""
     turned = np.swapaxes(rotation, -1, -2)
-    found = np.zeros((*position.shape[:-1], 6, 6))
-    found[..., :3, :3], found[..., 3:, 3:] = turned, turned
-    found[..., :3, 3:] = -turned @ cross_matrix(position)
-    return found
+    matrix = np.zeros((*position.shape[:-1], 6, 6))
+    matrix[..., :3, :3], matrix[..., 3:, 3:] = turned, turned
+    matrix[..., :3, 3:] = -turned @ cross_matrix(position)
+    return matrix
 
 
 def exponential(twists: Array) -> tuple[Array, Array]:
@@ -126,12 +126,12 @@ def even_sums(squared_angle: Array) -> Array:
 def tangent_map(twists: Array) -> Array:
     """Return T with exp(x + dx) = exp(x) exp(T dx), (..., 6, 6), by its sum; for angles up to about 3 rad."""
     ad = -commutator(twists)
-    found = np.broadcast_to(np.eye(6), ad.shape).copy()
-    term = found.copy()
+    total = np.broadcast_to(np.eye(6), ad.shape).copy()
+    term = total.copy()
     for k in range(2, TERMS):
         term = term @ ad / k
-        found += term
-    return found
+        total += term
+    return total
 
 
 def _trigonometric(squared: Array) -> tuple[Array, Array, Array]:

@@ -116,11 +116,11 @@ def nodal_mass(model: RodModel, layout: Layout) -> tuple[Array, Array, Array]:
 
 def mass_matrices(mass: Array, moment: Array, inertia: Array) -> Array:
     """Return the mass matrices of nodes, (n, 6, 6), in their own axes."""
-    found = np.zeros((len(mass), 6, 6))
+    matrices = np.zeros((len(mass), 6, 6))
     hat = cross_matrix(moment)
-    found[:, :3, :3] = mass[:, None, None] * np.eye(3)
-    found[:, :3, 3:], found[:, 3:, :3], found[:, 3:, 3:] = -hat, hat, inertia
-    return found
+    matrices[:, :3, :3] = mass[:, None, None] * np.eye(3)
+    matrices[:, :3, 3:], matrices[:, 3:, :3], matrices[:, 3:, 3:] = -hat, hat, inertia
+    return matrices
 
 
 def _about(a: Array, b: Array) -> Array:

@@ -153,10 +153,10 @@ def vector(what: str, values: Any) -> Vector:
     turgor.TurgorError: force is (1, 2); three finite numbers are needed.
     """
     try:
-        found = np.array(values, dtype=np.float64)
+        numbers = np.array(values, dtype=np.float64)
     except (TypeError, ValueError):
-        found = np.empty(0)
-    if found.shape != (3,) or not np.isfinite(found).all():
+        numbers = np.empty(0)
+    if numbers.shape != (3,) or not np.isfinite(numbers).all():
         raise TurgorError(f"{what} is {values}; three finite numbers are needed.")
-    x, y, z = found.tolist()
+    x, y, z = numbers.tolist()
     return x, y, z

@@ -92,6 +92,6 @@ def _pairs(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:
             reciprocal, vectors = eigh(mass, stiffness + shift * mass)
         except np.linalg.LinAlgError:
             continue
-        kept = np.flatnonzero(reciprocal > 1e-14 * reciprocal.max())[::-1][:count]
-        return 1 / reciprocal[kept] - shift, vectors[:, kept]
+        lowest = np.flatnonzero(reciprocal > 1e-14 * reciprocal.max())[::-1][:count]
+        return 1 / reciprocal[lowest] - shift, vectors[:, lowest]
     raise TurgorError("no natural frequencies were found: the state is far from stable.")

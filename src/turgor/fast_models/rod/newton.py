@@ -140,11 +140,11 @@ def moved(system: RodSystem, state: RodState, at: Evaluation, twists: Array) -> 
     force = at.elements.new_force(ends[:, 0], ends[:, 1])
 
     def trial(share: float) -> tuple[tuple[RodState, Evaluation] | None, float]:
-        found = state.moved(share * twists, share * force)
+        trial_state = state.moved(share * twists, share * force)
         if system.model.planes:
-            found = replace(found, contact=new_contact(system, at, share * twists))
+            trial_state = replace(trial_state, contact=new_contact(system, at, share * twists))
         try:
-            return (found, system.evaluate(found)), 1.0
+            return (trial_state, system.evaluate(trial_state)), 1.0
         except TurgorError:
             return None, 0.5
 

@@ -70,14 +70,14 @@ def static(model: RodModel, at: int | Iterable[float] = 1) -> RodSolution:
             last = here.load_factor + step >= factor - 1e-12
             target = factor if last else here.load_factor + step
             try:
-                found = equilibrium(system, replace(here, load_factor=target))
+                result = equilibrium(system, replace(here, load_factor=target))
             except NotConverged as failed:
                 step = failed.share * min(step, target - here.load_factor)
                 if step < PATH.shortest:
                     raise _stuck(system, states, here, count) from None
                 continue
             step = max(step, PATH.growth * (target - here.load_factor))
-            here, count = found.state, count + found.iterations
+            here, count = result.state, count + result.iterations
         states.append(here)
     return solution_of(system, states, f"All {len(factors)} load factors were reached.", count)
 
@@ -122,20 +122,20 @@ def arc_length(
         here = states[-1]
         try:
             direction = _direction(system, here, along)
-            found = _arc_step(system, here, direction, step)
+            result = _arc_step(system, here, direction, step)
         except NotConverged:
             step /= 2
             if step < PATH.shortest:
                 raise _stuck(system, states, here, count) from None
             continue
-        if found.state.load_factor >= until:
-            found = equilibrium(system, replace(found.state, load_factor=until))
-            return solution_of(system, [*states, found.state], f"The path reached the load factor {until:g}.", count)
-        states.append(found.state)
-        count, along = count + found.iterations, direction
-        if stop is not None and stop(found.state):
+        if result.state.load_factor >= until:
+            result = equilibrium(system, replace(result.state, load_factor=until))
+            return solution_of(system, [*states, result.state], f"The path reached the load factor {until:g}.", count)
+        states.append(result.state)
+        count, along = count + result.iterations, direction
+        if stop is not None and stop(result.state):
             return solution_of(system, states, "The path was stopped.", count)
-        step = min(longest, step * (PATH.wanted_iterations / found.iterations) ** 0.5)
+        step = min(longest, step * (PATH.wanted_iterations / result.iterations) ** 0.5)
     message = f"{most_steps} steps were taken, and the load factor is {states[-1].load_factor:.4g}; allow more steps."
     raise RodError(message, solution_of(system, states, message, count, "not_reached"))
 
@@ -158,20 +158,20 @@ def _factors(at: int | Iterable[float]) -> list[float]:
         if at < 1:
             raise TurgorError(f"at is {at}; at least 1 step is needed.")
         return list(np.linspace(0, 1, at + 1)[1:])
-    found = [float(each) for each in at]
-    if not found or not all(a < b for a, b in zip([0.0, *found[:-1]], found, strict=True)):
+    factors = [float(each) for each in at]
+    if not factors or not all(a < b for a, b in zip([0.0, *factors[:-1]], factors, strict=True)):
         raise TurgorError(f"at is {at}; load factors must rise from above 0.")
-    return found
+    return factors
 
 
 def _stuck(system: RodSystem, states: list[RodState], here: RodState, count: int) -> RodError:
     """Say that there is no equilibrium further on."""
-    kept = states if states[-1] is here else [*states, here]
+    path = states if states[-1] is here else [*states, here]
     message = (
         f"No equilibrium was found beyond the load factor {here.load_factor:.4g}: the rods may snap there, or an "
         "element may turn too far. Follow the path by arc_length, or take more elements."
     )
-    return RodError(message, solution_of(system, kept, message, count, "not_converged"))
+    return RodError(message, solution_of(system, path, message, count, "not_converged"))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

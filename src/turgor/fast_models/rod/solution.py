@@ -163,11 +163,11 @@ def shapes_of(system: RodSystem, state: RodState) -> tuple[RodShape, ...]:
     twist = logarithm(back @ turn[:, 1], (back @ (place[:, 1] - place[:, 0])[:, :, None])[:, :, 0])
     strain = twist / layout.length[:, None]
     wall = state.force + system.pressure_wrench(state.load_factor)
-    found = []
+    shapes = []
     for k, rod in enumerate(system.model.rods):
         own = layout.rod == k
         arc = np.linspace(0.0, rod.length, rod.elements + 1)
-        found.append(
+        shapes.append(
             RodShape(
                 arc=arc,
                 position=np.concatenate([place[own, 0], place[own, 1][-1:]]),
@@ -178,7 +178,7 @@ def shapes_of(system: RodSystem, state: RodState) -> tuple[RodShape, ...]:
                 wall_force=wall[own],
             )
         )
-    return tuple(found)
+    return tuple(shapes)
 
 
 def strain_energy(system: RodSystem, state: RodState) -> float:
@@ -218,14 +218,14 @@ def _response(solution: RodSolution, plate: str) -> Response:
 def _pressures(solution: RodSolution, system: RodSystem) -> list[Column]:
     """One column for each chamber that is loaded; rods of one name of a chamber share it where their values agree."""
     every = [system.pressures(state.load_factor) for state in solution.states]
-    found: dict[str, Array] = {}
+    pressures: dict[str, Array] = {}
     for k, rod in enumerate(solution.model.rods):
         for chamber in rod.section.chambers:
             values = np.array([own[k][chamber.name] for own in every])
-            known = found.get(chamber.name)
+            known = pressures.get(chamber.name)
             same = known is None or np.array_equal(known, values)
-            found[chamber.name if same else f"{rod.name}_{chamber.name}"] = values
-    loaded = {name: values for name, values in found.items() if values.any()}
+            pressures[chamber.name if same else f"{rod.name}_{chamber.name}"] = values
+    loaded = {name: values for name, values in pressures.items() if values.any()}
     return [
         Column("pressure" if len(loaded) == 1 else f"pressure_in_{name}", "kPa", values)
         for name, values in loaded.items()

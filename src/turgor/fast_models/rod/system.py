@@ -107,13 +107,13 @@ class RodSystem:
 
     def pressures(self, load_factor: float) -> list[dict[str, float]]:
         """Return the pressure in the chambers of each rod [Pa]."""
-        found: list[dict[str, float]] = [{c.name: 0.0 for c in rod.section.chambers} for rod in self.model.rods]
+        by_rod: list[dict[str, float]] = [{c.name: 0.0 for c in rod.section.chambers} for rod in self.model.rods]
         for load in self.model.loads:
             if isinstance(load, ChamberPressure):
-                for rod, own in zip(self.model.rods, found, strict=True):
+                for rod, own in zip(self.model.rods, by_rod, strict=True):
                     if load.rod in (None, rod.name) and load.chamber in own:
                         own[load.chamber] += load.share(load_factor) * load.pressure
-        return found
+        return by_rod
 
     def law(self, load_factor: float) -> Law:
         """Return compliance and rest strains of the elements under the pressures at a load factor."""
@@ -127,11 +127,11 @@ class RodSystem:
 
     def pressure_wrench(self, load_factor: float) -> Array:
         """Return the force and moment that the pressure takes of each element, (e, 6)."""
-        found = [
+        wrenches = [
             sum((own[c.name] * c.wrench_by_pressure for c in rod.section.chambers), np.zeros(6))
             for rod, own in zip(self.model.rods, self.pressures(load_factor), strict=True)
         ]
-        return np.array(found)[self.layout.rod]
+        return np.array(wrenches)[self.layout.rod]
 
     def evaluate(self, state: RodState) -> Evaluation:
         """Return residual and tangent at a state and its load factor.
@@ -248,10 +248,10 @@ def _add_loads(loads: PointLoads, state: RodState, residual: Array, own: Array) 
 
 def _turning(force: Array, at: Array) -> Array:
     """Tangent of dead forces, which turn backwards in the axes of a node that turns, (p, 6, 6)."""
-    found = np.zeros((len(force), 6, 6))
+    tangents = np.zeros((len(force), 6, 6))
     hat = cross_matrix(force)
-    found[:, :3, 3:], found[:, 3:, 3:] = -hat, -cross_matrix(at) @ hat
-    return found
+    tangents[:, :3, 3:], tangents[:, 3:, 3:] = -hat, -cross_matrix(at) @ hat
+    return tangents
 
 
 def _gathered(spread: list[tuple[Any, ...]]) -> tuple[PointLoads, NDArray[np.intp]]:

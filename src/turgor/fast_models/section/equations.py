@@ -200,11 +200,11 @@ class Equations:
     def _unknowns_of_pieces(self) -> list[tuple[Ints, Ints]]:
         """Nodes and unknowns of the pieces of each part: rubber, sheets, their bending, cavities."""
         numbers, quads = self.numbers, self.plane.quads
-        found = [(quads, np.hstack([numbers.of_nodes(quads), numbers.first_mean + self.rubber.mean]))]
+        pieces = [(quads, np.hstack([numbers.of_nodes(quads), numbers.first_mean + self.rubber.mean]))]
         cavities = [loop.edges for loop in self.cavities.values()]
         for nodes in [*(s.vectors.nodes for s in self.sheets), *(each.nodes for each in self.bending), *cavities]:
-            found.append((nodes, numbers.of_nodes(nodes)))
-        return found
+            pieces.append((nodes, numbers.of_nodes(nodes)))
+        return pieces
 
     def _locate(self) -> None:
         """Find the places of all entries once."""
@@ -261,15 +261,15 @@ class Equations:
     def _gradients_of(self, at: Unknowns, cavities: Ints, *, closed: bool) -> Array:
         """Derivatives (v, size) of the volumes of some cavities, with those by the strains if ends are closed."""
         size = len(self.numbers.core)
-        found = self.volume_gradients(at, closed=closed) if len(cavities) else []
-        return np.array([found[k] for k in cavities]).reshape(-1, size)
+        gradients = self.volume_gradients(at, closed=closed) if len(cavities) else []
+        return np.array([gradients[k] for k in cavities]).reshape(-1, size)
 
     def _parts(self, at: Unknowns) -> list[tuple[Array, Array]] | None:
         """Gradients and Hessians of rubber, sheets, their bending and cavities, in the directions of the nodes."""
-        found = self.rubber.forces(at.y, at.strains, at.p)
-        if found is None:
+        rubber = self.rubber.forces(at.y, at.strains, at.p)
+        if rubber is None:
             return None
-        parts = [found]
+        parts = [rubber]
         for sheet in self.sheets:
             P, A = sheet.response(sheet.vectors.at(at.y, at.strains))
             B = sheet.vectors.derivatives(at.y, at.strains)
@@ -306,7 +306,7 @@ class Equations:
     def volume_gradients(self, at: Unknowns, *, closed: bool | None = None) -> list[Array]:
         """Derivatives (size,) of the volume of each cavity; of open ends, without those by the strains."""
         closed = self.closed if closed is None else closed
-        found: list[Array] = []
+        gradients: list[Array] = []
         first = 1 + len(self.sheets) + len(self.bending)
         for k, loop in enumerate(self.cavities.values(), start=first):
             (_, unknowns), (chosen, turn) = self._pieces[k], self._turns[k]
@@ -315,8 +315,8 @@ class Equations:
                 r[:, 9:] = 0.0
             if len(chosen):
                 r[chosen, :9] = (turn @ r[chosen, :9, None])[..., 0]
-            found.append(_summed(unknowns.ravel(), r.ravel(), len(self.numbers.core)))
-        return found
+            gradients.append(_summed(unknowns.ravel(), r.ravel(), len(self.numbers.core)))
+        return gradients
 
     def update(self, at: Unknowns, equations: Linearized, strains: Array) -> Unknowns:
         """Newton's next state, with prescribed strains where ``strains`` is not NaN."""
@@ -375,10 +375,10 @@ class Equations:
 
     def size_of(self, equations: Linearized, strains: Array) -> float:
         """Largest residual but those of prescribed strains."""
-        kept = (self.numbers.core >= 0) | (self.numbers.border >= 0)
+        free = (self.numbers.core >= 0) | (self.numbers.border >= 0)
         first = self.numbers.first_strain
-        kept[first : first + STRAINS] &= np.isnan(strains)
-        return float(np.abs(equations.residual[kept]).max())
+        free[first : first + STRAINS] &= np.isnan(strains)
+        return float(np.abs(equations.residual[free]).max())
 
 
 def _summed(places: Ints, values: Array, size: int) -> Array:

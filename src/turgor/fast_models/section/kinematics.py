@@ -133,9 +133,9 @@ def from_slice(plane: Plane, nodes: Ints, tables: Array, height: Array, weights:
     tables = np.take_along_axis(tables, chosen[..., None, None], axis=1)
     plain = np.einsum("fqmk,fmn->fqnk", tables, to, optimize=True)
     along = np.einsum("fqmk,fqm,fmn->fqnk", tables, above, to, optimize=True)
-    kept = np.take_along_axis(weights, chosen, axis=1)
-    share = weights.sum(axis=1) / kept.sum(axis=1) / plane.thickness
-    return Vectors(nodes=own, plain=plain, along=along, weights=kept * share[:, None])
+    lowest_weights = np.take_along_axis(weights, chosen, axis=1)
+    share = weights.sum(axis=1) / lowest_weights.sum(axis=1) / plane.thickness
+    return Vectors(nodes=own, plain=plain, along=along, weights=lowest_weights * share[:, None])
 
 
 def lowest(height: Array, thickness: float) -> Ints:

@@ -60,11 +60,11 @@ def with_mesh_error(
     if not points:
         return tuple(columns), ()
     rows = sorted({max(1, round(share * len(points))) - 1 for share in PLACES})
-    refined, found = _again(equations, [points[row] for row in rows])
-    rows = rows[: len(found)]
+    refined, refined_points = _again(equations, [points[row] for row in rows])
+    rows = rows[: len(refined_points)]
     if not rows:
         return tuple(columns), (_not_estimated(),)
-    again = columns_of(refined, found)
+    again = columns_of(refined, refined_points)
     values = {column.name: column.values for column in again}
     rest = REST | {"cavity_volume_per_length": float(equations.volumes(equations.rest).sum()) * equations.area}
     out: list[Column] = []
@@ -90,13 +90,13 @@ def _again(equations: Equations, points: Sequence[Point]) -> tuple[Equations, li
     """States of points on the refined cells, each from its interpolated start, else all along a path from rest."""
     refined, transfer, refinement = _refined(equations)
     questions = [_scaled(point.question, equations, refined) for point in points]
-    found: list[Point] = []
+    states: list[Point] = []
     for point, question in zip(points, questions, strict=True):
         state = newton(refined, _interpolated(point.unknowns, (equations, refined), transfer, refinement), question)
         if state is None:  # a stiff sheet makes a large residual of a small change of its shape
             return refined, list(follow(refined, questions).points)
-        found.append(state)
-    return refined, found
+        states.append(state)
+    return refined, states
 
 
 def _scaled(question: Question, equations: Equations, refined: Equations) -> Question:

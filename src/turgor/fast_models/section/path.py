@@ -78,36 +78,36 @@ class Path:
     reached: float
 
 
-def follow(equations: Equations, wanted: Sequence[Question], settings: SectionPathSettings = SETTINGS) -> Path:
+def follow(equations: Equations, questions: Sequence[Question], settings: SectionPathSettings = SETTINGS) -> Path:
     """Take a section from rest through the wanted points, in order."""
-    free = np.isnan(wanted[0].volumes)
+    free = np.isnan(questions[0].volumes)
     start = Question(
-        pressures=np.zeros_like(wanted[0].pressures),
+        pressures=np.zeros_like(questions[0].pressures),
         volumes=np.where(free, np.nan, equations.volumes(equations.rest)),
-        strains=np.where(np.isnan(wanted[0].strains), np.nan, [1.0, 0.0, 0.0, 0.0]),
+        strains=np.where(np.isnan(questions[0].strains), np.nan, [1.0, 0.0, 0.0, 0.0]),
         forces=np.zeros(4),
     )
     points: list[Point] = []
     known: list[tuple[float, Unknowns]] = [(0.0, equations.rest)]
     step, at = 1.0, 0.0
-    for number, question in enumerate(wanted):
-        found, at = None, 0.0
+    for number, question in enumerate(questions):
+        point, at = None, 0.0
         while at < 1.0:
             to = min(1.0, at + step)
             target = start.towards(question, to) if to < 1.0 else question
-            found = newton(equations, predicted(known, number + to), target, settings)
-            if found is None:
+            point = newton(equations, predicted(known, number + to), target, settings)
+            if point is None:
                 step = settings.cut * (to - at)
                 if step < settings.smallest_step:
                     return Path(points=tuple(points), reached=number + at)
                 continue
-            if found.iterations <= settings.good_iterations:
+            if point.iterations <= settings.good_iterations:
                 step = max(step, min(1.0, settings.growth * (to - at)))
-            known, at = [*known[-2:], (number + to, found.unknowns)], to
-        assert found is not None
-        points.append(found)
+            known, at = [*known[-2:], (number + to, point.unknowns)], to
+        assert point is not None
+        points.append(point)
         start = question
-    return Path(points=tuple(points), reached=float(len(wanted)))
+    return Path(points=tuple(points), reached=float(len(questions)))
 
 
 def predicted(known: Sequence[tuple[float, Unknowns]], to: float) -> Unknowns:
@@ -147,10 +147,10 @@ class _AtPoint:
 
     def evaluated(self, unknowns: Unknowns) -> _Iterate:
         """The equations at unknowns."""
-        found = self.equations.linearized(unknowns, self.question)
-        if found is None or not np.isfinite(found.residual).all():
+        equations = self.equations.linearized(unknowns, self.question)
+        if equations is None or not np.isfinite(equations.residual).all():
             raise Stopped("not finite")
-        return _Iterate(unknowns, found)
+        return _Iterate(unknowns, equations)
 
     def update(self, at: _Iterate) -> Unknowns:
         """The unknowns after an update."""

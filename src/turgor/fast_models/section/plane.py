@@ -149,9 +149,9 @@ def boundary_edges(plane: Plane) -> Ints:
 
 def face_edges(plane: Plane, sides: Ints) -> Ints:
     """Edges (e, 3) in the near plane of sides (f, 9) of the slice, each in the direction in which its side has it."""
-    found = []
+    edges = []
     for i in range(4):
         edge = sides[:, [i, (i + 1) % 4, 4 + i]]
         near = (plane.height[edge] < 0.25 * plane.thickness).all(axis=1)
-        found.append(plane.node_of[edge[near]])
-    return np.concatenate(found)
+        edges.append(plane.node_of[edge[near]])
+    return np.concatenate(edges)

@@ -174,10 +174,10 @@ class Section(Shown):
             if len(path.points) < len(questions):
                 outcome = (str(Status.STEP_TOO_SMALL), self._end(questions, path.reached))
             source = Source(text="section analysis", detail=repr(self))
-            found = solution_of(self._equations, path, outcome, source, mesh_error)
+            solution = solution_of(self._equations, path, outcome, source, mesh_error)
         if throw and outcome[1]:
-            raise SectionError(outcome[1], found)
-        return found
+            raise SectionError(outcome[1], solution)
+        return solution
 
     def _end(self, questions: Sequence[Question], reached: float) -> str:
         """Where a path ended, and what may help."""

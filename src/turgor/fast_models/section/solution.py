@@ -113,7 +113,7 @@ def _is_stable(equations: Equations, point: Point) -> bool:
     """Whether the tangent has as many negative pivots as constraints; prescribed strains count as constraints."""
     S, _, _ = equations.condensed(point.equations)
     negative = equations.solver.negative_pivots(equations.numbers.constraints)
-    kept = np.setdiff1d(np.arange(len(S)), equations.numbers.strains[~np.isnan(point.question.strains)])
-    S = S[np.ix_(kept, kept)]
+    free = np.setdiff1d(np.arange(len(S)), equations.numbers.strains[~np.isnan(point.question.strains)])
+    S = S[np.ix_(free, free)]
     values = np.linalg.eigvalsh((S + S.T) / 2)
     return negative is None or negative + int((values < 0).sum()) == equations.numbers.constraints

@@ -49,12 +49,12 @@ class SectionStiffness:
     @property
     def bending(self) -> tuple[float, float]:
         """Bending stiffness about y and z [Nm²] of a rod whose axial force and torque stay as they are."""
-        found = []
+        stiffnesses = []
         for i, others in ((2, [0, 1, 3]), (3, [0, 1, 2])):
             K, free = self.matrix, self._free(others)
             taken = K[i, free] @ np.linalg.solve(K[np.ix_(free, free)], K[free, i]) if free else 0.0
-            found.append(float(K[i, i] - taken))
-        return found[0], found[1]
+            stiffnesses.append(float(K[i, i] - taken))
+        return stiffnesses[0], stiffnesses[1]
 
     def _free(self, others: list[int]) -> list[int]:
         """Strains that mirror planes do not hold."""

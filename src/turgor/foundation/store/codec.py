@@ -51,7 +51,7 @@ class Encoder:
     known: Known = unknown_to_all
     arrays: dict[str, NDArray[Any]] = field(default_factory=dict, init=False)
     objects: list[object] = field(default_factory=list, init=False)
-    _seen: dict[int, Json] = field(default_factory=dict)
+    _known: dict[int, Json] = field(default_factory=dict)
     _alive: list[object] = field(default_factory=list)
 
     def encode(self, value: Any, where: str = "value") -> Json:
@@ -78,8 +78,8 @@ class Encoder:
             return self.encode(value.item(), where)
         if isinstance(value, Path):
             return {"path": str(value)}
-        if id(value) in self._seen:
-            return self._seen[id(value)]
+        if id(value) in self._known:
+            return self._known[id(value)]
         name = self.known(value)
         if name is not None:
             return {"known": name}
@@ -117,7 +117,7 @@ class Encoder:
 
     def _noted(self, value: object, first: Json, again: Json) -> Json:
         """Remember how a value is named from now on; it is kept alive, so that no other gets its id."""
-        self._seen[id(value)] = again
+        self._known[id(value)] = again
         self._alive.append(value)
         return first
 
@@ -155,7 +155,7 @@ class Decoder:
         if not isinstance(tree, dict):
             return tree
         if "class" in tree:
-            value = self._made(tree)
+            value = self._instance(tree)
             self.objects[tree["id"]] = value
             return value
         if "enum" in tree:
@@ -183,7 +183,7 @@ class Decoder:
                 return mapping if what == "dict" else MappingProxyType(mapping)
         raise TurgorError(f"'{what}' is no kind of value in a turgor file.")
 
-    def _made(self, tree: Mapping[str, Json]) -> Any:
+    def _instance(self, tree: Mapping[str, Json]) -> Any:
         kind: Any = _class(tree["class"])
         if "stored" in tree:
             return kind.restored(self.decode(tree["stored"]))
@@ -197,10 +197,10 @@ class Decoder:
         wrong = wrong_fields(kind, values)
         if wrong:
             raise TurgorError(f"{tree['class']} has values of another kind than they can have: {', '.join(wrong)}.")
-        made = _blank(kind)
+        instance = _blank(kind)
         for name, value in values.items():
-            object.__setattr__(made, name, value)
-        return made
+            object.__setattr__(instance, name, value)
+        return instance
 
 
 def _blank(kind: Any) -> Any:

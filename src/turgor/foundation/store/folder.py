@@ -54,11 +54,11 @@ class Store:
     _opened: dict[str, Content] = field(default_factory=dict)
     _read: dict[str, tuple[Any, Decoder]] = field(default_factory=dict)
     _needs: dict[str, _Needs] = field(default_factory=dict)
-    _found: set[str] = field(default_factory=set)
+    _orphans: set[str] = field(default_factory=set)
 
-    def found(self, names: Iterable[str]) -> None:
+    def add_orphans(self, names: Iterable[str]) -> None:
         """Note archives that a process left which was killed; `forget` removes those that are not needed."""
-        self._found.update(names)
+        self._orphans.update(names)
 
     def keep(self, name: str, value: object, kind: str) -> None:
         """Write an archive whose objects are named by later ones, and which stays while any of these does.
@@ -188,8 +188,8 @@ class Store:
         needed = whole.union(*(self._needs[name].arrays for name in whole if name in self._needs))
         obsolete = {name for name in self._needs if name not in needed}
         if all(name in self._needs or not self.has(name) for name in whole):  # else it is not known what is needed
-            obsolete |= self._found - needed
-            self._found.clear()
+            obsolete |= self._orphans - needed
+            self._orphans.clear()
         if not obsolete:
             return
         for name in obsolete:

@@ -14,10 +14,10 @@ from turgor.job.output.lock import lock_text
 from turgor.job.output.manifest import job_digest
 
 #: Tables of a lock file that do not change the path.
-_LEFT_OUT = frozenset({"name", "written_by", "engine", "output"})
+_IGNORED = frozenset({"name", "written_by", "engine", "output"})
 
 
-def identity(content: Mapping[str, Any], left_out: Collection[str] = _LEFT_OUT) -> dict[str, Any]:
+def identity(content: Mapping[str, Any], ignored: Collection[str] = _IGNORED) -> dict[str, Any]:
     """Return the values of a lock file by their keys with dots, without what does not change what is computed.
 
     Left out are the name, where numbers come from, and the path of a file whose content is stated by its hash.
@@ -26,7 +26,7 @@ def identity(content: Mapping[str, Any], left_out: Collection[str] = _LEFT_OUT) 
     ----------
     content : mapping
         A lock file.
-    left_out : collection of str
+    ignored : collection of str
         Tables.
 
     Examples
@@ -34,21 +34,21 @@ def identity(content: Mapping[str, Any], left_out: Collection[str] = _LEFT_OUT) 
     >>> identity({"name": "a", "materials": {"body": {"C10": "1 kPa", "source": {"text": "a.toml"}}}})
     {'materials.body.C10': '1 kPa'}
     """
-    return _flat({key: value for key, value in content.items() if key not in left_out})
+    return _flat({key: value for key, value in content.items() if key not in ignored})
 
 
 def _flat(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
-    found: dict[str, Any] = {}
+    flat: dict[str, Any] = {}
     skipped = {"source", *(("file",) if "sha256" in table else ())}
     for key, value in table.items():
         if key not in skipped:
-            found |= _flat(value, f"{before}{key}.") if isinstance(value, Mapping) else {f"{before}{key}": value}
-    return found
+            flat |= _flat(value, f"{before}{key}.") if isinstance(value, Mapping) else {f"{before}{key}": value}
+    return flat
 
 
-def digest(content: Mapping[str, Any], left_out: Collection[str] = _LEFT_OUT) -> str:
+def digest(content: Mapping[str, Any], ignored: Collection[str] = _IGNORED) -> str:
     """Return a hash of the identity of a lock file; parameters as those of `identity`."""
-    return sha256(json.dumps(identity(content, left_out), sort_keys=True, default=str).encode()).hexdigest()[:16]
+    return sha256(json.dumps(identity(content, ignored), sort_keys=True, default=str).encode()).hexdigest()[:16]
 
 
 def digest_of(job: Job) -> str:

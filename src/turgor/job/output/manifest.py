@@ -55,10 +55,10 @@ def list_files(folder: Path, names: Iterable[str]) -> None:
     TurgorError
         If one exists that turgor did not write.
     """
-    known, wanted = listed(folder), list(names)
-    refuse_foreign(folder, wanted)
-    if not known.issuperset(wanted):
-        _write(folder, {"files": sorted(known.union(wanted))})
+    known, added = listed(folder), list(names)
+    refuse_foreign(folder, added)
+    if not known.issuperset(added):
+        _write(folder, {"files": sorted(known.union(added))})
 
 
 def note_job(folder: Path, digest: str) -> None:
@@ -117,8 +117,8 @@ def own_files(folder: Path) -> list[Path]:
     names = listed(folder)
     own = [f"{name}{ending}" for name in sorted(names) for ending in ("", PART)]
     files = [folder / name for name in own if not _behind_a_link(folder, name)]
-    found = [file for file in files if file.is_symlink() or file.is_file()]
-    return [*found, *_of_path(folder / PATH_FOLDER)] if PATH_FOLDER in names else found
+    files_there = [file for file in files if file.is_symlink() or file.is_file()]
+    return [*files_there, *_of_path(folder / PATH_FOLDER)] if PATH_FOLDER in names else files_there
 
 
 def _of_path(folder: Path) -> Iterator[Path]:

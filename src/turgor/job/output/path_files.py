@@ -41,8 +41,8 @@ def drawn_from(outcome: RunOutcome) -> str:
     mesh = solution.model.mesh
     # The last digits of a measure change with the number of threads.
     measures = [(column.name, [f"{value:.6g}" for value in column.values]) for column in outcome.response.columns]
-    said = [outcome.written_by.get("turgor", ""), outcome.job.name, outcome.response.stages]
-    shown.update(repr((said, measures)).encode())
+    texts = [outcome.written_by.get("turgor", ""), outcome.job.name, outcome.response.stages]
+    shown.update(repr((texts, measures)).encode())
     ends = (solution.states[0], solution.states[-1])
     arrays = [mesh.points, mesh.cells, *(state.displacement for state in ends), *(state.mean_stress for state in ends)]
     arrays += [touch.pressure for touch in ends[1].touches.values()]

@@ -46,14 +46,14 @@ def write_steps(file: Path, solution: Solution) -> None:
 def log_text(outcome: RunOutcome) -> str:
     """Write the log of a run: versions, notices, the end with its advice, findings, and times."""
     solution, timing = outcome.solution, outcome.solution.timing
-    made = ", ".join(f"{name} {value}" for name, value in outcome.written_by.items())
+    programs = ", ".join(f"{name} {value}" for name, value in outcome.written_by.items())
     accepted = sum(step.accepted for step in solution.steps)
     cut = len(solution.steps) - accepted
     spent = timing.parts() | {"total": timing.total}
     return "\n".join(
         [
             f"job {outcome.job.name}",
-            f"with {made}",
+            f"with {programs}",
             *outcome.notices,
             f"{ending(solution.status)}: {solution.message} {solution.advice}".rstrip(),
             f"{accepted} steps accepted, {cut} cut back, {solution.iterations} iterations",

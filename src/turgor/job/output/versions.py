@@ -29,6 +29,6 @@ def versions() -> dict[str, str]:
     >>> sorted(set(versions()) & {"numpy", "platform", "python"})
     ['numpy', 'platform', 'python']
     """
-    found = {name: package_version(name) for name in PACKAGES}
+    numbers = {name: package_version(name) for name in PACKAGES}
     here = {"python": platform.python_version(), "platform": f"{platform.system()} {platform.machine()}"}
-    return {name: number for name, number in found.items() if number is not None} | here
+    return {name: number for name, number in numbers.items() if number is not None} | here

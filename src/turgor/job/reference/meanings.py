@@ -25,15 +25,15 @@ def meanings(described: Any) -> dict[str, str]:
     >>> meanings(Sphere)["radius"]
     'More than 0.'
     """
-    found: dict[str, str] = {}
+    texts: dict[str, str] = {}
     names: list[str] = []
     for line in _parameters(inspect.getdoc(described) or ""):
         if line and not line.startswith(" "):
             names = [name.strip() for name in line.split(":", 1)[0].split(",")]
-            found |= dict.fromkeys(names, "")
+            texts |= dict.fromkeys(names, "")
         elif line.strip():
-            found |= {name: f"{found[name]} {line.strip()}".strip() for name in names}
-    return {name: markdown(text) for name, text in found.items()}
+            texts |= {name: f"{texts[name]} {line.strip()}".strip() for name in names}
+    return {name: markdown(text) for name, text in texts.items()}
 
 
 def markdown(text: str) -> str:
@@ -58,8 +58,8 @@ def meaning_of(name: str, described: Iterable[Any]) -> str:
         Where to look; what a class inherits from comes after it.
     """
     every = [base for each in described for base in (each.__mro__ if isinstance(each, type) else (each,))]
-    said = (meanings(each).get(name, "") for each in every)
-    return next((text for text in said if text and not text.startswith("As ")), "")
+    texts = (meanings(each).get(name, "") for each in every)
+    return next((text for text in texts if text and not text.startswith("As ")), "")
 
 
 def _parameters(text: str) -> list[str]:

@@ -88,38 +88,38 @@ def part_starter(file: Path, folder: Path, unit: str | None = None) -> str:
 
 
 def _cad_part(file: Path, unit: str | None) -> _Part:
-    found = inspect_cad(file, unit=unit)
-    axis = int(np.argmax(found.size))
-    ends = {name: f"{sign}{'xyz'[axis]}" for name, sign in ENDS.items() if _has_end(found, axis, sign, name)}
+    inspection = inspect_cad(file, unit=unit)
+    axis = int(np.argmax(inspection.size))
+    ends = {name: f"{sign}{'xyz'[axis]}" for name, sign in ENDS.items() if _has_end(inspection, axis, sign, name)}
     chosen: dict[str, Selector] = {name: WithNormal(normal) for name, normal in ends.items()}  # type: ignore[arg-type]
     shape = CadFile(file=file, unit=unit, faces=chosen).build()
-    size = " x ".join(f"{side / mm:.4g}" for side in found.size)
-    comment = [f"It measures {size} mm (unit {found.unit}). `turgor inspect {file.name}` says more."]
-    return _Part(comment=[*comment, *_listed(found.faces)], kind=CAD_FILE, ends=ends, shape=shape)
+    size = " x ".join(f"{side / mm:.4g}" for side in inspection.size)
+    comment = [f"It measures {size} mm (unit {inspection.unit}). `turgor inspect {file.name}` says more."]
+    return _Part(comment=[*comment, *_listed(inspection.faces)], kind=CAD_FILE, ends=ends, shape=shape)
 
 
-def _has_end(found: Inspection, axis: int, sign: str, name: str) -> bool:
+def _has_end(inspection: Inspection, axis: int, sign: str, name: str) -> bool:
     """Whether a part has a plane face at an end of an axis, and no face of the name already."""
-    if any(name in (face.name, face.name_in_file) for face in found.faces):
+    if any(name in (face.name, face.name_in_file) for face in inspection.faces):
         return False
     outward = np.eye(3)[axis] * (1 if sign == "+" else -1)
-    out = [body.high if sign == "+" else body.low for body in found.bodies]
+    out = [body.high if sign == "+" else body.low for body in inspection.bodies]
     end = max(float(outward @ corner) for corner in out)
-    plane = [face for face in found.faces if face.normal is not None and outward @ face.normal > 1 - 1e-6]
-    return any(end - float(outward @ face.center) < AT_THE_END * found.size[axis] for face in plane)
+    plane = [face for face in inspection.faces if face.normal is not None and outward @ face.normal > 1 - 1e-6]
+    return any(end - float(outward @ face.center) < AT_THE_END * inspection.size[axis] for face in plane)
 
 
 def _listed(faces: Sequence[FaceFacts]) -> list[str]:
     """A line for each of the largest faces: a scanned part has hundreds."""
     largest = sorted(faces, key=lambda face: -face.area)[:MOST_ROWS]
-    left = len(faces) - len(largest)
+    remaining = len(faces) - len(largest)
     lines = ["Its faces, the largest first: name, area [mm²], center [mm], normal."]
     for face in largest:
         normal = "curved" if face.normal is None else _numbers(face.normal)
         center = _numbers([part / mm for part in face.center])
         name = face.name_in_file or face.name
         lines.append(f"  {name:12} {face.area / mm**2:10.4g}  {center:24} {normal}")
-    return [*lines, f"  … and {left} smaller ones"] if left else lines
+    return [*lines, f"  … and {remaining} smaller ones"] if remaining else lines
 
 
 def _numbers(values: Sequence[float]) -> str:

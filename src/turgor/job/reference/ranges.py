@@ -47,7 +47,7 @@ def range_of(name: str, kind: Kind, base: Mapping[str, Any], read: Reader) -> st
     for value in _wrong(kind):
         problems = Problems("", {})
         read({**base, name: value}, problems)
-        for _, sentence in problems.found:
+        for _, sentence in problems.entries:
             head, _, rest = sentence.removeprefix(": ").partition(": ")
             if head.split(".")[-1] == name or re.search(rf"\b{name} (is|of) |'\?'", rest):
                 return _allowed(rest)
@@ -67,6 +67,6 @@ def _wrong(kind: Kind) -> Iterator[Any]:
 
 
 def _allowed(sentence: str) -> str:
-    found = (pattern.search(sentence) for pattern in _SENTENCES)
-    said = next((match[1] for match in found if match), sentence)
-    return re.sub(r"^(?:must (?:be|lie)|Coulomb's coefficient lies|lies) ", "", said)
+    matches = (pattern.search(sentence) for pattern in _SENTENCES)
+    words = next((match[1] for match in matches if match), sentence)
+    return re.sub(r"^(?:must (?:be|lie)|Coulomb's coefficient lies|lies) ", "", words)

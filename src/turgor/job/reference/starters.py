@@ -24,7 +24,7 @@ _NAMED = ("materials", "fibers", "obstacles")
 _HEAD = """\
 # Every key of these tables stands below, with its range and its default. A "#" before a key leaves its default.
 # `turgor check` looks at the job, `turgor run` solves it. Tables that this job does not need are left out:
-# {left_out}.
+# {absent}.
 """
 
 
@@ -95,12 +95,12 @@ def commented(text: str, shape: Geometry, actuator: JobTable) -> str:
     """
     content = {**{key: dict(values) for key, values in DEFAULTS.items()}, **tomllib.loads(text)}
     content = {key: content[key] for key in SECTIONS if content.get(key) or key in ("contact", "output", "engine")}
-    left_out = [f"[{key}]" for key in SECTIONS if key not in (*content, "name", "written_by")]
+    absent = [f"[{key}]" for key in SECTIONS if key not in (*content, "name", "written_by")]
     intro = "".join(re.findall(r"\A(?:#.*\n)+", text))
     tables = {table.header: table for table in section_tables(shape)}
     tables["[actuator]"] = actuator
     lines = [line for section in content.items() for line in _section(*section, tables)]
-    return f"{intro}#\n{_HEAD.format(left_out=', '.join(left_out))}" + "\n".join(lines) + "\n"
+    return f"{intro}#\n{_HEAD.format(absent=', '.join(absent))}" + "\n".join(lines) + "\n"
 
 
 def _plain_job(name: str, shape: Geometry) -> str:

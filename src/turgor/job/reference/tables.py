@@ -101,8 +101,8 @@ class Source:
 
     def table(self, header: str, words: str) -> JobTable:
         """Make the table."""
-        left = set(self.without)
-        keys = [self._key(name, item) for name, item in self.model.model_fields.items() if name not in left]
+        omitted = set(self.without)
+        keys = [self._key(name, item) for name, item in self.model.model_fields.items() if name not in omitted]
         return JobTable(header=header, words=markdown(words), keys=tuple(keys))
 
     def _key(self, name: str, item: FieldInfo) -> JobKey:

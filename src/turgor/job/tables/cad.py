@@ -46,7 +46,7 @@ class SelectorTable(Table):
 
     @model_validator(mode="after")
     def _one(self) -> "SelectorTable":
-        self.made()  # so that an error is reported at the key
+        self.selector()  # so that an error is reported at the key
         return self
 
     @property
@@ -54,7 +54,7 @@ class SelectorTable(Table):
         """The keys that are there."""
         return [key for key in type(self).model_fields if getattr(self, key) is not None]
 
-    def made(self) -> Selector:
+    def selector(self) -> Selector:
         """Return the selector of the table."""
         given = self.given
         if len(given) != 1:
@@ -148,8 +148,8 @@ def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | No
         lambda: CadFile(
             file=file.resolve(),
             unit=table.unit,
-            faces={name: selector.made() for name, selector in table.faces.items()},
-            regions={name: selector.made() for name, selector in table.regions.items()},
+            faces={name: choice.selector() for name, choice in table.faces.items()},
+            regions={name: choice.selector() for name, choice in table.regions.items()},
             split=split,
             symmetry=table.symmetry,
             axes=file_axes(table.axes),
@@ -161,8 +161,8 @@ def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | No
 
 def file_axes(axes: list[str | list[float]] | None) -> FileAxes | None:
     """Return axes of a table as `read_cad` takes them."""
-    found = None if axes is None else tuple(axis if isinstance(axis, str) else tuple(axis) for axis in axes)
-    return found  # type: ignore[return-value]
+    rows = None if axes is None else tuple(axis if isinstance(axis, str) else tuple(axis) for axis in axes)
+    return rows  # type: ignore[return-value]
 
 
 def axes_table(axes: FileAxes) -> list[str | list[float]]:

@@ -74,10 +74,10 @@ def read_contact(
     key = ("contact",)
     table: ContactTable | None = read_table(ContactTable, values, key, problems)
     own = None if table is None else _self_contact(table, problems)
-    made, files = read_obstacles(obstacles, geometry, problems)
+    shapes, files = read_obstacles(obstacles, geometry, problems)
     if table is None:
         return Contact(), {}
-    contact = problems.attempt(key, partial(Contact, own, made, table.tolerance), fields=("tolerance",))
+    contact = problems.attempt(key, partial(Contact, own, shapes, table.tolerance), fields=("tolerance",))
     return contact or Contact(), files
 
 

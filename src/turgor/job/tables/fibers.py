@@ -131,8 +131,8 @@ def read_fibers(values: Any, geometry: Geometry | None, problems: Problems) -> d
     if flat:
         problems.add((*key, flat[0]), "a winding needs a name of its own; write [fibers.winding] and keys below it.")
         return {}
-    made = {name: _read_winding(entry, (*key, name), geometry, problems) for name, entry in values.items()}
-    return {name: fibers for name, fibers in made.items() if fibers is not None}
+    windings = {name: _read_winding(entry, (*key, name), geometry, problems) for name, entry in values.items()}
+    return {name: fibers for name, fibers in windings.items() if fibers is not None}
 
 
 def _read_winding(values: Any, key: Key, geometry: Geometry | None, problems: Problems) -> Fibers | None:

@@ -37,11 +37,11 @@ def on_faces(
         table = read_table(ForceTable, values, key, problems)
         if table is None:
             continue
-        made = problems.attempt(
+        force = problems.attempt(
             key, partial(_force, name, table, gravity, duration), fields=("force", "hangs", "history")
         )
-        if made is not None and fits(made, geometry, key, problems):
-            forces.append(made)
+        if force is not None and fits(force, geometry, key, problems):
+            forces.append(force)
     return forces
 
 

@@ -51,12 +51,12 @@ def read_loads(
     loads = list(dict.fromkeys(loads))
     if table.gravity is not None:
         fallen, direction = table.gravity, DIRECTIONS[table.gravity.direction]
-        made = problems.attempt(
+        gravity = problems.attempt(
             ("loads", "gravity"),
             lambda: Gravity(direction, fallen.acceleration, history_of(fallen, "gravity", duration)),
             fields=("history", "history_over_time"),
         )
-        loads += [made] if made is not None and fits(made, geometry, ("loads", "gravity"), problems) else []
+        loads += [gravity] if gravity is not None and fits(gravity, geometry, ("loads", "gravity"), problems) else []
     loads += on_faces(pulled, geometry, table.gravity, duration, problems)
     loads += read_listed(table, geometry, duration, problems)
     _check_densities(loads, materials, problems)
@@ -103,9 +103,9 @@ def _in_each(
         table = read_table(CavityTable, values, key, problems)
         if table is None:
             continue
-        made = problems.attempt(key, partial(_pressure, name, table, duration), fields=("pressure", "history"))
-        if made is not None:
-            pressures[name] = made
+        pressure = problems.attempt(key, partial(_pressure, name, table, duration), fields=("pressure", "history"))
+        if pressure is not None:
+            pressures[name] = pressure
     return pressures
 
 

@@ -40,7 +40,7 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
     if not isinstance(values, Mapping):
         problems.add(key, f"{shown(values)} is not a table; write [materials] and one material per region below it.")
         return {}
-    found: dict[str, Material | Sheet] = {}
+    materials: dict[str, Material | Sheet] = {}
     forms = {name: _form_of(entry, (*key, name), geometry, problems) for name, entry in values.items()}
     combined = [name for name, form in forms.items() if form == COMBINED]
     if BASE in values and combined:
@@ -53,17 +53,17 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
             )
             problems.add((*key, name), str(unknown("region or face", name, known)))
             continue
-        made = _read_material(entry, (*key, name), forms[name], geometry, problems)
-        if made is not None:
+        material = _read_material(entry, (*key, name), forms[name], geometry, problems)
+        if material is not None:
             # parts of the same material share one object, so that a report describes it once
             region = BASE if forms[name] == COMBINED else name
-            found[region] = next((other for other in found.values() if other == made), made)
+            materials[region] = next((other for other in materials.values() if other == material), material)
     if geometry is not None:
         given = {BASE if forms[name] == COMBINED else name for name in values}
         missing = [region for region in geometry.regions if region not in given]
         if missing:
             problems.add(key, f"no material for region {', '.join(missing)}; give each region one.")
-    return found
+    return materials
 
 
 def _read_material(

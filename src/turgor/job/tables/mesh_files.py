@@ -42,18 +42,18 @@ class SideTable(SelectorTable):
     @model_validator(mode="after")
     def _one(self) -> "SideTable":
         if self.nodes is None and self.sides is None:
-            self.made()
+            self.selector()
         elif len(self.given) > 1:
             raise TurgorError(f"a selector has one key; this one has {', '.join(self.given)}.")
         return self
 
-    def made_in(self, folder: Path) -> SideSelector:
+    def selector_in(self, folder: Path) -> SideSelector:
         """Return the selector of the table; names of files count from a folder."""
         if self.nodes is not None:
             return ByNodes(folder / self.nodes if isinstance(self.nodes, str) else self.nodes)
         if self.sides is not None:
             return BySides(folder / self.sides if isinstance(self.sides, str) else self.sides)
-        return self.made()
+        return self.selector()
 
 
 class MeshFileTable(Table):
@@ -114,7 +114,7 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
             there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in suffixes)
             listed = f" Mesh files there: {', '.join(there)}." if there else ""
             problems.add(place, f"there is no file '{file}'{near_file(file, there)}{listed}")
-    if problems.found:
+    if problems.entries:
         return None
     return problems.attempt(
         key,
@@ -122,8 +122,8 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
             file=(folder / table.file).resolve(),
             unit=table.unit,
             axes=file_axes(table.axes) or ("x", "y", "z"),
-            regions={name: _made(choice, folder) for name, choice in table.regions.items()},
-            faces={name: _made(choice, folder) for name, choice in table.faces.items()},
+            regions={name: _selectors(choice, folder) for name, choice in table.regions.items()},
+            faces={name: _selectors(choice, folder) for name, choice in table.faces.items()},
             cavities={name: (folder / file).resolve() for name, file in table.cavities.items()},
             sha256=table.sha256,
         ),
@@ -131,12 +131,14 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
     )
 
 
-def _made(choice: SelectorTable | Sequence[SelectorTable], folder: Path) -> SideSelector | tuple[SideSelector, ...]:
+def _selectors(
+    choice: SelectorTable | Sequence[SelectorTable], folder: Path
+) -> SideSelector | tuple[SideSelector, ...]:
     if isinstance(choice, SideTable):
-        return choice.made_in(folder)
+        return choice.selector_in(folder)
     if isinstance(choice, SelectorTable):
-        return choice.made()
-    return tuple(table.made_in(folder) if isinstance(table, SideTable) else table.made() for table in choice)
+        return choice.selector()
+    return tuple(table.selector_in(folder) if isinstance(table, SideTable) else table.selector() for table in choice)
 
 
 def mesh_file_table(actuator: MeshFile) -> dict[str, Any]:

@@ -165,7 +165,7 @@ def read_obstacles(
     if flat:
         problems.add((*key, flat[0]), "an obstacle needs a name of its own; write [obstacles.plate] and keys below it.")
         return [], {}
-    made, files = [], {}
+    obstacles, files = [], {}
     for name, entry in values.items():
         table = _read_obstacle(entry, (*key, name), geometry, problems)
         if table is None:
@@ -174,8 +174,8 @@ def read_obstacles(
             files[name] = _file(table, (*key, name), problems)
         obstacle = _obstacle(table, files.get(name), (*key, name), problems)
         if obstacle is not None:
-            made.append(obstacle)
-    return made, {name: file for name, file in files.items() if file is not None}
+            obstacles.append(obstacle)
+    return obstacles, {name: file for name, file in files.items() if file is not None}
 
 
 def _read_obstacle(values: Any, key: Key, geometry: Geometry | None, problems: Problems) -> ObstacleTable | None:

@@ -146,10 +146,10 @@ def read_points(
             continue
         motions = "prescribed", "displacement", "rotation", "hinge", "axis"
         fields = ("coupling", "inertia", *motions, "history")
-        made = problems.attempt(key, partial(_rig, name, table, gravity, duration), fields=fields)
-        if made is not None:
-            rigs[name] = made
-            for load in made.loads:
+        rig = problems.attempt(key, partial(_rig, name, table, gravity, duration), fields=fields)
+        if rig is not None:
+            rigs[name] = rig
+            for load in rig.loads:
                 fits(load, geometry, key, problems, points=[name])
     return rigs
 

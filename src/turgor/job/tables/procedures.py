@@ -21,9 +21,9 @@ from turgor.job.text.quantities import (
     chosen_kind,
     default_of,
     fields_of_table,
-    made_table,
     read_table,
     shown,
+    table_of,
 )
 from turgor.units import format_quantity, kPa, parse_quantity
 
@@ -55,8 +55,8 @@ def read_procedure(
     if not states_requested(given["at"], why, problems):
         return None
     given["at"] = tuple(requested_factors(given["at"], loads, problems))
-    made: Procedure | None = problems.attempt(key, lambda: kind(**given), fields=given)
-    return made
+    procedure: Procedure | None = problems.attempt(key, lambda: kind(**given), fields=given)
+    return procedure
 
 
 def states_requested(at: Sequence[Any], why: str, problems: Problems) -> bool:
@@ -87,7 +87,7 @@ def procedure_table(value: type) -> type[Table]:
     Fields are numbers without a unit, unless they state a dimension: ``field(metadata={"dimension": "volume"})``. Such
     a field may be a table with one value for each cavity. The dimension ``"names"`` takes a name or a list of names.
     """
-    return made_table(f"{value.__name__}Table", field_keys(procedure_fields(value)))
+    return table_of(f"{value.__name__}Table", field_keys(procedure_fields(value)))
 
 
 def field_keys(items: Iterable[Field[Any]]) -> dict[str, Any]:

@@ -39,10 +39,10 @@ def read_actuator(values: Any, problems: Problems) -> Actuator | None:
     table = read_table(dataclass_table(family), values, key, problems) if family else None
     if family is None or table is None:
         return None
-    made: Actuator | None = problems.attempt(
+    result: Actuator | None = problems.attempt(
         key, lambda: family(**fields_of_table(table)), fields=[item.name for item in fields(family)]
     )
-    return made
+    return result
 
 
 def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> MeshTable | None:
@@ -98,7 +98,7 @@ def read_output(values: Any, geometry: Geometry | None, setup: Setup | None, pro
         problems.add((*key, "measures"), "a measure is listed twice.")
     for name, point in table.markers.items():
         problems.attempt((*key, "markers", name), partial(_marker, name, point))
-    if problems.found:
+    if problems.entries:
         return None  # the job is refused: the standard measures, which load the engine, are not needed
     measures = tuple(table.measures)
     if not measures or setup is not None:

@@ -15,7 +15,7 @@ from turgor.core.solvers.procedures.static import Static
 from turgor.job.tables.loads import only_pressure, requested_factors
 from turgor.job.tables.procedures import field_keys, procedure_fields, requested, stated_fields, states_requested
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Table, fields_of_table, made_table, read_table
+from turgor.job.text.quantities import Table, fields_of_table, read_table, table_of
 
 #: Setups by their names in job files; the keys of a setup are its fields and those of `Static`.
 SETUPS: Mapping[str, type[Setup]] = MappingProxyType({"blocked_force": BlockedForce, "grasp": Grasp})
@@ -68,7 +68,7 @@ def setup_table(kind: type) -> type[Table]:
     """Make the table of a setup: a key for each of its fields and each of `Static`."""
     steps = field_keys(procedure_fields(Static))
     steps |= {name: (steps[name][0], default) for name, default in _STEPS.get(kind, {}).items()}
-    return made_table(f"{kind.__name__}Table", field_keys(fields(kind)) | steps)
+    return table_of(f"{kind.__name__}Table", field_keys(fields(kind)) | steps)
 
 
 def written_setup(setup: Setup, procedure: Procedure, loads: tuple[Load, ...]) -> dict[str, Any]:

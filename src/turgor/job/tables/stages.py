@@ -83,11 +83,11 @@ class Around:
 def with_names(lines: Mapping[Key, Place], content: Mapping[str, Any]) -> dict[Key, Place]:
     """Return the places of keys, with the name of a stage in the place of its number."""
     named = {str(number): name for number, name in enumerate(_labels(content.get(STAGES)), start=1)}
-    found = {}
+    places = {}
     for key, line in lines.items():
         inside = key[0] == STAGES and len(key) > 1 and key[1] in named
-        found[(STAGES, named[key[1]], *key[2:]) if inside else key] = line
-    return found
+        places[(STAGES, named[key[1]], *key[2:]) if inside else key] = line
+    return places
 
 
 def _labels(values: Any) -> list[str]:
@@ -125,13 +125,13 @@ def read_stages(values: Any, around: Around, problems: Problems) -> Stages | Non
     if not isinstance(values, list) or not values:
         problems.add((STAGES,), f"{shown(values)} is no list of stages; write [[stages]] and the keys of one below it.")
         return None
-    found: list[Stage | None] = []
+    read: list[Stage | None] = []
     for number, (label, entry) in enumerate(zip(_labels(values), values, strict=True)):
-        found.append(_read_stage(entry, number, around, problems.below((STAGES, label))))
-        if isinstance(entry, Mapping) and entry.get("name") in [each.name for each in found[:-1] if each is not None]:
+        read.append(_read_stage(entry, number, around, problems.below((STAGES, label))))
+        if isinstance(entry, Mapping) and entry.get("name") in [each.name for each in read[:-1] if each is not None]:
             problems.add((STAGES, label, "name"), f"'{entry['name']}' names another stage too; give each its own name.")
-    stages = [stage for stage in found if stage is not None]
-    if len(stages) < len(values) or problems.found:
+    stages = [stage for stage in read if stage is not None]
+    if len(stages) < len(values) or problems.entries:
         return None
     if not (around.loads or around.moved or any(map(_changes, stages))):
         problems.add((STAGES,), "nothing drives the actuator in any stage; give one of them loads, moves or a volume.")
@@ -170,7 +170,7 @@ def _read_stage(entry: Any, number: int, around: Around, problems: Problems) -> 
 def _displacements(stated: Mapping[str, Vector], around: Around, problems: Problems) -> tuple[Displacement, ...]:
     """Displacements of faces, in the directions in which ``[supports]`` fixes them."""
     fixed = dict(support.prescribed for support in around.supports if support.prescribed[0])
-    found = []
+    displacements = []
     for face, vector in stated.items():
         key = ("displacements", face)
         if around.geometry is not None and face not in around.geometry.faces:
@@ -182,8 +182,8 @@ def _displacements(stated: Mapping[str, Vector], around: Around, problems: Probl
             free = [axis for axis, part in zip("xyz", vector, strict=True) if part and axis not in fixed[face]]
             if free:
                 problems.add(key, f"it moves along {', '.join(free)}, but '{face}' is fixed in {fixed[face]} only.")
-            found.append(Displacement(face, Shift(vector), fixed[face]))
-    return tuple(found)
+            displacements.append(Displacement(face, Shift(vector), fixed[face]))
+    return tuple(displacements)
 
 
 def _check_moves(moves: Mapping[str, Vector], contact: Contact, problems: Problems) -> None:

@@ -55,10 +55,10 @@ def listed_table(kind: type) -> type[Table]:
     ``field(metadata={"dimension": "force", "key": "force"})``.
     """
     load: Any = kind
-    said = meanings(load)
+    texts = meanings(load)
     keys: dict[str, Any] = {_key(item): (_type_of(item), _default_of(item)) for item in _stated(kind)}
     keys |= {"history": (Points, None), "history_over_time": (Points, None)}
-    lines = [f"{_key(item)} : value\n    {said.get(item.name, '')}" for item in _stated(kind)]
+    lines = [f"{_key(item)} : value\n    {texts.get(item.name, '')}" for item in _stated(kind)]
     lines += [f"history : value\n    {SHARES}", f"history_over_time : value\n    {OVER_TIME}"]
     doc = f"``[[loads.{load.job_key}]]``: {_first_line(kind)}\n\nKeys\n----\n" + "\n".join(lines)
     return create_model(f"{kind.__name__}Table", __base__=Table, __doc__=doc, **keys)
@@ -106,9 +106,9 @@ def read_listed(table: Any, geometry: Geometry | None, duration: float | None, p
     for name, kind in listed_kinds().items():
         key = ("loads", name)
         for each in getattr(table, name):
-            made = problems.attempt(key, partial(_made, kind, each, duration))
-            if made is not None and fits(made, geometry, key, problems):
-                loads.append(made)
+            load = problems.attempt(key, partial(_load_of, kind, each, duration))
+            if load is not None and fits(load, geometry, key, problems):
+                loads.append(load)
     return loads
 
 
@@ -159,7 +159,7 @@ def listed_values(loads: Iterable[Load]) -> dict[str, list[dict[str, Any]]]:
     return values
 
 
-def _made(kind: Any, table: Any, duration: float | None) -> Any:
+def _load_of(kind: Any, table: Any, duration: float | None) -> Any:
     given = {item.name: getattr(table, _key(item)) for item in _stated(kind)}
     return kind(**given, history=history_of(table, _words(kind), duration))
 

@@ -78,8 +78,8 @@ def three(dimension: str, example: str = "") -> BeforeValidator:
     example : str
         In TOML.
     """
-    said = says_three(dimension, example)
-    return BeforeValidator(partial(_three, dimension=dimension, words=said.words, example=said.example))
+    form = says_three(dimension, example)
+    return BeforeValidator(partial(_three, dimension=dimension, words=form.words, example=form.example))
 
 
 def says_three(dimension: str, example: str = "") -> Says:

@@ -124,11 +124,11 @@ def _table(content: dict[str, Any], key: Key) -> dict[str, Any]:
         inner = key[depth:]
         if not isinstance(table, dict) and not (_are_tables(table) and len(inner) > 1):
             whole, outer = ".".join(key), ".".join(key[:depth])
-            raise _error(f"{whole}: {outer} is {_said(table)}, which has no key '{inner[0]}'.")
+            raise _error(f"{whole}: {outer} is {_kind_of(table)}, which has no key '{inner[0]}'.")
     return table
 
 
-def _said(value: Any) -> str:
+def _kind_of(value: Any) -> str:
     return "a list of tables" if _are_tables(value) else shown(value)
 
 

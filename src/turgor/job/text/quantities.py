@@ -203,12 +203,10 @@ def dataclass_table(value: type) -> type[Table]:
     A float is a length unless its field says otherwise: ``field(metadata={"dimension": "angle"})``; the dimension
     ``"number"`` takes no unit.
     """
-    return made_table(
-        f"{value.__name__}Table", {item.name: (_type_of(item), default_of(item)) for item in fields(value)}
-    )
+    return table_of(f"{value.__name__}Table", {item.name: (_type_of(item), default_of(item)) for item in fields(value)})
 
 
-def made_table(name: str, keys: Mapping[str, Any]) -> type[Table]:
+def table_of(name: str, keys: Mapping[str, Any]) -> type[Table]:
     """Make a table of keys, each with its type and default, and of a ``type``."""
     return create_model(name, __base__=Table, **{"type": (str, ...), **keys})
 

@@ -10,7 +10,7 @@ from solver_cases import RUBBER, bar
 
 import turgor as tg
 from refused import refused
-from turgor.accuracy.gradients import moved_mesh as carried
+from turgor.accuracy.gradients import moved_mesh
 from turgor.accuracy.gradients.equilibrium import equilibrium_of
 from turgor.accuracy.gradients.neighbor_models import CENTRAL, neighbors_of
 from turgor.core.materials.history.viscoelastic import Prony
@@ -201,7 +201,7 @@ def test_nothing_is_generated_for_tetrahedra_that_are_carried_along(monkeypatch)
 
 def test_tetrahedra_that_cannot_follow_have_other_gradients(monkeypatch):
     """Of a part without CAD faces, by a material; the shape is refused with the reason."""
-    monkeypatch.setattr(carried, "movable", _immovable)
+    monkeypatch.setattr(moved_mesh, "movable", _immovable)
     variation = _generating(_tube)
     path = tg.solve(variation.model(variation.values), options=OPTIONS)
     material = replace(variation, values={"C10": 0.1e6}, model=lambda v: variation.model({"length": 20 * mm, **v}))

@@ -108,7 +108,7 @@ class RunRecord:
         except (ValueError, LookupError, TypeError):
             raise TurgorError(f"'{folder / INDEX}' is damaged.") from None
         record = RunRecord(Store(folder), stages, _written=written)
-        record.store.found(file.stem for file in folder.glob(f"*{ENDING}") if _GOES.fullmatch(file.stem))
+        record.store.add_orphans(file.stem for file in folder.glob(f"*{ENDING}") if _GOES.fullmatch(file.stem))
         return record
 
     @property

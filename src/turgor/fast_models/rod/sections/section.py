@@ -241,29 +241,29 @@ def checked_stiffness(what: str, stiffness: ArrayLike) -> Array:
     TurgorError
         If it is not symmetric and positive definite.
     """
-    found = np.array(stiffness, dtype=np.float64)
-    if found.shape != (6, 6) or not np.isfinite(found).all():
-        raise TurgorError(f"{what} has shape {found.shape}; 6 x 6 finite numbers are needed, of {', '.join(STRAINS)}.")
-    scale = np.sqrt(np.outer(np.abs(found.diagonal()), np.abs(found.diagonal())))
-    if (uneven := np.abs(found - found.T) > 1e-9 * scale).any():
+    matrix = np.array(stiffness, dtype=np.float64)
+    if matrix.shape != (6, 6) or not np.isfinite(matrix).all():
+        raise TurgorError(f"{what} has shape {matrix.shape}; 6 x 6 finite numbers are needed, of {', '.join(STRAINS)}.")
+    scale = np.sqrt(np.outer(np.abs(matrix.diagonal()), np.abs(matrix.diagonal())))
+    if (uneven := np.abs(matrix - matrix.T) > 1e-9 * scale).any():
         i, j = np.argwhere(uneven)[0]
         raise TurgorError(
-            f"{what} is not symmetric: [{i}, {j}] is {found[i, j]:g} and [{j}, {i}] {found[j, i]:g}; forces by "
+            f"{what} is not symmetric: [{i}, {j}] is {matrix[i, j]:g} and [{j}, {i}] {matrix[j, i]:g}; forces by "
             "strains must be."
         )
     scale = np.where(scale > 0, scale, 1.0)
-    least = float(np.linalg.eigvalsh(found / scale).min())
-    if not (found.diagonal() > 0).all() or least <= 0:
+    least = float(np.linalg.eigvalsh(matrix / scale).min())
+    if not (matrix.diagonal() > 0).all() or least <= 0:
         raise TurgorError(
-            f"{what} has the diagonal {found.diagonal().tolist()} and is not positive definite (its least eigenvalue "
+            f"{what} has the diagonal {matrix.diagonal().tolist()} and is not positive definite (its least eigenvalue "
             f"is {least:.3g} of the diagonal); every strain must need a force."
         )
-    found.setflags(write=False)
-    return found
+    matrix.setflags(write=False)
+    return matrix
 
 
 def _pair(name: str, value: ArrayLike) -> list[float]:
-    found = np.array(value, dtype=np.float64)
-    if found.shape not in ((), (2,)):
+    pair = np.array(value, dtype=np.float64)
+    if pair.shape not in ((), (2,)):
         raise TurgorError(f"section: {name} is {value!r}; one number or two, for y and z, are needed.")
-    return np.broadcast_to(found, 2).tolist()
+    return np.broadcast_to(pair, 2).tolist()

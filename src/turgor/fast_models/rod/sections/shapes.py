@@ -151,8 +151,8 @@ class Tube:
     @property
     def second_moments(self) -> tuple[float, float]:
         """Second moments of area about y and z [m⁴]."""
-        found = pi * (self.outer_radius**4 - self.inner_radius**4) / 4
-        return found, found
+        moment = pi * (self.outer_radius**4 - self.inner_radius**4) / 4
+        return moment, moment
 
     @property
     def torsion_constant(self) -> float:

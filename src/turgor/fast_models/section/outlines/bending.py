@@ -217,13 +217,13 @@ def bending_of(model: Model, plane: Plane, stress: float) -> list[Plates | Folds
         If more than two edges of a shell meet at a node.
     """
     shells = {name: sheet for name, sheet in model.membranes.items() if isinstance(sheet, Shell)}
-    found: list[Plates | Folds] = []
+    terms: list[Plates | Folds] = []
     for first, shell in shells.items():
         names = [name for name, other in shells.items() if other == shell]
         if names[0] == first:
             edges = np.concatenate([face_edges(plane, model.mesh.face(name)) for name in names])
-            found += _bending(edges, plane, shell, stress, model.mesh.mirror_planes)
-    return found
+            terms += _bending(edges, plane, shell, stress, model.mesh.mirror_planes)
+    return terms
 
 
 def _bending(
@@ -233,18 +233,18 @@ def _bending(
     assert isinstance(law, Hooke)
     moduli = plane_stress_moduli(law) * shell.second_moment / (stress * plane.length**3)
     D = float(moduli[0, 0])
-    found: list[Plates | Folds] = [Plates(nodes=edges, points=plane.points, moduli=moduli)]
+    terms: list[Plates | Folds] = [Plates(nodes=edges, points=plane.points, moduli=moduli)]
     inner, ends = _folds(edges)
     if len(inner):
-        found.append(Folds(nodes=inner, points=plane.points, stiffness=D, contraction=law.nu))
+        terms.append(Folds(nodes=inner, points=plane.points, stiffness=D, contraction=law.nu))
     for axis, position in mirrors:
         at = (position - plane.origin[axis]) / plane.length
         there = ends[np.abs(plane.points[ends[:, 1], axis] - at) < 1e-6]
         if len(there):
             out = np.zeros((len(there), 3))
             out[:, axis] = np.sign(at - plane.points[there[:, 2], axis])
-            found.append(Folds(nodes=there, points=plane.points, stiffness=D, contraction=law.nu, mirrors=out))
-    return found
+            terms.append(Folds(nodes=there, points=plane.points, stiffness=D, contraction=law.nu, mirrors=out))
+    return terms
 
 
 def _folds(edges: Ints) -> tuple[Ints, Ints]:

@@ -95,12 +95,12 @@ class Threads:
 
 def sheets_of(model: Model, plane: Plane, stress: float) -> list[Sheet | Threads]:
     """Find the membranes, shells and fibers of a slice, scaled by the plane's length and a stress [Pa]."""
-    found: list[Sheet | Threads] = []
+    terms: list[Sheet | Threads] = []
     for name, membrane in model.membranes.items():
-        found.append(_sheet(model, plane, name, membrane, stress))
+        terms.append(_sheet(model, plane, name, membrane, stress))
     for fibers in model.reinforcements:
-        found += _threads(model, plane, smeared(fibers), stress)
-    return found
+        terms += _threads(model, plane, smeared(fibers), stress)
+    return terms
 
 
 def smeared(fibers: Fibers) -> Fibers:

@@ -45,14 +45,14 @@ def cut(shape: Geometry | Mesh, at: float | None = None) -> PlaneCut | Mesh:
     return slice_of_mesh(shape, at) if isinstance(shape, Mesh) else plane_cut(shape, at)
 
 
-def slice_of_cut(made: PlaneCut, size: float | None) -> Mesh:
+def slice_of_cut(cut: PlaneCut, size: float | None) -> Mesh:
     """Mesh one layer of a cut part, with the names of the faces on its edges."""
-    layer = Layer(start=0.0, end=1.0, fill=made.fill)
-    mesh = meshed(made.name, made.regions, Sweep(layers=(layer,)), layer, size)
-    return replace(mesh, faces=_named(mesh, made))
+    layer = Layer(start=0.0, end=1.0, fill=cut.fill)
+    mesh = meshed(cut.name, cut.regions, Sweep(layers=(layer,)), layer, size)
+    return replace(mesh, faces=_named(mesh, cut))
 
 
-def _named(mesh: Mesh, made: PlaneCut) -> dict[str, Ints]:
+def _named(mesh: Mesh, cut: PlaneCut) -> dict[str, Ints]:
     """Sides on the surface and between regions, by the edges that lie nearest to their middles."""
     sides = cell_sides(mesh.cells)
     keys = corner_keys(sides, len(mesh.points))
@@ -67,6 +67,6 @@ def _named(mesh: Mesh, made: PlaneCut) -> dict[str, Ints]:
     chosen = first[(count == 1) | (own[first] != own[last])]
     thickness = np.ptp(mesh.points[:, 0])
     chosen = chosen[np.ptp(mesh.points[sides[chosen], 0], axis=1) > thickness / 2]
-    owner = np.repeat([name for name, _ in made.edges], [len(line) for _, line in made.edges])
-    _, nearest = cKDTree(np.concatenate([line for _, line in made.edges])).query(mesh.points[sides[chosen, -1], 1:])
+    owner = np.repeat([name for name, _ in cut.edges], [len(line) for _, line in cut.edges])
+    _, nearest = cKDTree(np.concatenate([line for _, line in cut.edges])).query(mesh.points[sides[chosen, -1], 1:])
     return {str(name): sides[chosen[owner[nearest] == name]] for name in np.unique(owner[nearest])}

@@ -75,16 +75,16 @@ def meshed(name: str, regions: tuple[str, ...], sweep: Sweep, layer: Layer, size
     flat = Geometry(
         name=name, smallest_wall=chosen, cavity_volumes={}, solid_volume=0.0, regions=regions, faces=(), shape=None
     )
-    made = assemble(fill(thin, section_of(thin, thin.outlines, fine), fine), flat, thin)
-    kept = {region: cells for region, cells in made.regions.items() if len(cells)}
-    return replace(made, regions=kept, faces=along_x(made.points, made.faces), name=f"section of {name}")
+    mesh = assemble(fill(thin, section_of(thin, thin.outlines, fine), fine), flat, thin)
+    filled_regions = {region: cells for region, cells in mesh.regions.items() if len(cells)}
+    return replace(mesh, regions=filled_regions, faces=along_x(mesh.points, mesh.faces), name=f"section of {name}")
 
 
 def along_x(points: NDArray[np.float64], faces: Mapping[str, Ints]) -> dict[str, Ints]:
     """Faces of a slice without the sides in its two ends."""
     thickness = np.ptp(points[:, 0])
-    kept = {name: sides[np.ptp(points[sides, 0], axis=1) > thickness / 2] for name, sides in faces.items()}
-    return {name: sides for name, sides in kept.items() if len(sides)}
+    side_walls = {name: sides[np.ptp(points[sides, 0], axis=1) > thickness / 2] for name, sides in faces.items()}
+    return {name: sides for name, sides in side_walls.items() if len(sides)}
 
 
 def default_size(layer: Layer) -> float:

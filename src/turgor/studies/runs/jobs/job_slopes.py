@@ -218,7 +218,8 @@ class _Question:
             found = self.nearby.gradient(keys, self.measures, row, EngineOptions(threads=1))
         except TurgorError as error:
             return None, str(error).removeprefix("the gradient is not computed: ")
-        return (found, "") if found.left < RUNS.exact_slopes else (None, f"their error is about {found.left:.1%}.")
+        share = found.residual
+        return (found, "") if share < RUNS.exact_slopes else (None, f"their error is about {share:.1%}.")
 
 
 def left_out(keys: Sequence[str], refused: Mapping[str, str]) -> tuple[str, ...]:
