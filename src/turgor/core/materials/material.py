@@ -81,12 +81,12 @@ class Material(Shown):
         ) -> None: ...
 
     def __post_init__(self) -> None:
-        said = f"material '{self.name}'"
-        one(self.law, (*LAW_KINDS, Hooke), f"{said}: law", "a law is needed, such as Yeoh(C10=0.11e6, C20=0.02e6)")
-        bulk = number(self.bulk_modulus, f"{said}: bulk_modulus", "pressure", finite=False)
+        subject = f"material '{self.name}'"
+        one(self.law, (*LAW_KINDS, Hooke), f"{subject}: law", "a law is needed, such as Yeoh(C10=0.11e6, C20=0.02e6)")
+        bulk = number(self.bulk_modulus, f"{subject}: bulk_modulus", "pressure", finite=False)
         object.__setattr__(self, "bulk_modulus", bulk)
         if self.density is not None:
-            object.__setattr__(self, "density", number(self.density, f"{said}: density", "density"))
+            object.__setattr__(self, "density", number(self.density, f"{subject}: density", "density"))
         if not self.bulk_modulus > 0:
             raise TurgorError(f"material '{self.name}': bulk_modulus is {self.bulk_modulus:g} Pa; it must be positive.")
         if self.density is not None and not self.density > 0:
@@ -96,9 +96,9 @@ class Material(Shown):
                 f"material '{self.name}' is linear elastic; viscoelasticity and stress_softening are for rubbers."
             )
         if self.stretch_range is not None:
-            object.__setattr__(self, "stretch_range", _range(self.stretch_range, f"{said}: stretch_range"))
+            object.__setattr__(self, "stretch_range", _range(self.stretch_range, f"{subject}: stretch_range"))
         if self.bending_stiffness is not None:
-            bending = number(self.bending_stiffness, f"{said}: bending_stiffness", "bending stiffness")
+            bending = number(self.bending_stiffness, f"{subject}: bending_stiffness", "bending stiffness")
             object.__setattr__(self, "bending_stiffness", bending)
             self._check_bending(bending)
 

@@ -44,7 +44,7 @@ def with_loads(
     new = _by_support(model, displacements)
     supports = [new.get(support.prescribed, support) for support in model.supports]
     moves = moves or {}
-    return _made(model, (*unchanged, *loads), supports, _moved(model, _paths(model, 0.0, moves, moves)))
+    return _with_parts(model, (*unchanged, *loads), supports, _moved(model, _paths(model, 0.0, moves, moves)))
 
 
 def movable(model: Model, displacements: Sequence[Displacement]) -> Model:
@@ -59,7 +59,7 @@ def movable(model: Model, displacements: Sequence[Displacement]) -> Model:
     moved = {each.prescribed for each in displacements}
     supports = [each.as_moved() if each.prescribed in moved else each for each in model.supports]
     unchanged = all(new is old for new, old in zip(supports, model.supports, strict=True))
-    return model if unchanged else _made(model, model.loads, supports, model.contact)
+    return model if unchanged else _with_parts(model, model.loads, supports, model.contact)
 
 
 def continued(
@@ -100,10 +100,10 @@ def continued(
     supports = [each.continued(factor, moved.get(each.prescribed)) for each in model.supports]
     names = [obstacle.name for obstacle in model.contact.obstacles]
     moves = moves or {}
-    return _made(model, tuple(out), supports, _moved(model, _paths(model, factor, moves, [*names, *moves])))
+    return _with_parts(model, tuple(out), supports, _moved(model, _paths(model, factor, moves, [*names, *moves])))
 
 
-def _made(model: Model, loads: Sequence[Load], supports: Sequence[Support], contact: Contact) -> Model:
+def _with_parts(model: Model, loads: Sequence[Load], supports: Sequence[Support], contact: Contact) -> Model:
     return Model(
         model.mesh,
         model.materials,

@@ -73,16 +73,16 @@ def checked(history: Any, what: str, largest: float = 1.0) -> History:
     turgor.TurgorError: pressure: history is 'sin(w * s)'; points (load factor, share) are needed, such as \
 [[0, 0], [0.5, 1], [1, 0.5]], or an expression of the load factor s: unknown name 'w'. Known: pi, s.
     """
-    said = f"{what}: history is {history!r}"
+    subject = f"{what}: history is {history!r}"
     if isinstance(history, str):
-        return _checked_expression(history, said, largest)
-    points = _points(history, said, "load factor")
+        return _checked_expression(history, subject, largest)
+    points = _points(history, subject, "load factor")
     if points[0] != (0.0, 0.0):
-        raise TurgorError(f"{said}; it must begin with (0, 0), because the actuator starts without load.")
+        raise TurgorError(f"{subject}; it must begin with (0, 0), because the actuator starts without load.")
     if points[-1][0] != 1 or not all(a < b for (a, _), (b, _) in pairwise(points)):
-        raise TurgorError(f"{said}; the load factors must rise from 0 to 1.")
+        raise TurgorError(f"{subject}; the load factors must rise from 0 to 1.")
     if not all(-largest <= share <= largest for _, share in points):
-        raise TurgorError(f"{said}; shares of the load lie between {-largest:g} and {largest:g}.")
+        raise TurgorError(f"{subject}; shares of the load lie between {-largest:g} and {largest:g}.")
     return points
 
 
@@ -174,7 +174,7 @@ def fading(share: float, new: History | None) -> History:
         return ((0.0, share), (1.0, share))
     if isinstance(new, str):
         return f"({share!r}) * (1 - ({new}))"
-    return tuple((factor, share * (1 - gone)) for factor, gone in new)
+    return tuple((factor, share * (1 - replaced)) for factor, replaced in new)
 
 
 def with_history(value: Any, history: History) -> Any:
@@ -230,40 +230,40 @@ def over_time(history: Iterable[tuple[float, float]] | str, duration: float) -> 
         raise TurgorError(f"history is {history!r}; this expression is too long.") from None
 
 
-def _points(history: Any, said: str, first: str) -> tuple[tuple[float, float], ...]:
+def _points(history: Any, subject: str, first: str) -> tuple[tuple[float, float], ...]:
     """Pairs of finite numbers, the first of each being a load factor or a time."""
     try:
         points = tuple((plain_number(at), plain_number(share)) for at, share in history)
     except (TypeError, ValueError):
         points = ()
     if not points or not all(math.isfinite(number) for point in points for number in point):
-        raise TurgorError(f"{said}; points ({first}, share) are needed, such as [[0, 0], [0.5, 1], [1, 0.5]].")
+        raise TurgorError(f"{subject}; points ({first}, share) are needed, such as [[0, 0], [0.5, 1], [1, 0.5]].")
     return points
 
 
-def _checked_expression(text: str, said: str, largest: float) -> str:
+def _checked_expression(text: str, subject: str, largest: float) -> str:
     kinds = "points (load factor, share) are needed, such as [[0, 0], [0.5, 1], [1, 0.5]], or an expression of the load"
     try:
         value = _compiled(text)
         shares = [value(s) for s in np.linspace(0.0, 1.0, SAMPLES)]
     except TurgorError as error:
-        raise TurgorError(f"{said}; {kinds} factor s: {error}") from None
+        raise TurgorError(f"{subject}; {kinds} factor s: {error}") from None
     except RecursionError:
-        raise TurgorError(f"{said[:200]}; this expression is too long.") from None
+        raise TurgorError(f"{subject[:200]}; this expression is too long.") from None
     except (ArithmeticError, ValueError, TypeError) as error:
-        raise TurgorError(f"{said}; it has no value everywhere between s = 0 and 1: {error}.") from None
+        raise TurgorError(f"{subject}; it has no value everywhere between s = 0 and 1: {error}.") from None
     if not abs(shares[0]) <= 1e-9:
-        raise TurgorError(f"{said}; it must be 0 at s = 0, because the actuator starts without load.")
+        raise TurgorError(f"{subject}; it must be 0 at s = 0, because the actuator starts without load.")
     if not all(abs(share) <= largest * (1 + 1e-9) for share in shares):
-        raise TurgorError(f"{said}; shares of the load lie between {-largest:g} and {largest:g}.")
+        raise TurgorError(f"{subject}; shares of the load lie between {-largest:g} and {largest:g}.")
     return text
 
 
-def _parsed(text: str, said: str) -> ast.Expression:
+def _parsed(text: str, subject: str) -> ast.Expression:
     try:
         return ast.parse(text.strip(), mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):  # the last two: brackets in thousands of brackets
-        raise TurgorError(f"{said}; this is no expression.") from None
+        raise TurgorError(f"{subject}; this is no expression.") from None
 
 
 @lru_cache(maxsize=64)

@@ -99,15 +99,15 @@ class Model(Saved, Shown):
         self._check_formulation()
 
     def __repr__(self) -> str:
-        made = [f"{name}: {used.name}" for name, used in self.region_materials.items()]
-        made += [
+        materials = [f"{name}: {used.name}" for name, used in self.region_materials.items()]
+        materials += [
             f"{name}: {type(used).__name__.lower()} of {used.material.name}" for name, used in self.membranes.items()
         ]
         acting = [each.label for each in self.supports]
         acting += [load.label for load in self.loads]
         acting += [f"Fibers({each.name})" for each in self.reinforcements]
         acting += [f"Obstacle({each.name})" for each in self.contact.obstacles]
-        return f"Model('{self.mesh.name}', {self.mesh.counts}; {listed(made)}; {listed(acting)})"
+        return f"Model('{self.mesh.name}', {self.mesh.counts}; {listed(materials)}; {listed(acting)})"
 
     def _check_materials(self) -> None:
         for name, material in self.materials.items():

@@ -116,16 +116,16 @@ class ReferencePoint(Support):
     def text(self) -> str:
         """Return the sentence of a report."""
         how = "moves rigidly with" if self.coupling == RIGID else "moves on average with"
-        said = [f"{self.face} {how} the reference point {self.name}"]
+        parts = [f"{self.face} {how} the reference point {self.name}"]
         if self.at is not None:
-            said.append(f"at ({_listed(value / mm for value in self.at)}) mm")
+            parts.append(f"at ({_listed(value / mm for value in self.at)}) mm")
         if self.mass:
-            said.append(f"of mass {self.mass:g} kg")
+            parts.append(f"of mass {self.mass:g} kg")
         if any(self.stiffness):
-            said.append(f"supported by springs of ({_listed(self.stiffness)}) N/m")
+            parts.append(f"supported by springs of ({_listed(self.stiffness)}) N/m")
         if self.rotational_spring:
-            said.append(f"turned back by a spring of {self.rotational_spring:g} N m/rad")
-        return f"{', '.join(said)}."
+            parts.append(f"turned back by a spring of {self.rotational_spring:g} N m/rad")
+        return f"{', '.join(parts)}."
 
     def boundary_rows(self, deck: Deck) -> tuple[str, ...]:
         """A point fixes nothing by itself; its nodes and couplings are written with the mesh."""

@@ -172,7 +172,7 @@ def _outward(file: Path, surface: "Triangles") -> "Triangles":
         if abs(shell.volume) <= ROUND_OFF.zero * float(np.ptp(shell.points, axis=0).max()) ** 3:
             raise TurgorError(f"'{file}' encloses no volume {_around(shell.points)}; export a solid.")
         inside = sum(abs(winding(corners[i][0].mean(axis=0), corners[j])) > 0.5 for j in range(i))
-        wanted = -1 if inside % 2 else 1
-        turned.append(start + (shell.triangles if wanted * shell.volume > 0 else shell.triangles[:, ::-1]))
+        sign = -1 if inside % 2 else 1
+        turned.append(start + (shell.triangles if sign * shell.volume > 0 else shell.triangles[:, ::-1]))
         start += len(shell.points)
     return replace(surface, points=np.concatenate([s.points for s in shells]), triangles=np.concatenate(turned))

@@ -206,8 +206,8 @@ def cell_faces(mesh: Mesh, name: str) -> list[tuple[int, int]]:
     width = mesh.cell_type.side.corners
     table = np.array(SIDES[corners])
     all_sides = np.sort(mesh.cells[:, table].reshape(-1, width), axis=1)
-    wanted = np.sort(mesh.face(name)[:, :width], axis=1)
-    _, number = np.unique(np.concatenate([all_sides, wanted]), axis=0, return_inverse=True)
+    of_face = np.sort(mesh.face(name)[:, :width], axis=1)
+    _, number = np.unique(np.concatenate([all_sides, of_face]), axis=0, return_inverse=True)
     number = np.asarray(number).ravel()
     first = np.full(number.max() + 1, -1, dtype=np.int64)
     first[number[: len(all_sides)][::-1]] = np.arange(len(all_sides))[::-1]

@@ -52,14 +52,14 @@ def first_direction(model: Model, face: str, axes: str, notify: Callable[[str], 
     mesh, picked = model.mesh, ["xyz".index(axis) for axis in axes]
     least = ROUND_OFF.same * float(np.ptp(mesh.points))
 
-    def seen(state: State) -> str | None:
+    def stop(state: State) -> str | None:
         far = state.load_factor >= BLOCKED_TIP.first_share * (1 - ROUND_OFF.same)
         return "the tip has set out" if far and _largest(motion(mesh, face, state)[0][picked]) > least else None
 
     question = Question(
         model=model, procedure=Static(tolerance=BLOCKED_TIP.tolerance), options=EngineOptions(notify=notify)
     )
-    path = follow_question(question, Listeners(stop=seen), None, throw=False)
+    path = follow_question(question, Listeners(stop=stop), None, throw=False)
     mean, whole = motion(mesh, face, path.states[-1])
     clear = BLOCKED_TIP.clear * _largest(mean)
     mean, whole = mean[picked], whole[picked]

@@ -137,13 +137,13 @@ def _object_of(model: Model, setup: Grasp) -> Obstacle:
             raise TurgorError(f"a grasp needs an obstacle '{setup.object}' to grasp; the model has no obstacles.")
         raise unknown("obstacle", setup.object, obstacles)
     target = obstacles[setup.object]
-    said = f"a grasp of the obstacle '{setup.object}'"
+    subject = f"a grasp of the obstacle '{setup.object}'"
     for key in ("path", "spring"):
         if getattr(target, key):
-            raise TurgorError(f"{said}: it is rigid and pulled by the grasp; leave its {key} out.")
+            raise TurgorError(f"{subject}: it is rigid and pulled by the grasp; leave its {key} out.")
     why = target.shape.not_graspable(setup.fingers)
     if why:
-        raise TurgorError(f"{said}: {why}")
+        raise TurgorError(f"{subject}: {why}")
     return target
 
 

@@ -76,13 +76,13 @@ class BlockedForce:
             )
         if self.position is None:
             return
-        said = f"blocked_force: position is {self.position / mm:g} mm"
+        place = f"blocked_force: position is {self.position / mm:g} mm"
         if not abs(self.position) < inf:
-            raise TurgorError(f"{said}; the plate stands at a finite place.")
+            raise TurgorError(f"{place}; the plate stands at a finite place.")
         if self.distance is not None:
-            raise TurgorError(f"{said}, and distance is {self.distance / mm:g} mm; one of them says where it stands.")
+            raise TurgorError(f"{place}, and distance is {self.distance / mm:g} mm; one of them says where it stands.")
         if self.direction == FREE:
-            raise TurgorError(f"{said}, but direction is 'free'; a position needs a stated one, such as '-z'.")
+            raise TurgorError(f"{place}, but direction is 'free'; a position needs a stated one, such as '-z'.")
 
     def _check_fixed(self) -> None:
         if self.rotational_spring is not None and not 0 <= self.rotational_spring < inf:

@@ -48,13 +48,13 @@ def load(path: str | Path) -> Any:
         return load_file(path)
     for folder in (path, path / PATH_FOLDER):
         if (folder / INDEX).exists():
-            return path_so_far(RunRecord.open(folder))
+            return saved_path(RunRecord.open(folder))
     if with_ending(path).is_file():
         return load_file(path)
     raise TurgorError(f"the folder '{path}' holds no path of a run.")
 
 
-def path_so_far(record: RunRecord) -> Solution:
+def saved_path(record: RunRecord) -> Solution:
     """Return the solution of a run, or of one that has not ended the path so far.
 
     Parameters

@@ -8,7 +8,7 @@ import numpy as np
 
 from turgor.core.model.drive import drive_text, kinks, pressures_at
 from turgor.core.model.model import Model
-from turgor.core.solvers.checks.causes import balloon, cause_in, said, turned_law, wrinkled_film
+from turgor.core.solvers.checks.causes import balloon, cause_in, cause_text, turned_law, wrinkled_film
 from turgor.core.solvers.checks.distortion import distortion_text
 from turgor.core.solvers.checks.fibers import stiff_threads_text
 from turgor.core.solvers.continuation.branch_jump import first_branch_jump, move_ratio_to
@@ -20,7 +20,7 @@ from turgor.core.solvers.step_reasons import Cause
 
 #: A maximum of the load this near ahead of the last state, relative to it, is why the path ended, whatever the factors
 #: say. A maximum within the second distance is stated if the factors show a loss of stability.
-NEAR, SAID = 1e-3, 1e-2
+NEAR, STATED = 1e-3, 1e-2
 
 #: A tolerance that is met for certain, over the round-off that was found.
 ROUND_OFF_MARGIN = 5.0
@@ -114,7 +114,7 @@ def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_sta
         turned, estimate = turned_law(last), ""
         film = None if turned else wrinkled_film(last)
         swollen = None if turned or film else balloon(states)
-        if top is not None and ahead <= SAID * last.load_factor:
+        if top is not None and ahead <= STATED * last.load_factor:
             estimate = f" The path up to there points to a maximum of {_load(model, top, 5)}."
         hints = [turned.advice] if turned else []
         hints += [film.advice] if film else [_past_limit(last)]
@@ -122,7 +122,7 @@ def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_sta
         return Outcome(
             Status.LIMIT_POINT,
             f"The load could not rise past {_at(last)}: the tangent lost positive definiteness there, which is a limit "
-            f"point (ballooning, snap-through) or buckling.{said(turned or film or swollen)}{estimate}"
+            f"point (ballooning, snap-through) or buckling.{cause_text(turned or film or swollen)}{estimate}"
             f"{_lost_before(states)}",
             " ".join(hints),
         )
@@ -135,7 +135,7 @@ def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_sta
     return Outcome(
         Status.STEP_TOO_SMALL,
         f"No equilibrium was found beyond {_at(last)}: {steps[-1].reason}, "
-        f"down to steps of {steps[-1].increment:.2g} of the load.{said(why) or distorted}",
+        f"down to steps of {steps[-1].increment:.2g} of the load.{cause_text(why) or distorted}",
         advice if why is None else why.advice,
     )
 

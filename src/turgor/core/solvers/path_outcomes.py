@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from turgor.core.solvers.checks.causes import cause_in, said, turned_law, wrinkled_film
+from turgor.core.solvers.checks.causes import cause_in, cause_text, turned_law, wrinkled_film
 from turgor.core.solvers.checks.distortion import distortion_text
 from turgor.core.solvers.continuation.path_run import Bifurcation, Run
 from turgor.core.solvers.outcomes import Outcome, stuck
@@ -60,7 +60,7 @@ def lost_path(run: Run) -> Outcome:
         Status.TURNED_BACK if step.cause is Cause.OTHER_BRANCH else Status.STEP_TOO_SMALL,
         f"The path could not be followed beyond {_where(run, last)}{_effort(run.states, run.steps)}: "
         f"{step.reason}, down to steps of {step.increment:.2g}."
-        f"{_turns(run.limits)}{_branches(run.bifurcations)}{said(why) or distortion_text(last)}",
+        f"{_turns(run.limits)}{_branches(run.bifurcations)}{cause_text(why) or distortion_text(last)}",
         "The path up to there stands. Look at the last state for a badly distorted cell or walls that met, and refine "
         "the mesh there; or try a smaller min_step."
         if why is None
@@ -77,7 +77,7 @@ def turned_back(run: Run) -> Outcome:
         f"The path turned at {_where(run, top)} and goes back the way it came, down to "
         f"{_where(run, run.states[-1])} so far"
         f"{_effort(run.states, run.steps)}: a few cells give way there, and the rest of the body is unloaded."
-        f"{_branches(run.bifurcations)}{said(why) or distortion_text(run.states[-1])}",
+        f"{_branches(run.bifurcations)}{cause_text(why) or distortion_text(run.states[-1])}",
         "Take the path up to the turn; what comes after it depends on the mesh. Refine the mesh where cells are "
         "squeezed, and see up to which stretch the law is stable (first_instability)."
         if why is None
@@ -166,9 +166,11 @@ def _turn(limit: LimitPoint) -> str:
 
 def _where(run: Run, state: State) -> str:
     driven = run.task.procedure.driven_text(state.driven, run.states[0].driven)
-    said = [each for each in (driven, pressure_text(state)) if each]
+    words = [each for each in (driven, pressure_text(state)) if each]
     return (
-        f"{' at '.join(said)} (load factor {state.load_factor:.4g})" if said else f"load factor {state.load_factor:.4g}"
+        f"{' at '.join(words)} (load factor {state.load_factor:.4g})"
+        if words
+        else f"load factor {state.load_factor:.4g}"
     )
 
 

@@ -304,12 +304,12 @@ class Solution(Saved, Shown):
     limit_points: tuple[LimitPoint, ...] = ()
 
     def __repr__(self) -> str:
-        said = shorten(self.message.rstrip("."), LONGEST_MESSAGE, placeholder=" …")
+        end = shorten(self.message.rstrip("."), LONGEST_MESSAGE, placeholder=" …")
         heavy = [each for each in self.findings if each.severity is not Severity.NOTE]
         heavy = [each for each in heavy if each.message.rstrip(".") not in self.message]  # which may begin with one
         warned = "".join(f"; {shorten(str(each), LONGEST_MESSAGE, placeholder=' …')}" for each in heavy[:MOST_SHOWN])
-        left = f"; and {len(heavy) - MOST_SHOWN} more findings" if len(heavy) > MOST_SHOWN else ""
-        return f"Solution({self.status}, {len(self.states)} states of '{self.model.mesh.name}': {said}{warned}{left})"
+        more = f"; and {len(heavy) - MOST_SHOWN} more findings" if len(heavy) > MOST_SHOWN else ""
+        return f"Solution({self.status}, {len(self.states)} states of '{self.model.mesh.name}': {end}{warned}{more})"
 
     @property
     def converged(self) -> bool:

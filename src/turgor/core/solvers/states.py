@@ -54,15 +54,15 @@ def touches(system: System, at: Evaluation) -> dict[str, Touch]:
     length, stress = system.length, system.stress_scale
     count = len(system.model.mesh.points)
     out: dict[str, Touch] = {}
-    for part, found in zip(system.contact.parts, at.contacts.gaps, strict=True):
-        force = -part.forces(at.contacts.position, found)[:count]  # on the body: against the internal force
+    for part, gaps in zip(system.contact.parts, at.contacts.gaps, strict=True):
+        force = -part.forces(at.contacts.position, gaps)[:count]  # on the body: against the internal force
         one = Touch(
             force=force * stress * length**2,
-            pressure=nodal_pressure(part, found, count) * stress,
-            area=contact_area(part, found) * length**2,
-            penetration=max(0.0, -float(found.gap.min(initial=0.0))) * length,
-            place=found.place * length,
-            share=system.contact.share_of_tolerance(part, found),
+            pressure=nodal_pressure(part, gaps, count) * stress,
+            area=contact_area(part, gaps) * length**2,
+            penetration=max(0.0, -float(gaps.gap.min(initial=0.0))) * length,
+            place=gaps.place * length,
+            share=system.contact.share_of_tolerance(part, gaps),
         )
         out[part.name] = one if part.name not in out else _both(out[part.name], one)
     return out

@@ -7,7 +7,7 @@ from time import perf_counter
 
 from turgor.core.results.measures.measures import Reader
 from turgor.core.solvers.checkpoints.record import RunRecord
-from turgor.core.solvers.load import PATH_FOLDER, path_so_far
+from turgor.core.solvers.load import PATH_FOLDER, saved_path
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.response import Response
 from turgor.foundation.store.atomic_files import write_whole
@@ -93,7 +93,7 @@ class GrowingFiles:
             self._log(f"step {len(path.steps)}: load factor {factor:.6g}, {iterations} iterations")
         if self._took > AT_ONCE and self._took > SHARE * (began - self._ended):
             return
-        solution = path_so_far(record)
+        solution = saved_path(record)
         self.response(solution).to_csv(self.folder / RESPONSE)
         write_steps(self.folder / STEPS, solution)
         self._ended = perf_counter()

@@ -28,7 +28,7 @@ def add_point_masses(data: Array, pattern: Pattern, model: Model, carriers: Sequ
     """
     shared = scale / model.mesh.symmetry_factor
     for each in carriers:
-        hanging = sum(load.carried_mass for load in model.loads if load.place == each.point.name)
+        hanging = sum(load.attached_mass for load in model.loads if load.place == each.point.name)
         local = shared * _matrix(each)
         local[0, 0] += shared * hanging
         if not local.any():
@@ -39,7 +39,7 @@ def add_point_masses(data: Array, pattern: Pattern, model: Model, carriers: Sequ
             scatter_add(data, locate(pattern.indptr, pattern.indices, rows, columns), local[a, b])
 
 
-def carried_mass(model: Model) -> float:
+def attached_mass(model: Model) -> float:
     """Return the mass of all reference points and of what hangs from them [kg].
 
     Parameters
@@ -50,7 +50,7 @@ def carried_mass(model: Model) -> float:
     -------
     float
     """
-    hanging = sum(load.carried_mass for load in model.loads)
+    hanging = sum(load.attached_mass for load in model.loads)
     return hanging + sum(point.mass for point in model.points.values())
 
 

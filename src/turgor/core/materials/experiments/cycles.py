@@ -71,13 +71,13 @@ def select_cycle(test: MaterialTest, cycle: int = -1, *, part: str = "loading") 
     if abs(cycle) > len(chosen):
         curves = f"one {part} curve" if len(chosen) == 1 else f"{len(chosen)} {part} curves"
         raise TurgorError(f"test '{test.name}' has {curves}; there is no number {cycle}.")
-    wanted = chosen[cycle - 1 if cycle > 0 else cycle]
-    stretch = test.stretch[wanted]
+    points = chosen[cycle - 1 if cycle > 0 else cycle]
+    stretch = test.stretch[points]
     keep = np.zeros(len(test.stretch), dtype=bool)
     # keep only points where the stretch is at a new extreme, because small steps back are noise of the crosshead
     onward = stretch if stretch[-1] >= stretch[0] else -stretch
-    keep[wanted] = onward >= np.maximum.accumulate(onward)
-    place = chosen.index(wanted) + 1
+    keep[points] = onward >= np.maximum.accumulate(onward)
+    place = chosen.index(points) + 1
     return test.keeping(keep, f"All but the {part} curve of cycle {place} of {len(chosen)}")
 
 

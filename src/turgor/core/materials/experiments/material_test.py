@@ -192,13 +192,13 @@ class MaterialTest(Shown):
         text : str
             Reason for the removal of the others; the text of the edit begins with the reason.
         """
-        gone = ~keep
+        removed = ~keep
         if keep.sum() < 2:
             raise TurgorError(f"test '{self.name}': {text} would leave {_points(int(keep.sum()))} of {len(keep)}.")
         edit = Edit(
-            text=f"{text}: {_points(int(gone.sum()))} of {len(keep)} removed.",
-            stretch=self.stretch[gone],
-            nominal_stress=self.nominal_stress[gone],
+            text=f"{text}: {_points(int(removed.sum()))} of {len(keep)} removed.",
+            stretch=self.stretch[removed],
+            nominal_stress=self.nominal_stress[removed],
         )
         optional = ("stretch_2", "nominal_stress_2", "spread", "time")
         values = {key: None if getattr(self, key) is None else getattr(self, key)[keep] for key in optional}

@@ -219,7 +219,7 @@ def _test(
     roles = (along.role, pull.role, *across, *((second.role,) if second else ()))
     if sided and not across:
         raise TurgorError(f"'{table.file}' names components of the stress, but has no column of a second stretch.")
-    table, gone = table.complete(columns[role].index for role in roles)
+    table, remark = table.complete(columns[role].index for role in roles)
     values = {role: table.column(columns[role].index) * columns[role].factor for role in roles}
     stretch, across_it = along.convert(values[along.role], None), values.get("stretch_2")
     if sided and across_it is not None:
@@ -240,7 +240,7 @@ def _test(
         nominal_stress_2=second.convert(values[second.role], across_it) if second else None,
         cauchy_difference=difference,
         time=time,
-        edits=(Edit(text=f"Read {len(stretch)} rows; {how}{clock}{gone}."),),
+        edits=(Edit(text=f"Read {len(stretch)} rows; {how}{clock}{remark}."),),
     )
 
 

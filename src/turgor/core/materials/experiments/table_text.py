@@ -117,14 +117,14 @@ class Table:
         indices : iterable of int
             Columns in which a number is needed.
         """
-        wanted = tuple(indices)
-        full = [not any(_cell(row, index).lower() in _MISSING for index in wanted) for row in self.rows]
+        columns = tuple(indices)
+        full = [not any(_cell(row, index).lower() in _MISSING for index in columns) for row in self.rows]
         if all(full):
             return self, ""
-        gone = [str(line) for line, stays in zip(self.lines, full, strict=True) if not stays]
-        shown = ", ".join(gone if len(gone) <= 5 else [*gone[:4], "…", gone[-1]])
-        where = f"line {shown}" if len(gone) == 1 else f"lines {shown}"
-        return self.keeping(full), f"; {len(gone)} of {len(full)} rows left out that lack a number ({where})"
+        removed = [str(line) for line, stays in zip(self.lines, full, strict=True) if not stays]
+        shown = ", ".join(removed if len(removed) <= 5 else [*removed[:4], "…", removed[-1]])
+        where = f"line {shown}" if len(removed) == 1 else f"lines {shown}"
+        return self.keeping(full), f"; {len(removed)} of {len(full)} rows left out that lack a number ({where})"
 
 
 def read_table(path: str | Path) -> Table:

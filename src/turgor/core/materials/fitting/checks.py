@@ -79,7 +79,7 @@ def check_modes(law: Any, modes: Sequence[str]) -> tuple[Finding, ...]:
     ()
     """
     message = _one_mode(law, modes)
-    return (_left_open(message),) if message else ()
+    return (_too_few_modes(message),) if message else ()
 
 
 def _one_mode(law: Any, modes: Sequence[str]) -> str:
@@ -94,19 +94,19 @@ def _one_mode(law: Any, modes: Sequence[str]) -> str:
     return f"{tests} tests alone do not determine {what}: the stress in other modes is a guess."
 
 
-def _left_open(message: str) -> Finding:
+def _too_few_modes(message: str) -> Finding:
     return Finding(code="M02", severity=Severity.WARNING, message=message, advice=_MORE_MODES)
 
 
 def _check_determined(fit: "Fit") -> tuple[Finding, ...]:
     """Check whether the tests determine the law and each of its constants (M02)."""
     message = _one_mode(fit.law, [test.mode for test in fit.tests])
-    if fit.left_open:
-        names = " and ".join(filter(None, (", ".join(fit.left_open[:-1]), fit.left_open[-1])))
+    if fit.unconstrained:
+        names = " and ".join(filter(None, (", ".join(fit.unconstrained[:-1]), fit.unconstrained[-1])))
         only = f"they determine only {fit.combination}" if fit.combination else "they determine only a combination"
         constants = f"The tests do not determine {names} separately; {only}."
         message = f"{message} {constants}".strip()
-    return (_left_open(message),) if message else ()
+    return (_too_few_modes(message),) if message else ()
 
 
 def _check_stability(fit: "Fit") -> tuple[Finding, ...]:

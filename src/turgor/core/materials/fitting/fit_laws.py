@@ -81,15 +81,15 @@ def fit(
     given = (tests,) if isinstance(tests, MaterialTest) else tuple(tests)
     _check(given, stretch, weights, starts)
     used = _used(given, stretch, spec)
-    wanted = _range(used, stretch)
-    search = _Search(spec, FitPoints(used, weights), _mode_ranges(wanted, strict=stretch is not None), stable)
-    made, facts = _solved(search, starts, seed)
+    stable_range = _range(used, stretch)
+    search = _Search(spec, FitPoints(used, weights), _mode_ranges(stable_range, strict=stretch is not None), stable)
+    best, facts = _solved(search, starts, seed)
     fitted = Fit(
         **facts,
-        quality=tuple(FitResidual.of(test, test.predicted(made)) for test in used),
-        stretch=wanted,
-        stretch_range=covered_range(given, wanted),
-        instability=_instability(made, wanted),
+        quality=tuple(FitResidual.of(test, test.predicted(best)) for test in used),
+        stretch=stable_range,
+        stretch_range=covered_range(given, stable_range),
+        instability=_instability(best, stable_range),
         weights=weights,
         tests=used,
     )
@@ -115,16 +115,16 @@ def _solved(search: "_Search", starts: int, seed: int) -> tuple[Any, dict[str, A
     shapes, agreed = search.run(starts, seed) if spec.shapes else ((), 1)
     coefficients, active = search.coefficients(shapes)
     try:
-        made = spec.make(coefficients.tolist(), shapes)
+        fitted = spec.make(coefficients.tolist(), shapes)
     except TurgorError as error:
         raise TurgorError(f"{spec.name} cannot be fitted to these tests: {error}") from error
     residual = search.residual(coefficients, shapes)
-    search.check_linear(made, residual)
+    search.check_linear(fitted, residual)
     known = search.uncertainty(coefficients, shapes, active)
     values = (*map(float, coefficients), *map(float, shapes))
-    return made, {
+    return fitted, {
         "spec": spec,
-        "law": made,
+        "law": fitted,
         "values": dict(zip(spec.names, values, strict=True)),
         "errors": dict(zip(spec.names, map(float, known.errors), strict=True)),
         "correlation": known.correlation,
@@ -273,13 +273,13 @@ def _aic(residual: Array, parameters: int) -> float:
     return count * log(max(misfit, 1e-300)) + 2 * (parameters + 1)
 
 
-def _mode_ranges(wanted: tuple[float, float], *, strict: bool) -> ModeRanges:
+def _mode_ranges(stable_range: tuple[float, float], *, strict: bool) -> ModeRanges:
     """Range of stretch in which each mode must be stable; see `fit`."""
-    low, high = wanted
+    low, high = stable_range
     if strict:
-        return tuple((mode, wanted) for mode in (uniaxial, equibiaxial, planar))
+        return tuple((mode, stable_range) for mode in (uniaxial, equibiaxial, planar))
     # at the I₁ of uniaxial tension: I₁ ≈ 2 λ² in equibiaxial and λ² in planar tension, for large stretches
-    return ((uniaxial, wanted), (equibiaxial, (low, max(high / np.sqrt(2), 1.0))), (planar, wanted))
+    return ((uniaxial, stable_range), (equibiaxial, (low, max(high / np.sqrt(2), 1.0))), (planar, stable_range))
 
 
 def _instability(law: Law, stretch: tuple[float, float]) -> dict[str, float]:

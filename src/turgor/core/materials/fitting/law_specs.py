@@ -79,5 +79,5 @@ def _of_series(kind: Any, name: str, order: str) -> LawSpec:
         raise TurgorError(f"'{name}' comes with any number of terms; say how many, for example '{example}'.")
     if not 1 <= int(order) <= FIT.largest_order:
         raise TurgorError(f"'{name}' has order {int(order)}; allowed is 1 to {FIT.largest_order}.")
-    made: LawSpec = kind.fit_spec(int(order))
-    return made
+    spec: LawSpec = kind.fit_spec(int(order))
+    return spec

@@ -84,11 +84,11 @@ def rank(
 
 
 def _on_order(fits: Sequence[Fit]) -> list[str]:
-    said = []
+    lines = []
     for each in fits:
         limit = getattr(each.law, "max_stretch_hint", None)
         if limit is not None and each.stretch[1] > limit:
-            said.append(
+            lines.append(
                 f"{each.spec.name} suits strains up to {100 * (limit - 1):.0f} %; over the "
                 f"{100 * (each.stretch[1] - 1):.0f} % wanted it is {100 * each.relative:.2g} % off (M03)."
             )
@@ -96,26 +96,26 @@ def _on_order(fits: Sequence[Fit]) -> list[str]:
     fewest = min(good, key=lambda each: (len(each.spec.names), each.aic))
     best = fits[0]
     if fewest is best:
-        said.append(f"{best.spec.name} fits best, {100 * best.relative:.2g} % off.")
+        lines.append(f"{best.spec.name} fits best, {100 * best.relative:.2g} % off.")
     else:
         few = len(fewest.spec.names)
-        said.append(
+        lines.append(
             f"{best.spec.name} fits best, {100 * best.relative:.2g} % off; {fewest.spec.name} is nearly as good, "
             f"{100 * fewest.relative:.2g} %, with {few} parameter{'s' if few > 1 else ''}, not {len(best.spec.names)}."
         )
-    return said
+    return lines
 
 
 def _on_modes(fits: Sequence[Fit]) -> list[str]:
     """Sentences of M02, each once with the names of its laws, and the advice once."""
-    said: dict[str, list[str]] = {}
+    lines: dict[str, list[str]] = {}
     advice = ""
     for each in fits:
         for finding in each.findings:
             if finding.code == "M02":
-                said.setdefault(finding.message, []).append(each.spec.name)
+                lines.setdefault(finding.message, []).append(each.spec.name)
                 advice = finding.advice
-    return [f"{', '.join(names)}: {message} (M02)" for message, names in said.items()] + ([advice] if advice else [])
+    return [f"{', '.join(names)}: {message} (M02)" for message, names in lines.items()] + ([advice] if advice else [])
 
 
 def _on_tests(fits: Sequence[Fit]) -> list[str]:
@@ -125,29 +125,31 @@ def _on_tests(fits: Sequence[Fit]) -> list[str]:
 
 def _on_range(fits: Sequence[Fit]) -> list[str]:
     low, high = fits[0].stretch_range
-    said = [f"Use these constants only from stretch {low:.3g} to {high:.3g}, the range of the tests (M01)."]
+    lines = [f"Use these constants only from stretch {low:.3g} to {high:.3g}, the range of the tests (M01)."]
     beyond = [finding for finding in fits[0].findings if finding.code == "M01"]
     if beyond:
         least, most = fits[0].stretch
-        said.append(f"You requested {least:.3g} to {most:.3g}, more than the tests cover.")
-    return said
+        lines.append(f"You requested {least:.3g} to {most:.3g}, more than the tests cover.")
+    return lines
 
 
 def _on_search(fits: Sequence[Fit]) -> list[str]:
-    said = []
+    lines = []
     for each in fits:
         agreed, starts = each.starts
         if starts > 1 and agreed < 0.2 * starts:
-            said.append(f"{each.spec.name}: only {agreed} of {starts} starts found this fit; try more starts.")
+            lines.append(f"{each.spec.name}: only {agreed} of {starts} starts found this fit; try more starts.")
         loose = each.undetermined
-        if loose and not each.left_open:
-            said.append(f"{each.spec.name}: the tests determine only a combination of {loose[0]} and {loose[1]}.")
-        said += [f"{each.spec.name} {_lost(each, mode)}" for mode in each.instability]
+        if loose and not each.unconstrained:
+            lines.append(f"{each.spec.name}: the tests determine only a combination of {loose[0]} and {loose[1]}.")
+        lines += [f"{each.spec.name} {_lost(each, mode)}" for mode in each.instability]
         if not each.instability:  # M06 then concerns stretches beyond the range
-            said += [f"{each.spec.name}: {finding.message} (M06)" for finding in each.findings if finding.code == "M06"]
+            lines += [
+                f"{each.spec.name}: {finding.message} (M06)" for finding in each.findings if finding.code == "M06"
+            ]
         if each.bounds_hit:
-            said.append(f"{each.spec.name}: {'; '.join(each.bounds_hit)}.")
-    return said
+            lines.append(f"{each.spec.name}: {'; '.join(each.bounds_hit)}.")
+    return lines
 
 
 def _lost(fitted: Fit, mode: str) -> str:

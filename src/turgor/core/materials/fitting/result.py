@@ -136,7 +136,7 @@ class Fit(Shown):
         return float(np.sqrt(sum(test.points * test.relative**2 for test in self.quality) / count))
 
     @property
-    def left_open(self) -> tuple[str, ...]:
+    def unconstrained(self) -> tuple[str, ...]:
         """Parameters that the tests do not determine at all."""
         return tuple(name for name, error in self.errors.items() if error == inf)
 

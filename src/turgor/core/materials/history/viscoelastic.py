@@ -216,8 +216,8 @@ def hereditary(time: Array, stress: Array, tau: float) -> Array:
     out = np.empty_like(gain)
     for k, gains in enumerate(gain.T.tolist()):  # plain floats: a loop over so little is slow in arrays
         stored = 0.0
-        for n, (left, more) in enumerate(zip(decay, gains, strict=True)):
-            stored = left * stored + more
+        for n, (share, more) in enumerate(zip(decay, gains, strict=True)):
+            stored = share * stored + more
             out[n, k] = stored
     return out
 

@@ -71,10 +71,10 @@ def require_positive_shear_modulus(law: Law) -> None:
 
 def numbers(law: object, name: str, values: Any, dimension: str = "") -> tuple[float, ...]:
     """A non-empty tuple of floats, so that the law can be hashed and its terms counted."""
-    said = f"{type(law).__name__}: {name}"
+    what = f"{type(law).__name__}: {name}"
     if isinstance(values, str) or not isinstance(values, Iterable):
-        raise TurgorError(f"{said} is {shown(values)}; give a sequence with one number for each term.")
-    checked = tuple(number(each, f"{said} {k}", dimension, finite=False) for k, each in enumerate(values, 1))
+        raise TurgorError(f"{what} is {shown(values)}; give a sequence with one number for each term.")
+    checked = tuple(number(each, f"{what} {k}", dimension, finite=False) for k, each in enumerate(values, 1))
     if not checked:
         raise TurgorError(f"{type(law).__name__}: {name} is empty; give at least one number.")
     return checked

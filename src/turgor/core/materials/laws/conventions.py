@@ -37,7 +37,7 @@ CONVENTIONS: Mapping[str, Mapping[str, Mapping[str, tuple[str, float]]]] = {
 }
 
 #: Coefficients that a convention leaves out because they are zero in it.
-_LEFT_OUT: Mapping[str, Mapping[str, float]] = {"combined": {"C20": 0.0}}
+_IMPLIED: Mapping[str, Mapping[str, float]] = {"combined": {"C20": 0.0}}
 
 
 def law_from_printed(law: str, convention: str, printed: Mapping[str, float]) -> Law | Hooke:
@@ -75,7 +75,7 @@ def law_from_printed(law: str, convention: str, printed: Mapping[str, float]) ->
     if law == "generalized_rivlin":
         return GeneralizedRivlin.from_names(printed)
     symbols = CONVENTIONS[convention][law]
-    coefficients = dict(_LEFT_OUT.get(convention, {}))
+    coefficients = dict(_IMPLIED.get(convention, {}))
     for symbol, value in printed.items():
         if symbol not in symbols:
             raise unknown(f"constant of {law} in the convention {convention}", symbol, symbols)
@@ -85,8 +85,8 @@ def law_from_printed(law: str, convention: str, printed: Mapping[str, float]) ->
         if item.name not in coefficients and item.default is MISSING:
             symbol = next(symbol for symbol, (name, _) in symbols.items() if name == item.name)
             raise TurgorError(f"the constant '{symbol}' of {law} is missing; a law has no default constants.")
-    made: Law | Hooke = LAWS[law](**coefficients)
-    return made
+    canonical: Law | Hooke = LAWS[law](**coefficients)
+    return canonical
 
 
 def saved_convention(law: str) -> str | None:
@@ -124,8 +124,8 @@ def ogden_terms(printed: Mapping[str, float]) -> tuple[tuple[float, float], ...]
     ((22000.0, 1.3),)
     """
     count = len(printed) // 2
-    wanted = [f"{symbol}_{i}" for i in range(1, count + 1) for symbol in ("mu", "alpha")]
-    if not count or set(wanted) != set(printed):
+    expected = [f"{symbol}_{i}" for i in range(1, count + 1) for symbol in ("mu", "alpha")]
+    if not count or set(expected) != set(printed):
         shown = ", ".join(printed) or "none"
         raise TurgorError(f"the constants of an Ogden law are mu_1, alpha_1, mu_2, alpha_2 and so on, not {shown}.")
     return tuple((printed[f"mu_{i}"], printed[f"alpha_{i}"]) for i in range(1, count + 1))

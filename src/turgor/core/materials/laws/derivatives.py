@@ -112,8 +112,8 @@ def _derived_by_invariants(law_type: type, pattern: tuple[Any, ...]) -> Callable
     law, symbols = _symbolic(law_type, pattern)
     energy = law.energy(*I, **_functions(law_type))
     orders = ((0,), (1,), (0, 0), (0, 1), (1, 1))
-    wanted = [energy, *(sympy.diff(energy, *(I[k] for k in order)) for order in orders)]
-    return sympy.lambdify([*I, *symbols], wanted, modules="numpy", cse=True)
+    derivatives = [energy, *(sympy.diff(energy, *(I[k] for k in order)) for order in orders)]
+    return sympy.lambdify([*I, *symbols], derivatives, modules="numpy", cse=True)
 
 
 @cache
@@ -135,8 +135,8 @@ def _derived_by_stretches(law_type: type, pattern: tuple[Any, ...]) -> Callable[
         I2 = squares[0] * squares[1] + squares[1] * squares[2] + squares[0] * squares[2]
         energy = law.energy(sum(squares), I2, **_functions(law_type))
     orders = [(0,), (1,), (2,), *STRETCH_PAIRS]
-    wanted = [energy, *(sympy.diff(energy, *(l[k] for k in order)) for order in orders)]
-    return sympy.lambdify([*l, *symbols], wanted, modules="numpy", cse=True)
+    derivatives = [energy, *(sympy.diff(energy, *(l[k] for k in order)) for order in orders)]
+    return sympy.lambdify([*l, *symbols], derivatives, modules="numpy", cse=True)
 
 
 def _symbolic(law_type: type, pattern: tuple[Any, ...]) -> tuple[Any, list[Any]]:

@@ -27,8 +27,8 @@ def spelled(text: str, names: Iterable[str]) -> str | None:
     >>> spelled("Mooney–Rivlin", ["neo_hooke", "mooney_rivlin"])
     'mooney_rivlin'
     """
-    wanted = _letters(text)
-    return next((name for name in names if _letters(name) == wanted), None)
+    letters = _letters(text)
+    return next((name for name in names if _letters(name) == letters), None)
 
 
 def law_name(text: str) -> str:

@@ -269,9 +269,9 @@ def _secant_strain(law: Law, modulus: float) -> float | None:
     """Strain at which stress over strain equals a modulus, in uniaxial tension."""
     strain = np.linspace(0.01, 5.0, 500)
     excess = pull(law, "uniaxial", 1 + strain) / strain - modulus
-    for (a, left), (b, right) in pairwise(zip(strain, excess, strict=True)):
-        if left > 0 >= right:
-            return float(a + (b - a) * left / (left - right))
+    for (a, before), (b, after) in pairwise(zip(strain, excess, strict=True)):
+        if before > 0 >= after:
+            return float(a + (b - a) * before / (before - after))
     return None
 
 

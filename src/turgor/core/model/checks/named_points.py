@@ -35,14 +35,14 @@ def check_points(mesh: Mesh, supports: Sequence[Support]) -> None:
     TurgorError
         If a name is unknown or given twice, or two supports prescribe one rotation.
     """
-    points, seen = points_of(supports), set[str]()
+    points, names = points_of(supports), set[str]()
     for each in supports:
         if isinstance(each, ReferencePoint):
             if each.name in mesh.faces:
                 raise TurgorError(f"reference point '{each.name}': a face has this name; give the point another one.")
-            if each.name in seen:
+            if each.name in names:
                 raise TurgorError(f"two reference points are called '{each.name}'; names must differ.")
-            seen.add(each.name)
+            names.add(each.name)
     turned = [each.turned_point for each in supports if each.turned_point]
     for name in turned:
         if name not in points:

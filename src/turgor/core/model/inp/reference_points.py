@@ -205,10 +205,10 @@ class InpDeck:
         direction = int(np.ptp(mesh.points[mesh.face_nodes(face)], axis=0).argmin()) + 1
         rigid = [mesh.face_nodes(each.point.face) for each in self.points.values() if each.point.coupling == RIGID]
         nodes = np.unique(mesh.face(face)[:, : 6 if mesh.cell_type is TETRAHEDRON else 8])
-        left = nodes[~np.isin(nodes, np.concatenate([np.zeros(0, dtype=np.int64), *rigid]))]
-        if len(left) == len(nodes):
+        free = nodes[~np.isin(nodes, np.concatenate([np.zeros(0, dtype=np.int64), *rigid]))]
+        if len(free) == len(nodes):
             return (f"{self.plain[face]}, {direction}",)
-        return tuple(f"{node + 1}, {direction}" for node in left.tolist())
+        return tuple(f"{node + 1}, {direction}" for node in free.tolist())
 
     def displaced(self, point: str, vector: ArrayLike, directions: str) -> tuple[str, ...]:
         """Rows of a displacement [m] of a reference point in directions."""

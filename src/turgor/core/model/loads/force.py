@@ -52,9 +52,9 @@ class Force(Load):
         def __init__(self, face: str, vector: Quantities, history: History = RAMP, follower: bool = False) -> None: ...
 
     def __post_init__(self) -> None:
-        said = f"force on '{name_of(self.face, 'face of a force', 'tip')}'"
-        object.__setattr__(self, "vector", vector(self.vector, said, "force"))
-        object.__setattr__(self, "history", checked(self.history, said))
+        subject = f"force on '{name_of(self.face, 'face of a force', 'tip')}'"
+        object.__setattr__(self, "vector", vector(self.vector, subject, "force"))
+        object.__setattr__(self, "history", checked(self.history, subject))
 
     @property
     def words(self) -> str:

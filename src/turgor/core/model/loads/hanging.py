@@ -83,7 +83,7 @@ class Hanging(Load):
         return f"Weight of {self.mass:g} kg hanging from {self.point}, along ({along})"
 
     @property
-    def carried_mass(self) -> float:
+    def attached_mass(self) -> float:
         """The mass, which moves with the point [kg]."""
         return self.mass
 

@@ -215,7 +215,7 @@ class Load:
         return ()
 
     @property
-    def carried_mass(self) -> float:
+    def attached_mass(self) -> float:
         """Mass that moves with the reference point on which it acts [kg]."""
         return 0.0
 

@@ -48,9 +48,9 @@ class Pressure(Load):
         def __init__(self, face: str, pressure: Quantity, history: History = RAMP) -> None: ...
 
     def __post_init__(self) -> None:
-        said = f"pressure on '{name_of(self.face, 'face of a pressure', 'cavity')}'"
-        object.__setattr__(self, "pressure", number(self.pressure, said, "pressure"))
-        object.__setattr__(self, "history", checked(self.history, said))
+        subject = f"pressure on '{name_of(self.face, 'face of a pressure', 'cavity')}'"
+        object.__setattr__(self, "pressure", number(self.pressure, subject, "pressure"))
+        object.__setattr__(self, "history", checked(self.history, subject))
 
     def at(self, load_factor: float) -> float:
         """Return the pressure at a load factor [Pa]."""

@@ -36,9 +36,9 @@ class Traction(Load):
         def __init__(self, face: str, vector: Quantities, history: History = RAMP) -> None: ...
 
     def __post_init__(self) -> None:
-        said = f"traction on '{name_of(self.face, 'face of a traction', 'tip')}'"
-        object.__setattr__(self, "vector", vector(self.vector, said, "pressure"))
-        object.__setattr__(self, "history", checked(self.history, said))
+        subject = f"traction on '{name_of(self.face, 'face of a traction', 'tip')}'"
+        object.__setattr__(self, "vector", vector(self.vector, subject, "pressure"))
+        object.__setattr__(self, "history", checked(self.history, subject))
 
     @property
     def words(self) -> str:

@@ -99,17 +99,17 @@ class Obstacle:
         >>> Obstacle(name="ball", shape=Sphere(center=(0, 0, -5e-3), radius=2e-3), friction=0.3).text()
         'ball: sphere of radius 2 mm around (0, 0, -5) mm; with friction 0.3.'
         """
-        said = [self.shape.text(), friction_text(self.friction)]
+        parts = [self.shape.text(), friction_text(self.friction)]
         if self.face is not None:
-            said.append(f"touches {self.face} only")
+            parts.append(f"touches {self.face} only")
         if self.path:
             way = self.path if any(self.path[0][1]) else self.path[1:]
-            said.append("moved by " + ", ".join(f"{in_mm(to)} at load factor {factor:g}" for factor, to in way))
+            parts.append("moved by " + ", ".join(f"{in_mm(to)} at load factor {factor:g}" for factor, to in way))
         if self.spring is not None:
-            said.append(f"supported by a spring of {self.spring:g} N/m")
+            parts.append(f"supported by a spring of {self.spring:g} N/m")
         if self.tip and self.push is not None:
-            said.append(push_text(self.push))
-        return f"{self.name}: {'; '.join(said)}."
+            parts.append(push_text(self.push))
+        return f"{self.name}: {'; '.join(parts)}."
 
     def displacement(self, load_factor: float) -> NDArray[np.float64]:
         """Return how far its path has moved it at a load factor, (3,) [m]."""
@@ -188,14 +188,14 @@ def check_friction(what: str, friction: float) -> None:
 
 
 def _path(name: str, path: Iterable[Any]) -> Path:
-    said = f"obstacle '{name}': path is {path!r}"
+    subject = f"obstacle '{name}': path is {path!r}"
     try:
         where = f"obstacle '{name}': path"
         points = tuple((plain_number(factor), vector(place, where, "length")) for factor, place in path)
     except (TypeError, ValueError):
         raise TurgorError(
-            f"{said}; points (load factor, displacement) are needed, such as [(0, (0, 0, 0)), (1, (0, 0, 0.01))]."
+            f"{subject}; points (load factor, displacement) are needed, such as [(0, (0, 0, 0)), (1, (0, 0, 0.01))]."
         ) from None
     if points and (points[0][0] != 0 or points[-1][0] != 1 or not all(a < b for (a, _), (b, _) in pairwise(points))):
-        raise TurgorError(f"{said}; the load factors must rise from 0 to 1.")
+        raise TurgorError(f"{subject}; the load factors must rise from 0 to 1.")
     return points

@@ -154,8 +154,8 @@ class ContinuedMove:
 
     def __call__(self, points: Array, load_factor: float) -> Array:
         """Displacement [m] of points at a load factor."""
-        left = np.asarray(self.old.displacement(points, self.factor))
+        old = np.asarray(self.old.displacement(points, self.factor))
         if self.new is None:
-            return left
+            return old
         there, begun = self.new.value(points, load_factor), self.new.value(points, 0.0)
-        return np.asarray(there) + (1 - load_factor) * (left - begun)
+        return np.asarray(there) + (1 - load_factor) * (old - begun)

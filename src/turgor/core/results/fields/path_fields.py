@@ -6,7 +6,7 @@ from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.solvers.solution import Solution
 
 #: Nodes of all states whose fields are saved: 11 numbers each, so 180 MB at most.
-MOST_KEPT = 2_000_000
+MOST_CACHED = 2_000_000
 
 
 class PathFields:
@@ -25,22 +25,22 @@ class PathFields:
         which is best where there is one reader.
     """
 
-    def __init__(self, solution: Solution, facts: MeshFacts | None = None, most: int = MOST_KEPT) -> None:
+    def __init__(self, solution: Solution, facts: MeshFacts | None = None, most: int = MOST_CACHED) -> None:
         self.solution = solution
         self.facts = facts or MeshFacts(solution.model.mesh)
         self._room = most // len(solution.model.mesh.points)
-        self._kept: dict[int, StateFields] = {}
+        self._cached: dict[int, StateFields] = {}
 
     def at(self, row: int) -> StateFields:
         """Return the fields of a state of the path by its number, which may be negative."""
         row %= len(self.solution.states)
-        return self._kept.get(row) or StateFields(self.solution.states[row], self.facts)
+        return self._cached.get(row) or StateFields(self.solution.states[row], self.facts)
 
     def leave(self, row: int, fields: StateFields) -> None:
         """Keep the fields of a state for the next reader, where there is room."""
-        if row not in self._kept and len(self._kept) < self._room:
+        if row not in self._cached and len(self._cached) < self._room:
             fields.settle()
-            self._kept[row] = fields
+            self._cached[row] = fields
 
     def __iter__(self) -> Iterator[StateFields]:
         for row in range(len(self.solution.states)):

@@ -19,7 +19,7 @@ from turgor.core.model.model import DISPLACEMENT, Model
 from turgor.core.solvers.solution import State
 
 Array = NDArray[np.float64]
-Made = TypeVar("Made")
+Value = TypeVar("Value")
 
 
 class Image(NamedTuple):
@@ -57,14 +57,14 @@ class MeshFacts:
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
         self._threads: list[tuple[Fibers, FiberTrusses]] = []
-        self._made: dict[Hashable, Any] = {}
+        self._cached: dict[Hashable, Any] = {}
 
-    def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
+    def once(self, key: Hashable, make: Callable[[], Value]) -> Value:
         """Return what was made under a key, which is made when it is first requested."""
-        if key not in self._made:
-            self._made[key] = make()
-        made: Made = self._made[key]
-        return made
+        if key not in self._cached:
+            self._cached[key] = make()
+        value: Value = self._cached[key]
+        return value
 
     @cached_property
     def mirrors(self) -> tuple[MirrorPlane, ...]:
@@ -135,14 +135,14 @@ class StateFields:
     def __init__(self, state: State, facts: MeshFacts | None = None) -> None:
         self.state = state
         self.facts = facts or MeshFacts(state.model.mesh)
-        self._made: dict[Hashable, Any] = {}
+        self._cached: dict[Hashable, Any] = {}
 
-    def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
+    def once(self, key: Hashable, make: Callable[[], Value]) -> Value:
         """Return what was made of this state under a key, which is made when it is first requested."""
-        if key not in self._made:
-            self._made[key] = make()
-        made: Made = self._made[key]
-        return made
+        if key not in self._cached:
+            self._cached[key] = make()
+        value: Value = self._cached[key]
+        return value
 
     @property
     def model(self) -> Model:

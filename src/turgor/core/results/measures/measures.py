@@ -162,14 +162,14 @@ def check_measures(model: Model, measures: Sequence[Measure | str]) -> None:
     TurgorError
         If one has no value there.
     """
-    wanted = tuple(map(as_measure, measures))
+    chosen = tuple(map(as_measure, measures))
     mesh = model.mesh
     rest = State(
         model=model, load_factor=0.0, displacement=np.zeros_like(mesh.points),
         mean_stress=np.zeros(element_of(model).mean_count), nodal_force=np.zeros_like(mesh.points),
     )  # fmt: skip
     at, fitting = StateFields(rest), fitting_measures(measured_faces(mesh.faces, mesh.cavities))
-    for each in fitting if wanted == STANDARD_MEASURES else wanted:
+    for each in fitting if chosen == STANDARD_MEASURES else chosen:
         if each not in OF_ANY_MESH:  # these need no face, and stresses of a whole mesh take seconds
             each.read([at])
 

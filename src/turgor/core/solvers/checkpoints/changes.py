@@ -80,8 +80,8 @@ def _bare(value: Any) -> Any:
     """An evaluation without what the laws say at every point, which is large, and without forces of the step."""
     if not isinstance(value, Evaluation):
         return value
-    left_out = Isochoric(np.empty(0), np.empty(0), np.empty(0))
-    return replace(value, isochoric=left_out, addition=None)
+    empty = Isochoric(np.empty(0), np.empty(0), np.empty(0))
+    return replace(value, isochoric=empty, addition=None)
 
 
 def _whole(value: Any, system: System) -> Any:

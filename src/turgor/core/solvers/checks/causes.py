@@ -39,7 +39,7 @@ class Why:
     advice: str
 
 
-def said(why: Why | None) -> str:
+def cause_text(why: Why | None) -> str:
     """Return the sentence of a cause; nothing where none was found."""
     return "" if why is None else why.message
 

@@ -50,7 +50,7 @@ def distortion_text(state: State) -> str:
         A sentence with a space before it.
     """
     worst = worst_volume(state)
-    if worst is None or DISTORTION.kept_volume <= worst[0] <= 1 / DISTORTION.kept_volume:
+    if worst is None or DISTORTION.volume_share <= worst[0] <= 1 / DISTORTION.volume_share:
         return ""
     place = ", ".join(f"{1e3 * x:.3g}" for x in worst[1])
     return (

@@ -86,12 +86,12 @@ class DistortionSettings:
 
     Parameters
     ----------
-    kept_volume : float
+    volume_share : float
         Rubber keeps its volume, a mesh keeps it on average. Where a point of a cell has less than this share of its
         volume left, or the inverse of it, the cell bends in a way that the rubber cannot.
     """
 
-    kept_volume: float = 0.5
+    volume_share: float = 0.5
 
 
 DISTORTION = DistortionSettings()

@@ -134,8 +134,8 @@ def everything_fixed(model: Model) -> tuple[Finding, ...]:
     fixed = {name for name in mesh.faces for each in model.supports if each == Fixed(name, "xyz")}
     inner = (*mesh.cavities, *mesh.cut_faces)
     outside = corner_keys(outer_triangles(mesh), len(mesh.points))
-    left = outside[~np.isin(outside, _sides(mesh, (*inner, *fixed)))]
-    if not fixed or len(left):
+    free = outside[~np.isin(outside, _sides(mesh, (*inner, *fixed)))]
+    if not fixed or len(free):
         return ()
     return (
         Finding(

@@ -94,7 +94,7 @@ def _rescued(run: Run) -> Outcome | None:
     """Go on where no step succeeds; return how the run ends, if it does."""
     rescue = run.task.strategy.rescue(run)
     run.memory = rescue.memory
-    return rescue.ending if rescue.found is None else accept(run, *rescue.found)
+    return rescue.ending if rescue.reached is None else accept(run, *rescue.reached)
 
 
 def noted(run: Run, result: NewtonResult, when: tuple[float, float], judgment: Judgment) -> None:

@@ -113,13 +113,13 @@ class Rescue:
 
     Parameters
     ----------
-    found : (Point, NewtonResult) or None
+    reached : (Point, NewtonResult) or None
     ending : Outcome or None
-        None where a point was found.
+        None where a point was reached.
     memory : StepMemory
     """
 
-    found: tuple[Point, NewtonResult] | None
+    reached: tuple[Point, NewtonResult] | None
     ending: Outcome | None
     memory: StepMemory
 

@@ -68,11 +68,11 @@ class TimeStep:
     @property
     def algorithmic_before(self) -> Array:
         """The algorithmic acceleration at the start, moved to the time at which a step of this length needs it."""
-        wanted = (self.weights.alpha_m - self.weights.alpha_f) * self.length
+        shift = (self.weights.alpha_m - self.weights.alpha_f) * self.length
         if not self.before.lead:
             return self.before.algorithmic
         change = self.before.algorithmic - self.before.acceleration
-        return self.before.acceleration + wanted / self.before.lead * change
+        return self.before.acceleration + shift / self.before.lead * change
 
     @property
     def rate(self) -> float:

@@ -39,25 +39,25 @@ class Accelerations:
         moves = system.moving
         fixes = self._fixed[row_of] | self._fixed[column_of]
         self._volumes = np.where(fixes & (moves[row_of] != moves[column_of]), data, 0.0)
-        kept = fixes | ~(moves[row_of] | moves[column_of])
-        matrix = np.where(kept, data, self._scale * mass)
+        unchanged = fixes | ~(moves[row_of] | moves[column_of])
+        matrix = np.where(unchanged, data, self._scale * mass)
         system.apply_supports(matrix)
         system.make_definite(matrix)
         self._solver: LinearSolver = linear_solver("rslab", pattern, 1)
         self._solver.factor(matrix)
 
-    def velocity(self, wanted: Array) -> Array:
+    def velocity(self, target: Array) -> Array:
         """The velocity (size,) nearest to a wanted one that holds the supports and the volume."""
-        wanted = np.where(self._system.prescribed, 0.0, wanted)
-        wanted[~self._system.moving] = 0.0
+        target = np.where(self._system.prescribed, 0.0, target)
+        target[~self._system.moving] = 0.0
         if not self._coupled:
-            return wanted
+            return target
         right = np.zeros(self._system.size)
-        right[self._fixed] = -self._pattern.product(self._volumes, wanted)[self._fixed]
+        right[self._fixed] = -self._pattern.product(self._volumes, target)[self._fixed]
         right[self._system.prescribed] = 0.0
         change = self._solver.solve(right)
         change[~self._system.moving] = 0.0
-        return np.asarray(wanted + change)
+        return np.asarray(target + change)
 
     def acceleration(self, velocity: Array, forces: Array) -> tuple[Array, Array]:
         """Acceleration (size,) and change of the mean stress (size,) under the unbalanced forces at a velocity."""

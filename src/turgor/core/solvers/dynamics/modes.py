@@ -10,7 +10,7 @@ from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 from turgor.core.engine.algebra.linear import LinearSolver, SingularTangentError, linear_solver
 from turgor.core.engine.algebra.pattern import Pattern
 from turgor.core.engine.mass import mass_data, total_mass
-from turgor.core.engine.points.point_mass import carried_mass
+from turgor.core.engine.points.point_mass import attached_mass
 from turgor.core.engine.runtime import EngineOptions, use_threads
 from turgor.core.engine.system import System
 from turgor.core.engine.warmup.compiling import compile_kernels
@@ -69,10 +69,10 @@ class Modes:
     def message(self) -> str:
         """The frequencies in one sentence, and whether the state is stable."""
         lowest = ", ".join(f"{f:.4g}" for f in self.frequencies)
-        said = f"Frequencies at load factor {self.load_factor:.4g}: {lowest} Hz."
+        text = f"Frequencies at load factor {self.load_factor:.4g}: {lowest} Hz."
         if self.unstable:
-            said += f" {self.unstable} of them are negative: the state is unstable and would leave along these modes."
-        return said
+            text += f" {self.unstable} of them are negative: the state is unstable and would leave along these modes."
+        return text
 
 
 def natural_frequencies(
@@ -109,7 +109,7 @@ def natural_frequencies(
     options = options or EngineOptions()
     with use_threads(options.threads):
         compile_kernels(options.notify, Needs.of(model))
-        by_cavity = {} if state is None else _found_pressures(model, state)
+        by_cavity = {} if state is None else _unknown_pressures(model, state)
         system = System(model, tuple(by_cavity))
         _check(system, count)
         unknowns = np.zeros(system.size)
@@ -134,7 +134,7 @@ def natural_frequencies(
     return _modes(system, (load_factor, unknowns), np.where(rigid, 0.0, eigenvalues), vectors, mass)
 
 
-def _found_pressures(model: Model, state: State) -> dict[str, float]:
+def _unknown_pressures(model: Model, state: State) -> dict[str, float]:
     """Pressures that the procedure of a state found, where no load states them [Pa]."""
     loaded = {load.face for load in model.pressures}
     return {face: pressure for face, pressure in state.pressures.items() if face not in loaded}
@@ -181,10 +181,10 @@ def _refined(solver: LinearSolver, pattern: Pattern, data: Array, right: Array) 
     """Solve to the accuracy that Lanczos iterations need; factors may be of single precision."""
     solution = solver.solve(right)
     for _ in range(MODES.lanczos_refinements):
-        left_over = right - pattern.product(data, solution)
-        if float(np.linalg.norm(left_over)) <= MODES.lanczos_residual * float(np.linalg.norm(right)):
+        residual = right - pattern.product(data, solution)
+        if float(np.linalg.norm(residual)) <= MODES.lanczos_residual * float(np.linalg.norm(right)):
             break
-        solution = solution + solver.solve(left_over)
+        solution = solution + solver.solve(residual)
     return solution
 
 
@@ -194,7 +194,7 @@ def _first_shift(system: System) -> float:
     speed = min(m.law.shear_modulus / m.density for m in materials if m.density is not None)
     extent = float(np.ptp(system.model.mesh.points, axis=0).max())
     rubber = total_mass(system.model)
-    return MODES.first_shift * speed / extent**2 * rubber / (rubber + carried_mass(system.model))
+    return MODES.first_shift * speed / extent**2 * rubber / (rubber + attached_mass(system.model))
 
 
 def _none_below(system: System, solver: LinearSolver, data: Array) -> bool:

@@ -84,9 +84,9 @@ def _taken(states: Sequence[State]) -> str:
     energies = [state.energies for state in states if state.energies is not None]
     last = energies[-1]
     share = last.viscous / last.strain if last.strain > 0 else 0.0
-    said = f"viscous forces took {last.viscous:.3g} J, {100 * share:.2g} % of the strain energy"
+    sentence = f"viscous forces took {last.viscous:.3g} J, {100 * share:.2g} % of the strain energy"
     if share <= TOLERATED:
-        return said
+        return sentence
     taken = np.diff([each.viscous for each in energies])
     most = int(taken.argmax())
-    return f"{said}, {100 * taken[most] / last.viscous:.0f} % of that in the step after {_load(states[most])}"
+    return f"{sentence}, {100 * taken[most] / last.viscous:.0f} % of that in the step after {_load(states[most])}"

@@ -51,10 +51,10 @@ class TimeControl:
         (0.3, 0.7, 1.0)
         """
         target = next(t for t in self.targets if t > time)
-        left = target - time
-        if left <= TIME_STEP_CONTROL.stretch * self.length:
+        remaining = target - time
+        if remaining <= TIME_STEP_CONTROL.stretch * self.length:
             return target
-        return time + (left / 2 if self.adaptive and left < 2 * self.length else self.length)
+        return time + (remaining / 2 if self.adaptive and remaining < 2 * self.length else self.length)
 
     def failed(self, length: float) -> "TimeControl | None":
         """Cut the step; None when it would fall below the shortest."""

@@ -75,7 +75,11 @@ class Border:
         return np.asarray(conditions.corner + conditions.rows @ self.responses.T)
 
     def newton_update(
-        self, at: Evaluation, linearized: tuple[Stresses | None, Array, bool], conditions: Conditions, left: float
+        self,
+        at: Evaluation,
+        linearized: tuple[Stresses | None, Array, bool],
+        conditions: Conditions,
+        reduction: float,
     ) -> tuple[Array, Array]:
         """Updates of Newton's method at an evaluation.
 
@@ -86,7 +90,7 @@ class Border:
             Stresses of the geometric stiffness, what the prescribed unknowns still have to move, and whether the
             tangent is factored at the evaluation, or the last factors are used again.
         conditions : Conditions
-        left : float
+        reduction : float
             Relative residual that the linear solution may leave.
 
         Returns
@@ -98,14 +102,16 @@ class Border:
         if fresh:
             right = right - self.factor(at, geometric, jump)
         right[prescribed] = jump
-        return self.update(right, conditions, conditions.errors, left)
+        return self.update(right, conditions, conditions.errors, reduction)
 
-    def update(self, right: Array, conditions: Conditions, errors: Array, left: float = REFINED) -> tuple[Array, Array]:
+    def update(
+        self, right: Array, conditions: Conditions, errors: Array, reduction: float = REFINED
+    ) -> tuple[Array, Array]:
         """Updates of unknowns and scalars for a right side of equilibrium and errors of the conditions.
 
-        A relative residual of ``left`` may be left.
+        The linear solution may leave a relative residual of ``reduction``.
         """
-        free = self.tangent.solve(right, left)
+        free = self.tangent.solve(right, reduction)
         if not len(errors):
             return free, errors
         return eliminated(free, self.responses, conditions, errors)

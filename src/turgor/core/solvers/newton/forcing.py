@@ -46,5 +46,5 @@ def forcing(fresh: bool, iterative: bool, residuals: Sequence[float], tolerance:
     if not iterative:
         return REFINED if fresh else ROUGH
     reduction = residuals[-1] / residuals[-2] if len(residuals) > 1 else 1.0
-    wanted = min(LARGEST, max(SMALLEST, reduction**2))
-    return max(wanted, min(LARGEST_OF_ALL, LAST_SHARE * tolerance / max(residuals[-1], tolerance)))
+    share = min(LARGEST, max(SMALLEST, reduction**2))
+    return max(share, min(LARGEST_OF_ALL, LAST_SHARE * tolerance / max(residuals[-1], tolerance)))

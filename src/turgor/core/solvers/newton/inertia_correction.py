@@ -71,8 +71,8 @@ def _descend(
             return _failed(at, iteration, residual)
         shift = steepened
         update = tangent.solve(np.where(system.prescribed, 0.0, -at.residual))
-        kept = None if iteration <= CONVERGENCE.keep_partners_after else at.contacts
-        new, length = _shortened(constraint, tangent, at, update, kept)
+        contacts = None if iteration <= CONVERGENCE.keep_partners_after else at.contacts
+        new, length = _shortened(constraint, tangent, at, update, contacts)
         if new is None or float(np.abs(new.unknowns - start)[free].max()) > INERTIA_CORRECTION.reach:
             return _failed(at, iteration, residual)
         residual = relative_residual(system, new)
@@ -112,7 +112,7 @@ def _factored(tangent: Tangent, at: Evaluation, shift: float) -> float | None:
 
 
 def _shortened(
-    constraint: Constraint, tangent: Tangent, at: Evaluation, update: Array, kept: Contacts | None
+    constraint: Constraint, tangent: Tangent, at: Evaluation, update: Array, contacts: Contacts | None
 ) -> tuple[Evaluation | None, float]:
     """Shorten an update until no penetration is too deep and the potential still falls at its end."""
     system = constraint.scalar_unknowns.system
@@ -121,7 +121,7 @@ def _shortened(
     before = float(at.residual[free] @ along)
 
     def trial(length: float) -> tuple[Evaluation | None, float]:
-        new = evaluate(constraint, tangent, (at.unknowns + length * update, NO_SCALARS), at.load_factor, kept)
+        new = evaluate(constraint, tangent, (at.unknowns + length * update, NO_SCALARS), at.load_factor, contacts)
         if new is None:
             return None, 0.5
         share, after = system.contact.shortening(at.contacts, new.contacts), float(new.residual[free] @ along)

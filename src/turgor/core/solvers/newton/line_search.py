@@ -25,12 +25,12 @@ def evaluate(
     tangent: Tangent,
     place: tuple[Array, Array],
     parameter: float,
-    kept: Contacts | None = None,
+    contacts: Contacts | None = None,
 ) -> Evaluation | None:
     """Evaluate the residual at unknowns and scalars on the clock; ``kept`` are partners of contact that stay."""
     start = perf_counter()
-    how = SearchMode.FOLLOW if kept is None else SearchMode.KEEP
-    out = constraint.evaluate(place[0], parameter, place[1], kept, how)
+    how = SearchMode.FOLLOW if contacts is None else SearchMode.KEEP
+    out = constraint.evaluate(place[0], parameter, place[1], contacts, how)
     tangent.clock.residual += perf_counter() - start
     return out
 
@@ -40,7 +40,7 @@ def line_search(
     tangent: Tangent,
     step: tuple[Evaluation, Array, Array, Array],
     parameter: float,
-    kept: Contacts | None,
+    contacts: Contacts | None,
 ) -> tuple[Evaluation | None, float]:
     """Shorten an update until it is allowed.
 
@@ -52,7 +52,7 @@ def line_search(
     step : (Evaluation, (size,) array, (k,) array, (k,) array)
         Where it begins, the update, the scalars there and their update.
     parameter : float
-    kept : Contacts or None
+    contacts : Contacts or None
         Partners of contact that stay.
 
     Returns
@@ -64,7 +64,7 @@ def line_search(
 
     def trial(length: float) -> tuple[Evaluation | None, float]:
         place = at.unknowns + length * update, scalars + length * change
-        new = evaluate(constraint, tangent, place, parameter, kept)
+        new = evaluate(constraint, tangent, place, parameter, contacts)
         return new, 0.5 if new is None else length_allowed(constraint.scalar_unknowns.system, at, new, update)
 
     return shortened(trial, LINE_SEARCH.shortest)

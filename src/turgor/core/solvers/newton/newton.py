@@ -95,9 +95,9 @@ class _Newton:
     def update(self, now: _Iterate) -> _Update:
         """Solve for the updates of unknowns and scalars."""
         fresh, geometric = _factors(self, now)
-        left = forcing(fresh, self.border.tangent.iterative, now.residuals, self.settings.tolerance)
+        reduction = forcing(fresh, self.border.tangent.iterative, now.residuals, self.settings.tolerance)
         try:
-            updates = self.border.newton_update(now.at, (geometric, now.jump, fresh), now.conditions, left)
+            updates = self.border.newton_update(now.at, (geometric, now.jump, fresh), now.conditions, reduction)
         except (SingularTangentError, np.linalg.LinAlgError) as error:
             raise Stopped(Reason(Cause.SINGULAR_TANGENT, detail=str(error))) from None
         return _Update(*updates, geometric, fresh)
@@ -107,8 +107,8 @@ class _Newton:
         constraint, iteration = self.constraint, len(now.residuals)
         settled = now.settled or partners_settle(iteration, now.residuals)
         whole = now.at, update.unknowns, now.scalars, update.scalars
-        kept = now.at.contacts if settled else None
-        new, length = line_search(constraint, self.border.tangent, whole, self.parameter, kept)
+        contacts = now.at.contacts if settled else None
+        new, length = line_search(constraint, self.border.tangent, whole, self.parameter, contacts)
         if new is None:
             raise Stopped(Reason(Cause.INVERTED_CELL))
         scalars = now.scalars + length * update.scalars

@@ -79,8 +79,8 @@ def pseudo_transient(
             continue
         last = _without(constraint, tangent, motion, settings, report)
         at_round_off = last.reason is not None and last.reason.cause is Cause.ROUND_OFF
-        gone = motion.viscosity <= PSEUDO_TRANSIENT.faded * smallest  # at rest where it is unstable
-        if at_round_off or (last.converged and (gone or not last.unstable_modes)):
+        faded = motion.viscosity <= PSEUDO_TRANSIENT.faded * smallest  # at rest where it is unstable
+        if at_round_off or (last.converged and (faded or not last.unstable_modes)):
             return replace(last, iterations=motion.iterations)
     return _restless(motion.iterations)
 

@@ -120,10 +120,10 @@ def check_stage(stage: Stage, number: int) -> None:
     TurgorError
         If it cannot; the message says what to write instead.
     """
-    procedure, said = stage.procedure, f"stage '{stage.name}'"
+    procedure, subject = stage.procedure, f"stage '{stage.name}'"
     if not isinstance(procedure, Procedure) or procedure.stages:
-        raise TurgorError(f"{said}: {type(procedure).__name__} is no procedure; take one such as Static or Sealed.")
+        raise TurgorError(f"{subject}: {type(procedure).__name__} is no procedure; take one such as Static or Sealed.")
     try:
         procedure.check_stage(number)
     except TurgorError as error:
-        raise TurgorError(f"{said}: {error}") from None
+        raise TurgorError(f"{subject}: {error}") from None

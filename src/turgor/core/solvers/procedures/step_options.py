@@ -58,14 +58,14 @@ def make_numbers(procedure: Any) -> None:
             continue
         if get_origin(item.type) is tuple:
             given = value if isinstance(value, Iterable) and not isinstance(value, str) else (value,)
-            made: Any = tuple(number(each, what, dimension, finite=False) for each in given)
+            checked: Any = tuple(number(each, what, dimension, finite=False) for each in given)
         elif isinstance(value, Mapping):
-            made = {key: number(each, f"{what}.{key}", dimension, finite=False) for key, each in value.items()}
+            checked = {key: number(each, f"{what}.{key}", dimension, finite=False) for key, each in value.items()}
         elif int in kinds:
-            made = one(value, Integral, what, "a whole number is needed")
+            checked = one(value, Integral, what, "a whole number is needed")
         else:
-            made = number(value, what, dimension, finite=False)
-        object.__setattr__(procedure, item.name, made)
+            checked = number(value, what, dimension, finite=False)
+        object.__setattr__(procedure, item.name, checked)
 
 
 def check_steps(steps: StepOptions, longest: float = 1.0) -> None:

@@ -48,12 +48,12 @@ class Bar:
             BarColumn(bar_width=None),
             TextColumn("{task.fields[state]}", table_column=Column(no_wrap=True)),
             _Elapsed(),
-            TextColumn("{task.fields[left]}", table_column=Column(no_wrap=True)),
+            TextColumn("{task.fields[remaining]}", table_column=Column(no_wrap=True)),
             console=console,
             transient=True,
             refresh_per_second=5,
         )
-        self._task = self._bar.add_task("starting", total=1.0, state="", left="")
+        self._task = self._bar.add_task("starting", total=1.0, state="", remaining="")
 
     def __enter__(self) -> Self:
         self._appear()
@@ -66,14 +66,14 @@ class Bar:
     def notify(self, text: str) -> None:
         """Show what is being done."""
         self._appear(now=True)  # what is worth a notice takes long
-        self._bar.update(self._task, description=fitting([text], self._console.width - OTHERS), state="", left="")
+        self._bar.update(self._task, description=fitting([text], self._console.width - OTHERS), state="", remaining="")
 
     def progress(self, iteration: Iteration, state: State | None) -> None:
         """Move the bar."""
         self._appear()
         self._course.follow(state)
-        factor, left = f"{self._course.load_factor:.3f}", f"{clock(self._course.seconds_left)} left"
-        free = self._console.width - OTHERS - len(left)
+        factor, remaining = f"{self._course.load_factor:.3f}", f"{clock(self._course.remaining_seconds)} left"
+        free = self._console.width - OTHERS - len(remaining)
         description = fitting([f"{of_stage(self._course.stage)}load factor {factor}", factor], free, alternatives=True)
         work = (
             f"step {iteration.step}",
@@ -86,7 +86,7 @@ class Bar:
             completed=self._course.load_factor,
             description=description,
             state=fitting(work, free - len(description)),
-            left=left,
+            remaining=remaining,
         )
 
     def _appear(self, now: bool = False) -> None:

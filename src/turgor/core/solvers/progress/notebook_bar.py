@@ -41,8 +41,8 @@ class NotebookBar:
     def progress(self, iteration: Iteration, state: State | None) -> None:
         """Move the bar."""
         self._course.follow(state)
-        said = f"{of_stage(self._course.stage)}load factor {self._course.load_factor:.3f}, step {iteration.step}"
-        self._draw(f"{said}, {clock(self._course.seconds_left)} left")
+        text = f"{of_stage(self._course.stage)}load factor {self._course.load_factor:.3f}, step {iteration.step}"
+        self._draw(f"{text}, {clock(self._course.remaining_seconds)} left")
 
     def _draw(self, text: str, now: bool = False) -> None:
         if now or perf_counter() >= self._next:

@@ -37,15 +37,15 @@ class Course:
         return ()
 
     @property
-    def seconds_left(self) -> float | None:
+    def remaining_seconds(self) -> float | None:
         """Remaining time at the speed of the last steps [s]; None before the first accepted step."""
         if len(self._accepted) < 2:
             return None
         (before, began), (now, last) = self._accepted[0], self._accepted[-1]
         if now <= before:
             return None  # beyond a limit point the load falls, so it does not show the remaining length of the path
-        left = (1 - now) * (last - began) / (now - before) - (perf_counter() - last)
-        return max(left, 0.0)
+        remaining = (1 - now) * (last - began) / (now - before) - (perf_counter() - last)
+        return max(remaining, 0.0)
 
 
 def clock(seconds: float | None) -> str:

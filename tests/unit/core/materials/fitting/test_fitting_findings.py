@@ -38,7 +38,7 @@ def test_planar_tests_determine_only_the_sum_of_the_mooney_rivlin_constants(mode
     """The fit once reported C10 = C01 = 7.27 ± 0.05 kPa, with a correlation of 1 and no finding."""
     found = fit("mooney-rivlin", [made(mode) for mode in modes])
     assert found.errors == {"C10": inf, "C01": inf}
-    assert found.left_open == ("C10", "C01")
+    assert found.unconstrained == ("C10", "C01")
     assert abs(found.correlation[0, 1]) == pytest.approx(1.0)
     assert found.describe().count("not determined") == 2
     assert found.values["C10"] + found.values["C01"] == pytest.approx(14.53e3, rel=0.01)
@@ -59,7 +59,7 @@ def test_the_error_of_the_sum_is_that_of_a_law_with_one_constant():
 
 def test_two_modes_determine_both_constants():
     found = fit("mooney-rivlin", [made("planar"), made("equibiaxial")])
-    assert found.left_open == ()
+    assert found.unconstrained == ()
     assert found.combination == ""
     assert codes(found) == []
     assert found.values == pytest.approx({"C10": 10e3, "C01": 4.53e3}, rel=0.02)

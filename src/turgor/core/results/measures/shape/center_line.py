@@ -128,10 +128,10 @@ def center_line(state: State | StateFields) -> CenterLine:
     ...     return tg.measures.center_line(state).response().plot("curvature", x="arc_length")
     """
     at = state if isinstance(state, StateFields) else StateFields(state)
-    return at.once("center line", partial(_found, at))
+    return at.once("center line", partial(_center_line_of, at))
 
 
-def _found(at: StateFields) -> CenterLine:
+def _center_line_of(at: StateFields) -> CenterLine:
     pieces = at.facts.once("center line", partial(_pieces, at.facts))
     rotations, centers, rest = sections_of(at, pieces)
     motions = [

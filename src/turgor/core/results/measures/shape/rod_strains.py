@@ -53,7 +53,7 @@ def rod_strains(low: float, high: float, name: str) -> tuple[Measure, Measure, M
         raise TurgorError(
             f"stations are {low:g} and {high:g} of the length; give two shares in order, such as 0.4, 0.6."
         )
-    made = [
+    measures = [
         Measure(
             name=f"{name}_{strain}",
             unit=unit,
@@ -62,7 +62,7 @@ def rod_strains(low: float, high: float, name: str) -> tuple[Measure, Measure, M
         )
         for i, (strain, (unit, what)) in enumerate(STRAINS.items())
     ]
-    return made[0], made[1], made[2], made[3]
+    return measures[0], measures[1], measures[2], measures[3]
 
 
 def _strain(low: float, high: float, which: int, at: StateFields) -> float:

@@ -34,10 +34,10 @@ def width_ratios(at: StateFields) -> Array:
     borders = (line.rest[:-1, 0] + line.rest[1:, 0]) / 2
     piece = np.searchsorted(borders, rest[:, 0])
     turns, origins = _moving_sections(line, rest[:, 0])
-    seen = [np.einsum("kij,ki->kj", turns, image.of(now) - origins) for image in images]
+    here = [np.einsum("kij,ki->kj", turns, image.of(now) - origins) for image in images]
     before = [image.of(rest) for image in images]
-    piece = np.tile(piece, len(seen))
-    return _widths(np.concatenate(seen), piece, len(line.rest)) / _widths(np.concatenate(before), piece, len(line.rest))
+    piece = np.tile(piece, len(here))
+    return _widths(np.concatenate(here), piece, len(line.rest)) / _widths(np.concatenate(before), piece, len(line.rest))
 
 
 def _both(at: StateFields) -> tuple[Array, Array]:

@@ -72,8 +72,8 @@ def _compliance(at: StateFields) -> Array:
         right[system.prescribed] = 0.0
         moved = tangent.solve(right)
         for _ in range(3):  # factors may be of single precision, and friction is solved for four digits
-            left = np.where(system.prescribed, 0.0, right - matrix @ moved)
-            moved = moved + tangent.solve(left)
+            residual = np.where(system.prescribed, 0.0, right - matrix @ moved)
+            moved = moved + tangent.solve(residual)
         out[whole, axis] = (share @ system.displacement(moved))[whole] / scale
     return out
 
