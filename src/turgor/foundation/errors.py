@@ -5,7 +5,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from types import MappingProxyType
 
-#: Most characters of a line of a message: more is a value that nobody reads to its end.
+#: Most characters of a line of a message: more is a value that no reader needs in full.
 LONGEST_LINE = 1500
 
 

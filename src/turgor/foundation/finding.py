@@ -26,7 +26,7 @@ class Finding:
     severity : Severity
         How much it matters.
     message : str
-        One sentence: what was found, with the numbers.
+        One sentence: what the check noticed, with the numbers.
     advice : str
         One sentence: what to do.
 

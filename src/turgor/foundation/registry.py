@@ -58,7 +58,7 @@ class Registry(Mapping[str, Value], Generic[Value]):
         return tuple(package.__path__)
 
     def _of_its_file(self, name: str, places: tuple[str, ...]) -> Value | None:
-        """What the file of this name defines under it: most names are found without importing the other files."""
+        """What the file of this name defines under it. Most names need no import of the other files."""
         if (name, places) not in self._own:
             there = any(module.name == name for module in iter_modules(places))
             listed = self._listed(import_module(f"{self._package}.{name}")) if there else ()

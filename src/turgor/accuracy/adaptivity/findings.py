@@ -11,7 +11,7 @@ from turgor.foundation.response import Column, Response
 #: Measures that do not converge, or whose value may be nearly zero.
 UNJUDGED = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "contact_area", "bearing_distance")
 
-#: Finding that is kept only where the mesh error is noted.
+#: Finding that is reported only where the mesh error is.
 ONLY_WITH_ERROR = "G01"
 
 

@@ -43,7 +43,7 @@ class MeshError:
     unknowns : int
         Unknowns of the second mesh.
     states : tuple of int
-        Numbers of the states that were found again.
+        Numbers of the states whose equilibrium was solved again.
     seconds : float [s]
         What it took.
     finding : Finding or None
@@ -105,7 +105,7 @@ def find_again(
 ) -> PairedStates | None:
     """Solve for a few states of a path on a second mesh; on a coarser one where this fails because sheets wrinkle.
 
-    Only the last one, by a linear solve, if ``linear``. The last result is kept, because a solution may be measured
+    Only the last one, by a linear solve, if ``linear``. The last result is cached, because a solution may be measured
     more than once.
     """
     began = perf_counter()
@@ -130,7 +130,7 @@ def _on_second_mesh(
     linear: bool,
     enough: int = len(MESH_ERROR.places),
 ) -> PairedStates:
-    """Solve for chosen states, until enough are found, on a refined mesh that captures a share of the error."""
+    """Solve for chosen states, until enough converge, on a refined mesh that captures a share of the error."""
     refinement, captured = second
     transfer = Transfer(solution.model.mesh, refinement)
     mesh = SecondMesh(refinement, transfer, options)
@@ -160,7 +160,7 @@ def why_not(solution: Solution) -> str:
     if contact.self_contact is not None:
         frictions.append(contact.self_contact.friction)
     if any(frictions):
-        return "something rubs, and every state depends on all before it"
+        return "there is friction, and every state depends on all before it"
     if solution.model.mesh.cells.shape[1] == 20:
         return "cells of 20 nodes cannot be cut"
     return "" if len(solution.states) > 1 else "there is no state but the one at rest"
@@ -206,7 +206,7 @@ def path_length(solution: Solution) -> Array:
 
 
 def _chosen(solution: Solution, count: int) -> list[int]:
-    """Numbers of the states to be found again, in the order of interest."""
+    """Numbers of the states to solve again, the most interesting ones first."""
     place = path_length(solution)
     out: list[int] = []
     for share in MESH_ERROR.places[:count]:
@@ -231,7 +231,7 @@ def _read(states: Sequence[State], measures: Sequence[Measure]) -> Array:
 
 
 def _read_again(solution: Solution, paired: PairedStates, measures: Sequence[Measure], values: Array) -> Array:
-    """Measures (k, m) of the states that were found again, in their order.
+    """Measures (k, m) of the states that were solved again, in their order.
 
     A sum along the path is made over these states alone on both meshes; the difference is added to its value.
     """
@@ -265,7 +265,7 @@ def _at_rest(state: State) -> State:
 
 
 def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], paired: PairedStates) -> Array:
-    """Estimated error (n,) of a measure, read at all states and at those that were found again, by their places."""
+    """Estimated error (n,) of a measure, read at all states and at those that were solved again, by their places."""
     (values, known), numbers = read, sorted(paired.pairs)
     difference = known - values[numbers]
     if measure.unwrap:

@@ -154,7 +154,7 @@ def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, e
 
 
 def _linearly(equations: Equations, unknowns: Array, state: State) -> State | None:
-    """The state after one update of Newton's method at its load factor; None where it leads far away."""
+    """The state after one update of Newton's method at its load factor; None where the update is too large."""
     system, tangent, history = equations
     start = Start(unknowns, None, np.zeros(0))
     constraint = load_control(system, history=history)

@@ -31,7 +31,7 @@ class SimpleUpdateSettings:
         The same where old factors fail, as where threads go slack and taut from one update to the next. It is good
         enough for an estimate.
     contraction : float
-        New factors are made where an update is not this much smaller than the one before.
+        The tangent is factored again where an update is not this much smaller than the one before.
     rounding : float
         Scaled displacements of supports smaller than this are zero.
     far : float

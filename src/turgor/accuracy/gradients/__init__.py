@@ -1,1 +1,1 @@
-"""Gradients: derivatives of measures with respect to the numbers of a model, at a state that was found."""
+"""Gradients: derivatives of measures with respect to the numbers of a model, at an equilibrium."""

@@ -64,14 +64,14 @@ def depends_on_history(solution: Solution, state: State) -> str:
         return (
             "the rubber softens, and every state depends on the largest stretch before it; leave stress_softening out"
         )
-    if rubs(state):
-        return "something rubs, and every state depends on all before it; set friction to 0"
+    if has_friction(state):
+        return "there is friction, and every state depends on all before it; set friction to 0"
     if len(procedures) > 1 and any(each.requested is not None for each in procedures):
         return "pressures were found in one stage and act in another; take one stage, or state the pressures"
     return ""
 
 
-def rubs(state: State) -> bool:
+def has_friction(state: State) -> bool:
     """Whether friction may act anywhere.
 
     Parameters

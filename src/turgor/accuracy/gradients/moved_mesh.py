@@ -1,4 +1,4 @@
-"""Carried: models of other dimensions whose tetrahedra are those of the state, carried along with the shape."""
+"""Moved mesh: models of other dimensions on the tetrahedra of the state, which move along with the shape."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -41,7 +41,7 @@ def on_moved_mesh(variation: Variation, mesh: Mesh) -> Variation:
 
 @dataclass(frozen=True, eq=False)
 class OnMovedMesh:
-    """A variation whose models carry a mesh along.
+    """A variation whose models have the cells of one mesh, moved along with the shape.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ class OnMovedMesh:
     mesh: Mesh
 
     def model(self, values: Mapping[str, float]) -> Model:
-        """The model of values, on the mesh carried along."""
+        """The model of values, on the moved mesh."""
         with meshing_instead(self._mesh_of):
             return self.variation.model(values)
 

@@ -20,7 +20,7 @@ Value = TypeVar("Value")
 class Systems:
     """Equations by the model that they are of. Small ones take longer to set up than to solve.
 
-    Those of a larger mesh are not kept, because they would take memory and spare little.
+    Those of a larger mesh are not cached, because they take much memory and save little time.
     """
 
     _known: dict[Key, tuple[Model, Any]] = field(default_factory=dict)

@@ -24,7 +24,7 @@ class Variation:
     model : callable
         ``model(values) -> Model`` for values by name, in SI units: that of the state, of its stage where there are
         several. Nearby values must give meshes with the same cells; nodes may move. Tetrahedra that it generates of one
-        CAD part (`turgor.mesh`) are not generated again: those of the state are carried along with the part.
+        CAD part (`turgor.mesh`) are not generated again: those of the state move along with the part.
     values : mapping of str to float [SI]
         Where derivatives are taken, by the names of the numbers.
     units : mapping of str to str

@@ -47,7 +47,7 @@ class Comparison:
     relative : float [-]
         ``rms`` over the range of the measured values.
     shift : float [SI]
-        What is added to the measured drive so that the curves lie closest; nan where no shift was found.
+        What is added to the measured drive so that the curves lie closest; nan where there is no such shift.
     rms_shifted : float [SI]
         ``rms`` with this shift.
     notes : tuple of str

@@ -55,7 +55,7 @@ class Shell:
 
     @property
     def bending_stiffness(self) -> float:
-        """Moment per width that bends it by a curvature of one, with its width kept flat [N m]."""
+        """Moment per width that bends it by a curvature of one, while its width stays flat [N m]."""
         return _plate_modulus(self.material) * self.second_moment
 
     @property

@@ -43,7 +43,7 @@ def write_inp(
     """Write a model for CalculiX or Abaqus: nodes, cells, sets, surfaces, materials, supports, loads and steps.
 
     Lengths are in mm, forces in N, stresses in MPa, masses in tonnes; the file says so. Pressures follow the surface.
-    Each wanted load factor is the end of a step with large displacements, at which displacements and stresses are
+    Each requested load factor is the end of a step with large displacements, at which displacements and stresses are
     written. Hexahedra of 27 nodes become ones of 20. Contact of walls with each other is left out; the file says so.
 
     Parameters

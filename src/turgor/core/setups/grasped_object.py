@@ -23,7 +23,7 @@ BETWEEN = "between_fingers"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grasped(Obstacle):
-    """The object of a grasp: an obstacle that knows who holds it and where it is pulled.
+    """The object of a grasp: an obstacle with the finger that grasps it and the direction of the pull.
 
     Parameters
     ----------

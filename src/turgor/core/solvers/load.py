@@ -1,4 +1,4 @@
-"""Stored: load what was saved, whatever it is, and the path so far of a run that was ended from outside."""
+"""Load: models, solutions and responses from files, and the path of a run that was ended from outside."""
 
 from pathlib import Path
 from typing import Any
@@ -15,7 +15,7 @@ from turgor.foundation.store.saved_objects import load_file, with_ending
 PATH_FOLDER = "path"
 
 #: Said of a path whose run has not ended.
-MESSAGE = "The run was ended before its path was complete; the states up to there are kept."
+MESSAGE = "The run was ended before its path was complete; the states up to there are saved."
 ADVICE = "Go on from the last one with `turgor run JOB --resume`, or `turgor.resume` in Python."
 
 
@@ -55,7 +55,7 @@ def load(path: str | Path) -> Any:
 
 
 def saved_path(record: RunRecord) -> Solution:
-    """Return the solution of a run, or of one that has not ended the path so far.
+    """Return the solution of a run; if the run has not ended, the path so far.
 
     Parameters
     ----------

@@ -203,6 +203,6 @@ def interrupted(model: Model, state: State) -> Outcome:
     """The user pressed Ctrl-C."""
     return Outcome(
         Status.INTERRUPTED,
-        f"Interrupted at {_at(state)}; the path so far is kept.",
-        "Run again to reach the full load; a run that is kept in a folder can be resumed.",
+        f"Interrupted at {_at(state)}; the path so far is saved.",
+        "Run again to reach the full load; a run that is saved in a folder can be resumed.",
     )

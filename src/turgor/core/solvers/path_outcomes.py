@@ -29,7 +29,7 @@ def reached(run: Run, bifurcations: Sequence[Bifurcation] = ()) -> Outcome:
         f"Reached {_where(run, states[-1])}{_effort(states, run.steps)}.{_turns(run.limits)}{_branches(bifurcations)}"
     )
     unstable = next((state for state in states if state.unstable_modes), None)
-    if unstable is None or not unstable.driven:  # at given loads a falling branch is unstable, which was said
+    if unstable is None or not unstable.driven:  # at given loads a falling branch is unstable, which was reported
         return Outcome(Status.CONVERGED, message, BEND_IT if bifurcations else "")
     return Outcome(
         Status.CONVERGED,
@@ -46,7 +46,7 @@ def followed(run: Run, why: str) -> Outcome:
         Status.FOLLOWED,
         f"Followed the path to {_where(run, run.states[-1])}{_effort(run.states, run.steps)}: {why}."
         f"{_turns(run.limits)}{_branches(run.bifurcations)}{distortion_text(run.states[-1])}",
-        f"The full load is not on the path so far; follow it farther, or ask for less.{bend_it}",
+        f"The full load is not on the path so far; follow it farther, or request less.{bend_it}",
     )
 
 

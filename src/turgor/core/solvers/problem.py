@@ -25,7 +25,7 @@ class Problem:
     history : History or None
         What the start brings into the first step.
     record : Record or None
-        Where checkpoints are kept.
+        Where checkpoints are saved.
     guide : Solution or None
         The path of a similar model.
     states, steps, limits : list

@@ -31,7 +31,7 @@ class Restart:
     ----------
     state : State
     friction : mapping of Key to FrictionHistory
-        Of each part of the contact that rubs.
+        Of each part of the contact with friction.
     penalty_scales : mapping of Key to array
         Of each part of the contact.
     """

@@ -100,7 +100,7 @@ class State(Shown):
         What the procedure prescribed besides the load factor, by the names of columns: ``injected_volume`` [m³],
         ``gas_mass_ratio``.
     time : float or None [s]
-        Time, where the procedure knows one.
+        Time, where the procedure has one.
     velocity : (n, 3) array or None [m/s]
         Velocity of every node of a moving actuator.
     energies : Energies or None

@@ -70,7 +70,7 @@ def solve(
     options : EngineOptions
         Linear solver, threads, where notices go, Newton's method.
     folder : str or Path, optional
-        Where every accepted state is kept at once. Whatever ends the run, `resume` goes on from the last one, and
+        Where every accepted state is saved at once. Whatever ends the run, `resume` goes on from the last one, and
         `load` reads the path so far.
     guide : Solution, optional
         The path of a similar model on the same elements: of another rubber, or of a design that differs a little. Steps
@@ -148,7 +148,7 @@ def resume(
 def _followed(
     question: Question, progress: Progress, stop: Stop | None, record: RunRecord | None, throw: bool
 ) -> Solution:
-    """Follow a question for a script: with a bar where somebody looks on, and its findings as warnings."""
+    """Follow a question for a script: with a bar in a terminal or a notebook, and its findings as warnings."""
     with watched(progress) as watcher:
         options = question.options
         if options.notify is None and watcher.notify is not None:
@@ -211,7 +211,7 @@ def _solved(
         compiling = compile_kernels(options.notify, Needs.of(model))
         setup = perf_counter()
         system = System(model, procedure.controlled(model))
-        history = system.history(step=inf)  # slow enough to relax, unless the procedure knows its time
+        history = system.history(step=inf)  # slow enough to relax, unless the procedure has a time
         tangent = Tangent(system, options.linear_solver, threads, options.iteration)
         setup = perf_counter() - setup
         if restart is not None:

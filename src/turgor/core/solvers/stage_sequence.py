@@ -174,7 +174,7 @@ def _findings(procedure: Procedure, solutions: Sequence[Solution]) -> tuple[Find
 
 
 def _placed(state: State, stage: Stage, passed: float) -> State:
-    """A state with its stage, and its time counted from the first stage that knows one."""
+    """A state with its stage, and its time counted from the first stage that has one."""
     return replace(state, stage=stage.name, time=None if state.time is None else passed + state.time)
 
 

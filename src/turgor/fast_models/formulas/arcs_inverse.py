@@ -28,7 +28,7 @@ class Reach:
     position_error : float [m]
         Distance of the tip from the target.
     direction_error : float [rad]
-        Angle between the tip's x axis and the wanted one; 0 where none was wanted.
+        Angle between the tip's x axis and the requested one; 0 where none was requested.
     """
 
     arcs: tuple[Arc, ...]
@@ -52,9 +52,9 @@ def reach(
     Parameters
     ----------
     position : (3,) array [m]
-        Where the tip is wanted; x leads out of the base.
+        Where the tip should be; x leads out of the base.
     lengths : sequence of float [m]
-        Lengths of the segments, which are kept. A single segment of free length is `arc_to`.
+        Lengths of the segments, which stay the same. A single segment of free length is `arc_to`.
     direction : (3,) array, optional
         Where the tip's x axis is to look.
     largest_angle : float [rad]

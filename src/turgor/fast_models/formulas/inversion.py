@@ -89,7 +89,7 @@ def extremum(curve: Callable[[Array], Array], low: float, high: float, passes: i
 
 
 def inverted(curve: Callable[[Array], Array], rise: Rise, targets: Array) -> Array:
-    """Find x with curve(x) = wanted on a rising part; the false position with halved ends (Illinois).
+    """Find x with curve(x) = target on a rising part; the false position with halved ends (Illinois).
 
     Parameters
     ----------

@@ -192,7 +192,7 @@ class WoundWall:
         return points
 
     def _next(self, path: Sequence[tuple[float, Point]], pressure: float, *, stretch_fixed: bool) -> Point | None:
-        """State at the next pressure, from the path so far continued as a parabola, or from its last state."""
+        """State at the next pressure, from the path continued as a parabola, or from its last state."""
         if len(path) > 3:
             knots = np.array([before for before, _ in path[-3:]])
             states = np.concatenate([self._row(at) for _, at in path[-3:]])

@@ -77,7 +77,7 @@ def element_forces(law: Law, turn: Array, shift: Array, force: Array) -> Element
     turn : (e, 3, 3) array
     shift : (e, 3) array [m]
     force : (e, 6) array
-        Internal forces and moments at the middle, as they are known so far.
+        Internal forces and moments at the middle, of the last update.
 
     Raises
     ------

@@ -211,7 +211,7 @@ class RodSystem:
     def _add_contact(self, state: RodState, residual: Array, own: Array) -> tuple[NDArray[np.bool_], Array, Array]:
         """Add the forces of the planes at points that press, and their stiffness; return forces and directions.
 
-        The force that is known so far turns with the node's axes in the tangent; what the penetration adds does not,
+        The force of the last update turns with the node's axes in the tangent; what the penetration adds does not,
         because it is a large number only until the next update removes it.
         """
         node, at, _ = self.touching

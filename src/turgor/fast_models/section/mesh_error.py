@@ -79,7 +79,7 @@ def with_mesh_error(
 
 @lru_cache(maxsize=1)
 def _refined(equations: Equations) -> tuple[Equations, Transfer, Refinement]:
-    """Equations on cells that are cut in four; the last ones are kept for the next path of the same section."""
+    """Equations on cells that are cut in four; the last ones are cached for the next path of the same section."""
     model = equations.model
     refinement = refine_hexahedra(model.mesh, np.unique(sheets(model.mesh)[:, :2]))
     refined = Equations(replace(model, mesh=refinement.mesh), closed=equations.closed)

@@ -65,13 +65,13 @@ class Point:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Path:
-    """Points at the wanted places, as far as the path goes.
+    """Points at the requested places, as far as the path goes.
 
     Parameters
     ----------
     points : tuple of Point
     reached : float
-        Where it ended: 2.5 is halfway between the wanted points 2 and 3, counted from 0.
+        Where it ended: 2.5 is halfway between the requested points 2 and 3, counted from 0.
     """
 
     points: tuple[Point, ...]
@@ -79,7 +79,7 @@ class Path:
 
 
 def follow(equations: Equations, questions: Sequence[Question], settings: SectionPathSettings = SETTINGS) -> Path:
-    """Take a section from rest through the wanted points, in order."""
+    """Take a section from rest through the requested points, in order."""
     free = np.isnan(questions[0].volumes)
     start = Question(
         pressures=np.zeros_like(questions[0].pressures),

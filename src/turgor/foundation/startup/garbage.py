@@ -10,7 +10,7 @@ THRESHOLDS = (100_000, 20, 50)
 
 
 def search_rarely() -> None:
-    """Search for garbage rarely from now on: for the process of a command, which belongs to nobody else."""
+    """Search for garbage rarely from now on: for the process of a command, in which no other program runs."""
     gc.set_threshold(*THRESHOLDS)
 
 

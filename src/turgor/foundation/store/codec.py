@@ -116,7 +116,7 @@ class Encoder:
         }
 
     def _noted(self, value: object, first: Json, again: Json) -> Json:
-        """Remember how a value is named from now on; it is kept alive, so that no other gets its id."""
+        """Remember the name of a value from now on. The reference to it stays, so that no other value gets its id."""
         self._known[id(value)] = again
         self._alive.append(value)
         return first

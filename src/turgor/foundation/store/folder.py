@@ -1,6 +1,6 @@
 """Store: archives in one folder that refer to each other, so that every array is written once.
 
-A run writes what it has found after every step. A state, once written, is only named by later archives, and so are the
+A run writes its results after every step. A state, once written, is only named by later archives, and so are the
 arrays of the last points of the path. Archives to which none of the present ones refers are removed.
 """
 

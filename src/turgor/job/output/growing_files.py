@@ -38,7 +38,7 @@ class GrowingFiles:
     Attributes
     ----------
     notices : list of str
-        Notices so far.
+        Notices up to now.
     """
 
     folder: Path

@@ -149,7 +149,7 @@ def _form_of(entry: Any, key: Key, geometry: Geometry | None, problems: Problems
     try:
         return find_record(_file(name, problems), record).form or SHELL
     except TurgorError:
-        return SHELL  # what is wrong with it is said where it is read
+        return SHELL  # the reader of shells reports what is wrong with it
 
 
 def _form_fits(

@@ -38,7 +38,7 @@ class JobError(TurgorError):
 
 @dataclass(slots=True)
 class Problems:
-    """The problems found so far in one file.
+    """The problems of one file.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ class Problems:
     lines : mapping of key to int or str
         Line of each key, from `key_lines`, or `ARGUMENT` if a change states it.
     entries : list of (int, str)
-        Line and sentence of each problem noted so far.
+        Line and sentence of each problem.
     within : tuple of str
         Key of the table in which the keys of problems lie.
     """

@@ -105,7 +105,7 @@ def test_where_the_path_decides_the_mesh_error_is_unknown_and_says_so(bent):
     estimate = mesh_error_of(replace(bent, model=rubbing), (tg.bending_angle,))
     assert np.isnan(estimate.errors["bending_angle"]).all()
     assert estimate.finding.code == "N03"
-    assert "rubs" in estimate.finding.message
+    assert "friction" in estimate.finding.message
 
 
 def test_states_lie_along_the_path_by_how_far_the_nodes_went(bent):

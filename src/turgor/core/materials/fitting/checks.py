@@ -166,7 +166,7 @@ def covered_range(tests: "Sequence[MaterialTest]", stretch: tuple[float, float])
     tests : sequence of MaterialTest
         Whole tests, before points outside the range are left out.
     stretch : (float, float) [-]
-        The range that is wanted.
+        The requested range.
     """
     ranges = [test.range for test in tests if test.mode != "simple_shear"] or [stretch]
     low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
@@ -179,7 +179,7 @@ def fit_findings(fit: "Fit", tests: "Sequence[MaterialTest]") -> tuple[Finding, 
     Parameters
     ----------
     fit : Fit
-        The fit, with the range of stretch that is wanted.
+        The fit, with the requested range of stretch.
     tests : sequence of MaterialTest
         Whole tests, before points outside the range were left out.
     """

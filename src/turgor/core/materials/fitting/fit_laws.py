@@ -1,4 +1,4 @@
-"""Fit of a law to any set of tests: least squares of the nominal stress, stable over the wanted range."""
+"""Fit of a law to any set of tests: least squares of the nominal stress, stable over the requested range."""
 
 from collections.abc import Sequence
 from math import log
@@ -56,7 +56,7 @@ def fit(
     tests : MaterialTest or sequence of MaterialTest
         Tests of any modes. Every point has the same weight, so `thin` tests with many points.
     stretch : (float, float), optional [-]
-        Range that is wanted. Points outside are left out, and the law is stable inside, in every mode. By default all
+        Requested range. Points outside are left out, and the law is stable inside, in every mode. By default all
         points count, and each mode is stable up to the first invariant of uniaxial tension at their largest stretch.
     weights : str
         ``"relative"`` divides deviations by the stress (at least 5 % of the test's largest); ``"absolute"`` does not.
@@ -99,7 +99,7 @@ def fit(
 def _used(
     tests: Sequence[MaterialTest], stretch: tuple[float, float] | None, spec: LawSpec
 ) -> tuple[MaterialTest, ...]:
-    """Points of tests within the wanted range; an error if there are too few."""
+    """Points of tests within the requested range; an error if there are too few."""
     used = tuple(part for part in (within(test, stretch) for test in tests) if part is not None)
     if not used and stretch is not None:
         raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")

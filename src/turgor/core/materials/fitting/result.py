@@ -91,11 +91,11 @@ class Fit(Shown):
     aic : float
         Akaike's criterion; smaller is better. Comparable only for the same tests, range and weights.
     stretch : (float, float) [-]
-        Range that was wanted.
+        Requested range.
     stretch_range : (float, float) [-]
-        Part of the wanted range that the tests cover, in which the law may be used; includes the undeformed state.
+        Part of the requested range that the tests cover, in which the law may be used; includes the undeformed state.
     instability : mapping of str to float
-        Stretch at which stability is first lost in the wanted range, by mode, according to the strictest of the
+        Stretch at which stability is first lost in the requested range, by mode, according to the strictest of the
         criteria of `turgor.laws.instabilities`; empty where the law is stable.
     weights : str
         ``"relative"`` or ``"absolute"``.

@@ -1,7 +1,7 @@
 """Stress softening (Mullins effect): the pseudo-elastic model of Ogden and Roxburgh at the points of a rubber.
 
 Rubber that was stretched once is softer below its largest stretch than it was. With the energy W of the law at a point
-and the largest W_m it has seen, the isochoric stress is multiplied by
+and the largest W_m of its history, the isochoric stress is multiplied by
 
     η = 1 − erf((W_m − W) / (m + β W_m)) / r
 

@@ -48,7 +48,7 @@ class Prony:
         Relaxation time of each term.
     moduli : str
         What the constants of the law mean: ``"instantaneous"`` or ``"long_term"``, as in Abaqus, which takes long_term
-        where nothing is said. The two differ by the factor 1 − Σ gᵢ, so one must be chosen.
+        by default. The two differ by the factor 1 − Σ gᵢ, so one must be chosen.
 
     Examples
     --------

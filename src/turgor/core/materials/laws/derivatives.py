@@ -52,7 +52,7 @@ def energy_derivatives(law: InvariantLaw, I1: Array, I2: Array) -> tuple[Array, 
 def stretch_derivatives(law: Law, l1: Array, l2: Array, l3: Array) -> tuple[Array, ...]:
     """Return W, its three first derivatives by the stretches, and the second ones in the order of `STRETCH_PAIRS`.
 
-    The stretches count as independent: nothing is said here about their product. Invariants of a law written in
+    The stretches count as independent: their product is not prescribed here. Invariants of a law written in
     these are I₁ = Σ λᵢ² and I₂ = Σ λᵢ²λⱼ².
 
     Parameters
@@ -100,7 +100,7 @@ def _shaped(w: Any, shape: tuple[int, ...]) -> Array:
 
 @cache
 def _invariant_derivatives(law_type: type, pattern: tuple[Any, ...]) -> Callable[..., tuple[Any, ...]]:
-    """Derivatives of the energy of a law type by the invariants, its parameters kept as arguments."""
+    """Derivatives of the energy of a law type by the invariants, its parameters being arguments."""
     return cached_formulas(law_type, ("invariants", pattern), lambda: _derived_by_invariants(law_type, pattern))
 
 
@@ -118,7 +118,7 @@ def _derived_by_invariants(law_type: type, pattern: tuple[Any, ...]) -> Callable
 
 @cache
 def _stretch_derivatives(law_type: type, pattern: tuple[Any, ...]) -> Callable[..., tuple[Any, ...]]:
-    """Derivatives of the energy of a law type by the three stretches, its parameters kept as arguments."""
+    """Derivatives of the energy of a law type by the three stretches, its parameters being arguments."""
     return cached_formulas(law_type, ("stretches", pattern), lambda: _derived_by_stretches(law_type, pattern))
 
 

@@ -106,7 +106,7 @@ def instabilities(law: Law, mode: Mode, upper: float = 8.0, lower: float = 0.2) 
 
 
 def _first(law: Law, mode: Mode, criterion: Criterion, initial: float, end: float) -> float | None:
-    """First stretch between 1 and an end where the margin is gone; beyond a locking stretch there is none."""
+    """First stretch between 1 and an end where the margin is zero; beyond a locking stretch there is none."""
     stretches = np.exp(np.linspace(0.0, np.log(end), _SAMPLES))
     margin = _margin(law, mode, criterion, stretches)
     bad = np.flatnonzero(margin <= ROUND_OFF.zero * initial)

@@ -53,7 +53,7 @@ def opening(kind: str) -> list[str]:
 def numbered(kind: str, names: Sequence[str]) -> list[VtuArray]:
     """Field data that say which number stands for which name: ``region:body`` holds the number of the region body.
 
-    VTK knows arrays of text, but meshio reads no file that has one.
+    VTK has arrays of text, but meshio reads no file that has one.
 
     Examples
     --------

@@ -13,7 +13,7 @@ ENERGIES = {
 
 
 def time_column(solution: Solution) -> tuple[Column, ...]:
-    """Return the column ``time``, where the procedure knows times.
+    """Return the column ``time``, where the procedure has times.
 
     Parameters
     ----------

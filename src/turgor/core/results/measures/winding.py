@@ -97,7 +97,7 @@ def _laid(at: StateFields, fibers: Fibers, angle: float) -> Pieces:
 
 
 def _of_sides(known: Pieces, vectors: Array, requested: Pieces) -> Array:
-    """Mean direction of vectors (k, 3) in the side of each wanted piece, of length one."""
+    """Mean direction of vectors (k, 3) in the side of each requested piece, of length one."""
     rows, place = np.unique(np.concatenate([known.sides, requested.sides]), axis=0, return_inverse=True)
     here, there = np.split(place.ravel(), [len(known.sides)])
     mean = np.stack([np.bincount(here, component, minlength=len(rows)) for component in vectors.T], axis=1)

@@ -42,7 +42,7 @@ class LoopSoFar:
 
 
 class Record(Protocol):
-    """Where the checkpoints of a procedure are kept."""
+    """Where the checkpoints of a procedure are saved."""
 
     @property
     def goes_on(self) -> bool:

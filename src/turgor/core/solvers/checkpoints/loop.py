@@ -13,7 +13,7 @@ from turgor.core.solvers.solution import Status
 
 @dataclass(slots=True, eq=False)
 class Loop:
-    """One loop of steps whose accepted states are kept.
+    """One loop of steps whose accepted states are saved.
 
     Parameters
     ----------

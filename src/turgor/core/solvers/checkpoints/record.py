@@ -147,7 +147,7 @@ class RunRecord:
         return self.store.read(SOLUTION) if self.ended else None
 
     def finished(self) -> Solution | None:
-        """Return the solution, if there is one, and remove what a process left that was killed after it had kept it."""
+        """Return the solution, if there is one, and remove the files of a process that was killed after it."""
         solution = self.solution()
         if self.stages and solution is not None:
             self.stages = []
@@ -157,7 +157,7 @@ class RunRecord:
         return solution
 
     def paths(self) -> list[PathSoFar]:
-        """Return what each stage has found so far."""
+        """Return the saved path of each stage."""
         for number, loops in enumerate(self.stages[len(self._paths) :], start=len(self._paths)):
             if loops:
                 self._paths[number:] = [self.store.read(loops[-1][0], noted=True)]

@@ -53,7 +53,7 @@ def load_steps(procedure: StepOptions) -> StepOptions:
 class Watch:
     """Ends load control at the first state that is unstable or lies beyond a branch jump.
 
-    The last state before it is kept with the history of contact there: another constraint goes on from it.
+    The last state before it is saved with the history of contact there: another constraint goes on from it.
 
     Parameters
     ----------

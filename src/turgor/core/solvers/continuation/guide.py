@@ -81,7 +81,7 @@ def check_guide(model: Model, procedure: Procedure, guide: Solution) -> None:
     _check_same_elements(model, guide.model)
     missing = sorted(set(_names(model)) - set(_names(guide.model)))
     if missing:
-        raise TurgorError(f"guide knows no {missing[0]}; it is the solution of another model.")
+        raise TurgorError(f"guide has no {missing[0]}; it is the solution of another model.")
 
 
 def _check_guided(model: Model, procedure: Procedure) -> None:

@@ -161,7 +161,7 @@ class LoadStrategy:
         return evaluate(run.constraint, run.task.tangent, (unknowns, last.scalars), parameter)
 
     def _rejected(self, run: Run, result: NewtonResult) -> StepMemory:
-        """What the next attempt knows of one that found no state; no guide after it has failed too often."""
+        """What the next attempt takes from one that did not converge; no guide after it has failed too often."""
         memory = replace(run.memory, lost_stability=run.memory.lost_stability or bool(result.unstable_modes))
         if self.guide is None or memory.guided_until is not None:
             return memory

@@ -50,7 +50,7 @@ def step_loop(
 ) -> Outcome:
     """Attempt steps until one of them ends the run, the allowed number is spent, or the user presses Ctrl-C.
 
-    Every accepted step is kept where the problem has a record; a loop that was ended from outside goes on from there.
+    Every accepted step is saved where the problem has a record. A loop that was ended from outside continues there.
     """
     problem = loop.problem
 

@@ -4,9 +4,10 @@ The residual compares extrapolations with each other, not with the last state: w
 stretches its walls a little, and the residual of that is large although the next update removes it at once. So on the
 first steps of a path, the last state is taken only where walls touch, where sheets wrinkle, or where stresses are not
 linearized.
-Where walls touch, the state moves on along the tangent of the path instead: the tangent knows which points resist. A
-polynomial through states with other points in contact presses walls far into each other or lifts them off. Where things
-slide with friction on a curved body, the tangent lifts them off; then the parabola of the last two tangents is taken.
+Where walls touch, the state moves on along the tangent of the path instead: the tangent contains the stiffness of the
+points in contact. A polynomial through states with other points in contact presses walls far into each other or lifts
+them off. Where surfaces slide with friction on a curved body, the tangent lifts them off; then the parabola of the last
+two tangents is taken.
 
 Where sheets wrinkle, the order is at most that of a parabola, and stress and strain of the sheets follow a line: each
 point of a sheet has a kink in its path where it goes slack, and the residual, to which a stiff sheet adds much for

@@ -132,7 +132,7 @@ class PredictorSettings:
         An extrapolation that leaves a smaller relative residual is taken without trying a lower order.
     stays_on : float
         Where a smaller share of the points that touch would still touch along the tangent, it leads off a curved
-        body. Of 63 points of a belt that slides on a drum, the tangent kept 12.
+        body. Of 63 points of a belt that slides on a drum, 12 stayed in contact along the tangent.
     """
 
     history: int = 5

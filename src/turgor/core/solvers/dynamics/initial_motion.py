@@ -47,7 +47,7 @@ class Accelerations:
         self._solver.factor(matrix)
 
     def velocity(self, target: Array) -> Array:
-        """The velocity (size,) nearest to a wanted one that holds the supports and the volume."""
+        """The velocity (size,) nearest to a target that satisfies the supports and keeps the volume."""
         target = np.where(self._system.prescribed, 0.0, target)
         target[~self._system.moving] = 0.0
         if not self._coupled:

@@ -38,7 +38,7 @@ def whole_residual(system: System, at: Evaluation, conditions: Conditions) -> fl
 
 
 def partners_settle(iteration: int, residuals: Sequence[float]) -> bool:
-    """Whether partners of contact are kept: in late updates, or if a small residual did not halve in two updates."""
+    """Whether partners of contact stay: in late updates, or if a small residual did not halve in two updates."""
     stagnates = (
         len(residuals) > 3 and residuals[-1] < CONVERGENCE.stagnating_below and residuals[-1] > 0.5 * residuals[-3]
     )

@@ -1,6 +1,6 @@
 """Newton iteration: the loop that Newton's method of every model shares, and the shortening of its updates.
 
-Finite elements, states on a second mesh, sections and rods are cases of it. A case knows how to solve with its tangent,
+Finite elements, states on a second mesh, sections and rods are cases of it. A case solves with its tangent,
 how to go along an update, and when to end. It imports nothing, because rods load it and shall load quickly.
 """
 

@@ -27,7 +27,7 @@ def evaluate(
     parameter: float,
     contacts: Contacts | None = None,
 ) -> Evaluation | None:
-    """Evaluate the residual at unknowns and scalars on the clock; ``kept`` are partners of contact that stay."""
+    """Evaluate the residual at unknowns and scalars on the clock; ``contacts`` are partners that stay."""
     start = perf_counter()
     how = SearchMode.FOLLOW if contacts is None else SearchMode.KEEP
     out = constraint.evaluate(place[0], parameter, place[1], contacts, how)

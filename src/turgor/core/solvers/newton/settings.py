@@ -35,9 +35,9 @@ class ConvergenceSettings:
     unloaded : float
         Scaled force on a node with which forces are compared at least, as where a body is moved that nothing loads.
     keep_partners_after : int
-        The partners of contact are searched for in this many updates, then kept: at a wedge they may change forever.
+        The partners of contact are searched for in this many updates and then stay: at a wedge they may change forever.
     stagnating_below : float
-        They are kept earlier where the residual is this small and falls no more.
+        They stay from earlier on where the residual is this small and falls no more.
     stagnating_updates, round_off_below : int, float
         So many updates in a row that leave a residual below the second number, and do not halve it, may be at
         round-off. Its estimate was ten times what stiff films left. Newton's method also gives up where so many in a

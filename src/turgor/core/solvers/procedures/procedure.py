@@ -30,7 +30,7 @@ class Procedure:
 
     #: Load factors that must be hit exactly besides 1.
     at: tuple[float, ...] = ()
-    #: Time at load factor 1 [s]; None where it knows no time.
+    #: Time at load factor 1 [s]; None where it has no time.
     duration: float | None = None
     #: Largest relative residual, and the iterations before a step is cut back.
     tolerance: float = 1e-6

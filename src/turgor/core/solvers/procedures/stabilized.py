@@ -1,4 +1,4 @@
-"""Stabilized: the static procedure that lets viscous forces carry an actuator through what it cannot pass at rest."""
+"""Stabilized: the static procedure with viscous forces where there is no equilibrium nearby."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

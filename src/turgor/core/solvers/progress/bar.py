@@ -33,7 +33,7 @@ class Bar:
     ----------
     console : Console
     course : Course, optional
-        What knows the remaining time, and says more of a state.
+        Estimates the remaining time, and describes the state.
     patience : float [s]
         How long it waits before it appears.
     """

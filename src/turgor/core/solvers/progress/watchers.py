@@ -13,13 +13,13 @@ from turgor.foundation.given import shown
 
 Heard: TypeAlias = Callable[[Iteration, State | None], None]
 
-#: What `solve` takes: a function, whether a bar is shown, or None, which shows one where somebody looks on.
+#: What `solve` takes: a function, whether a bar is shown, or None, which shows one in a terminal or a notebook.
 Progress: TypeAlias = Heard | bool | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Watcher:
-    """What a solve calls: after each iteration, and when something takes long; None where nobody listens."""
+    """What a solve calls: after each iteration, and when something takes long; None where nothing is called."""
 
     progress: Heard | None = None
     notify: Callable[[str], None] | None = None

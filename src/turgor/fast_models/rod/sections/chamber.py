@@ -73,7 +73,7 @@ class PressureTable:
         Raises
         ------
         TurgorError
-            If the table does not reach so far.
+            If the table ends before.
         """
         return self._at(pressure, np.asarray(self.strain))
 

@@ -21,7 +21,7 @@ class SectionMeshSettings:
     sharp_angle : float
         Share of the full angle around a corner from which solids make it sharp: 216°. Less hardly disturbs the stress.
     directions, near : int, float
-        Directions in which it is seen what lies around a corner, and how far away, as a share of the size of the
+        Directions in which the surroundings of a corner are searched, and how far away, as a share of the size of the
         section.
     """
 

@@ -88,7 +88,7 @@ def along_x(points: NDArray[np.float64], faces: Mapping[str, Ints]) -> dict[str,
 
 
 def default_size(layer: Layer) -> float:
-    """Longest edge of a cell [m] if nobody says: the solids get some sixty cells.
+    """Longest edge of a cell [m] by default: the solids get some sixty cells.
 
     Their area is counted on a lattice of points.
     """

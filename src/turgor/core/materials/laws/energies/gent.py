@@ -12,7 +12,7 @@ from turgor.foundation.given import Quantity
 
 
 def _bounds(largest_invariant: float) -> tuple[float, float]:
-    """Bounds of Jm in a fit: the law must not lock at an I₁ that is wanted."""
+    """Bounds of Jm in a fit: the law must not lock within the range of the fit."""
     low = 1.001 * (largest_invariant - 3.0)
     return low, max(1000.0, 100 * low)
 
