@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))  # so that `benchmarks` is fo
 from benchmarks.shared.case import ROOT
 from benchmarks.shared.tables import table
 from turgor.core.geometry.cad.read import read_here
-from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
+from turgor.core.geometry.cad.symmetry.requested import RequestedSymmetry
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.generate import mesh
 from turgor.core.meshing.quality.cell_quality import quality
@@ -93,7 +93,7 @@ def read_wedge() -> Geometry:
     """Write a bellows of six lobes around its axis as STEP, and read a sector."""
     with tempfile.TemporaryDirectory() as folder:
         path = wedge_cases.written(wedge_cases.lobed(), Path(folder) / "lobed.step")
-        return read_here(path, faces=wedge_cases.ENDS, symmetry=WantedSymmetry("wedge"))
+        return read_here(path, faces=wedge_cases.ENDS, symmetry=RequestedSymmetry("wedge"))
 
 
 def parts() -> dict[str, Part]:

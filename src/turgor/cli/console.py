@@ -104,7 +104,7 @@ class PlainDisplay:
             self._line(f"{of_stage(self._course.stage)}{cut_back(iteration)}")
         if state is None:
             return
-        left = clock(self._course.remaining_seconds)
+        left = clock(self._course.seconds_left)
         self._line(f"{describe(iteration, state)}{bending(self._course.angle)}, {left} left")
 
     def report(self, finding: Finding) -> None:

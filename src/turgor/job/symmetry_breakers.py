@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from turgor.core.geometry.cad.cad_file import CadFile
-from turgor.core.geometry.cad.symmetry.requested import AXES, WantedSymmetry
+from turgor.core.geometry.cad.symmetry.requested import AXES, RequestedSymmetry
 from turgor.core.model.fibers import DISCRETE
 from turgor.job.text.listed_loads import listed_kinds
 
@@ -29,7 +29,7 @@ def with_broken_planes(actuator: Any, content: Mapping[str, Any]) -> Any:
     content : mapping
         Sections of the job file. What is malformed in them is passed over; their readers report it.
     """
-    if not isinstance(actuator, CadFile) or not actuator.wanted_symmetry.automatic:
+    if not isinstance(actuator, CadFile) or not actuator.requested_symmetry.automatic:
         return actuator
     planes: dict[str, str] = {}
     turns: dict[str, str] = {}
@@ -38,7 +38,7 @@ def with_broken_planes(actuator: Any, content: Mapping[str, Any]) -> Any:
             planes.setdefault(axis, reason)
         for axis in about:
             turns.setdefault(axis, reason)
-    return replace(actuator, symmetry=WantedSymmetry(actuator.wanted_symmetry.planes, planes, turns))
+    return replace(actuator, symmetry=RequestedSymmetry(actuator.requested_symmetry.planes, planes, turns))
 
 
 def _reasons(content: Mapping[str, Any]) -> Iterator[Reason]:

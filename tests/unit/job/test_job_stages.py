@@ -392,7 +392,7 @@ def test_progress_names_the_stage() -> None:
         said.append(describe(doing, at))
         assert course.stage == stage
     assert said[5].startswith("press, step 6: load factor 0.1000")
-    assert course.remaining_seconds is not None  # counted from the beginning of this stage
+    assert course.seconds_left is not None  # counted from the beginning of this stage
 
 
 def test_a_cavity_may_be_sealed_in_a_job_without_stages(tmp_path: Path) -> None:

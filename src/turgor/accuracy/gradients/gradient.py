@@ -34,7 +34,7 @@ def gradient(
 
     The derivative is that of the discrete solution, and nothing is solved again. The tangent is factored once more at
     the state, and each number takes a few residuals and solutions with these factors. What is left of the differences,
-    ``left``, says how accurate the derivative is.
+    ``residual``, says how accurate the derivative is.
 
     Parameters
     ----------

@@ -14,8 +14,8 @@ from turgor.core.engine.cells.element import Element, element_of, tables_with
 from turgor.core.engine.cells.internal_variables import Memory
 from turgor.core.engine.cells.reference import reference_nodes, smooth_basis, tables_at
 from turgor.core.engine.cells.stabilization import penalty_energy, volume_penalty
-from turgor.core.engine.points.motion import PointMotion, carried_displacement
-from turgor.core.engine.points.point_unknowns import carriers_of, with_carried
+from turgor.core.engine.points.motion import PointMotion, carrier_displacement
+from turgor.core.engine.points.point_unknowns import carriers_of, with_carrier_points
 from turgor.core.engine.term import Setting
 from turgor.core.engine.terms import Terms
 from turgor.core.meshing.mesh import Mesh
@@ -220,8 +220,8 @@ def strain_energy(
     penalty = volume_penalty(model, r, weight, materials.compliance, 1.0)
     lost = penalty_energy(penalty, weight, J - 1 - mean * materials.compliance[:, None])
     carriers = carriers_of(model)
-    rest = with_carried(mesh.points, carriers)
+    rest = with_carrier_points(mesh.points, carriers)
     terms = Terms(Setting(model, rest, prescribed_components(model).along_axes, weight, 1.0, 1.0))
-    own = carried_displacement(carriers, (1.0, 1.0), displacement, points or {})
+    own = carrier_displacement(carriers, (1.0, 1.0), displacement, points or {})
     position = rest + np.concatenate([displacement, own])
     return float((weight * density).sum() + lost.sum()) + terms.energy(position)

@@ -31,13 +31,13 @@ def weighted_percentile(values: Array, weights: Array, percent: float = PERCENTI
     """
     flat, weight = values.ravel(), weights.ravel()
     total = float(weight.sum())
-    wanted, largest = total * percent / 100, _largest(flat)
+    target, largest = total * percent / 100, _largest(flat)
     below = total - float(weight[largest].sum())
-    if below >= wanted:  # the percentile is not among them
+    if below >= target:  # the percentile is not among them
         largest, below = np.arange(flat.size), 0.0
     order = largest[np.argsort(flat[largest])]
     share = below + np.cumsum(weight[order])
-    return float(flat[order[min(int(np.searchsorted(share, wanted)), len(order) - 1)]])
+    return float(flat[order[min(int(np.searchsorted(share, target)), len(order) - 1)]])
 
 
 def _largest(values: Array) -> NDArray[np.intp]:

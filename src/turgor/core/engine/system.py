@@ -25,8 +25,8 @@ from turgor.core.engine.evaluation import (
     Evaluation as Evaluation,  # what is handed out by this class comes from here, too
 )
 from turgor.core.engine.evaluation import Stresses as Stresses
-from turgor.core.engine.points.motion import PointMotion, carried_displacement, carried_velocity
-from turgor.core.engine.points.point_unknowns import with_carried
+from turgor.core.engine.points.motion import PointMotion, carrier_displacement, carrier_velocity
+from turgor.core.engine.points.point_unknowns import with_carrier_points
 from turgor.core.engine.term import Configuration, Setting, displacements
 from turgor.core.engine.terms import Terms
 from turgor.core.model.drive import extremes
@@ -88,7 +88,7 @@ class System:
         supports = prescribed_components(model)
         self._supports, self._frames, self._ties = supports, supports.frames, supports.ties
         self.carriers = supports.carriers
-        self.rest = with_carried(mesh.points, self.carriers)
+        self.rest = with_carrier_points(mesh.points, self.carriers)
         self.points = np.ascontiguousarray(self.rest / self.length)
         self.node_count = len(self.points)
         self.rubber = CellTerms(model, self.points, self.stress_scale)
@@ -157,7 +157,7 @@ class System:
 
     def rates(self, unknowns: Array, velocity: Array) -> Array:
         """Rates (size,) of the unknowns for a velocity (n, 3) [m/s] of the nodes of the mesh at some unknowns."""
-        own = carried_velocity(self.carriers, self.points, self.length, self.split(unknowns)[0], velocity)
+        own = carrier_velocity(self.carriers, self.points, self.length, self.split(unknowns)[0], velocity)
         out = np.zeros(self.size)
         components = self._frames.to_local(np.concatenate([velocity / self.length, own])).ravel()
         out[: len(components)] = components
@@ -199,7 +199,7 @@ class System:
 
         A reference point whose motion is not given has that of its face.
         """
-        own = carried_displacement(self.carriers, (self.length, self.stress_scale), displacement, points or {})
+        own = carrier_displacement(self.carriers, (self.length, self.stress_scale), displacement, points or {})
         components = self._frames.to_local(np.concatenate([displacement / self.length, own])).ravel()
         components[self._ties.followers] = 0.0
         return np.concatenate([components, mean_stress / self.stress_scale])

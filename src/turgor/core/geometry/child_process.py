@@ -24,7 +24,7 @@ from turgor.foundation.errors import TurgorError
 Result = TypeVar("Result")
 
 _START = "import sys; sys.path[:] = {path!r}; from turgor.core.geometry.child_process import serve; serve(sys.argv[1])"
-_TASK, _REPLY, _SAID = "task.pickle", "reply.pickle", "said.txt"
+_TASK, _REPLY, _OUTPUT = "task.pickle", "reply.pickle", "said.txt"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -127,8 +127,8 @@ def _end_with_parent() -> None:
 def _run(place: Path, work: Work) -> int:
     """Start the child, wait for its end, and return its exit code."""
     start = [sys.executable, "-c", _START.format(path=sys.path), str(place)]
-    with (place / _SAID).open("wb") as said:
-        child = subprocess.Popen(start, stdin=subprocess.PIPE, stdout=said, stderr=said)
+    with (place / _OUTPUT).open("wb") as output:
+        child = subprocess.Popen(start, stdin=subprocess.PIPE, stdout=output, stderr=output)
         try:
             return child.wait(timeout=work.limit)
         except subprocess.TimeoutExpired:
@@ -151,6 +151,6 @@ def _cause(code: int, place: Path) -> str:
             how = f"signal {-code}"
     else:
         how = f"exit code {code}"
-    said = (place / _SAID).read_text(encoding="utf-8", errors="replace").strip().splitlines()
-    said = [line for line in said if not line.startswith("Extension modules:")]  # what Python adds to a crash
-    return f"{how}: {said[-1].strip()[:200]}" if said else how
+    lines = (place / _OUTPUT).read_text(encoding="utf-8", errors="replace").strip().splitlines()
+    lines = [line for line in lines if not line.startswith("Extension modules:")]  # what Python adds to a crash
+    return f"{how}: {lines[-1].strip()[:200]}" if lines else how

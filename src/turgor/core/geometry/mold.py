@@ -163,13 +163,13 @@ def _check(parts: Mapping[str, Any], sizes: _Sizes, mold: MoldSettings, casting:
     pins = pi * mold.pin_diameter**2 * mold.pin_height
     holes = pi * (mold.pin_diameter + 2 * mold.clearance) ** 2 * (mold.pin_height + mold.clearance)
     inner = sizes.length * sizes.width * sizes.floor_top
-    wanted = {
+    expected = {
         "cup": outer * (sizes.height + mold.wall - sizes.floor_top) - casting + pins,
         "core": outer * mold.wall - holes + cavity,
         "tray": outer * (sizes.floor_top + mold.wall) - inner,
     }
     for name, shape in parts.items():
-        check_volume(f"{name} of the mold", volume(shape), wanted[name])
+        check_volume(f"{name} of the mold", volume(shape), expected[name])
 
 
 def _geometry(title: str, name: str, shape: Any) -> Geometry:

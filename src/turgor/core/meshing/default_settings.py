@@ -71,8 +71,8 @@ def _fillable(geometry: Geometry) -> bool:
         return False  # hexahedra suit every wall, also one that is too thin for that
     fine = Fineness(size=default_size(geometry, "hexahedra"))
     try:
-        made = swept_mesh(geometry, fine)
-        refuse_inverted(made)
-        return made.unknown_count <= SIZING.unknowns_of_pairs or is_lattice(geometry, fine)
+        mesh = swept_mesh(geometry, fine)
+        refuse_inverted(mesh)
+        return mesh.unknown_count <= SIZING.unknowns_of_pairs or is_lattice(geometry, fine)
     except TurgorError:
         return False

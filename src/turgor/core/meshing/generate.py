@@ -25,8 +25,13 @@ from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sizing.local_sizes import local_sizes
 from turgor.core.meshing.sizing.settings import FEATURES, SIZING
 from turgor.core.meshing.sizing.sizes import is_tube, size_range, wall_size
-from turgor.core.meshing.sizing.small_features import edges_left, features_left, has_tiny_edges, small_features
-from turgor.core.meshing.sizing.thin_walls import find_thin_walls, section_finer, thin_walls_left
+from turgor.core.meshing.sizing.small_features import (
+    coarse_edges,
+    coarse_features,
+    has_tiny_edges,
+    small_features,
+)
+from turgor.core.meshing.sizing.thin_walls import find_thin_walls, section_finer, thin_walls_remain
 from turgor.core.meshing.sizing.wall_refinement import refine_walls
 from turgor.core.meshing.sizing.wall_sizes import fitted_to_walls
 from turgor.core.meshing.sweeping.section import Fineness
@@ -188,8 +193,8 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
         fine = Fineness(
             size=wide, along=size, wall_cells=chosen.wall_cells, curvature=SIZING.cells_per_radius, grading=grading
         )
-        made = swept_mesh if chosen.cells == "hexahedra" else axisymmetric_mesh
-        result = with_face_sizes(made(geometry, fine), chosen.face_sizes)
+        make = swept_mesh if chosen.cells == "hexahedra" else axisymmetric_mesh
+        result = with_face_sizes(make(geometry, fine), chosen.face_sizes)
         _check_result(result, geometry)
         refuse_inverted(result)
         if wide < size and chosen.wall_cells == 1 and not (chosen.cells == "hexahedra" and is_tube(geometry)):
@@ -214,7 +219,7 @@ def _with_fewer_cells(result: Mesh, geometry: Geometry, chosen: MeshSettings) ->
     if coarse.unknown_count > FEATURES.fewer * result.unknown_count:
         return result
     filled = float(cell_volumes(coarse).sum()) / geometry.solid_volume
-    finding = edges_left(chosen.ignore_features_below or 0.0, 1 - coarse.unknown_count / result.unknown_count, filled)
+    finding = coarse_edges(chosen.ignore_features_below or 0.0, 1 - coarse.unknown_count / result.unknown_count, filled)
     return _noting(coarse, finding)
 
 
@@ -238,7 +243,7 @@ def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
             if sizes.features is not None:
                 filled = float(cell_volumes(result).sum()) / geometry.solid_volume
                 stated = chosen.ignore_features_below is not None
-                finding = features_left(sizes.features, stated, filled, is_revolved(geometry))
+                finding = coarse_features(sizes.features, stated, filled, is_revolved(geometry))
                 result = _noting(result, finding)
             return result if first is None else _noting(result, _meshed_finer(first))
     assert first is not None
@@ -255,7 +260,7 @@ def _enveloped(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
     if size <= wall_size(geometry) * (1 + 1e-9):
         return result
     walls = find_thin_walls(result, size)
-    return _noting(result, thin_walls_left(walls)) if len(walls.points) else result
+    return _noting(result, thin_walls_remain(walls)) if len(walls.points) else result
 
 
 def _noting(result: Mesh, finding: Finding) -> Mesh:
@@ -283,11 +288,11 @@ def _meshed_finer(error: TurgorError) -> Finding:
 
 def _check_result(result: Mesh, geometry: Geometry) -> None:
     """Refuse a mesh that lost names or volume on the way."""
-    for kind, wanted, faces in (
+    for kind, expected, faces in (
         ("region", geometry.regions, result.regions),
         ("face", geometry.faces, result.faces),
     ):
-        lost = [name for name in wanted if name not in faces or not len(faces[name])]
+        lost = [name for name in expected if name not in faces or not len(faces[name])]
         if lost:
             raise TurgorError(f"the mesh of '{geometry.name}' lost the {kind} {', '.join(lost)}; try a smaller size.")
     volume = float(cell_volumes(result).sum())

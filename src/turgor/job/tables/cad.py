@@ -178,8 +178,8 @@ def cad_file_table(actuator: CadFile) -> dict[str, Any]:
     for key, selectors in (("faces", actuator.faces), ("regions", actuator.regions)):
         if selectors:
             values[key] = {name: selector_table(selector) for name, selector in selectors.items()}
-    if actuator.wanted_symmetry.planes != NONE:
-        values["symmetry"] = actuator.wanted_symmetry.planes
+    if actuator.requested_symmetry.planes != NONE:
+        values["symmetry"] = actuator.requested_symmetry.planes
     if actuator.axes is not None:
         values["axes"] = axes_table(actuator.axes)
     split = actuator.split

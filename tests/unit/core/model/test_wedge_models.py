@@ -11,7 +11,7 @@ import wedge_cases
 from refused import refused
 from turgor.core.geometry.cad.read import read_here
 from turgor.core.geometry.cad.symmetry import sector
-from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
+from turgor.core.geometry.cad.symmetry.requested import RequestedSymmetry
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.meshing.bodies.combine import together
 from turgor.core.meshing.bodies.placing import placed
@@ -28,7 +28,7 @@ RUBBER = tg.Material(law=tg.laws.NeoHooke(C10=0.1e6), name="rubber", density=100
 
 def read(shape, path, asked):
     wedge_cases.written(shape, path)
-    return read_here(path, faces=wedge_cases.ENDS, symmetry=WantedSymmetry(asked))
+    return read_here(path, faces=wedge_cases.ENDS, symmetry=RequestedSymmetry(asked))
 
 
 @pytest.fixture(scope="module")

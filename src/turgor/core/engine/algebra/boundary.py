@@ -11,7 +11,7 @@ from turgor.core.engine.algebra.multipoint import UNTIED, MultiPoint
 from turgor.core.engine.algebra.node_frames import NodeFrames
 from turgor.core.engine.algebra.rings import AXIAL, TANGENTIAL, rings_of
 from turgor.core.engine.algebra.sections import Section, plane_sections
-from turgor.core.engine.points.point_unknowns import Carrier, carriers_of, with_carried
+from turgor.core.engine.points.point_unknowns import Carrier, carriers_of, with_carrier_points
 from turgor.core.engine.points.prescribed_motion import Turned, check_rigid, hold_points, rigid_ties
 from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.model import Model
@@ -143,7 +143,7 @@ def _with_cyclic(
     frames, normals = pairs.frames(prescribed.frames, prescribed.normals, len(mask))
     ties = pairs.ties(prescribed.ties, len(mask))
     prescribed = replace(prescribed, mask=local, frames=frames, along_axes=along, normals=normals, ties=ties)
-    points = with_carried(model.mesh.points, carriers)
+    points = with_carrier_points(model.mesh.points, carriers)
     for nodes, _, support in prescribed.moving:
         if not isinstance(support, Turned):
             pairs.check_moved(np.where(local, prescribed.values(points, 1.0), 0.0), nodes, support.place)
@@ -183,7 +183,7 @@ def _around_axis(
         local, moving, rings.frames, along_axes, np.zeros_like(model.mesh.points), ties, carriers
     )
     for nodes, _, support in moving:
-        swept = prescribed.values(with_carried(model.mesh.points, carriers), 1.0)[nodes]
+        swept = prescribed.values(with_carrier_points(model.mesh.points, carriers), 1.0)[nodes]
         across = np.abs(swept[:, TANGENTIAL]).max(initial=0.0)
         if not isinstance(support, Turned) and across > ROUND * np.abs(swept).max():
             raise TurgorError(

@@ -56,10 +56,10 @@ class FreeSolver:
         """Factor the values of the analyzed lower triangle."""
         self._inner.factor(data[self._entries])
 
-    def solve(self, right: Array, left: float = REFINED) -> Array:
+    def solve(self, right: Array, reduction: float = REFINED) -> Array:
         """Solve with the last factors."""
         out = np.array(right)
-        out[self._free] = self._inner.solve(right[self._free], left)
+        out[self._free] = self._inner.solve(right[self._free], reduction)
         return out
 
     def negative_pivots(self, expected: int) -> int | None:

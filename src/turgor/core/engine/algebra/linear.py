@@ -44,8 +44,8 @@ class LinearSolver(Protocol):
     def factor(self, data: Array) -> None:
         """Factor the values of the analyzed lower triangle."""
 
-    def solve(self, right: Array, left: float = REFINED) -> Array:
-        """Solve with the last factors; a relative residual of ``left`` may be left."""
+    def solve(self, right: Array, reduction: float = REFINED) -> Array:
+        """Solve with the last factors, up to a relative residual of ``reduction``."""
 
     def negative_pivots(self, expected: int) -> int | None:
         """Negative pivots of the last factors, None where the solver does not count them; ``expected`` if stable."""
@@ -104,27 +104,27 @@ class MixedPrecision:
         self._single = False
         self._factors.factor(self._data, False)
 
-    def solve(self, right: Array, left: float = REFINED) -> Array:
+    def solve(self, right: Array, reduction: float = REFINED) -> Array:
         """Solve; Newton's next residual corrects the rest."""
         solution = self._factors.solve(right)
         if not self._single:
             return solution
         size = last = float(np.linalg.norm(right))
         for _ in range(LINEAR_SOLVER.refinements + 1):
-            left_over = right - self._product(solution)
-            norm = float(np.linalg.norm(left_over))
-            if norm <= left * size:
+            residual = right - self._product(solution)
+            norm = float(np.linalg.norm(residual))
+            if norm <= reduction * size:
                 return solution
             if not norm <= LINEAR_SOLVER.settling * last:
                 break
             last = norm
-            solution = solution + self._factors.solve(left_over)
-        return self._accelerated(right, left)
+            solution = solution + self._factors.solve(residual)
+        return self._accelerated(right, reduction)
 
-    def _accelerated(self, right: Array, left: float) -> Array:
+    def _accelerated(self, right: Array, reduction: float) -> Array:
         """Refine a large system by GMRES; small ones, and where that does not do, need double precision from now on."""
         if self._pattern.size >= LINEAR_SOLVER.accelerated_from:
-            solution, _ = gmres(self._product, self._factors.solve, right, left, LINEAR_SOLVER.accelerated)
+            solution, _ = gmres(self._product, self._factors.solve, right, reduction, LINEAR_SOLVER.accelerated)
             if solution is not None:
                 return solution
         self.double = True
@@ -223,7 +223,7 @@ class UnsymmetricSolver:
         except RuntimeError as error:
             raise SingularTangentError(str(error)) from error
 
-    def solve(self, right: Array, left: float = REFINED) -> Array:
+    def solve(self, right: Array, reduction: float = REFINED) -> Array:
         """Solve with one step of refinement."""
         assert self._factor is not None
         return np.asarray(self._factor.solve(right, refine=1))

@@ -107,18 +107,18 @@ def _fill_column(begin, end, indptr, indices, pieces, of):
     """
     (first, members), (of_first, piece) = pieces, of
     counts = len(indices) == 0
-    seen = np.empty(len(indptr) - 1, dtype=np.int64)
-    for column in range(len(seen)):
-        seen[column] = -1
+    last = np.empty(len(indptr) - 1, dtype=np.int64)
+    for column in range(len(last)):
+        last[column] = -1
     for column in range(begin, end):
-        seen[column] = column
+        last[column] = column
         start = 0 if counts else indptr[column]
         free = start + 1
         for e in range(of_first[column], of_first[column + 1]):
             for k in range(first[piece[e]], first[piece[e] + 1]):
                 row = members[k]
-                if row > column and seen[row] != column:
-                    seen[row] = column
+                if row > column and last[row] != column:
+                    last[row] = column
                     if not counts:
                         indices[free] = row
                     free += 1

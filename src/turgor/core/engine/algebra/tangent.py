@@ -97,7 +97,7 @@ class Tangent:
         self._unknowns: Array | None = None
         self._whole: sp.csc_matrix | None = None
         if system.terms.symmetric:
-            self._symmetric = self._made(system.pattern)
+            self._symmetric = self._new_solver(system.pattern)
         else:
             self._general = UnsymmetricSolver(threads)
 
@@ -198,10 +198,10 @@ class Tangent:
         if self._general is None and self._analyzed is not pattern:  # walls touch that did not before
             double = self._symmetric is not None and self._symmetric.double
             self._symmetric, self._analyzed = None, pattern
-            self._symmetric = self._made(pattern)
+            self._symmetric = self._new_solver(pattern)
             self._symmetric.double = self._symmetric.double or double
 
-    def _made(self, pattern: Pattern) -> LinearSolver:
+    def _new_solver(self, pattern: Pattern) -> LinearSolver:
         system, name = self._system, self._solver
         make = partial(linear_solver, name, threads=self._threads)
         direct = partial(solver_of, make, pattern, system.prescribed)
@@ -239,10 +239,10 @@ class Tangent:
         size = self._system.size
         return None if columns is None else sp.csc_matrix(columns, shape=(size, size))
 
-    def solve(self, right: Array, left: float = REFINED) -> Array:
-        """Solve with the last factors; a relative residual of ``left`` may be left."""
-        start = perf_counter()
-        out = self._active.solve(right, left) if self._rubbing is None else self._with_rubbing(self._rubbing, right)
+    def solve(self, right: Array, reduction: float = REFINED) -> Array:
+        """Solve with the last factors, up to a relative residual of ``reduction``."""
+        start, rubbing = perf_counter(), self._rubbing
+        out = self._active.solve(right, reduction) if rubbing is None else self._with_rubbing(rubbing, right)
         self.clock.solve += perf_counter() - start
         return out
 

@@ -41,7 +41,7 @@ class FrictionHistory:
         Coulomb's limit of the traction.
     slip : (k,) array
         Slip at which the limit is reached from rest.
-    limits_kept : bool
+    constant_limits : bool
         Whether the limits are those here, so that friction has a potential, or follow the pressure.
     """
 
@@ -53,7 +53,7 @@ class FrictionHistory:
     traction: Array
     limit: Array
     slip: Array
-    limits_kept: bool = False
+    constant_limits: bool = False
 
     __repr__ = brief
 
@@ -62,9 +62,9 @@ class FrictionHistory:
 Friction = tuple[FrictionHistory | None, ...]
 
 
-def with_limits_kept(friction: Friction) -> Friction:
+def with_constant_limits(friction: Friction) -> Friction:
     """Friction histories whose limits do not follow the pressure."""
-    return tuple(None if each is None else replace(each, limits_kept=True) for each in friction)
+    return tuple(None if each is None else replace(each, constant_limits=True) for each in friction)
 
 
 def elastic_slip(surface: Surface, points: Ints, stated: float | None = None) -> Array:

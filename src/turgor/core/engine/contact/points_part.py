@@ -139,7 +139,7 @@ class PointsPart(ABC):
     def rubbing(self, position: Array, gaps: Gaps) -> Rubbing | None:
         """Change of the limits of friction with the contact pressure; None without friction, or where they are kept."""
         a = self.bound(gaps)
-        if a is None or a.limits_kept:
+        if a is None or a.constant_limits:
             return None
         pull = friction.by_limit(a, self._apart(position, gaps, a)) * self._weights(a.points)[:, None]
         chosen = gaps.inside[a.points[:, 0], a.points[:, 1]] & pull.any(axis=1)
@@ -193,7 +193,7 @@ class PointsPart(ABC):
         a = gaps.friction
         if a is None or not len(a.points):
             return None
-        return a if a.limits_kept else replace(a, limit=self._limits(gaps, a.points))
+        return a if a.constant_limits else replace(a, limit=self._limits(gaps, a.points))
 
     def _limits(self, gaps: Gaps, points: Ints) -> Array:
         """Coulomb's limit (k,) of the tractions at points, from the present pressures."""

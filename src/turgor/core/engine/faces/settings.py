@@ -62,7 +62,7 @@ class TensionFieldSettings:
         The toe over the stiffness of the sheet in scaled units: a tension of the rubber's modulus times an edge of the
         mesh is reached at a stretch of √(2 × 1e-6) = 0.14 %, however stiff the sheet is. A sheet as soft as the rubber
         has a toe of 1e-6. The longest toe, beyond which a sheet is half a percent longer than it would be.
-    left_stiffness, largest_share : float
+    slack_stiffness, largest_share : float
         Stiffness that a sheet keeps in compression, in scaled units: that of rubber of a thirtieth of an edge. Its
         tension stays far below 2 μ / k, at which rubber wrinkles in waves of two edges. The largest share of the
         sheet's stiffness.
@@ -74,7 +74,7 @@ class TensionFieldSettings:
 
     toe_per_stiffness: float = 1e-6
     longest_toe: float = 1e-2
-    left_stiffness: float = 0.1
+    slack_stiffness: float = 0.1
     largest_share: float = 1e-3
     strain_weight: float = 100.0
 

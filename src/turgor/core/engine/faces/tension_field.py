@@ -122,7 +122,7 @@ class TensionField:
 def tension_field(moduli: Array, compression: float) -> TensionField:
     """Make the tension field of scaled moduli times thickness, and of the share that works in compression."""
     stiffness = float(moduli[0, 0])
-    share = max(compression, min(TENSION_FIELD.largest_share, TENSION_FIELD.left_stiffness / stiffness))
+    share = max(compression, min(TENSION_FIELD.largest_share, TENSION_FIELD.slack_stiffness / stiffness))
     return TensionField(moduli, share, min(TENSION_FIELD.toe_per_stiffness * stiffness, TENSION_FIELD.longest_toe))
 
 

@@ -35,7 +35,7 @@ class PointMotion:
     multipliers: Array
 
 
-def carried_displacement(
+def carrier_displacement(
     carriers: Sequence[Carrier],
     scales: tuple[float, float],
     displacement: Array,
@@ -77,13 +77,13 @@ def _fitted(carrier: Carrier, displacement: Array) -> tuple[Array, Array]:
     middle = carrier.weights @ now
     left, _, right = np.linalg.svd((now - middle).T @ (np.abs(carrier.weights)[:, None] * arms))
     rotation = left @ np.diag([1.0, 1.0, np.linalg.det(left @ right)]) @ right
-    middle[list(carrier.kept)] = 0.0
+    middle[list(carrier.blocked)] = 0.0
     for axis in carrier.unturned:
         rotation = _about(rotation, axis)
     return middle - (rotation - np.eye(3)) @ carrier.center, rotation
 
 
-def carried_velocity(
+def carrier_velocity(
     carriers: Sequence[Carrier], points: Array, length: float, displacement: Array, velocity: Array
 ) -> Array:
     """Scaled rates (e, 3) of the nodes of reference points that are nearest to the velocity of their faces.
@@ -113,7 +113,7 @@ def carried_velocity(
         spin = np.linalg.solve(inertia, weights @ np.cross(about, moved))
         spin[[k for k in range(3) if k not in each.turning]] = 0.0
         values[0] = (weights @ moved + np.cross(spin, place - weights @ x)) / length
-        values[0, list(each.kept)] = 0.0
+        values[0, list(each.blocked)] = 0.0
         arrows = displacement[each.arrows] + each.radius / length * np.eye(3)
         values[1:4] = np.cross(spin, arrows)
         out.append(values)

@@ -75,5 +75,5 @@ def offset(carrier: Carrier) -> Array:
     if carrier.point.center is None:
         return np.zeros(3)
     arm = np.array(carrier.point.center) - carrier.at
-    arm[list(carrier.kept)] = 0.0  # that of the whole plate
+    arm[list(carrier.blocked)] = 0.0  # that of the whole plate
     return arm

@@ -75,7 +75,7 @@ class Carrier:
     wedge: Wedge | None = None
 
     @property
-    def kept(self) -> tuple[int, ...]:
+    def blocked(self) -> tuple[int, ...]:
         """Axes along which the point cannot move: its displacement there is zero by symmetry."""
         return (*self.mirrored, *(() if self.wedge is None else self.wedge.across))
 
@@ -153,7 +153,7 @@ def carriers_of(model: Model) -> tuple[Carrier, ...]:
     return tuple(carriers)
 
 
-def with_carried(points: Array, carriers: tuple[Carrier, ...]) -> Array:
+def with_carrier_points(points: Array, carriers: tuple[Carrier, ...]) -> Array:
     """Positions at rest (n + e, 3) [m]: those of the mesh, then of the points' nodes, all where their point is."""
     return np.concatenate([points, *(np.tile(each.at, (each.count, 1)) for each in carriers)])
 

@@ -58,10 +58,10 @@ def hold_points(model: Model, carriers: Sequence[Carrier], mask: NDArray[np.bool
             moving.append((carrier.bolts[1:] if driven else carrier.arrows, turned))
         _check_moves(model, carrier)
         mask[carrier.arrows] = arrows
-        mask[carrier.node, list(carrier.kept)] = True
+        mask[carrier.node, list(carrier.blocked)] = True
         mask[carrier.stress] = _settled(arrows).reshape(2, 3)
         if not carrier.rigid:
-            mask[carrier.ties[0], list(carrier.kept)] = True
+            mask[carrier.ties[0], list(carrier.blocked)] = True
             mask[carrier.ties[1], [k for k in range(3) if k not in carrier.turning]] = True
     return moving
 
@@ -89,7 +89,7 @@ def _check_moves(model: Model, carrier: Carrier) -> None:
         if not each.moves or each.place != carrier.point.name:
             continue
         end = np.broadcast_to(each.displacement(carrier.at[None], 1.0), (1, 3))[0]
-        for axis in carrier.kept:
+        for axis in carrier.blocked:
             if "xyz"[axis] in each.prescribed[1] and end[axis]:
                 why = "a mirror plane" if axis in carrier.mirrored else "a wedge"
                 raise TurgorError(
@@ -133,7 +133,7 @@ def check_rigid(carriers: Sequence[Carrier], mask: NDArray[np.bool_], taken: Int
     taken : (k,) int array
         Nodes with other ties or directions.
     """
-    seen: dict[int, str] = {}
+    point_of: dict[int, str] = {}
     for each in carriers:
         if not each.rigid:
             continue
@@ -144,9 +144,9 @@ def check_rigid(carriers: Sequence[Carrier], mask: NDArray[np.bool_], taken: Int
                 f"'{each.point.face}' are fixed by another support; remove one of both."
             )
         for node in each.nodes.tolist():
-            if node in seen:
+            if node in point_of:
                 raise TurgorError(
-                    f"reference points '{seen[node]}' and '{each.point.name}': their rigid faces share nodes; tie "
+                    f"reference points '{point_of[node]}' and '{each.point.name}': their rigid faces share nodes; tie "
                     "both faces to one point, or make one of them averaging."
                 )
-        seen |= dict.fromkeys(each.nodes.tolist(), each.point.name)
+        point_of |= dict.fromkeys(each.nodes.tolist(), each.point.name)

@@ -55,6 +55,6 @@ def _moment(arrows: Array, forces: Array) -> Array:
 def _of_whole(system: System, carrier: Carrier, vector: Array, axial: bool) -> Array:
     """A force or an axial moment together with its images (3,)."""
     out = vector * system.model.mesh.symmetry_factor
-    none = [k for k in range(3) if k not in carrier.turning] if axial else list(carrier.kept)
+    none = [k for k in range(3) if k not in carrier.turning] if axial else list(carrier.blocked)
     out[none] = 0.0
     return np.asarray(out)

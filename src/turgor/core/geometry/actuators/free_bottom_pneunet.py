@@ -137,8 +137,8 @@ ends between floor and top of the chambers.
         row = self._row
         slab = (self.clamp_length + self.length) * self.width * row.floor_top
         tube = (self.channel_width + 2 * self.channel_wall) * (self.channel_height + 2 * self.channel_wall)
-        left_out = (self.width - 2 * self.bonded_side) * self.floor
-        joints = row.joints * self.gap * (tube - left_out)
+        open_bottom = (self.width - 2 * self.bonded_side) * self.floor
+        joints = row.joints * self.gap * (tube - open_bottom)
         return (slab + joints) / copies(self) + row.block_volume - row.cavity_volume
 
     def build(self) -> Geometry:

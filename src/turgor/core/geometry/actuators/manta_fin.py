@@ -126,8 +126,8 @@ class MantaFin:
         """
         block = self._block
         blocks = with_base(block.filled((self.base, self.height)), self.base, block.filled)
-        made = finished(self, "manta fin", blocks, {"cavity": block.cavity()}, self.base)
-        return replace(made, _sweep=block_sweep(block))
+        geometry = finished(self, "manta fin", blocks, {"cavity": block.cavity()}, self.base)
+        return replace(geometry, _sweep=block_sweep(block))
 
     @property
     def _block(self) -> ChamberBlock:

@@ -225,7 +225,7 @@ of 0.01 mm between them.
 
     def _cavities(self) -> dict[str, Any]:
         """The chambers as solids, with their inlets."""
-        section, made = self._section, {}
+        section, cavities = self._section, {}
         for name, number, _ in self._chambers():
             pieces = [prism(self._part(section.outline(number)), (self._start, self._end - self.cap))]
             if self.inlet_diameter:
@@ -233,5 +233,5 @@ of 0.01 mm between them.
                 pieces.append(prism(self._part(duct), (0.0, self._start)))
             cavity = union(pieces)
             cavity.faces.name = name
-            made[name] = cavity
-        return made
+            cavities[name] = cavity
+        return cavities

@@ -141,8 +141,8 @@ feet 12.38 mm long.
         """
         row = self._row
         blocks = with_base(row.filled(), self.base, row.slab)
-        made = finished(self, "trapezoidal PneuNet", blocks, {"cavity": row.cavity()}, self.base)
-        return replace(made, _sweep=bellows_sweep(row))
+        geometry = finished(self, "trapezoidal PneuNet", blocks, {"cavity": row.cavity()}, self.base)
+        return replace(geometry, _sweep=bellows_sweep(row))
 
     @property
     def _row(self) -> BellowsRow:

@@ -124,8 +124,8 @@ height of 15 mm.
         """
         row = self._row
         blocks = with_base(row.filled(), self.base, row.slab)
-        made = finished(self, "triangular PneuNet", blocks, {"cavity": row.cavity()}, self.base)
-        return replace(made, _sweep=bellows_sweep(row))
+        geometry = finished(self, "triangular PneuNet", blocks, {"cavity": row.cavity()}, self.base)
+        return replace(geometry, _sweep=bellows_sweep(row))
 
     @property
     def _row(self) -> BellowsRow:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from turgor.core.geometry.cad.selectors import Selector
 from turgor.core.geometry.cad.split import SplitPlane
-from turgor.core.geometry.cad.symmetry.requested import NONE, WantedSymmetry
+from turgor.core.geometry.cad.symmetry.requested import NONE, RequestedSymmetry
 from turgor.core.geometry.directions import FileAxes, rotation_to
 from turgor.core.geometry.geometry import Geometry
 from turgor.foundation.errors import TurgorError
@@ -33,7 +33,7 @@ class CadFile:
         Names for bodies.
     split : SplitPlane, optional
         A plane that cuts off the bottom as a region of its own.
-    symmetry : str or WantedSymmetry
+    symmetry : str or RequestedSymmetry
         Where to cut the part, as for `read_cad`.
     axes : tuple of three str or (3,) floats, optional
         Directions in the file of our x, y and z, as for `read_cad`; found where they are not given.
@@ -57,7 +57,7 @@ class CadFile:
     faces: Mapping[str, Selector] = field(default_factory=dict)
     regions: Mapping[str, Selector] = field(default_factory=dict)
     split: SplitPlane | None = None
-    symmetry: str | WantedSymmetry = NONE
+    symmetry: str | RequestedSymmetry = NONE
     axes: FileAxes | None = None
     sha256: str = ""
 
@@ -71,22 +71,22 @@ class CadFile:
                 "changed since; take the old one, or remove the key to go on with the new one."
             )
         object.__setattr__(self, "sha256", checksum)
-        object.__setattr__(self, "symmetry", self.wanted_symmetry)
+        object.__setattr__(self, "symmetry", self.requested_symmetry)
         if self.axes is not None:
             rotation_to(self.axes)  # refuses what are none
 
     def build(self) -> Geometry:
         """Read the file with `read_cad`, once: a job builds its actuator several times."""
         names = tuple(self.faces.items()), tuple(self.regions.items())
-        wanted = self.wanted_symmetry
-        broken = tuple(sorted(wanted.broken.items())), tuple(sorted(wanted.broken_turns.items()))
-        placing = (wanted.planes, *broken, self.axes)
+        requested = self.requested_symmetry
+        broken = tuple(sorted(requested.broken.items())), tuple(sorted(requested.broken_turns.items()))
+        placing = (requested.planes, *broken, self.axes)
         return _built(self.file, self.sha256, self.unit, *names, self.split, placing)
 
     @property
-    def wanted_symmetry(self) -> WantedSymmetry:
+    def requested_symmetry(self) -> RequestedSymmetry:
         """What is requested, with what forbids it."""
-        return self.symmetry if isinstance(self.symmetry, WantedSymmetry) else WantedSymmetry(self.symmetry)
+        return self.symmetry if isinstance(self.symmetry, RequestedSymmetry) else RequestedSymmetry(self.symmetry)
 
 
 @lru_cache(maxsize=8)
@@ -103,6 +103,6 @@ def _built(
     from turgor.core.geometry.cad.read import read_cad  # here: it loads much, and every job loads this file
 
     planes, broken, turns, axes = placing
-    wanted = WantedSymmetry(planes, dict(broken), dict(turns))
+    requested = RequestedSymmetry(planes, dict(broken), dict(turns))
     named = {"faces": dict(faces), "regions": dict(regions)}
-    return read_cad(file, unit=unit, **named, split=split, symmetry=wanted, axes=axes)
+    return read_cad(file, unit=unit, **named, split=split, symmetry=requested, axes=axes)

@@ -66,7 +66,7 @@ def shown_color(linear: Sequence[float]) -> Color:
     return red, green, blue
 
 
-def same_color(given: Color, wanted: Color) -> bool:
+def same_color(given: Color, target: Color) -> bool:
     """Return whether a color of a file equals the wanted one, as sRGB or as a linear color.
 
     Examples
@@ -77,5 +77,5 @@ def same_color(given: Color, wanted: Color) -> bool:
     """
     return any(
         max(abs(a - b) for a, b in zip(given, color, strict=True)) <= SAME_COLOR
-        for color in (wanted, shown_color(wanted))
+        for color in (target, shown_color(target))
     )

@@ -241,8 +241,8 @@ def _outward(points: Array, triangles: Ints, body: str) -> Ints:
     volumes = np.array([flux(points, turned[shell == i], origin) for i in range(shells)])
     if not np.abs(volumes).max() > 0:
         raise TurgorError(f"'{body}' encloses no volume; export it as a solid.")
-    wanted = np.where(np.arange(shells) == np.abs(volumes).argmax(), 1.0, -1.0)
-    wrong = (volumes * wanted < 0)[shell]
+    signs = np.where(np.arange(shells) == np.abs(volumes).argmax(), 1.0, -1.0)
+    wrong = (volumes * signs < 0)[shell]
     return np.asarray(np.where(wrong[:, None], turned[:, ::-1], turned))
 
 

@@ -160,10 +160,10 @@ def _read(path: Path, kind: str) -> tuple[list[Any], list[str]]:
             bodies = list(shape.solids)
             names = _assembly_names(geometry, bodies) if kind == "STEP" else [""] * len(bodies)
         except Exception as error:  # the kernel raises exceptions of its own for damaged files
-            said = [line for line in text().splitlines() if "ERR" in line or "Error" in line]
-            said_text = re.sub(r"\x1b\[[\d;]*m|\*+", "", said[-1]).strip() if said else str(error)
+            errors = [line for line in text().splitlines() if "ERR" in line or "Error" in line]
+            cause = re.sub(r"\x1b\[[\d;]*m|\*+", "", errors[-1]).strip() if errors else str(error)
             raise TurgorError(
-                f"'{given}' cannot be read, the file seems damaged ({said_text}); export it again as {kind}."
+                f"'{given}' cannot be read, the file seems damaged ({cause}); export it again as {kind}."
             ) from error
     if kind == "STEP":
         check_complete(given, shape)

@@ -80,30 +80,30 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
     findings: list[Finding] = []
     flat = called_cavities(part, names, mirrors)[1]
     if not {name for name in names if name.startswith("cavity")} - set(flat):
-        cavities, findings = _found(part, hollows, nested, passages, mirrors)
+        cavities, findings = _cavities_of_hollows(part, hollows, nested, passages, mirrors)
         for name, hollow in cavities.items():
             for i in hollow.faces:
                 names[i] = names[i] or (f"{name}_inside" if name in flat else name)
     inner = _between(part, interface)
     names = [name or inner.get(i, "outside") for i, name in enumerate(names)]
-    made, flat = called_cavities(part, names, mirrors)
-    findings = [*findings, *([no_cavity(flat)] if flat else []), *_missing(part, names, bool(made))]
-    return Naming(names=tuple(names), cavities=made, findings=tuple(findings))
+    enclosed, flat = called_cavities(part, names, mirrors)
+    findings = [*findings, *([no_cavity(flat)] if flat else []), *_missing(part, names, bool(enclosed))]
+    return Naming(names=tuple(names), cavities=enclosed, findings=tuple(findings))
 
 
 def called_cavities(part: Part, names: Sequence[str], mirrors: Sequence[Mirror]) -> tuple[dict[str, Hollow], list[str]]:
     """Return what the faces called cavity enclose, and the names of those that enclose nothing."""
-    made, flat = {}, []
+    enclosed, flat = {}, []
     for name in sorted({name for name in names if name.startswith("cavity")}):
         faces = tuple(i for i, n in enumerate(names) if n == name and not part.between[i])
         if not faces:
             continue
         hollow = measured(Hollow(faces=faces, volume=0.0, openings=()), part.facets, part.faces, mirrors)
         if hollow.volume > TOLERANCE.round_off * sum(float(part.faces[i].mass) for i in faces) ** 1.5:
-            made[name] = hollow
+            enclosed[name] = hollow
         else:
             flat.append(name)
-    return made, flat
+    return enclosed, flat
 
 
 def _between(part: Part, interface: str | None) -> dict[int, str]:
@@ -178,7 +178,7 @@ def _check_apart(part: Part, picked: Mapping[str, Sequence[int]]) -> None:
             owner[i] = name
 
 
-def _found(
+def _cavities_of_hollows(
     part: Part,
     hollows: Sequence[Hollow],
     nested: Sequence[Hollow],

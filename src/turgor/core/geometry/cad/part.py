@@ -232,17 +232,17 @@ def owners(solids: list[Any], faces: list[Any]) -> tuple[tuple[str, ...], ...]:
 
 def _check_touching(path: str | Path, solids: list[Any]) -> None:
     """Raise an error for bodies that share no face with the others, because supports would not hold them."""
-    reached, left = set(solids[0].faces), list(solids[1:])
-    while left:
-        nearer = [solid for solid in left if reached & set(solid.faces)]
+    reached, apart = set(solids[0].faces), list(solids[1:])
+    while apart:
+        nearer = [solid for solid in apart if reached & set(solid.faces)]
         if not nearer:
             break
         for solid in nearer:
             reached |= set(solid.faces)
-            left.remove(solid)
-    if left:
-        rest = [solid for solid in solids if solid not in left]
-        gap, lone, other = min(((a.Distance(b), a.name, b.name) for a in left for b in rest), key=lambda item: item[0])
+            apart.remove(solid)
+    if apart:
+        rest = [solid for solid in solids if solid not in apart]
+        gap, lone, other = min(((a.Distance(b), a.name, b.name) for a in apart for b in rest), key=lambda item: item[0])
         how = f"there are {gap:.4g} mm between it and" if gap > 0 else "it shares no face, an edge at most, with"
         raise TurgorError(
             f"the body '{lone}' of '{path}' is not joined to the others: {how} '{other}', so a cavity between them "

@@ -8,14 +8,14 @@ from turgor.core.geometry.cad.cavities import Hollow
 from turgor.core.geometry.cad.files import check_file, reading
 from turgor.core.geometry.cad.naming import STANDARD, Naming, name_faces
 from turgor.core.geometry.cad.part import Part, load_part
-from turgor.core.geometry.cad.placing.orientation import found_rotation, placing_finding
+from turgor.core.geometry.cad.placing.orientation import placing_finding, rotation_along_x
 from turgor.core.geometry.cad.placing.rotate_part import turned_naming, turned_part
 from turgor.core.geometry.cad.selectors import ByName, Selector
 from turgor.core.geometry.cad.split import SplitPlane
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.cad.symmetry.cut import modeled_part
 from turgor.core.geometry.cad.symmetry.modeled_share import Modeled
-from turgor.core.geometry.cad.symmetry.requested import NONE, WHOLE, WantedSymmetry
+from turgor.core.geometry.cad.symmetry.requested import NONE, WHOLE, RequestedSymmetry
 from turgor.core.geometry.cad.walls import smallest_wall
 from turgor.core.geometry.child_process import in_child
 from turgor.core.geometry.directions import FileAxes, rotation_to
@@ -35,7 +35,7 @@ def read_cad(
     faces: Mapping[str, Selector] | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
-    symmetry: str | WantedSymmetry = NONE,
+    symmetry: str | RequestedSymmetry = NONE,
     axes: FileAxes | None = None,
 ) -> Geometry:
     """Read a STEP, BREP or STL file as a geometry.
@@ -57,7 +57,7 @@ def read_cad(
         Names for bodies. The others keep their name in the file, or are ``body``, ``body_1``, ….
     split : SplitPlane, optional
         Plane that cuts off the bottom as a region of its own.
-    symmetry : str or WantedSymmetry
+    symmetry : str or RequestedSymmetry
         ``"none"`` for the whole part; ``"automatic"`` to cut it at every mirror plane across x, y or z that it has, or
         to a wedge where that is smaller; the normals of the planes to use, such as ``"y"`` or ``"yz"``, of which the
         side toward positive coordinates is kept; or ``"wedge"`` for one of n equal sectors, ``"wedge 6"`` with n.
@@ -94,12 +94,12 @@ def read_cad(
     check_file(path, unit)
     _check_names("face", faces or {})
     _check_names("region", regions or {})
-    wanted = symmetry if isinstance(symmetry, WantedSymmetry) else WantedSymmetry(symmetry)
-    wanted = replace(wanted, broken=dict(wanted.broken), broken_turns=dict(wanted.broken_turns))
+    requested = symmetry if isinstance(symmetry, RequestedSymmetry) else RequestedSymmetry(symmetry)
+    requested = replace(requested, broken=dict(requested.broken), broken_turns=dict(requested.broken_turns))
     named = dict(faces or {}), dict(regions or {})
     if axes is not None:
         rotation_to(axes)  # refuses what are none
-    return in_child(reading(path), read_here, Path(path), unit, *named, split, wanted, axes)
+    return in_child(reading(path), read_here, Path(path), unit, *named, split, requested, axes)
 
 
 def read_here(
@@ -108,7 +108,7 @@ def read_here(
     faces: Mapping[str, Selector] | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
-    symmetry: WantedSymmetry = WHOLE,
+    symmetry: RequestedSymmetry = WHOLE,
     axes: FileAxes | None = None,
 ) -> Geometry:
     """Read a CAD file as `read_cad`, but in this process, which the CAD kernel may crash.
@@ -144,7 +144,7 @@ def read_here(
 
 def _along_x(part: Part, naming: Naming, faces: Mapping[str, Selector]) -> tuple[Part, Naming]:
     """A part that lies along x, with its names; what was done is a finding."""
-    rotation, clear = found_rotation(part, naming.names)
+    rotation, clear = rotation_along_x(part, naming.names)
     if rotation is not None:
         finding = placing_finding(part, rotation)
         given = {*faces, *(item.name for item in part.items)}

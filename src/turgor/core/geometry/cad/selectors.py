@@ -107,7 +107,7 @@ class ByName:
         names = sorted({item.name for item in items} - {""})
         listed = f"t has {', '.join(names)}" if names else "t has no names"
         hint = near_match(self.name, names)
-        return _found(
+        return _selected(
             [i for i, item in enumerate(items) if item.name == self.name],
             f"name '{self.name}' is not in the file{f'{hint} I' if hint else '; i'}{listed}.",
         )
@@ -136,10 +136,10 @@ class ByColor:
 
     def pick(self, items: Sequence[Item]) -> list[int]:
         """Return the indices of the selected items; an empty selection is an error that lists what exists."""
-        wanted = parse_color(self.color)
+        target = parse_color(self.color)
         known = sorted({hexadecimal(item.color) for item in items if item.color is not None})
-        return _found(
-            [i for i, item in enumerate(items) if item.color is not None and same_color(item.color, wanted)],
+        return _selected(
+            [i for i, item in enumerate(items) if item.color is not None and same_color(item.color, target)],
             f"color {self.color} is not in the file; it has {', '.join(known) or 'no colors'}.",
         )
 
@@ -208,7 +208,7 @@ class InBox:
         ]
         low = np.min([item.low for item in items], axis=0) * 1e3
         high = np.max([item.high for item in items], axis=0) * 1e3
-        return _found(
+        return _selected(
             inside,
             f"box from {_mm(self.low)} to {_mm(self.high)} mm holds nothing whole; the part reaches from "
             f"{_mm(low / 1e3)} to {_mm(high / 1e3)} mm.",
@@ -237,14 +237,14 @@ class WithNormal:
 
     def pick(self, items: Sequence[Item]) -> list[int]:
         """Return the indices of the selected items; an empty selection is an error that lists what exists."""
-        wanted = np.array(self.normal)
+        normal = np.array(self.normal)
         looking = [
-            i for i, it in enumerate(items) if it.normal is not None and wanted @ it.normal >= TOLERANCE.direction
+            i for i, it in enumerate(items) if it.normal is not None and normal @ it.normal >= TOLERANCE.direction
         ]
-        depth = {i: float(wanted @ items[i].center) for i in looking}
+        depth = {i: float(normal @ items[i].center) for i in looking}
         size = max((float(np.ptp([item.low, item.high], axis=0).max()) for item in items), default=0.0)
         furthest = [i for i in looking if depth[i] >= max(depth.values()) - 1e-6 * size]
-        return _found(furthest, f"normal {_mm(wanted / 1e3)} is that of no plane face.")
+        return _selected(furthest, f"normal {_mm(normal / 1e3)} is that of no plane face.")
 
 
 Selector = ByName | ByColor | NearestTo | InBox | WithNormal
@@ -277,7 +277,7 @@ def distance(point: Vector, triangles: Array) -> float:
     return float(nearest.min())
 
 
-def _found(places: list[int], otherwise: str) -> list[int]:
+def _selected(places: list[int], otherwise: str) -> list[int]:
     if not places:
         raise TurgorError(otherwise)
     return places

@@ -94,16 +94,16 @@ def _facet_loops(facets: Facets, edges: NDArray[np.int64]) -> list[Array]:
 
 def _joined(lines: list[Array], pairs: NDArray[np.int64]) -> Array:
     """Put the lines of one loop in order, head to tail."""
-    left, out, at = list(range(1, len(lines))), [lines[0]], pairs[0, 1]
-    while left:
-        following = next((i for i in left if at in pairs[i]), None)
+    remaining, out, at = list(range(1, len(lines))), [lines[0]], pairs[0, 1]
+    while remaining:
+        following = next((i for i in remaining if at in pairs[i]), None)
         if following is None:  # the remaining lines are another loop through the same corner
-            following = left[0]
+            following = remaining[0]
             at = pairs[following, 0]
         forward = pairs[following, 0] == at
         out.append(lines[following] if forward else lines[following][::-1])
         at = pairs[following, 1] if forward else pairs[following, 0]
-        left.remove(following)
+        remaining.remove(following)
     return np.concatenate([np.stack([line[:-1:2], line[1::2], line[2::2]], axis=1) for line in out])
 
 

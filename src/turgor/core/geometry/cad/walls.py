@@ -87,9 +87,9 @@ def thinnest_wall(
     normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     area = np.linalg.norm(normal, axis=1)
     solid = area > 0
-    seen = area[solid] if chosen is None else np.where(chosen, area, 0.0)[solid]
+    weights = area[solid] if chosen is None else np.where(chosen, area, 0.0)[solid]
     triangles, normal = triangles[solid], normal[solid] / area[solid, None]
-    start, of = _starts(triangles, seen, most)
+    start, of = _starts(triangles, weights, most)
     thickness = np.concatenate(
         [_through(start[i : i + CHUNK], of[i : i + CHUNK], triangles, normal) for i in range(0, len(start), CHUNK)]
     )

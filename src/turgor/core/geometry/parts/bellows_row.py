@@ -190,12 +190,12 @@ def check_bellows(actuator: Any) -> None:
         "side_wall", actuator.side_wall, high=(actuator.width - least) / 2,
         why=f"less than half the width of {in_mm(actuator.width)}",
     )  # fmt: skip
-    left, why = actuator.height, f"so that bellows remain within the height of {in_mm(actuator.height)}"
+    height, why = actuator.height, f"so that bellows remain within the height of {in_mm(actuator.height)}"
     for count, name in enumerate(("base", "floor", "channel_height")):
         if name != "base" or actuator.base:
-            check_length(name, getattr(actuator, name), high=left - (6 - count) * least, why=why)
-        left -= getattr(actuator, name)
-    check_length("wall", actuator.wall, high=left - 3 * least, why=why)
+            check_length(name, getattr(actuator, name), high=height - (6 - count) * least, why=why)
+        height -= getattr(actuator, name)
+    check_length("wall", actuator.wall, high=height - 3 * least, why=why)
 
 
 def check_inside(row: BellowsRow) -> None:

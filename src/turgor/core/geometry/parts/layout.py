@@ -107,13 +107,13 @@ class Layout:
         """All regions, glued to each other; the faces that the air touches carry the name of its cavity."""
         filled = [piece.solid() for piece in self._pieces()]
         air = [(part.name, part.solid()) for part in self._air()]
-        air += [(duct.name, duct.solid(filled, union([made for _, made in air]))) for duct in self._ducts()]
+        air += [(duct.name, duct.solid(filled, union([space for _, space in air]))) for duct in self._ducts()]
         for name, expected in self.cavity_volumes.items():
             check_volume(name, volume(union([solid for owner, solid in air if owner == name])), expected)
         solids = []
         for group in self._groups():
             solid = occ.Fuse([piece.solid() for piece in group]) if len(group) > 1 else group[0].solid()
-            solid = cut(solid, [made for _, made in air])
+            solid = cut(solid, [space for _, space in air])
             solid.mat(group[0].name)
             solids.append(solid)
         for name, solid in air:

@@ -21,14 +21,14 @@ class LateShape:
 
     build: Callable[[], Any]
     bounding_box: tuple[Corner, Corner]
-    _made: Any = field(default=None, init=False)
+    _shape: Any = field(default=None, init=False)
 
     def shape(self) -> Any:
         """Make the CAD shape, once, with the triangulation that the box is that of."""
-        if self._made is None:
-            self._made = self.build().shape
-            self._made.MakeTriangulation()
-        return self._made
+        if self._shape is None:
+            self._shape = self.build().shape
+            self._shape.MakeTriangulation()
+        return self._shape
 
     def __reduce__(self) -> tuple[Callable[..., "LateShape"], tuple[Any, ...]]:
         return _again, (self.build, self.bounding_box)

@@ -77,9 +77,9 @@ def assemble(raw: Raw, geometry: Geometry) -> Mesh:
     sides = cell_sides(cells)
     # where two cells share a side, the first one is kept: a face between regions points out of the one named first
     keys, index = np.unique(corner_keys(sides, len(nodes)), return_index=True)
-    wanted = corner_keys(corners, len(nodes))
-    place = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
-    if (keys[place] != wanted).any():
+    requested = corner_keys(corners, len(nodes))
+    place = np.minimum(np.searchsorted(keys, requested), len(keys) - 1)
+    if (keys[place] != requested).any():
         raise TurgorError(f"'{geometry.name}': the generator returned faces that are not sides of its cells.")
     triangles = sides[index[place]]
     faces = {

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.meshing.bodies.bodies import find_overlap
-from turgor.core.meshing.bodies.placing import refuse_wedge, said_before
+from turgor.core.meshing.bodies.placing import refuse_wedge, with_origin
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.openings import mirror_planes
 from turgor.foundation.errors import TurgorError
@@ -76,7 +76,7 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
         faces=faces,
         name="; ".join(f"{body}: {mesh.name}" for body, mesh in bodies.items()),
         findings=tuple(
-            said_before(f"Body '{body}'", finding) for body, mesh in bodies.items() for finding in mesh.findings
+            with_origin(f"Body '{body}'", finding) for body, mesh in bodies.items() for finding in mesh.findings
         ),
     )
 
@@ -100,11 +100,11 @@ def _check_bodies(bodies: Mapping[str, Mesh]) -> None:
             raise TurgorError(f"body '{body}': a name holds letters, digits and underscores only.")
     first, *others = bodies
     for body in others:
-        kind, wanted = bodies[body].cell_type.name, bodies[first].cell_type.name
-        if kind != wanted:
+        kind, expected = bodies[body].cell_type.name, bodies[first].cell_type.name
+        if kind != expected:
             raise TurgorError(
                 f"body '{body}' has {kind.replace('hedron', 'hedra')}, '{first}' has "
-                f"{wanted.replace('hedron', 'hedra')}; all bodies need the same kind of cells."
+                f"{expected.replace('hedron', 'hedra')}; all bodies need the same kind of cells."
             )
 
 

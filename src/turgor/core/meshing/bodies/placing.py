@@ -104,10 +104,10 @@ def mirrored(mesh: Mesh, normal: Vector = (0, 0, 1)) -> Mesh:
     return replace(image, cells=mesh.cells[:, cell], faces=faces)
 
 
-def said_before(prefix: str, finding: Finding) -> Finding:
+def with_origin(prefix: str, finding: Finding) -> Finding:
     """Put where a finding is from in front of it, once."""
-    said = finding.message.startswith(f"{prefix}: ")
-    return finding if said else replace(finding, message=f"{prefix}: {finding.message}")
+    stated = finding.message.startswith(f"{prefix}: ")
+    return finding if stated else replace(finding, message=f"{prefix}: {finding.message}")
 
 
 def refuse_wedge(mesh: Mesh) -> None:
@@ -144,7 +144,7 @@ def _moved(mesh: Mesh, matrix: Array, shift: Array) -> Mesh:
         mesh,
         points=points,
         faces=dict(zip(renamed, faces.values(), strict=True)),
-        findings=tuple(said_before("Before it was moved", finding) for finding in mesh.findings),
+        findings=tuple(with_origin("Before it was moved", finding) for finding in mesh.findings),
     )
 
 

@@ -89,11 +89,11 @@ def _facing_alike(sides: Sides) -> Sides:
     _, place, shared = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
     order = np.argsort(np.asarray(place).ravel(), kind="stable")
     order = order[shared[np.asarray(place).ravel()[order]] == 2]
-    left, right = order[0::2], order[1::2]
-    other = np.where(upward[left] == upward[right], count, 0)  # neighbors run along their edge in opposite senses
-    left, right = owner[left], owner[right]
+    first, second = order[0::2], order[1::2]
+    other = np.where(upward[first] == upward[second], count, 0)  # neighbors run along their edge in opposite senses
+    first, second = owner[first], owner[second]
     # every side stands here twice, as it is and turned over; what faces alike hangs together
-    one, two = np.concatenate([left, left + count]), np.concatenate([right + other, right + count - other])
+    one, two = np.concatenate([first, first + count]), np.concatenate([second + other, second + count - other])
     label = groups_of(2 * count, one, two)
     area = np.linalg.norm(sides.vector_areas[outer], axis=1)
     weight = np.bincount(label[:count], weights=area, minlength=int(label.max()) + 1)

@@ -164,7 +164,7 @@ def faces_of_file(raw: RawMesh, solids: Solids, sides: Sides) -> dict[str, Ints]
         Rows of ``sides.nodes``.
     """
     count = sides.kind.side.corners
-    gone = np.append(solids.renumbered, -1)
+    renumbered = np.append(solids.renumbered, -1)
     faces: dict[str, Ints] = {}
     surfaces = {name: corners[(corners[:, 3] < 0) == (count == 3), :count] for name, corners in raw.surfaces.items()}
     for block in raw.blocks:
@@ -174,7 +174,7 @@ def faces_of_file(raw: RawMesh, solids: Solids, sides: Sides) -> dict[str, Ints]
                     [surfaces.get(name, block.nodes[:0, :count]), block.nodes[rows, :count]]
                 )
     for name, corners in surfaces.items():
-        rows = find_sides(sides, gone[corners])
+        rows = find_sides(sides, renumbered[corners])
         faces[name] = np.unique(rows[rows >= 0])
     outer = np.flatnonzero(sides.outer)
     for name, nodes in raw.node_sets.items():
@@ -192,14 +192,14 @@ def _without_sides(raw: RawMesh, given: Mapping[str, Ints]) -> list[Finding]:
     some = {name for name, nodes in raw.node_sets.items() if len(nodes) < len(raw.points)}
     lost = sorted((flat | some | set(raw.surfaces)) - solid - set(given)) if raw.named else []
     what = [f"{_listed(lost[:6])}{f' and {len(lost) - 6} more' if len(lost) > 6 else ''}, which hold no whole side"]
-    left_out = [*raw.left_out, *(what if lost else [])]
-    if not left_out:
+    omitted = [*raw.omitted, *(what if lost else [])]
+    if not omitted:
         return []
     return [
         Finding(
             code="G25",
             severity=Severity.NOTE,
-            message=f"Left out of '{raw.path.name}': {'; '.join(left_out)}.",
+            message=f"Left out of '{raw.path.name}': {'; '.join(omitted)}.",
             advice="Nothing is to be done unless a name is missing: faces need sets that hold all nodes of a side, "
             "and edges and points have no names in a mesh.",
         )

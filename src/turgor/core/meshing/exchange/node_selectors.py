@@ -145,7 +145,7 @@ def numbered_sides(
     TurgorError
         If no node of the file has one of the numbers.
     """
-    gone = np.append(solids.renumbered, -1)
+    renumbered = np.append(solids.renumbered, -1)
     for each in selectors:
         known = np.arange(len(raw.points)) if raw.node_numbers is None else raw.node_numbers
         strange = np.setdiff1d(each.numbers, known)
@@ -156,11 +156,11 @@ def numbered_sides(
             )
         order = np.argsort(known, kind="stable")
         if isinstance(each, ByNodes):
-            members = gone[order[np.searchsorted(known[order], each.numbers)]]
+            members = renumbered[order[np.searchsorted(known[order], each.numbers)]]
             rows = rows[np.isin(sides.corners[rows], members[members >= 0]).all(axis=1)]
         else:
             count = sides.kind.side.corners
             corners = np.array([row[:count] for row in each.rows if len(row) >= count], dtype=np.int64)
-            gone_sides = find_sides(sides, gone[order[np.searchsorted(known[order], corners.reshape(-1, count))]])
-            rows = np.intersect1d(rows, gone_sides)
+            own_sides = find_sides(sides, renumbered[order[np.searchsorted(known[order], corners.reshape(-1, count))]])
+            rows = np.intersect1d(rows, own_sides)
     return rows

@@ -180,8 +180,8 @@ def _with_middles(points: Array, parts: Ints, weights: Array, corners: int) -> t
     flat = parts.reshape(-1, parts.shape[2])
     keys = np.sort(flat[:, :corners], axis=1)
     _, first, place = np.unique(keys, axis=0, return_index=True, return_inverse=True)
-    made = np.einsum("pni,n->pi", points[flat[first]], weights)
-    return np.vstack([points, made]), len(points) + np.asarray(place).reshape(parts.shape[:2])
+    middles = np.einsum("pni,n->pi", points[flat[first]], weights)
+    return np.vstack([points, middles]), len(points) + np.asarray(place).reshape(parts.shape[:2])
 
 
 def side_numbers(sides: Ints, corners: int) -> Ints:
@@ -272,5 +272,5 @@ def _number_vertices_first(solids: Solids, raw: RawMesh) -> None:
     number = np.full(len(solids.points), -1, dtype=np.int64)
     number[order] = np.arange(len(order))
     solids.cells, solids.points = number[solids.cells], solids.points[order]
-    gone = np.append(number, -1)  # the last place stands for nodes that were removed already
-    solids.renumbered = gone[solids.renumbered]
+    renumbered = np.append(number, -1)  # the last place stands for nodes that were removed already
+    solids.renumbered = renumbered[solids.renumbered]

@@ -95,7 +95,7 @@ def mesh_surfaces(
         except TurgorError:
             raise error from None
         mesh = named_mesh(raw, wishes)
-        mesh = replace(mesh, findings=(*mesh.findings, _not_kept(file, error)))
+        mesh = replace(mesh, findings=(*mesh.findings, _not_followed(file, error)))
     else:
         mesh = named_mesh(raw, wishes)
     return with_unit_checked(mesh, file, stated=stated)
@@ -117,12 +117,12 @@ def _enveloped(file: Path, shells: Sequence[Triangles], frame: Frame) -> RawMesh
         faces=("outside",),
         shape=shape,
     )
-    made = mesh_with(geometry, MeshSettings())
-    block = Block(kind=KINDS["tetrahedron10"], nodes=made.cells)
-    return RawMesh(path=file, points=made.points / frame.scale, blocks=(block,), named=False)
+    mesh = mesh_with(geometry, MeshSettings())
+    block = Block(kind=KINDS["tetrahedron10"], nodes=mesh.cells)
+    return RawMesh(path=file, points=mesh.points / frame.scale, blocks=(block,), named=False)
 
 
-def _not_kept(file: Path, error: TurgorError) -> Finding:
+def _not_followed(file: Path, error: TurgorError) -> Finding:
     return Finding(
         code="G27",
         severity=Severity.NOTE,
@@ -150,29 +150,29 @@ def _wound(shell: Triangles, outward: bool) -> Triangles:
 def _filled(file: Path, shells: Sequence[Triangles], frame: Frame) -> RawMesh:
     before = netgen.SetMessageImportance(0)
     with captured_output() as text:
-        made = netgen.Mesh(dim=3)
-        made.Add(netgen.FaceDescriptor(surfnr=1, domin=1, domout=0, bc=1))
+        mesh = netgen.Mesh(dim=3)
+        mesh.Add(netgen.FaceDescriptor(surfnr=1, domin=1, domout=0, bc=1))
         for shell in shells:
-            numbers = [made.Add(netgen.MeshPoint(netgen.Pnt(*position))) for position in shell.points.tolist()]
+            numbers = [mesh.Add(netgen.MeshPoint(netgen.Pnt(*position))) for position in shell.points.tolist()]
             for triangle in shell.triangles.tolist():
-                made.Add(netgen.Element2D(1, [numbers[i] for i in triangle]))
+                mesh.Add(netgen.Element2D(1, [numbers[i] for i in triangle]))
         try:
-            made.GenerateVolumeMesh()
+            mesh.GenerateVolumeMesh()
         except netgen.NgException:
             pass  # no cells were made, which is reported below with the places
         finally:
             netgen.SetMessageImportance(before)
-        said = text()
-    cells = made.Elements3D().NumPy()["nodes"]
+        output = text()
+    cells = mesh.Elements3D().NumPy()["nodes"]
     if not len(cells):
-        raise _not_filled(file, shells, said, frame)
+        raise _not_filled(file, shells, output, frame)
     block = Block(kind=KINDS["tetrahedron4"], nodes=cells[:, :4].astype(np.int64) - 1)
-    points = np.array(made.Coordinates(), dtype=np.float64)
+    points = np.array(mesh.Coordinates(), dtype=np.float64)
     a, b, c, d = (points[block.nodes[:, i]] for i in range(4))
     filled = float(np.abs(np.einsum("ci,ci->c", b - a, np.cross(c - a, d - a))).sum()) / 6
-    wanted = sum(shell.volume for shell in shells)
-    if abs(filled - wanted) > MESH_FILE.volume * abs(wanted):
-        raise TurgorError(f"the cells between the surfaces of '{file}' fill {filled / wanted:.1%} of the space there.")
+    inside = sum(shell.volume for shell in shells)
+    if abs(filled - inside) > MESH_FILE.volume * abs(inside):
+        raise TurgorError(f"the cells between the surfaces of '{file}' fill {filled / inside:.1%} of the space there.")
     return RawMesh(path=file, points=points, blocks=(block,), named=False)
 
 

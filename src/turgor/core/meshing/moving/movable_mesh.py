@@ -76,8 +76,8 @@ class MovableMesh:
         even = self._affine(motion)
         motion[self._face_nodes] = self._over_faces.extended(motion - even) + even[self._face_nodes]
         for known, surface in zip(self.placed.faces, parts.surfaces, strict=True):
-            wanted = known.points + motion[known.nodes]
-            motion[known.nodes] = surface.nearest(wanted, known.uv)[1] - known.points
+            targets = known.points + motion[known.nodes]
+            motion[known.nodes] = surface.nearest(targets, known.uv)[1] - known.points
         motion[self._inside] = self._through.extended(motion[: self.mesh.vertex_count])
         ends, middles = self._inner_edges
         motion[middles] = motion[ends].mean(axis=1)

@@ -66,6 +66,6 @@ def _reached(adjacency: coo_array, own: Array, known: NDArray[np.bool_]) -> tupl
     if len(one):
         reached, first = np.unique(other, return_index=True)
         return reached, one[first]
-    left, settled = np.flatnonzero(~known), np.flatnonzero(known)
-    away, nearest = cKDTree(own[settled]).query(own[left])
-    return left[[away.argmin()]], settled[nearest[[away.argmin()]]]
+    others, settled = np.flatnonzero(~known), np.flatnonzero(known)
+    away, nearest = cKDTree(own[settled]).query(own[others])
+    return others[[away.argmin()]], settled[nearest[[away.argmin()]]]

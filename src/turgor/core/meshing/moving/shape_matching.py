@@ -93,11 +93,11 @@ def _paired(
         places.setdefault(key, []).append(place)
     partners = []
     for number, key in enumerate(known):
-        left = places.get(key, [])
-        if not left:
+        unpaired = places.get(key, [])
+        if not unpaired:
             return None
-        partners.append(left[0] if len(left) == 1 else min(left, key=lambda place: away(number, place)))
-        left.remove(partners[-1])
+        partners.append(unpaired[0] if len(unpaired) == 1 else min(unpaired, key=lambda place: away(number, place)))
+        unpaired.remove(partners[-1])
     return partners
 
 

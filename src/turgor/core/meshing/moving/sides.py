@@ -37,9 +37,9 @@ class Sides:
         count = len(self.shortest)
         keys = self.edges[:, 0] * count + self.edges[:, 1]
         low, high = np.sort(pairs, axis=1).T
-        wanted = low * count + high
-        place = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
-        return np.asarray(np.where(keys[place] == wanted, place, -1))
+        requested = low * count + high
+        place = np.minimum(np.searchsorted(keys, requested), len(keys) - 1)
+        return np.asarray(np.where(keys[place] == requested, place, -1))
 
 
 def sides_of(mesh: Mesh) -> Sides:

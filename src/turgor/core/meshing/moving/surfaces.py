@@ -106,10 +106,10 @@ def surface_of(face: Any, scale: float) -> Surface:
     return Surface(face, face.surf, scale)
 
 
-def _step(left: Array, along: Array, across: Array) -> Array:
+def _step(missing: Array, along: Array, across: Array) -> Array:
     """Change of parameters (n, 2) that takes points of a surface nearest to others, of which (n, 3) is left."""
     a, b, c = (np.einsum("ni,ni->n", *pair) for pair in ((along, along), (along, across), (across, across)))
-    r, s = (np.einsum("ni,ni->n", left, each) for each in (along, across))
+    r, s = (np.einsum("ni,ni->n", missing, each) for each in (along, across))
     determinant = a * c - b * b
     safe = np.where(determinant > 1e-14 * a * c, determinant, np.inf)  # nothing moves at a pole
     return np.asarray(np.stack([(c * r - b * s) / safe, (a * s - b * r) / safe], axis=1))

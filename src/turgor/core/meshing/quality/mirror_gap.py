@@ -132,7 +132,7 @@ def faces_its_image(mesh: Mesh) -> bool:
         facing.append((each.side * normal[:, each.axis] < -FACING.opposed) & (away < reach) & offs[-1].any(axis=1))
     free = first_hits(mesh.points, surface, reach, np.any(facing, axis=0)) < 0
     sees = [free & faces for faces in facing]
-    return any(_apart(surface[seen, :3], off[seen]) for seen, off in zip(sees, offs, strict=True))
+    return any(_apart(surface[triangles, :3], off[triangles]) for triangles, off in zip(sees, offs, strict=True))
 
 
 def _apart(triangles: Ints, off: NDArray[np.bool_]) -> bool:

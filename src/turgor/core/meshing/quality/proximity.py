@@ -98,9 +98,9 @@ def find_facing_walls(mesh: Mesh, reach: float | None = None, cavity: str | None
     if not (isfinite(reach) and reach > 0):
         raise TurgorError(f"reach is {reach / mm:g} mm; allowed is more than 0.")
     surface = six_node_triangles(outer_triangles(mesh))
-    left_out = _of_faces(mesh, surface, mesh.cavities) if cavity is None else ~_of_faces(mesh, surface, [cavity])
-    hit = first_hits(mesh.points, surface, reach, ~left_out)
-    hit[(hit >= 0) & left_out[hit]] = -1
+    excluded = _of_faces(mesh, surface, mesh.cavities) if cavity is None else ~_of_faces(mesh, surface, [cavity])
+    hit = first_hits(mesh.points, surface, reach, ~excluded)
+    hit[(hit >= 0) & excluded[hit]] = -1
     wall, pairs = find_walls(mesh.points, surface, hit)
     used = np.unique(pairs)
     walls = tuple(surface[wall == i] for i in used)

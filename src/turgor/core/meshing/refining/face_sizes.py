@@ -94,10 +94,10 @@ def _around(mesh: Mesh, edges: Ints) -> NDArray[np.bool_]:
 def _crossing(mesh: Mesh, of_cell: Ints, edges: Ints) -> Ints:
     """Numbers of the sheets that these edges cross."""
     count = len(mesh.points)
-    wanted = edges[:, 0] * count + edges[:, 1]
+    requested = edges[:, 0] * count + edges[:, 1]
     directions = [np.zeros(0, dtype=np.int64)]
     for direction, group in enumerate(CELL_EDGES):
         ends = np.sort(mesh.cells[:, np.array(group)], axis=2)
-        hit = np.isin(ends[..., 0] * count + ends[..., 1], wanted).any(axis=1)
+        hit = np.isin(ends[..., 0] * count + ends[..., 1], requested).any(axis=1)
         directions.append(of_cell[hit, direction])
     return np.unique(np.concatenate(directions))

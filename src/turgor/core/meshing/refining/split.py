@@ -182,9 +182,9 @@ def _first_marked(nodes: Ints, sides: tuple[tuple[int, int], ...], ranks: tuple[
     keys, rank = ranks
     best = np.full((len(nodes), len(sides)), len(keys), dtype=np.int64)
     for i, (a, b) in enumerate(sides):
-        wanted = _keys(nodes[:, [a, b]], 1 << 31)
-        place = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
-        best[:, i] = np.where(keys[place] == wanted, rank[place], len(keys))
+        edges = _keys(nodes[:, [a, b]], 1 << 31)
+        place = np.minimum(np.searchsorted(keys, edges), len(keys) - 1)
+        best[:, i] = np.where(keys[place] == edges, rank[place], len(keys))
     return np.where(best.min(axis=1) < len(keys), best.argmin(axis=1), -1)
 
 
@@ -195,9 +195,9 @@ def _halved_cells(cells: Ints, nodes: _Nodes) -> tuple[Ints, Ints]:
     near_a, near_b = _quarters(x, a, b, ab)
     ends = [np.stack(pair, axis=1) for pair in ((a, ab), (ab, b), (ab, c), (ab, d))]
     places = [near_a, near_b, _middle(x, cells[:, [0, 1, 2, 4, 5, 6]]), _middle(x, cells[:, [0, 1, 3, 4, 8, 7]])]
-    made = nodes.at(np.concatenate(ends), np.concatenate(places)).reshape(4, -1)
-    first = np.stack([a, ab, c, d, made[0], made[2], ca, ad, made[3], cd], axis=1)
-    second = np.stack([ab, b, c, d, made[1], bc, made[2], made[3], bd, cd], axis=1)
+    new = nodes.at(np.concatenate(ends), np.concatenate(places)).reshape(4, -1)
+    first = np.stack([a, ab, c, d, new[0], new[2], ca, ad, new[3], cd], axis=1)
+    second = np.stack([ab, b, c, d, new[1], bc, new[2], new[3], bd, cd], axis=1)
     return first, second
 
 

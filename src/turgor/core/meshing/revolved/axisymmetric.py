@@ -56,8 +56,8 @@ def axisymmetric_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     layer = Layer(start=0.0, end=pi / 2, fill=meridian.fill)
     sweep = Sweep(layers=(layer,), path=Turned(), names=tuple(names))
     section = _off_axis(section_of(sweep, sweep.outlines, fine))
-    made = assemble(fill(sweep, section, replace(fine, quarter_cells=AROUND)), geometry, sweep)
-    named = replace(made, faces=_named(made, meridian))
+    mesh = assemble(fill(sweep, section, replace(fine, quarter_cells=AROUND)), geometry, sweep)
+    named = replace(mesh, faces=_named(mesh, meridian))
     return _placed(rounded(named), meridian)
 
 

@@ -54,7 +54,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
 def _fewer(geometry: Geometry, size: float) -> float:
     """A size whose hexahedra have few enough unknowns, counted on a mesh; they fall about as the size rises."""
     try:
-        made = swept_mesh(geometry, Fineness(size=size))
+        mesh = swept_mesh(geometry, Fineness(size=size))
     except TurgorError:
         return size  # the mesh itself says what is wrong
-    return size * max(1.0, made.unknown_count / SIZING.default_unknowns)
+    return size * max(1.0, mesh.unknown_count / SIZING.default_unknowns)

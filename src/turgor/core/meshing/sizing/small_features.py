@@ -88,15 +88,15 @@ def small_features(geometry: Geometry, size: float, limit: float | None) -> Smal
     stated = limit is not None
     limit = FEATURES.coarse_radius * size if limit is None else limit
     small = radii < limit
-    wanted = np.minimum(radii / SIZING.cells_per_radius, size)
-    added = float(SIZING.unknowns_per_area * (areas * (wanted**-2 - size**-2))[small].sum())
+    sizes = np.minimum(radii / SIZING.cells_per_radius, size)
+    added = float(SIZING.unknowns_per_area * (areas * (sizes**-2 - size**-2))[small].sum())
     rest = SIZING.unknowns_per_volume * geometry.solid_volume / size**3
     if not small.any() or not (stated or added > max(FEATURES.unknowns, rest)):
         return None
-    wanted[small] = size
+    sizes[small] = size
     wide = _wide_rounds(facets, small, limit / scale)
-    wanted[wide] = np.minimum(radii[wide], size)  # six cells around
-    followed = wanted < size
+    sizes[wide] = np.minimum(radii[wide], size)  # six cells around
+    followed = sizes < size
     corners = facets.corners[followed] * scale
     return SmallFeatures(
         limit=limit,
@@ -104,7 +104,7 @@ def small_features(geometry: Geometry, size: float, limit: float | None) -> Smal
         faces=dict(Counter(str(facets.faces[i].name) for i in np.unique(facets.face[small]))),
         unknowns=added,
         lines=np.stack([corners, np.roll(corners, 1, axis=1)], axis=2).reshape(-1, 2, 3),
-        line_sizes=np.repeat(wanted[followed], 3),
+        line_sizes=np.repeat(sizes[followed], 3),
     )
 
 
@@ -126,7 +126,7 @@ def has_tiny_edges(geometry: Geometry, limit: float) -> bool:
     return any(edge.mass * geometry.length_scale < FEATURES.coarse_radius * limit for edge in geometry._cad.edges)
 
 
-def edges_left(limit: float, spared: float, filled: float) -> Finding:
+def coarse_edges(limit: float, spared: float, filled: float) -> Finding:
     """Say that the mesh does not keep small edges.
 
     Parameters
@@ -147,7 +147,7 @@ def edges_left(limit: float, spared: float, filled: float) -> Finding:
     )
 
 
-def features_left(features: SmallFeatures, stated: bool, filled: float, revolved: bool) -> Finding:
+def coarse_features(features: SmallFeatures, stated: bool, filled: float, revolved: bool) -> Finding:
     """Say which faces were left coarse and by how much the volume differs.
 
     Parameters

@@ -82,13 +82,13 @@ def find_thin_walls(mesh: Mesh, size: float, stated: Collection[str] = ()) -> Th
     normal, middle = unit_normals(mesh.points, inward), corners.mean(axis=1)
     hit = first_hits(mesh.points, inward, size / SIZING.largest_per_wall)
     facing = np.einsum("ti,ti->t", normal, normal[hit])
-    seen = np.flatnonzero((hit >= 0) & (facing < -FACING.opposed) & ~on_stated & ~on_stated[hit])
-    depth = np.einsum("ti,ti->t", middle[hit[seen]] - middle[seen], normal[hit[seen]]) / facing[seen]
-    longest = np.max([np.linalg.norm(corners[seen, a] - corners[seen, b], axis=1) for a, b in TRIANGLE_EDGES], axis=0)
+    rows = np.flatnonzero((hit >= 0) & (facing < -FACING.opposed) & ~on_stated & ~on_stated[hit])
+    depth = np.einsum("ti,ti->t", middle[hit[rows]] - middle[rows], normal[hit[rows]]) / facing[rows]
+    longest = np.max([np.linalg.norm(corners[rows, a] - corners[rows, b], axis=1) for a, b in TRIANGLE_EDGES], axis=0)
     thin = longest > THIN_WALLS.longest_per_wall * depth
-    one, two = (corners[seen, i] - corners[seen, 0] for i in (1, 2))
+    one, two = (corners[rows, i] - corners[rows, 0] for i in (1, 2))
     areas = np.linalg.norm(np.cross(one, two), axis=1) / 2
-    return ThinWalls(points=middle[seen][thin], thickness=depth[thin], areas=areas[thin])
+    return ThinWalls(points=middle[rows][thin], thickness=depth[thin], areas=areas[thin])
 
 
 def _on_faces(mesh: Mesh, surface: NDArray[np.int64], names: Collection[str]) -> NDArray[np.bool_]:
@@ -109,7 +109,7 @@ def refuse_thin_walls(walls: ThinWalls, name: str) -> None:
         )
 
 
-def thin_walls_left(walls: ThinWalls) -> Finding:
+def thin_walls_remain(walls: ThinWalls) -> Finding:
     """Say that walls stayed too thin for their cells."""
     return Finding(
         code="G09",

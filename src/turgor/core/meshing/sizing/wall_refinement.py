@@ -74,6 +74,6 @@ def _middles(mesh: Mesh, edges: Ints) -> Array:
     count = len(mesh.points)
     ends = np.sort(np.concatenate([mesh.cells[:, e] for e in TETRAHEDRON_EDGES]), axis=1)
     keys, first = np.unique(ends[:, 0] * count + ends[:, 1], return_index=True)
-    wanted = np.sort(edges, axis=1)
-    place = np.searchsorted(keys, wanted[:, 0] * count + wanted[:, 1])
+    requested = np.sort(edges, axis=1)
+    place = np.searchsorted(keys, requested[:, 0] * count + requested[:, 1])
     return np.asarray(mesh.points[mesh.cells[:, 4:].T.ravel()[first[place]]])

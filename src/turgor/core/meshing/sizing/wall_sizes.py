@@ -9,7 +9,12 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.sizing.settings import THIN_WALLS
 from turgor.core.meshing.sizing.sizes import wall_size
-from turgor.core.meshing.sizing.thin_walls import find_thin_walls, refuse_thin_walls, thin_walls_finer, thin_walls_left
+from turgor.core.meshing.sizing.thin_walls import (
+    find_thin_walls,
+    refuse_thin_walls,
+    thin_walls_finer,
+    thin_walls_remain,
+)
 
 
 def fitted_to_walls(
@@ -54,6 +59,6 @@ def fitted_to_walls(
     findings = []
     if sizes.places and chosen.wall_cells == 1:
         findings.append(thin_walls_finer(sizes.size, geometry.smallest_wall))
-    if len((left := find_thin_walls(result, sizes.size)).points):
-        findings.append(thin_walls_left(left))
+    if len((thin := find_thin_walls(result, sizes.size)).points):
+        findings.append(thin_walls_remain(thin))
     return replace(result, findings=(*result.findings, *findings))

@@ -77,12 +77,12 @@ def _face_names(points: NDArray[np.float64], sides: Ints, names: Names, solids: 
             there = between & np.isin(own, rule.regions) & np.isin(other, rule.regions)
         else:
             where = points[sides, rule.axis]
-            there = _in_range(where, rule, tolerance) & (outer | (_kept_inside(rule, inner, between)))
+            there = _in_range(where, rule, tolerance) & (outer | (_named_inside(rule, inner, between)))
         face[there] = rule.name
     return face
 
 
-def _kept_inside(rule: PlaneName | RangeName, inner: Flags, between: Flags) -> Flags:
+def _named_inside(rule: PlaneName | RangeName, inner: Flags, between: Flags) -> Flags:
     """Which sides with solids on both sides a rule may name."""
     if isinstance(rule, RangeName):
         return np.zeros_like(inner)

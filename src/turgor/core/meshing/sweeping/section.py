@@ -227,8 +227,8 @@ def divided_turn(lines: Array, radius: float, fine: Fineness, multiple: int = 1)
     """
     if fine.quarter_cells is not None:
         return _cut(lines, [round(gap / (pi / 2) * fine.quarter_cells) for gap in np.diff(lines)])
-    wanted = [max(gap * fine.curvature, gap * radius / fine.size) for gap in np.diff(lines)]
-    return _cut(lines, [multiple * ceil(count / multiple - 1e-6) for count in wanted])
+    counts = [max(gap * fine.curvature, gap * radius / fine.size) for gap in np.diff(lines)]
+    return _cut(lines, [multiple * ceil(count / multiple - 1e-6) for count in counts])
 
 
 def _cut(lines: Array, counts: Sequence[int]) -> Array:

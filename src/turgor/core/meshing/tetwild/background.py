@@ -54,8 +54,8 @@ def background(shape: SurfaceShape, size: float, face_sizes: Mapping[str, float]
         axis=1,
     )
     values = np.full(len(points), size)
-    for name, wanted in face_sizes.items():
+    for name, own in face_sizes.items():
         rows = np.isin(shape.face, [i for i, face in enumerate(shape.faces) if face.name == name])
         distance = cKDTree(shape.corners[rows].mean(axis=1)).query(points)[0]
-        values = np.minimum(values, np.maximum(wanted, wanted + grading * (distance - spacing)))
+        values = np.minimum(values, np.maximum(own, own + grading * (distance - spacing)))
     return Background(points=points, cells=corners[:, np.array(_KUHN)].reshape(-1, 4), values=values)

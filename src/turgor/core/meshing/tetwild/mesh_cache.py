@@ -33,6 +33,6 @@ def cached_cells(inputs: Mapping[str, object], make: Callable[[], tuple[Array, I
     match MESHES.get(*key):
         case np.ndarray() as points, np.ndarray() as cells:
             return points, cells
-    made = make()
-    MESHES.put(made, *key)
-    return made
+    new = make()
+    MESHES.put(new, *key)
+    return new

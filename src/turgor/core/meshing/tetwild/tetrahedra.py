@@ -82,8 +82,8 @@ def _filled(shape: SurfaceShape, settings: MeshSettings, size: float, envelope: 
     inputs: dict[str, object] = {}
     if settings.face_sizes:
         sizes = {face: value / mm for face, value in settings.face_sizes.items()}
-        made = background(shape, size, sizes, float(settings.grading))
-        inputs |= {"bg_vertices": made.points, "bg_tets": made.cells.astype(np.int32), "bg_values": made.values}
+        field = background(shape, size, sizes, float(settings.grading))
+        inputs |= {"bg_vertices": field.points, "bg_tets": field.cells.astype(np.int32), "bg_values": field.values}
     inputs |= {
         "vertices": shape.points,
         "faces": shape.triangles.astype(np.int32),

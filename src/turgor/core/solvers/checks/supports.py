@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.boundary import PrescribedComponents, prescribed_components
 from turgor.core.engine.points.bearing_term import stopped
-from turgor.core.engine.points.point_unknowns import with_carried
+from turgor.core.engine.points.point_unknowns import with_carrier_points
 from turgor.core.meshing.bodies.bodies import Body, find_bodies
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
@@ -94,7 +94,7 @@ def _fixed_motions(model: Model, supports: PrescribedComponents, body: Body) -> 
 
 def _arms(model: Model, supports: PrescribedComponents, body: Body) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Arms (n + e, 3) of all nodes in a rotation about the center of a body, over its size, and in a translation."""
-    points = with_carried(model.mesh.points, supports.carriers) - model.mesh.points[body.nodes].mean(axis=0)
+    points = with_carrier_points(model.mesh.points, supports.carriers) - model.mesh.points[body.nodes].mean(axis=0)
     size = float(np.abs(points[body.nodes]).max())
     arms, goes = points / size, np.ones(len(points))
     for each in supports.carriers:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
-from turgor.core.engine.contact.friction import with_limits_kept
+from turgor.core.engine.contact.friction import with_constant_limits
 from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation
 from turgor.core.solvers.constraints.constraint import Constraint
@@ -49,7 +49,7 @@ def inertia_corrected(
         return _failed(None, 0, np.inf)
     start = unknowns.copy()
     start[system.prescribed] = system.prescribed_values(load_factor)
-    constant = constraint.with_friction(with_limits_kept(constraint.friction))
+    constant = constraint.with_friction(with_constant_limits(constraint.friction))
     at = evaluate(constant, tangent, (start, NO_SCALARS), load_factor)
     if at is None or not any(each.inside.any() for each in at.contacts.gaps):
         return _failed(at, 0, np.inf)

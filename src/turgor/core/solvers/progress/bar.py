@@ -72,7 +72,7 @@ class Bar:
         """Move the bar."""
         self._appear()
         self._course.follow(state)
-        factor, remaining = f"{self._course.load_factor:.3f}", f"{clock(self._course.remaining_seconds)} left"
+        factor, remaining = f"{self._course.load_factor:.3f}", f"{clock(self._course.seconds_left)} left"
         free = self._console.width - OTHERS - len(remaining)
         description = fitting([f"{of_stage(self._course.stage)}load factor {factor}", factor], free, alternatives=True)
         work = (

@@ -42,7 +42,7 @@ class NotebookBar:
         """Move the bar."""
         self._course.follow(state)
         text = f"{of_stage(self._course.stage)}load factor {self._course.load_factor:.3f}, step {iteration.step}"
-        self._draw(f"{text}, {clock(self._course.remaining_seconds)} left")
+        self._draw(f"{text}, {clock(self._course.seconds_left)} left")
 
     def _draw(self, text: str, now: bool = False) -> None:
         if now or perf_counter() >= self._next:

@@ -37,7 +37,7 @@ class Course:
         return ()
 
     @property
-    def remaining_seconds(self) -> float | None:
+    def seconds_left(self) -> float | None:
         """Remaining time at the speed of the last steps [s]; None before the first accepted step."""
         if len(self._accepted) < 2:
             return None

@@ -11,7 +11,7 @@ from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.read import read_here as read_cad
 from turgor.core.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, WithNormal
 from turgor.core.geometry.cad.split import SplitPlane
-from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
+from turgor.core.geometry.cad.symmetry.requested import RequestedSymmetry
 from turgor.core.meshing.quality.cell_quality import cell_volumes
 from turgor.units import mm
 
@@ -193,7 +193,7 @@ def test_three_colored_solids_become_three_bonded_regions(tmp_path):
     low, high = ("-".join(sorted(pair, key=order.index)) for pair in (("base", "walls"), ("walls", "lid")))
     assert (areas(part)[low], areas(part)[high]) == pytest.approx((30 * 10 - 24 * 6,) * 2)
     assert "interface" not in part.faces
-    half = read_cad(part.file, faces=ENDS, regions=colors, symmetry=WantedSymmetry("y"))
+    half = read_cad(part.file, faces=ENDS, regions=colors, symmetry=RequestedSymmetry("y"))
     assert (areas(half)[low], areas(half)[high]) == pytest.approx((15 * 10 - 12 * 6,) * 2)
     mesh = tg.mesh(part, size=4 * mm)
     nodes = {name: set(np.unique(mesh.cells[cells]).tolist()) for name, cells in mesh.regions.items()}

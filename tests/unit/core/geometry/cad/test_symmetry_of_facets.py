@@ -7,14 +7,14 @@ import wedge_cases
 from prints import PRINTS
 from refused import refused
 from turgor.core.geometry.cad.read import read_here
-from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
+from turgor.core.geometry.cad.symmetry.requested import RequestedSymmetry
 from turgor.core.meshing.generate import mesh
 from turgor.units import mm
 
 
 def read(name, folder, asked="automatic", **broken):
     path = PRINTS[name]().write(folder / f"{name}.stl")
-    return read_here(path, faces=wedge_cases.ENDS, symmetry=WantedSymmetry(asked, **broken))
+    return read_here(path, faces=wedge_cases.ENDS, symmetry=RequestedSymmetry(asked, **broken))
 
 
 @pytest.mark.parametrize(("name", "planes"), [("half_round", "y"), ("open_inlet", "yz")])

@@ -15,19 +15,19 @@ def gmres(product: Map, precondition: Map, right: Array, tolerance: float, limit
     The basis in single precision needs half the memory and time. What its round-off hides is seen in the residual,
     which is computed in double precision before every start. It starts again where that is not small enough yet.
     """
-    wanted = tolerance * float(np.linalg.norm(right))
-    solution, left, used = np.zeros_like(right), right, 0
-    while float(np.linalg.norm(left)) > wanted:
+    target = tolerance * float(np.linalg.norm(right))
+    solution, residual, used = np.zeros_like(right), right, 0
+    while float(np.linalg.norm(residual)) > target:
         if used >= limit:
             return None, used
-        change, steps = _cycle(product, precondition, left, wanted, limit - used)
+        change, steps = _cycle(product, precondition, residual, target, limit - used)
         used += steps
         solution = solution + change
-        left = right - product(solution)
+        residual = right - product(solution)
     return solution, used
 
 
-def _cycle(product: Map, precondition: Map, right: Array, wanted: float, limit: int) -> tuple[Array, int]:
+def _cycle(product: Map, precondition: Map, right: Array, target: float, limit: int) -> tuple[Array, int]:
     """One start: the change of the solution, and the iterations."""
     from scipy.linalg import lstsq  # slow to load, and factors serve most models
 
@@ -46,8 +46,8 @@ def _cycle(product: Map, precondition: Map, right: Array, wanted: float, limit: 
         hessenberg[k + 1, k] = norm = float(np.linalg.norm(new))
         small = hessenberg[: k + 2, : k + 1]
         shares = lstsq(small, first[: k + 2])[0]
-        left = float(np.linalg.norm(first[: k + 2] - small @ shares))
-        if left <= 0.9 * wanted or norm <= 1e-6 * float(np.linalg.norm(hessenberg[: k + 1, k])):
+        residual = float(np.linalg.norm(first[: k + 2] - small @ shares))
+        if residual <= 0.9 * target or norm <= 1e-6 * float(np.linalg.norm(hessenberg[: k + 1, k])):
             break
         basis[k + 1] = new / norm
     return precondition((shares.astype(np.float32) @ basis[: k + 1]).astype(np.float64)), k + 1

@@ -38,9 +38,9 @@ class NodeBlocks:
 
     def presmooth(self, right: Singles) -> tuple[Singles, Singles]:
         """One forward sweep from zero: the solution and the residual that it leaves, for the price of one product."""
-        solution, left = np.empty_like(right), np.empty_like(right)
-        _forward(self.indptr, self.indices, self.values, self.inverses, right, solution, left)
-        return solution, left
+        solution, residual = np.empty_like(right), np.empty_like(right)
+        _forward(self.indptr, self.indices, self.values, self.inverses, right, solution, residual)
+        return solution, residual
 
     def postsmooth(self, right: Singles, solution: Singles) -> None:
         """One backward sweep, in place."""
@@ -73,12 +73,12 @@ def node_blocks(pattern: Pattern, data: NDArray[np.float64], rows: tuple[Ints, N
 def _row_lengths(indptr, indices, nodes):
     """Blocks in each row of nodes."""
     count = np.zeros(nodes, dtype=np.int64)
-    seen = np.full(nodes, -1, dtype=np.int64)
+    last = np.full(nodes, -1, dtype=np.int64)
     for column in range(nodes):
         for k in range(indptr[3 * column], indptr[3 * column + 3]):
             row = indices[k] // 3
-            if row < nodes and seen[row] != column:
-                seen[row] = column
+            if row < nodes and last[row] != column:
+                last[row] = column
                 count[column] += 1
                 count[row] += row != column
     return count
@@ -89,13 +89,13 @@ def _fill_rows(indptr, indices, block_indptr, block_indices):
     """Nodes of each row, rising: first those below it, which earlier columns have put there."""
     nodes = len(block_indptr) - 1
     free = block_indptr[:-1].copy()
-    seen = np.full(nodes, -1, dtype=np.int64)
+    last = np.full(nodes, -1, dtype=np.int64)
     for column in range(nodes):
         first = free[column]
         for k in range(indptr[3 * column], indptr[3 * column + 3]):
             row = indices[k] // 3
-            if row < nodes and seen[row] != column:
-                seen[row] = column
+            if row < nodes and last[row] != column:
+                last[row] = column
                 block_indices[free[column]] = row
                 free[column] += 1
                 if row != column:
@@ -146,7 +146,7 @@ def _add(block, x, at, s):
 
 
 @njit(**LOOP)
-def _forward(indptr, indices, values, inverses, right, solution, left):
+def _forward(indptr, indices, values, inverses, right, solution, residual):
     """Solve with the lower triangle of blocks; what is left are the products of the upper one."""
     nodes = len(indptr) - 1
     solution[:] = 0
@@ -163,7 +163,7 @@ def _forward(indptr, indices, values, inverses, right, solution, left):
         while indices[k] > node:
             s = _take(values[k], solution, 3 * indices[k], s)
             k -= 1
-        left[3 * node], left[3 * node + 1], left[3 * node + 2] = s
+        residual[3 * node], residual[3 * node + 1], residual[3 * node + 2] = s
 
 
 @njit(**LOOP)

@@ -58,7 +58,7 @@ class IterativeSolver:
     @property
     def name(self) -> str:
         """Name of what solves the present tangent."""
-        return self._made().name if self._direct_only else "gmres, two levels"
+        return self._direct_solver().name if self._direct_only else "gmres, two levels"
 
     @property
     def iterative(self) -> bool:
@@ -74,9 +74,9 @@ class IterativeSolver:
     def double(self, value: bool) -> None:
         if value:
             self._direct_only = True
-            self._made().double = True
+            self._direct_solver().double = True
 
-    def _made(self) -> LinearSolver:
+    def _direct_solver(self) -> LinearSolver:
         if self._direct is None:
             self._direct = self._make()
         return self._direct
@@ -106,17 +106,17 @@ class IterativeSolver:
 
     def _factor_directly(self) -> None:
         self._direct_holds = True
-        self._made().factor(self._data)
+        self._direct_solver().factor(self._data)
 
-    def solve(self, right: Array, left: float = REFINED) -> Array:
+    def solve(self, right: Array, reduction: float = REFINED) -> Array:
         """Solve to a relative residual; with factors where these are there."""
         if not self._direct_holds:
-            solution, used = gmres(self._product, self._precondition, right, left, ITERATIVE_SOLVER.iterations)
+            solution, used = gmres(self._product, self._precondition, right, reduction, ITERATIVE_SOLVER.iterations)
             self.iterations += used
             if solution is not None:
                 return solution
             self._give_up()
-        return self._made().solve(right, left)
+        return self._direct_solver().solve(right, reduction)
 
     def _product(self, vector: Array) -> Array:
         return self._pattern.product(self._data, vector)
@@ -130,7 +130,7 @@ class IterativeSolver:
 
     def negative_pivots(self, expected: int) -> int | None:
         """Negative pivots of the factors that are there, else None: GMRES has none."""
-        return self._made().negative_pivots(expected) if self._direct_holds else None
+        return self._direct_solver().negative_pivots(expected) if self._direct_holds else None
 
 
 class _Blocks:

@@ -60,9 +60,9 @@ class TwoLevels:
         """One cycle from zero."""
         assert self._blocks is not None and self._coarse is not None
         forces = right.astype(np.float32)
-        solution, left = self._blocks.presmooth(forces)
+        solution, rest = self._blocks.presmooth(forces)
         parents, free = self._levels.parents, self._free
-        coarse = self._coarse.solve(_restricted(left, parents, free, len(self._levels.vertices)) * self._vertex_free)
+        coarse = self._coarse.solve(_restricted(rest, parents, free, len(self._levels.vertices)) * self._vertex_free)
         _prolong(solution, coarse.astype(np.float32), parents, free)
         self._blocks.postsmooth(forces, solution)
         return solution.astype(np.float64)
@@ -121,14 +121,14 @@ def _galerkin(coarse, values, fine, down, children, vertex_free):
 
 
 @njit(**LOOP)
-def _restricted(left, parents, free, vertices):
+def _restricted(residual, parents, free, vertices):
     """Forces on the vertices, half of those on each node to each parent."""
     out = np.zeros(3 * vertices, dtype=np.float32)
     for node in range(len(parents)):
         for side in range(2):
             at = 3 * parents[node, side]
             for a in range(3):
-                out[at + a] += np.float32(0.5) * free[node, a] * left[3 * node + a]
+                out[at + a] += np.float32(0.5) * free[node, a] * residual[3 * node + a]
     return out
 
 

@@ -37,7 +37,7 @@ class OrientationSettings:
 ORIENTATION = OrientationSettings()
 
 
-def found_rotation(part: Part, names: Sequence[str]) -> tuple[Array | None, bool]:
+def rotation_along_x(part: Part, names: Sequence[str]) -> tuple[Array | None, bool]:
     """Find the rotation after which a part lies along x.
 
     Parameters

@@ -34,13 +34,13 @@ def loops_of(face: Any) -> list[list[Any]]:
 
 def outline_of(lines: Sequence[Array]) -> Outline:
     """Chain edges into an outline, counterclockwise."""
-    left = list(lines)
-    chain = [left.pop(0)]
+    remaining = list(lines)
+    chain = [remaining.pop(0)]
     size = max(float(np.ptp(line, axis=0).max()) for line in lines)
-    while left:
+    while remaining:
         end = chain[-1][-1]
-        gaps = [min(hypot(*(line[0] - end)), hypot(*(line[-1] - end))) for line in left]
-        line = left.pop(int(np.argmin(gaps)))
+        gaps = [min(hypot(*(line[0] - end)), hypot(*(line[-1] - end))) for line in remaining]
+        line = remaining.pop(int(np.argmin(gaps)))
         chain.append(line if hypot(*(line[0] - end)) <= hypot(*(line[-1] - end)) else line[::-1])
     if hypot(*(chain[-1][-1] - chain[0][0])) > 1e-4 * size:  # the first edge was taken backwards
         chain[0] = chain[0][::-1]

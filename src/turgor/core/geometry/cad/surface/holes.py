@@ -81,9 +81,9 @@ def _loops(edges: Ints, points: Array, name: str) -> list[Ints]:
             f"'{name}' is open around ({x:.4g}, {y:.4g}, {z:.4g}) in units of the file, and the holes there touch each "
             "other; close them where the part was made."
         )
-    loops, left = [], set(after)
-    while left:
-        start = min(left)
+    loops, remaining = [], set(after)
+    while remaining:
+        start = min(remaining)
         loop, last, at = [start], -1, start
         while True:
             following = next((node for node in after[at] if node != last), start)
@@ -91,6 +91,6 @@ def _loops(edges: Ints, points: Array, name: str) -> list[Ints]:
                 break
             loop.append(following)
             last, at = at, following
-        left -= set(loop)
+        remaining -= set(loop)
         loops.append(np.array(loop, dtype=np.int64))
     return loops

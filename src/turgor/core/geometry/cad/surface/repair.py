@@ -77,14 +77,14 @@ def repaired(corners: Array, name: str) -> Repaired:
         points, turned = _united(points, turned, name)
     crossing = len(crossings(points, turned))
     more = " and more" if len(holes) > 3 else ""
-    said = [
+    repairs = [
         (doubles, f"{_count(doubles, 'facet')} removed that lay on another one"),
         (flipped, f"{_count(flipped, 'facet')} turned over whose normal pointed the wrong way"),
         (len(holes), f"{_count(len(holes), 'hole')} closed, {', '.join(holes[:3])}{more}"),
         (overlapping, f"{_count(overlapping, 'shell')} united that overlap"),
         (crossing, f"{_count(crossing, 'pair')} of facets left that cut through each other: the mesh ignores them"),
     ]
-    findings = _findings(name, [text for number, text in said if number])
+    findings = _findings(name, [text for number, text in repairs if number])
     return Repaired(points=points, triangles=turned, crossing=crossing, findings=findings)
 
 
@@ -92,14 +92,14 @@ def _count(number: int, what: str) -> str:
     return f"{number} {what}{'' if number == 1 else 's'}"
 
 
-def _findings(name: str, said: list[str]) -> tuple[Finding, ...]:
-    if not said:
+def _findings(name: str, repairs: list[str]) -> tuple[Finding, ...]:
+    if not repairs:
         return ()
     return (
         Finding(
             code="D06",
             severity=Severity.NOTE,
-            message=f"The surface of '{name}' was repaired: {'; '.join(said)}.",
+            message=f"The surface of '{name}' was repaired: {'; '.join(repairs)}.",
             advice="Look at a picture of the part to see that it is the one that you mean.",
         ),
     )
@@ -132,8 +132,8 @@ def _united(points: Array, triangles: Ints, name: str) -> tuple[Array, Ints]:
         nodes, places = np.unique(own, return_inverse=True)
         own = places.reshape(-1, 3)
         hollow = _volume(points[nodes], own) < 0
-        made = manifold(points[nodes], own[:, ::-1] if hollow else own, name)
-        (voids if hollow else solids).append(made)
+        closed = manifold(points[nodes], own[:, ::-1] if hollow else own, name)
+        (voids if hollow else solids).append(closed)
     body = Manifold.batch_boolean(solids, OpType.Add)
     if voids:
         body = body - Manifold.batch_boolean(voids, OpType.Add)
@@ -145,13 +145,13 @@ def _united(points: Array, triangles: Ints, name: str) -> tuple[Array, Ints]:
 
 def manifold(points: Array, triangles: Ints, name: str) -> Manifold:
     """Return a closed surface as a body for booleans."""
-    made = Manifold(Mesh64(np.ascontiguousarray(points), np.ascontiguousarray(triangles.astype(np.uint64))))
-    if made.is_empty():
-        reason = str(made.status()).rsplit(".", 1)[-1]
+    body = Manifold(Mesh64(np.ascontiguousarray(points), np.ascontiguousarray(triangles.astype(np.uint64))))
+    if body.is_empty():
+        reason = str(body.status()).rsplit(".", 1)[-1]
         raise TurgorError(
             f"the shells of '{name}' overlap and cannot be united ({reason}); join the bodies in the CAD program."
         )
-    return made
+    return body
 
 
 def _volume(points: Array, triangles: Ints) -> float:

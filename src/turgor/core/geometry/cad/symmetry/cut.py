@@ -12,15 +12,15 @@ from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.cad.symmetry.facet_cut import facet_half, facet_symmetry
 from turgor.core.geometry.cad.symmetry.find import MirrorPlane, PartSymmetry, find_symmetry
 from turgor.core.geometry.cad.symmetry.modeled_share import Modeled
-from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
+from turgor.core.geometry.cad.symmetry.requested import RequestedSymmetry
 from turgor.core.geometry.cad.symmetry.wedges import cut_to_wedge, requested_wedge, smaller_wedge
 from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 
 
-def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Modeled:
-    """Cut a part at the mirror planes, or to the wedge, that are wanted and that it has.
+def modeled_part(part: Part, names: Sequence[str], requested: RequestedSymmetry) -> Modeled:
+    """Cut a part at the mirror planes, or to the wedge, that are requested and that it has.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Mo
         The whole part.
     names : sequence of str
         Name of each of its faces.
-    wanted : WantedSymmetry
+    requested : RequestedSymmetry
 
     Returns
     -------
@@ -40,48 +40,52 @@ def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Mo
     TurgorError
         If what is requested by name does not map the part onto itself.
     """
-    if not wanted.automatic and not wanted.normals and not wanted.wedge:
+    if not requested.automatic and not requested.normals and not requested.wedge:
         return Modeled(part=part, names=tuple(names))
     facets = isinstance(part.shape, SurfaceShape)
-    if facets and wanted.wedge:
+    if facets and requested.wedge:
         raise TurgorError(
             f"symmetry: '{part.path}' is given by facets, and is cut at mirror planes only, not to a wedge: "
             'use "automatic" or "y", or export STEP.'
         )
     symmetry = facet_symmetry(part, names) if facets else find_symmetry(part, names)
-    if wanted.wedge:
-        return cut_to_wedge(part, names, requested_wedge(part, names, symmetry, wanted.fold))
-    used, left = _chosen(part, symmetry, wanted)
-    smaller = smaller_wedge(part, names, symmetry, wanted, 2 ** len(used)) if wanted.automatic else None
+    if requested.wedge:
+        return cut_to_wedge(part, names, requested_wedge(part, names, symmetry, requested.fold))
+    used, refused = _chosen(part, symmetry, requested)
+    smaller = smaller_wedge(part, names, symmetry, requested, 2 ** len(used)) if requested.automatic else None
     if smaller is not None:
         return cut_to_wedge(part, names, smaller)
     for plane in used:
         part, names = facet_half(part, names, plane) if facets else _half(part, names, plane)
-    return Modeled(part=part, names=tuple(names), findings=(_finding(used, left),))
+    return Modeled(part=part, names=tuple(names), findings=(_finding(used, refused),))
 
 
-def _chosen(part: Part, symmetry: PartSymmetry, wanted: WantedSymmetry) -> tuple[list[MirrorPlane], dict[str, str]]:
-    """The planes to cut at, and why the others are left."""
+def _chosen(
+    part: Part, symmetry: PartSymmetry, requested: RequestedSymmetry
+) -> tuple[list[MirrorPlane], dict[str, str]]:
+    """The planes to cut at, and why the others are not used."""
     mirrors = {plane.normal: plane for plane in symmetry.mirrors}
-    if not wanted.automatic:
-        for letter in wanted.normals:
+    if not requested.automatic:
+        for letter in requested.normals:
             _check_has(part, letter, mirrors)
-            if letter in wanted.broken:
+            if letter in requested.broken:
                 raise TurgorError(
-                    f"symmetry: the mirror plane across {letter} cannot be used: {wanted.broken[letter]}."
+                    f"symmetry: the mirror plane across {letter} cannot be used: {requested.broken[letter]}."
                 )
-        return [mirrors[letter] for letter in wanted.normals], {}
-    used, left = [], {}
+        return [mirrors[letter] for letter in requested.normals], {}
+    used, refused = [], {}
     for letter, plane in mirrors.items():
-        if letter in wanted.broken:
-            left[letter] = wanted.broken[letter]
+        if letter in requested.broken:
+            refused[letter] = requested.broken[letter]
         elif any({"fixed", "tip"} & set(pair) for pair in plane.joined):
-            continue  # the ends are fixed and moved differently: nobody expects a half there
+            continue  # the ends are fixed and moved differently, so a plane between them is not reported
         elif plane.joined:
-            left[letter] = f"it maps '{plane.joined[0][0]}' onto '{plane.joined[0][1]}', which have names of their own"
+            refused[letter] = (
+                f"it maps '{plane.joined[0][0]}' onto '{plane.joined[0][1]}', which have names of their own"
+            )
         else:
             used.append(plane)
-    return used, left
+    return used, refused
 
 
 def _check_has(part: Part, letter: str, mirrors: dict[str, MirrorPlane]) -> None:
@@ -136,12 +140,12 @@ def _named(part: Part, shape: Any, axis: int, plane: MirrorPlane) -> tuple[Part,
     return with_shape(part, shape, faces, facets), tuple(names)
 
 
-def _finding(used: Sequence[MirrorPlane], left: dict[str, str]) -> Finding:
+def _finding(used: Sequence[MirrorPlane], refused: dict[str, str]) -> Finding:
     """Say what is modeled."""
     share = {0: "The whole part", 1: "Half of the part", 2: "A quarter of the part", 3: "An eighth of the part"}
     planes = " and ".join(f"{plane.normal} = {plane.position + 0.0:.4g} mm" for plane in used)
     at = f", cut at the mirror plane{'s' if len(used) > 1 else ''} {planes}" if used else ""
-    rest = "".join(f" The mirror plane across {letter} is not used: {reason}." for letter, reason in left.items())
+    rest = "".join(f" The mirror plane across {letter} is not used: {reason}." for letter, reason in refused.items())
     return Finding(
         code="D07",
         severity=Severity.NOTE,

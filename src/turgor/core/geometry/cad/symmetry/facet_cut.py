@@ -161,13 +161,13 @@ def _cap(points: Array, triangles: Ints, axis: int, name: str) -> Ints:
             f"symmetry: where '{name}' is cut at a mirror plane, the rims of its walls touch each other; model the "
             "whole of it, or cut it where it was made and name the cut symmetry_x, symmetry_y or symmetry_z."
         )
-    loops, left = [], set(after)
-    while left:
-        loop = [min(left)]
+    loops, remaining = [], set(after)
+    while remaining:
+        loop = [min(remaining)]
         while after[loop[-1]] != loop[0]:
             loop.append(after[loop[-1]])
-        left -= set(loop)
+        remaining -= set(loop)
         loops.append(loop)
     flat = points[:, [(axis + 2) % 3, (axis + 1) % 3]]
-    made = triangulate([np.ascontiguousarray(flat[loop]) for loop in loops])
-    return np.concatenate([np.array(loop) for loop in loops])[np.asarray(made, dtype=np.int64)]
+    triangles_of_cap = triangulate([np.ascontiguousarray(flat[loop]) for loop in loops])
+    return np.concatenate([np.array(loop) for loop in loops])[np.asarray(triangles_of_cap, dtype=np.int64)]

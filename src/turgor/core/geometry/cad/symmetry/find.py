@@ -62,12 +62,12 @@ class PartSymmetry:
 
     def __str__(self) -> str:
         planes = " and ".join(f"{plane.normal} = {_shown(plane.position)} mm" for plane in self.mirrors)
-        said = [f"mirror plane{'s' if len(self.mirrors) > 1 else ''} {planes}"] if planes else []
+        parts = [f"mirror plane{'s' if len(self.mirrors) > 1 else ''} {planes}"] if planes else []
         if self.fold == 0:
-            said.append(f"a body of revolution about {self.axis} (wedges of any number of sectors)")
+            parts.append(f"a body of revolution about {self.axis} (wedges of any number of sectors)")
         elif self.fold > 1:
-            said.append(f"the same after each of {self.fold} turns about {self.axis} (wedge {self.fold})")
-        return "; ".join(said) or "none"
+            parts.append(f"the same after each of {self.fold} turns about {self.axis} (wedge {self.fold})")
+        return "; ".join(parts) or "none"
 
 
 def find_symmetry(part: Part, names: Sequence[str]) -> PartSymmetry:

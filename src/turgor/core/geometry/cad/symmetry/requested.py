@@ -20,7 +20,7 @@ AXES = "xyz"
 
 
 @dataclass(frozen=True, slots=True)
-class WantedSymmetry:
+class RequestedSymmetry:
     """Where to cut a part.
 
     Parameters
@@ -36,11 +36,11 @@ class WantedSymmetry:
 
     Examples
     --------
-    >>> WantedSymmetry("yz").normals
+    >>> RequestedSymmetry("yz").normals
     ('y', 'z')
-    >>> WantedSymmetry("wedge 6").fold
+    >>> RequestedSymmetry("wedge 6").fold
     6
-    >>> WantedSymmetry("third")
+    >>> RequestedSymmetry("third")
     Traceback (most recent call last):
     turgor.TurgorError: symmetry is 'third'; allowed are "none", "automatic", normals of mirror planes such as \
 "y" for a half or "yz" for a quarter, and "wedge", with the number of sectors as in "wedge 6" (2 to 36).
@@ -87,4 +87,4 @@ class WantedSymmetry:
 
 
 #: No plane is used.
-WHOLE = WantedSymmetry()
+WHOLE = RequestedSymmetry()

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from turgor.core.geometry.cad.part import Part
 from turgor.core.geometry.cad.symmetry.find import PartSymmetry, joined_by_turn
 from turgor.core.geometry.cad.symmetry.modeled_share import Modeled
-from turgor.core.geometry.cad.symmetry.requested import WantedSymmetry
+from turgor.core.geometry.cad.symmetry.requested import RequestedSymmetry
 from turgor.core.geometry.cad.symmetry.sector import sector
 from turgor.core.geometry.cad.symmetry.settings import SYMMETRY
 from turgor.core.geometry.wedge import Wedge
@@ -45,10 +45,10 @@ def requested_wedge(part: Part, names: Sequence[str], symmetry: PartSymmetry, fo
 
 
 def smaller_wedge(
-    part: Part, names: Sequence[str], symmetry: PartSymmetry, wanted: WantedSymmetry, share: int
+    part: Part, names: Sequence[str], symmetry: PartSymmetry, requested: RequestedSymmetry, share: int
 ) -> Wedge | None:
     """The wedge of a part, if it is a smaller share than 1/share and loads and names allow it."""
-    if not symmetry.axis or symmetry.axis in wanted.broken_turns:
+    if not symmetry.axis or symmetry.axis in requested.broken_turns:
         return None
     if symmetry.fold == 0 and share > 1:
         return None  # a quarter becomes axisymmetric if that is wanted

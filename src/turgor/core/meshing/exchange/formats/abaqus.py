@@ -42,7 +42,7 @@ class _Content:
     surfaces: dict[str, list[tuple[str, str]]] = field(default_factory=lambda: defaultdict(list))
     sections: list[str] = field(default_factory=list)
     unread: list[str] = field(default_factory=list)
-    left_out: list[str] = field(default_factory=list)
+    omitted: list[str] = field(default_factory=list)
 
 
 def read_abaqus(path: Path) -> RawMesh:
@@ -214,9 +214,9 @@ def _mesh(content: _Content) -> RawMesh:
     tables = {kind: np.array(cells, dtype=np.int64) for kind, cells in content.cells.items()}
     numbered = np.concatenate([np.zeros(0, dtype=np.int64), *(table[:, 0] for table in tables.values())])
     if content.unread:
-        content.left_out.append(f"cells of the types {', '.join(sorted(set(content.unread)))}")
-    node_sets = NumberSets(content.node_sets, ids, "node", content.left_out)
-    cell_sets = NumberSets(content.cell_sets, numbered, "" if content.unread else "cell", content.left_out)
+        content.omitted.append(f"cells of the types {', '.join(sorted(set(content.unread)))}")
+    node_sets = NumberSets(content.node_sets, ids, "node", content.omitted)
+    cell_sets = NumberSets(content.cell_sets, numbered, "" if content.unread else "cell", content.omitted)
     members = {name: numbered[rows] for name, rows in cell_sets.all().items()}
     blocks, corners = [], CellTable()
     for kind, table in tables.items():
@@ -230,11 +230,11 @@ def _mesh(content: _Content) -> RawMesh:
         blocks=tuple(blocks),
         node_sets=node_sets.all(),
         surfaces={
-            name: surface_sides(name, parts, cell_sets, corners, content.left_out)
+            name: surface_sides(name, parts, cell_sets, corners, content.omitted)
             for name, parts in content.surfaces.items()
         },
         sections=_sections(content),
-        left_out=tuple(content.left_out),
+        omitted=tuple(content.omitted),
         node_numbers=ids,
     )
 

@@ -35,14 +35,14 @@ class NumberSets:
         Numbers that the file defines.
     what : str
         ``"node"`` or ``"cell"`` for notes about members that the file does not define; empty for no such notes.
-    left_out : list of str
+    omitted : list of str
         Takes the notes.
     """
 
     sets: Mapping[str, Sequence[Member]]
     known: Ints
     what: str
-    left_out: list[str]
+    omitted: list[str]
 
     def all(self) -> dict[str, Ints]:
         """Rows of ``known`` in each set, sorted."""
@@ -50,7 +50,7 @@ class NumberSets:
         for name in self.sets:
             rows, undefined = self._rows(name, ())
             if undefined and self.what:
-                self.left_out.append(f"{undefined} {self.what}s of set '{name}' that the file does not define")
+                self.omitted.append(f"{undefined} {self.what}s of set '{name}' that the file does not define")
             sets[name] = rows
         return sets
 
@@ -61,8 +61,8 @@ class NumberSets:
 
     def _called(self, name: str) -> str | None:
         """A set by its name, whatever its case; the instance before a point is left away."""
-        wanted = (name.lower(), name.lower().rpartition(".")[2])
-        return next((known for known in self.sets if known.lower() in wanted), None)
+        names = (name.lower(), name.lower().rpartition(".")[2])
+        return next((known for known in self.sets if known.lower() in names), None)
 
     def _rows(self, name: str, within: tuple[str, ...]) -> tuple[Ints, int]:
         """Rows of one set, and how many of its own numbers are not defined."""
@@ -81,8 +81,8 @@ class NumberSets:
                 if other is None:
                     hint = near_match(member, self.sets) or ""
                     note = f"set '{member}' in set '{name}', which the file does not define{hint}".rstrip("?.")
-                    if note not in self.left_out:
-                        self.left_out.append(note)
+                    if note not in self.omitted:
+                        self.omitted.append(note)
                 elif other not in (*within, name):
                     hit[self._rows(other, (*within, name))[0]] = True
         return np.flatnonzero(hit), undefined
@@ -113,7 +113,7 @@ class CellTable:
 
 
 def surface_sides(
-    name: str, parts: Sequence[tuple[str, str]], sets: NumberSets, cells: CellTable, left_out: list[str]
+    name: str, parts: Sequence[tuple[str, str]], sets: NumberSets, cells: CellTable, omitted: list[str]
 ) -> Ints:
     """Corners of the sides that a surface lists by cell, or set of cells, and face.
 
@@ -126,7 +126,7 @@ def surface_sides(
     sets : NumberSets
         Sets of cells.
     cells : CellTable
-    left_out : list of str
+    omitted : list of str
         Takes notes on what is no side of a cell.
 
     Returns
@@ -146,5 +146,5 @@ def surface_sides(
                 why[reason] += 1
             else:
                 sides_of_set.append([*side, -1][:4])
-    left_out += [f"{count} sides of surface '{name}' {reason}" for reason, count in why.items()]
+    omitted += [f"{count} sides of surface '{name}' {reason}" for reason, count in why.items()]
     return np.array(sides_of_set, dtype=np.int64).reshape(-1, 4)

@@ -185,11 +185,11 @@ def _mesh(path: Path, points: np.ndarray, ids: Ints, cells: dict[str, list[tuple
 
 
 def _blocks(path: Path, ids: Ints, cells: dict[str, list[tuple[list[int], list[str]]]]) -> Iterator[Block]:
-    for kind, found in cells.items():
+    for kind, of_kind in cells.items():
         order = list(_ORDER.get(kind, range(KINDS[kind].nodes)))
-        nodes = rows_of(np.array([nodes for nodes, _ in found], dtype=np.int64), ids, path, "node")
+        nodes = rows_of(np.array([nodes for nodes, _ in of_kind], dtype=np.int64), ids, path, "node")
         groups: dict[str, list[int]] = defaultdict(list)
-        for row, (_, names) in enumerate(found):
+        for row, (_, names) in enumerate(of_kind):
             for name in names:
                 groups[name].append(row)
         yield Block(

@@ -112,8 +112,8 @@ def content_2(sections: dict[str, bytes], order: str, size: Callable[[int], int]
     row = np.dtype([("id", order + "i4"), ("x", order + "f8", 3)])
     table = nodes.take("u1", row.itemsize * count).view(row)
     cells, elements = _Reader(sections["Elements"], order), []
-    left = cells.line()
-    while left > 0:
+    remaining = cells.line()
+    while remaining > 0:
         number, follow, tags = cells.take("i4", 3).tolist()
         width = 1 + tags + size(number)
         if follow < 1 or tags < 0:
@@ -121,7 +121,7 @@ def content_2(sections: dict[str, bytes], order: str, size: Callable[[int], int]
         values = cells.take("i4", follow * width).reshape(follow, width).astype(np.int64)
         groups = [[tag] if tag else [] for tag in values[:, 1].tolist()] if tags else [[] for _ in range(follow)]
         elements.append(Elements(number=number, nodes=values[:, 1 + tags :], groups=groups))
-        left -= follow
+        remaining -= follow
     return Content(points=table["x"].astype(np.float64), ids=table["id"].astype(np.int64), elements=elements)
 
 

@@ -100,7 +100,7 @@ class RawMesh:
         Whether the groups were named by a person: they then become regions and faces without a request.
     unit : str
         Unit of length that the file states; empty where it states none.
-    left_out : tuple of str
+    omitted : tuple of str
         What of the file was not understood or is not needed, one clause each.
     node_numbers : (n,) int array, optional
         Number in the file of each of ``points``; None where the file has none, and nodes count from 0.
@@ -114,7 +114,7 @@ class RawMesh:
     sections: tuple[str, ...] = ()
     named: bool = True
     unit: str = ""
-    left_out: tuple[str, ...] = ()
+    omitted: tuple[str, ...] = ()
     node_numbers: Ints | None = None
 
     def solids(self) -> tuple[Block, ...]:

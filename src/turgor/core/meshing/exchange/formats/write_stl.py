@@ -79,18 +79,18 @@ def write_stl(source: Geometry | Mesh, path: str | Path, *, face: str | None = N
         raise unknown("face", face, surface.faces)
     mirrors = surface.mirrors if whole else ()
     if face is None:
-        left = [t for name, t in surface.faces.items() if name not in mirrors]
-        triangles = np.unique(np.concatenate([surface.rest[:0], *left, surface.rest]), axis=0)
+        chosen = [t for name, t in surface.faces.items() if name not in mirrors]
+        triangles = np.unique(np.concatenate([surface.rest[:0], *chosen, surface.rest]), axis=0)
     else:
         triangles = surface.faces[face][:, ::-1]
-    made = _mirrored(surface, triangles, mirrors)
-    if made.open_edges:
+    closed = _mirrored(surface, triangles, mirrors)
+    if closed.open_edges:
         raise TurgorError(
-            f"the surface {f'of face {face!r} ' if face else ''}of '{surface.name}' is open: {made.open_edges} of its "
-            "edges have not two triangles; a cavity must be closed, and a half be written whole."
+            f"the surface {f'of face {face!r} ' if face else ''}of '{surface.name}' is open: {closed.open_edges} of "
+            "its edges have not two triangles; a cavity must be closed, and a half be written whole."
         )
-    Path(path).write_bytes(stl_bytes(made.points / mm, made.triangles))
-    return made
+    Path(path).write_bytes(stl_bytes(closed.points / mm, closed.triangles))
+    return closed
 
 
 def _of_mesh(mesh: Mesh) -> _Surface:
@@ -118,12 +118,12 @@ def _of_geometry(geometry: Geometry) -> _Surface:
     with captured_output():
         try:
             size = LONGEST_SHARE * geometry.extent / geometry.length_scale
-            made = geometry._cad.GenerateMesh(
+            mesh = geometry._cad.GenerateMesh(
                 maxh=size, curvaturesafety=3.0, grading=0.9, perfstepsend=netgen.MeshingStep.MESHSURFACE, ngs_mesh=False
             )
         finally:
             netgen.SetMessageImportance(before)
-    table, descriptors = made.Elements2D().NumPy(), made.FaceDescriptors()
+    table, descriptors = mesh.Elements2D().NumPy(), mesh.FaceDescriptors()
     triangles, place = table["nodes"][:, :3].astype(np.int64) - 1, table["index"].astype(np.int64) - 1
     faces: dict[str, list[Ints]] = {}
     for number, descriptor in enumerate(descriptors):
@@ -133,7 +133,7 @@ def _of_geometry(geometry: Geometry) -> _Surface:
         faces.setdefault(descriptor.bcname, []).append(own if descriptor.domout == 0 else own[:, ::-1])
     joined = {name: np.concatenate(parts) for name, parts in faces.items()}
     mirrors = tuple(name for name in joined if name.startswith(("symmetry_", "cyclic_")))
-    points = np.array(made.Coordinates(), dtype=np.float64) * geometry.length_scale
+    points = np.array(mesh.Coordinates(), dtype=np.float64) * geometry.length_scale
     return _Surface(geometry.name, points, joined, np.zeros((0, 3), dtype=np.int64), mirrors, geometry.wedge)
 
 

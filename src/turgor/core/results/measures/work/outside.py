@@ -10,8 +10,8 @@ from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.faces.dead_loads import dead_terms
-from turgor.core.engine.points.motion import carried_displacement
-from turgor.core.engine.points.point_unknowns import with_carried
+from turgor.core.engine.points.motion import carrier_displacement
+from turgor.core.engine.points.point_unknowns import with_carrier_points
 from turgor.core.engine.term import Configuration, Setting
 from turgor.core.model.loads import Load
 from turgor.core.model.model import Model
@@ -72,7 +72,7 @@ def _dead(path: Sequence[StateFields], loads: list[Load]) -> tuple[Array, Array]
         force = np.zeros_like(setting.points)
         for term in terms:
             term.add_forces(force, Configuration(setting.points, at.state.load_factor, None))
-        own = carried_displacement(carriers, (1.0, 1.0), at.displacement, at.state.points)
+        own = carrier_displacement(carriers, (1.0, 1.0), at.displacement, at.state.points)
         forces.append(force)
         moved.append(np.concatenate([at.displacement, own]))
     force = np.array(forces)
@@ -84,7 +84,7 @@ def _setting(model: Model) -> tuple[Setting, tuple]:
     supports, table = prescribed_components(model), element_of(model).tables
     points, shape = model.mesh.points, (0,) * model.mesh.cells.shape[1]
     _, volume = kernels_geometry.reference_geometry(shape, points, model.mesh.cells, table.dN, table.weights)
-    rest = with_carried(points, supports.carriers)
+    rest = with_carrier_points(points, supports.carriers)
     return Setting(model, rest, supports.along_axes, volume, 1.0, 1.0), supports.carriers
 
 
