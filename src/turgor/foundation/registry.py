@@ -13,7 +13,7 @@ Value = TypeVar("Value")
 
 
 class Registry(Mapping[str, Value], Generic[Value]):
-    """What the files of a folder define, by name.
+    """Definitions of the files of a folder, by name.
 
     A name that a file has too is looked for in that file. All files are imported when another name is requested, and
     again looked through once the folder has another path.
@@ -58,7 +58,7 @@ class Registry(Mapping[str, Value], Generic[Value]):
         return tuple(package.__path__)
 
     def _of_its_file(self, name: str, places: tuple[str, ...]) -> Value | None:
-        """What the file of this name defines under it. Most names need no import of the other files."""
+        """The definition of the file of this name. Most names need no import of the other files."""
         if (name, places) not in self._own:
             there = any(module.name == name for module in iter_modules(places))
             listed = self._listed(import_module(f"{self._package}.{name}")) if there else ()

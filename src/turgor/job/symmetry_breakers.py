@@ -1,4 +1,4 @@
-"""What a job file says that breaks the symmetry of a CAD part, for ``symmetry = "automatic"``.
+"""Keys of a job file that break the symmetry of a CAD part, for ``symmetry = "automatic"``.
 
 A reason comes with the axes across which it forbids mirror planes, and those about which it forbids wedges.
 """
@@ -42,7 +42,7 @@ def with_broken_planes(actuator: Any, content: Mapping[str, Any]) -> Any:
 
 
 def _reasons(content: Mapping[str, Any]) -> Iterator[Reason]:
-    """What is broken, with the reason."""
+    """Broken mirror planes and turns, with the reason."""
     stages = content.get("stages")
     for stage in (content, *(stages if isinstance(stages, list) else ())):
         if isinstance(stage, Mapping):
@@ -61,7 +61,7 @@ def _reasons(content: Mapping[str, Any]) -> Iterator[Reason]:
 
 
 def _along(axes: Sequence[str], reason: str) -> Iterator[Reason]:
-    """What a vector breaks: mirror planes across its components, and wedges about the other axes."""
+    """Symmetry that a vector breaks: mirror planes across its components, and wedges about the other axes."""
     for axis in axes:
         yield axis, AXES.replace(axis, ""), reason.format(axis)
 

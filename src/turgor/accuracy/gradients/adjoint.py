@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Adjoint:
-    """What each measure says about a force on every unknown.
+    """Sensitivity of each measure to a force on every unknown.
 
     Parameters
     ----------

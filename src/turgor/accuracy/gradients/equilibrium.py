@@ -67,7 +67,7 @@ class Equilibrium:
 
     @cached_property
     def conditions(self) -> Conditions:
-        """What determines the scalars, and how it changes with unknowns and scalars."""
+        """The conditions on the scalars, and their derivatives by unknowns and scalars."""
         return self.constraint.target.conditions(self.at.unknowns, self.state.load_factor, self.scalars)
 
     @cached_property

@@ -142,7 +142,7 @@ def _numbers(key: str, value: Any) -> Iterator[tuple[str, float]]:
 
 
 def _children(value: Any) -> dict[str, Any]:
-    """What a value holds, by the parts of keys."""
+    """Members of a value, by the parts of keys."""
     if isinstance(value, Mapping):
         return {str(name): each for name, each in value.items()}
     if isinstance(value, tuple | list):
@@ -162,7 +162,7 @@ def _children(value: Any) -> dict[str, Any]:
 
 
 def _names(values: Sequence[Any]) -> list[str]:
-    """What the members of a list are called: by their name or face, where no two share one; else by number, from 1."""
+    """Keys of the members of a list: their name or face, where no two share one; else their number, from 1."""
     names = [_own_name(each) for each in values]
     return [name if name and names.count(name) == 1 else str(place) for place, name in enumerate(names, start=1)]
 

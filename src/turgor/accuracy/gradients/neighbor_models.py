@@ -34,7 +34,7 @@ BACKWARD = ((0, 1.5), (-1, -2.0), (-2, 0.5))
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Place:
-    """What is known at one value of a number: the residual of equilibrium, errors of conditions, and the equations.
+    """The model at one value of a number: the residual of equilibrium, errors of conditions, and the equations.
 
     Parameters
     ----------

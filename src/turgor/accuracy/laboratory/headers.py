@@ -38,7 +38,7 @@ _SHORT = {"p": "pressure", "t": "time", "f": "force"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Header:
-    """What a header says about its column.
+    """Meaning of the header of a column.
 
     Parameters
     ----------

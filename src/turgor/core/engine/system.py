@@ -279,7 +279,7 @@ class System:
         )
 
     def contacts(self, unknowns: Array, load_factor: float) -> Contacts:
-        """What touches at a point, followed from the last search."""
+        """Contacts at a point, followed from the last search."""
         position = self.points + self.split(unknowns)[0]
         return self.contact.look(position, self.springs(unknowns), load_factor)
 
@@ -291,7 +291,7 @@ class System:
         return replace(self.materials.history(memory, step), friction=friction_of(memory))
 
     def remembered(self, at: Evaluation) -> Memory | None:
-        """Internal variables at the end of the step of an evaluation; None where nothing relaxes, softens or rubs."""
+        """Internal variables at the end of the step of an evaluation; None for materials and contact without memory."""
         friction = self.contact.remembered(at.contacts)
         if not self.materials.remembers:
             return joined_memory({}, {}, friction)
@@ -299,7 +299,7 @@ class System:
         return None if memory is None else replace(memory, friction=friction)
 
     def contact_memory(self) -> ContactMemory:
-        """What contact has learned along the path."""
+        """The memory of contact along the path."""
         return self.contact.memory(self.layout)
 
     def restore_contact(self, memory: ContactMemory) -> None:

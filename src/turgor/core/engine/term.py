@@ -20,7 +20,7 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Setting:
-    """What terms are made of.
+    """Input of terms.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ class Term(Protocol):
     def unsymmetric(self, at: Configuration, size: int) -> sp.csc_matrix | None:
         """Tangent (size, size) of a few unknowns that has no potential, besides the others; None where there is none.
 
-        The symmetric factors are kept, and GMRES adds it; a few unknowns cost as many iterations.
+        The symmetric factors stay, and GMRES adds it; a few unknowns cost as many iterations.
         """
         return None
 

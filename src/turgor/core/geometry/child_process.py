@@ -24,7 +24,7 @@ from turgor.foundation.errors import TurgorError
 Result = TypeVar("Result")
 
 _START = "import sys; sys.path[:] = {path!r}; from turgor.core.geometry.child_process import serve; serve(sys.argv[1])"
-_TASK, _REPLY, _OUTPUT = "task.pickle", "reply.pickle", "said.txt"
+_TASK, _REPLY, _OUTPUT = "task.pickle", "reply.pickle", "output.txt"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -50,7 +50,7 @@ LOST_VOLUME = 0.01
 
 
 class Builds(Protocol):
-    """What builds a geometry: an actuator family, a CAD file."""
+    """Builder of a geometry: an actuator family, a CAD file."""
 
     def build(self) -> Geometry:
         """Build it."""

@@ -101,7 +101,7 @@ def rim_edges(triangles: Triangles) -> NDArray[np.int64]:
 def check_surface(mesh: Mesh) -> tuple[Finding, ...]:
     """Check the named faces against the surface of the mesh.
 
-    Found are: a cavity that is open elsewhere than at a mirror plane (D01 where at an inlet, else G02), surface
+    The findings are: a cavity that is open elsewhere than at a mirror plane (D01 where at an inlet, else G02), surface
     without a name (G03), a face whose triangles are no cell sides or point into the solid (G04), a face that is called
     a cavity and encloses nothing (G26).
 

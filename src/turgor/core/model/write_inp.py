@@ -250,7 +250,7 @@ def _support_lines(model: Model, deck: InpDeck) -> list[str]:
 
 
 def _acting(model: Model, deck: InpDeck) -> list[DeckRows]:
-    """What moves and loads the model, in the order of the numbers of the amplitudes."""
+    """Displacements and loads of the model, in the order of the numbers of the amplitudes."""
     acting: list[Load | Support] = [*model.loads, *(each for each in model.supports if each.place in deck.points)]
     return [rows for each in acting for rows in each.deck_rows(deck) if rows.rows]
 
@@ -266,7 +266,7 @@ def _amplitude_lines(acting: Sequence[DeckRows]) -> list[str]:
 
 
 def _acting_lines(acting: Sequence[DeckRows]) -> Iterator[str]:
-    """What acts, for the first step."""
+    """Loads of the first step."""
     for number, each in enumerate(acting, start=1):
         yield f"{each.keyword}, AMPLITUDE={'ramp' if each.history == RAMP else f'history_{number}'}"
         yield from each.rows

@@ -212,7 +212,7 @@ def plate_position(mesh: Mesh, setup: BlockedForce, direction: str) -> float:
 
 
 def _supports(setup: BlockedForce, direction: str) -> tuple[Support, ...]:
-    """What fixes a tip: its face, or the point of a stiff tab that is glued to it."""
+    """The place that fixes a tip: its face, or the point of a stiff tab that is glued to it."""
     push = DIRECTIONS[direction]
     if setup.rotational_spring is None:
         return (FixedTip(setup.face, setup.hold, push),)

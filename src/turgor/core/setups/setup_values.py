@@ -1,4 +1,4 @@
-"""What setups ask: plain values that know nothing of a mesh, checked as soon as they are stated."""
+"""Values of setups: they are checked as soon as they are stated, without a mesh."""
 
 from dataclasses import dataclass, field
 from itertools import combinations
@@ -25,7 +25,7 @@ PULLS = ("+x", "-x", "+y", "-y")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BlockedForce:
-    """What stops the tip; the fields are the arguments of `turgor.core.setups.blocked_tip.blocked_force`.
+    """The plate that blocks the tip; the fields are the arguments of `turgor.core.setups.blocked_tip.blocked_force`.
 
     Raises
     ------
@@ -104,7 +104,7 @@ class BlockedForce:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grasp:
-    """What is grasped and how it is pulled; the fields are the arguments of `turgor.core.setups.grasped_object.grasp`.
+    """The object of a grasp and its pull; the fields are the arguments of `turgor.core.setups.grasped_object.grasp`.
 
     Raises
     ------

@@ -13,7 +13,7 @@ from turgor.core.solvers.solution import LimitPoint, Solution, State, Step
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """What every procedure starts from; the caller owns the lists.
+    """Input of every procedure; the caller owns the lists.
 
     Parameters
     ----------

@@ -42,7 +42,7 @@ class Restart:
 
     @staticmethod
     def of(system: System, state: State) -> "Restart":
-        """What the next stage takes over from a system in a state."""
+        """Make the restart of the next stage from a system in a state."""
         parts = system.contact.parts
         keys = _keys(parts)
         friction = friction_of(state.memory) or (None,) * len(parts)

@@ -164,7 +164,7 @@ def together(model: Model, procedure: Procedure, solutions: Sequence[Solution]) 
 
 
 def _findings(procedure: Procedure, solutions: Sequence[Solution]) -> tuple[Finding, ...]:
-    """What the checks of each stage noticed, with its name; what they notice again is left out."""
+    """Findings of each stage, with its name; a repeated finding is left out."""
     named: dict[tuple[str, str], Finding] = {}
     for stage, solution in zip(procedure.stages, solutions, strict=False):
         for each in solution.findings:

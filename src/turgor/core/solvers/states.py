@@ -50,7 +50,7 @@ def acting_pressures(system: System, at: Evaluation) -> dict[str, float]:
 
 
 def touches(system: System, at: Evaluation) -> dict[str, Touch]:
-    """What every contact does in a state, in SI units, by its name."""
+    """Forces, areas and penetration of every contact in a state, in SI units, by its name."""
     length, stress = system.length, system.stress_scale
     count = len(system.model.mesh.points)
     out: dict[str, Touch] = {}

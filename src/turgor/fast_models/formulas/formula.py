@@ -22,7 +22,7 @@ NEARLY_INCOMPRESSIBLE = 500.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Formula:
-    """What a formula is called, what it assumes, which families it takes and where it comes from.
+    """Name, assumptions, families and source of a formula.
 
     Parameters
     ----------

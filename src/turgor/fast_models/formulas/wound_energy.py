@@ -252,7 +252,7 @@ class WoundWall:
         return np.asarray(tension)
 
     def _forces(self, x: Array, pressure: float) -> Array:
-        """What is out of balance (n, m): by radius, axial stretch and twist; then by how much rigid threads stretch."""
+        """Residuals (n, m): by radius, axial stretch and twist; then by how much rigid threads stretch."""
         a, axial = x[:, 0], x[:, 1]
         out = self.slopes(x)
         out[:, 0] -= 2 * np.pi * pressure * a * axial

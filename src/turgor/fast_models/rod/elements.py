@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ElementForces:
-    """What the elements contribute to one iteration of Newton's method.
+    """Contributions of the elements to one iteration of Newton's method.
 
     Parameters
     ----------

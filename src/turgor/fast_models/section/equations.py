@@ -56,7 +56,7 @@ class Unknowns:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Question:
-    """What a state must satisfy, scaled and for the modeled part.
+    """Prescribed values of a state, scaled and for the modeled part.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ class Equations:
 
     @property
     def area(self) -> float:
-        """What scaled areas are multiplied with, for the whole section [m²]."""
+        """Unit of scaled areas, for the whole section [m²]."""
         return float(self.copies * self.plane.length**2)
 
     @property

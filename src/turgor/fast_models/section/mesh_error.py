@@ -130,7 +130,7 @@ def _interpolated(
 
 
 def _scale(column: Column, equations: Equations) -> float:
-    """What makes a value of a column large: that of a strain or a force, whose values may be zero, or its largest."""
+    """Scale of a column: that of a strain or a force, whose values may be zero, or its largest value."""
     force, strain = scales(equations)
     usual = {"1/m": strain[1], "N": force[0], "Nm": force[1]}
     return float(usual.get(column.unit, np.abs(column.values).max()))

@@ -90,7 +90,7 @@ def stiffness_of(equations: Equations, point: Point) -> SectionStiffness:
 
 
 def scales(equations: Equations) -> tuple[Array, Array]:
-    """What scaled forces and strains are multiplied with: [N, Nm] of the whole section, and [-, 1/m]."""
+    """Units of scaled forces and strains: [N, Nm] of the whole section, and [-, 1/m]."""
     length = equations.plane.length
     force = equations.copies * equations.stress * length**2 * np.array([1.0, length, length, length])
     return force, np.array([1.0, 1 / length, 1 / length, 1 / length])

@@ -28,7 +28,7 @@ FORMAT, VERSION = "turgor", 1
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Content:
-    """What an archive holds: the kind of its content, the content as JSON, and the arrays by their names."""
+    """Content of an archive: the kind of its content, the content as JSON, and the arrays by their names."""
 
     kind: str
     tree: Any

@@ -1,4 +1,4 @@
-"""What of a folder of results still shows its path, and need not be written again."""
+"""Files of a folder of results that still show its path, and need not be written again."""
 
 import re
 from collections.abc import Mapping

@@ -23,7 +23,7 @@ _PLAIN: Mapping[Any, tuple[str, str]] = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Kind:
-    """What a key takes.
+    """Kind of value of a key.
 
     Parameters
     ----------

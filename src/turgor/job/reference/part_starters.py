@@ -36,7 +36,7 @@ ENDS = {"fixed": "-", "tip": "+"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Part:
-    """What a job says of a part: its lines of comment, its table, and the part itself."""
+    """A part in a job file: its lines of comment, its table, and the part itself."""
 
     comment: Sequence[str]
     kind: str

@@ -100,7 +100,7 @@ def _read_material(
 
 
 def _without_law(values: Mapping[str, Any]) -> str:
-    """What is missing of a material that names neither the library nor a law, by the constants that it has."""
+    """Say what a material lacks that names neither the library nor a law, by its constants."""
     laws = {name: {item.name for item in fields(kind)} for name, kind in LAWS.items()}
     given = [key for key in values if any(key in constants for constants in laws.values())]
     fitting = [name for name, constants in laws.items() if given and set(given) <= constants]

@@ -25,7 +25,7 @@ CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=Fals
 
 @dataclass(frozen=True, slots=True)
 class Says:
-    """What a value is, if its type does not say it.
+    """Kind of a value, if its type does not state it.
 
     Parameters
     ----------

@@ -86,16 +86,16 @@ def test_every_family_is_found_as_it_was_built(name, made):
     assert as_text(found) == as_text(geometry)
     assert size_range(found) == size_range(geometry)
     assert repr(found) == repr(geometry)
-    assert found.shape._made is None
+    assert found.shape._shape is None
 
 
 def test_the_shape_is_made_when_it_is_asked_for_and_gives_the_same_mesh(made, tmp_path):
     geometry, mesh = made
     save_family(FINGER, geometry, SETTINGS, mesh)
     found = pickle.loads(pickle.dumps(geometry_on_disk(FINGER)))
-    assert found.shape._made is None
+    assert found.shape._shape is None
     assert as_text(mesh_with(found, SETTINGS)) == as_text(mesh)
-    assert found.shape._made is not None
+    assert found.shape._shape is not None
     write_step(geometry_on_disk(FINGER), tmp_path / "finger.step")
     assert (tmp_path / "finger.step").stat().st_size > 1000
 
@@ -239,7 +239,7 @@ def test_a_job_is_prepared_without_its_shape_and_without_meshing(tmp_path, folde
     assert not list(folder.glob("*"))  # studies prepare jobs, too, and keep nothing
     save_mesh_of(job)
     meshes._mesh_of_family.cache_clear()
-    for owner, name in ((meshes, "_made"), (FastPneuNet, "build")):
+    for owner, name in ((meshes, "_new_mesh"), (FastPneuNet, "build")):
         monkeypatch.setattr(owner, name, refused)
     again, found = prepare(read_job(tmp_path / "job.toml"))
     assert found == findings

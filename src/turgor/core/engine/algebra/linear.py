@@ -52,7 +52,7 @@ class LinearSolver(Protocol):
 
 
 class Factors(Protocol):
-    """What a library does: LDLᵀ factors of one analyzed pattern, in single or double precision."""
+    """Interface of a library: LDLᵀ factors of one analyzed pattern, in single or double precision."""
 
     name: str
 

@@ -24,7 +24,7 @@ MATRIX_TYPE = -2
 
 @dataclass(slots=True, eq=False)
 class _Arrays:
-    """What Pardiso keeps between calls: its handle and settings, the matrix in its one-based form."""
+    """Memory of Pardiso between calls: its handle and settings, the matrix in its one-based form."""
 
     handle: NDArray[np.int64]
     settings: NDArray[np.int32]
@@ -78,7 +78,7 @@ class Pardiso:
             arrays.settings[number - 1] = value
         _call(self._mkl, arrays, ANALYZE, None)
         self._arrays, self._release = arrays, weakref.finalize(self, _call, self._mkl, arrays, RELEASE, None)
-        # at interpreter exit the operating system takes the memory back, and NumPy may be gone by then
+        # at interpreter exit the operating system takes the memory back, and NumPy may be unloaded by then
         self._release.atexit = False
 
     def solve(self, right: Array) -> Array:

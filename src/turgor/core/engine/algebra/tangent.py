@@ -53,7 +53,7 @@ class Clock:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Factored:
-    """What the next step may need of the factors of the one before.
+    """Factors of a step that the next one may use.
 
     Parameters
     ----------
@@ -220,7 +220,7 @@ class Tangent:
             self._symmetric.double = True
 
     def factored(self, again: bool) -> Factored:
-        """What the next step may need: the matrix too, if it uses the factors ``again``."""
+        """Return the factors for the next step, with the matrix if it uses them ``again``."""
         double = self._symmetric is not None and self._symmetric.double
         if not again:
             return Factored(double, np.empty(0))

@@ -21,7 +21,7 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Isochoric:
-    """What the laws say at all points, scaled: the isochoric part of stress and tangent.
+    """Answer of the laws at all points, scaled: the isochoric part of stress and tangent.
 
     Parameters
     ----------

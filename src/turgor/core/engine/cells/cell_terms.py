@@ -81,7 +81,7 @@ class CellTerms:
         )
 
     def laws(self, u: Array, history: History) -> Isochoric | None:
-        """What the laws say at displacements (n, 3); None where a cell is turned inside out."""
+        """Stresses of the laws at displacements (n, 3); None where a cell is turned inside out."""
         e, r = self.element, self.element.tables
         I1, I2, _ = kernels_geometry.kinematics(e.shape, self.cells, u, r.dN, self.Jinv)
         if not np.isfinite(I1).all():

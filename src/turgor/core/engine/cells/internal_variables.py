@@ -38,9 +38,9 @@ class Memory:
     stress : mapping of str to (n + 1, c, q, 6) array [Pa]
         Of regions with a Prony series of n terms: the stress of the law, then the internal stresses.
     largest : mapping of str to (c, q) array [Pa]
-        Of regions that soften: the largest energy density so far.
+        Of regions that soften: the largest energy density of its history.
     friction : tuple of (FrictionHistory or None)
-        Of each part of the contact; empty where nothing rubs.
+        Of each part of the contact; empty without friction.
     """
 
     stress: Mapping[str, Array]
@@ -146,7 +146,7 @@ class History:
     regions : mapping of str to RegionMemory
         Of each region that relaxes or softens.
     friction : tuple of (FrictionHistory or None)
-        Of each part of the contact, from which its points slip; empty where nothing rubs.
+        Of each part of the contact, from which its points slip; empty without friction.
     """
 
     regions: Mapping[str, RegionMemory]

@@ -92,7 +92,7 @@ class Cells(NamedTuple):
 
 
 class Response(NamedTuple):
-    """What the laws say, as the loops take it.
+    """Stresses and tangents of the laws, as the loops take them.
 
     Parameters
     ----------

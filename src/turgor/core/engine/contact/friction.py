@@ -2,7 +2,7 @@
 
 A point sticks where it was in the last converged state. Its trial traction grows with the slip since then; beyond the
 limit, which is the coefficient times the contact pressure, the traction is returned to the limit and the point slips.
-While the limit is kept, friction has a potential and a symmetric tangent. A limit that follows the pressure adds an
+While the limit is constant, friction has a potential and a symmetric tangent. A limit that follows the pressure adds an
 unsymmetric part, which `by_limit` gives and `turgor.core.engine.algebra.tangent` treats apart.
 """
 
@@ -58,7 +58,7 @@ class FrictionHistory:
     __repr__ = brief
 
 
-#: Friction history of every part of the contact, None where nothing rubs; empty where none has touched yet.
+#: Friction history of every part of the contact, None without friction; empty before the first touch.
 Friction = tuple[FrictionHistory | None, ...]
 
 

@@ -1,4 +1,4 @@
-"""What the parts of contact share: the gaps at one position, and how forces and tangents are put together."""
+"""Common part of all contacts: the gaps at one position, and the assembly of forces and tangents."""
 
 from dataclasses import dataclass
 from enum import Enum

@@ -137,7 +137,7 @@ class PointsPart(ABC):
         return Ties(self.tied_unknowns(keys), local)
 
     def rubbing(self, position: Array, gaps: Gaps) -> Rubbing | None:
-        """Change of the limits of friction with the contact pressure; None without friction, or where they are kept."""
+        """Change of the limits of friction with the contact pressure; None without friction or with constant limits."""
         a = self.bound(gaps)
         if a is None or a.constant_limits:
             return None

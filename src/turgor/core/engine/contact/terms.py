@@ -57,7 +57,7 @@ class Contacts:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ContactMemory:
-    """What contact has learned along a path.
+    """Memory of contact along a path.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ class ContactTerms:
         )
 
     def memory(self, layout: Layout) -> ContactMemory:
-        """What was learned so far."""
+        """The memory of contact up to now."""
         return ContactMemory(self._known, tuple(part.penalty_scale for part in self.parts), layout.ties)
 
     def restore(self, memory: ContactMemory, layout: Layout) -> None:

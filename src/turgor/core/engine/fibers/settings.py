@@ -21,7 +21,7 @@ class FiberSettings:
     parts_of_edge : int
         Straight parts into which each curved edge is cut to measure its length.
     slack_tangent : float
-        Share of its stiffness that a slack thread keeps in the tangent, so that Newton's method knows where it will
+        Share of its stiffness that a slack thread keeps in the tangent, so that the tangent shows where it will
         end.
     trusses_of_side : int
         Trusses of a discrete thread that crosses a whole side. A thread is looked up first as often along the smaller

@@ -85,7 +85,7 @@ class CadFile:
 
     @property
     def requested_symmetry(self) -> RequestedSymmetry:
-        """What is requested, with what forbids it."""
+        """The requested symmetry, with the reasons against planes and wedges."""
         return self.symmetry if isinstance(self.symmetry, RequestedSymmetry) else RequestedSymmetry(self.symmetry)
 
 

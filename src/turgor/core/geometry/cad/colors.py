@@ -67,7 +67,7 @@ def shown_color(linear: Sequence[float]) -> Color:
 
 
 def same_color(given: Color, target: Color) -> bool:
-    """Return whether a color of a file equals the wanted one, as sRGB or as a linear color.
+    """Return whether a color of a file equals a target, as sRGB or as a linear color.
 
     Examples
     --------

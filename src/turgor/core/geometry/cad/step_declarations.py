@@ -1,4 +1,4 @@
-"""What a STEP file declares, against what the CAD kernel has read: a damaged file loses bodies and faces in silence."""
+"""Compare the declarations of a STEP file with the shape that the CAD kernel read: damaged files lose parts."""
 
 import re
 from pathlib import Path

@@ -9,7 +9,7 @@ Corner = tuple[float, float, float]
 
 @dataclass(slots=True, kw_only=True, eq=False)
 class LateShape:
-    """Stands for the CAD shape of a geometry that was found on disk.
+    """The CAD shape of a geometry from the cache on disk, built when it is needed.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What every law offers, and the checks that every law makes."""
+"""Common parts of all laws: their interface and their checks."""
 
 from collections.abc import Iterable
 from dataclasses import fields

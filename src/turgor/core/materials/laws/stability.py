@@ -131,7 +131,7 @@ def _root(function: Callable[[float], float], before: float, after: float) -> fl
 
 
 def _margin(law: Law, mode: Mode, criterion: Criterion, stretch: Array) -> Array:
-    """What is positive as long as the law is stable [Pa]."""
+    """Moduli that are positive as long as the law is stable [Pa]."""
     if criterion == "drucker":
         return _drucker(law, mode, stretch)
     nominal, slope = _pull(law, mode, stretch)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Supplier:
-    """What the maker of a material states about it, to compare records with.
+    """Statements of the maker of a material, to compare records with.
 
     Parameters
     ----------

@@ -16,7 +16,7 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True)
 class Raw:
-    """What the generator returns, as arrays.
+    """Result of the generator, as arrays.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def assemble(raw: Raw, geometry: Geometry) -> Mesh:
     number[nodes] = np.arange(len(nodes))
     cells, corners = number[cells], number[raw.corners]
     sides = cell_sides(cells)
-    # where two cells share a side, the first one is kept: a face between regions points out of the one named first
+    # where two cells share a side, the first one counts: a face between regions points out of the one named first
     keys, index = np.unique(corner_keys(sides, len(nodes)), return_index=True)
     requested = corner_keys(corners, len(nodes))
     place = np.minimum(np.searchsorted(keys, requested), len(keys) - 1)

@@ -110,7 +110,7 @@ def find_sides(sides: Sides, corners: Ints) -> Ints:
     ----------
     sides : Sides
     corners : (q, 3) or (q, 4) int array
-        Corners wanted; those of another number of corners than the sides have are not found.
+        Requested corners. Those of another number of corners than the sides have give no row.
 
     Returns
     -------

@@ -20,7 +20,7 @@ from turgor.units import mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wishes:
-    """What the user requests.
+    """Requests of the user.
 
     Parameters
     ----------

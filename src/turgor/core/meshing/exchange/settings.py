@@ -7,7 +7,7 @@ from turgor.units import deg
 
 @dataclass(frozen=True, slots=True)
 class MeshFileSettings:
-    """What is the same, plane, curved or a cavity in a mesh from a file (`test_exchange_mending`).
+    """Tolerances for equal, plane and curved sides and for cavities in a mesh from a file (`test_exchange_mending`).
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ class Solids:
     groups : dict of str to (g,) int array
         Cells of each group of the file.
     renumbered : (N,) int array
-        Row of ``points`` of each node of the file, -1 for nodes that are gone.
+        Row of ``points`` of each node of the file, -1 for removed nodes.
     done : list of str
         What was repaired, one clause each.
     overlapping : int array

@@ -189,5 +189,5 @@ def _not_filled(file: Path, shells: Sequence[Triangles], text: str, frame: Frame
 
 
 def _reason(error: TurgorError) -> str:
-    """First clause of an error, without what the generator said."""
+    """First clause of an error, without the output of the generator."""
     return str(error).split("(")[0].split(";")[0].strip().rstrip(".")

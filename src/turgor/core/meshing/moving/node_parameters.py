@@ -15,7 +15,7 @@ Ints = NDArray[np.int64]
 def located(surface: Surface, points: Array, triangles: Ints, nodes: Ints) -> tuple[Array, Array] | None:
     """Find the nearest points of a surface to nodes of a face: the first by a search, others from their neighbors.
 
-    A search knows no range of the parameters, and a surface may come near a node in several places; what is found from
+    A search has no range of the parameters, and a surface may come near a node in several places; what is found from
     a neighbor goes on with its parameters.
 
     Parameters

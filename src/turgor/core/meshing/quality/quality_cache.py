@@ -51,7 +51,7 @@ def once_per_mesh(check: Callable[[Mesh], Result]) -> Callable[[Mesh], Result]:
     Parameters
     ----------
     check : callable
-        ``check(mesh)``; nobody may change what it returns.
+        ``check(mesh)``; its result must not be changed.
 
     Returns
     -------

@@ -27,7 +27,7 @@ from turgor.units import mm
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: What is said of a body of revolution.
+#: Advice for a body of revolution.
 REVOLVED = (
     ' The part is a body of revolution: where its loads are the same all around, cells = "axisymmetric" follows the '
     "rounds with a fraction of the unknowns."
@@ -36,7 +36,7 @@ REVOLVED = (
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class SmallFeatures:
-    """What is left coarse, and the sizes of all other curved faces.
+    """Faces that stay coarse, and the sizes of all other curved faces.
 
     Parameters
     ----------

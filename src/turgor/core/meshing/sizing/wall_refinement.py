@@ -17,7 +17,7 @@ Ints = NDArray[np.int64]
 def refine_walls(mesh: Mesh, wall_cells: int) -> Mesh:
     """Put more cells through every wall that one cell reaches through, by cutting those cells in the wall's middle.
 
-    Each half is cut again where more than two are wanted: three are four.
+    Each half is cut again where more than two are requested: three are four.
     Cells along the wall stay as long as they are: that is where the unknowns are saved against a smaller mesh size.
 
     Parameters

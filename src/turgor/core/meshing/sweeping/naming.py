@@ -69,7 +69,7 @@ def _face_names(points: NDArray[np.float64], sides: Ints, names: Names, solids: 
     face = np.full(len(sides), None, dtype=object)
     face[outer] = "outside"
     face[hollow] = other[hollow]
-    inner &= np.repeat(np.arange(solids), 6) < beyond  # of two sides in one place that of the first cell is kept
+    inner &= np.repeat(np.arange(solids), 6) < beyond  # of two sides in one place that of the first cell counts
     between = inner & (own != other)
     tolerance = SAME_LINE * float(np.ptp(points, axis=0).max())
     for rule in sweep.names:

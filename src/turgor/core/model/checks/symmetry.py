@@ -1,4 +1,4 @@
-"""What a half, a quarter or a wedge cannot carry: shells, fibers and obstacles that differ from image to image."""
+"""Symmetry: refuse shells, fibers and obstacles that differ between the images of a half, a quarter or a wedge."""
 
 from collections.abc import Sequence
 

@@ -119,7 +119,7 @@ class Deck(Protocol):
 
 
 class Load:
-    """What acts on an actuator, and all that follows from it; `Pressure`, `Force` and the like inherit it.
+    """A load on an actuator, and all that follows from it; `Pressure`, `Force` and the like inherit it.
 
     A load has a field ``history``, the share of it that acts at a load factor.
 
@@ -166,7 +166,7 @@ class Load:
 
     @property
     def words(self) -> str:
-        """What acts at a share of one, without a full stop."""
+        """The load at a share of one in words, without a full stop."""
         return f"{self.kind.capitalize()} on {self.place}" if self.place else self.kind.capitalize()
 
     def text(self) -> str:

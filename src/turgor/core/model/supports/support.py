@@ -22,7 +22,7 @@ Ints = NDArray[np.int64]
 
 
 class Support:
-    """What holds an actuator, and what follows from it; `Fixed`, `ReferencePoint` and the like inherit it.
+    """A support of an actuator, and all that follows from it; `Fixed`, `ReferencePoint` and the like inherit it.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""What contact does in a state: forces of the whole actuator, areas, pressures, penetration."""
+"""Contact in a state: forces of the whole actuator, areas, pressures, penetration."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ContactResult:
-    """What one contact does in one state.
+    """Results of one contact in one state.
 
     Parameters
     ----------

@@ -12,7 +12,7 @@ from turgor.core.solvers.solution import LimitPoint, State, Step
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class PathSoFar:
-    """What a run has found: states, attempted steps and limit points."""
+    """Results of a run: states, attempted steps and limit points."""
 
     states: tuple[State, ...]
     steps: tuple[Step, ...]

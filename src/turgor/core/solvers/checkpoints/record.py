@@ -29,7 +29,7 @@ _GOES = re.compile(r"(model|state|path|loop)(-\d+)+")
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Question:
-    """What a run solves, which similar run guides it, and what is known before it begins.
+    """Question of a run: the model and procedure, the similar run that guides it, and the findings before it begins.
 
     Parameters
     ----------
@@ -113,7 +113,7 @@ class RunRecord:
 
     @property
     def question(self) -> Question:
-        """What the run solves."""
+        """The question of the run."""
         if self._question is None:
             self._question = self.store.read(QUESTION)
         return self._question

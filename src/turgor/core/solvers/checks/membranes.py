@@ -124,7 +124,7 @@ def _bending_share(model: Model, name: str, state: State) -> float | None:
 
 
 def _as_shell(model: Model, name: str, bent: float | None) -> str:
-    """What the bending stiffness of a membrane would change: its waves, and the energy of its present shape.
+    """Effect of the bending stiffness of a membrane: on its waves, and on the energy of its present shape.
 
     A plate on a thick solid of the shear modulus μ wrinkles at 3 (D μ²)^⅓, in waves of 2π (D/μ)^⅓; inside of a
     solid both halves resist, and μ counts twice.

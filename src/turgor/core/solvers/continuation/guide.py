@@ -116,7 +116,7 @@ def _check_same_elements(model: Model, guide: Model) -> None:
 
 
 def _names(model: Model) -> list[str]:
-    """What else than nodes moves: reference points and bodies on springs."""
+    """Motion of reference points and of bodies on springs."""
     points = [f"reference point '{name}'" for name in model.points]
     return points + [f"obstacle '{each.name}'" for each in model.contact.obstacles]
 

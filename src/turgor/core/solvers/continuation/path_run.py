@@ -87,7 +87,7 @@ class Judgment:
 
 @dataclass(frozen=True, slots=True)
 class StepMemory:
-    """What the steps of load control pass on to the next ones, besides the points of the path.
+    """Memory of load control from step to step, besides the points of the path.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ class StepMemory:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rescue:
-    """What follows where no step can be shorter: another point of the path, or how the run ends.
+    """Rescue where no step can be shorter: another point of the path, or the end of the run.
 
     Parameters
     ----------
@@ -143,7 +143,7 @@ class Ending:
 
 
 class Strategy(Protocol):
-    """What differs between load control and a path whose scalars are unknown; it does not change along the path."""
+    """Differences between load control and a path whose scalars are unknown. They do not change along the path."""
 
     def next_parameter(self, run: "Run") -> float:
         """The parameter to try next."""
@@ -155,7 +155,7 @@ class Strategy(Protocol):
         """Whether a result is the next point of the path."""
 
     def rescue(self, run: "Run") -> Rescue:
-        """What follows where a step cannot be cut any more."""
+        """Return the rescue where a step cannot be cut any more."""
 
     def accepted(self, run: "Run", now: Point) -> StepControl:
         """The step control beyond an accepted step."""
@@ -166,7 +166,7 @@ class Strategy(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Task:
-    """What does not change along a path.
+    """Constants of a path.
 
     Parameters
     ----------

@@ -33,7 +33,7 @@ class Course:
 
     @property
     def words(self) -> tuple[str, ...]:
-        """What else is worth showing of the last state."""
+        """Further remarks on the last state."""
         return ()
 
     @property

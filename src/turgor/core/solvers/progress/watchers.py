@@ -19,7 +19,7 @@ Progress: TypeAlias = Heard | bool | None
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Watcher:
-    """What a solve calls: after each iteration, and when something takes long; None where nothing is called."""
+    """Callbacks of a solve: after each iteration, and before work that takes long; None where nothing is called."""
 
     progress: Heard | None = None
     notify: Callable[[str], None] | None = None

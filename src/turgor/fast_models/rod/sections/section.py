@@ -24,7 +24,7 @@ UNIFORM = (0, 3, 4, 5)
 
 
 class Shape(Protocol):
-    """What `RodSection.from_geometry` asks of a shape; `turgor.fast_models.rod.sections.shapes` has four."""
+    """Shape of a section for `RodSection.from_geometry`; `turgor.fast_models.rod.sections.shapes` has four."""
 
     @property
     def area(self) -> float: ...  # noqa: D102
@@ -47,7 +47,7 @@ class Shape(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class RodSection:
-    """What a rod needs to know of its cross-section.
+    """Cross-section of a rod: its stiffness, mass and chambers.
 
     The axis of the rod is x. Strains are stretch − 1, shear in y and z, twist, curvature about y and about z [-, 1/m];
     forces are in the same order [N, N m].

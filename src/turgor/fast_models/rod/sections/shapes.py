@@ -55,7 +55,7 @@ class Round:
 
     @property
     def chambers(self) -> tuple[RodChamber, ...]:
-        """What pressure may act in."""
+        """Chambers in which pressure may act."""
         return ()
 
     @property
@@ -111,7 +111,7 @@ class Rectangle:
 
     @property
     def chambers(self) -> tuple[RodChamber, ...]:
-        """What pressure may act in."""
+        """Chambers in which pressure may act."""
         return ()
 
     @property

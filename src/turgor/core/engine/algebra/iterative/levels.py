@@ -15,7 +15,7 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Levels:
-    """What a two-level preconditioner needs to know of a mesh.
+    """Data of a mesh for a two-level preconditioner.
 
     Parameters
     ----------

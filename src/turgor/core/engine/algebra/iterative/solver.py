@@ -40,7 +40,7 @@ class IterativeSolver:
     Attributes
     ----------
     iterations : int
-        Of all solutions so far.
+        Of all solutions up to now.
     """
 
     def __init__(self, levels: Levels, pattern: Pattern, threads: int, direct: Callable[[], LinearSolver]) -> None:

@@ -24,7 +24,7 @@ class OrientationSettings:
         the upward direction (cosine of 25°) shows it better than the middle of cavities.
     ahead : float
         The face fixed shows the axis if the face tip lies in front of it: cosine of 60°. Where it does not show it, the
-        tip may lie so far off x without a word.
+        tip may lie this far off x without a finding.
     off : float
         What is off the middle by a smaller share of the size of the part does not show which way is up.
     """
@@ -71,7 +71,7 @@ def rotation_along_x(part: Part, names: Sequence[str]) -> tuple[Array | None, bo
 def _up(part: Part, names: Sequence[str], x: Array) -> Array:
     """Direction across the axis away from the strain-limiting layer, from the base, or toward the cavities.
 
-    Without any of them z stays as near to that of the file as the turn of the axis lets it.
+    Without any of them z stays as near to that of the file as the turn of the axis allows.
     """
     size = float(np.ptp(part.facets.points, axis=0).max())
     everything = _middle(part.facets.corners())

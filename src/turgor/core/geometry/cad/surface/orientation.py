@@ -97,7 +97,7 @@ def oriented_shells(points: Array, triangles: Ints) -> tuple[Ints, int]:
         flipped[number] = within(before[None], corners[shell == shell[widest]])[0]
     turned = np.where(flipped[piece][:, None], turned[:, ::-1], turned)
     hollow, overlapping = _nested(points, turned, shell)
-    # whether a shell that overlaps others is a cavity, only the file knows
+    # only the file states whether a shell that overlaps others is a cavity
     origin = points.mean(axis=0)
     for i in overlapping:
         hollow[i] = flux(points, triangles[shell == i], origin) < 0

@@ -41,7 +41,7 @@ class MirrorPlane:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PartSymmetry:
-    """What maps a part onto itself.
+    """Mirror planes and turns that map a part onto itself.
 
     Parameters
     ----------

@@ -51,7 +51,7 @@ def smaller_wedge(
     if not symmetry.axis or symmetry.axis in requested.broken_turns:
         return None
     if symmetry.fold == 0 and share > 1:
-        return None  # a quarter becomes axisymmetric if that is wanted
+        return None  # a quarter becomes axisymmetric if that is requested
     wedge = _wedge(symmetry, symmetry.fold or SYMMETRY.sectors)
     if wedge.fold <= max(share, 2):
         return None  # a half is as good between mirror planes, and a body that reaches its axis has no other

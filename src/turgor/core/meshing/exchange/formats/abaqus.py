@@ -28,7 +28,7 @@ class _Keyword:
 
 @dataclass(slots=True)
 class _Content:
-    """What was read so far, with the numbers of the file.
+    """Content of the lines that were read, with the numbers of the file.
 
     ``left_out`` says what was not understood, one clause each.
     """

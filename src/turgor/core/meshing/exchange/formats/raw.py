@@ -80,7 +80,7 @@ class Block:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class RawMesh:
-    """What a file holds.
+    """Content of a mesh file.
 
     Parameters
     ----------

@@ -80,7 +80,7 @@ def _dead(path: Sequence[StateFields], loads: list[Load]) -> tuple[Array, Array]
 
 
 def _setting(model: Model) -> tuple[Setting, tuple]:
-    """What loads need of a model, in SI units, and its reference points."""
+    """Setting of the loads of a model, in SI units, and its reference points."""
     supports, table = prescribed_components(model), element_of(model).tables
     points, shape = model.mesh.points, (0,) * model.mesh.cells.shape[1]
     _, volume = kernels_geometry.reference_geometry(shape, points, model.mesh.cells, table.dN, table.weights)

@@ -47,7 +47,7 @@ def follow_cavities(problem: Problem, procedure: StepOptions) -> Outcome:
 def _driven(
     procedure: StepOptions, amounts: Callable[[float], Array], names: tuple[str, ...]
 ) -> Callable[[float], dict[str, float]]:
-    """What is prescribed at a parameter, by column; with several cavities also by cavity: amounts add up."""
+    """Prescribed amounts at a parameter, by column; with several cavities also by cavity: amounts add up."""
     what = procedure.drive
 
     def driven(parameter: float) -> dict[str, float]:

@@ -58,7 +58,7 @@ class ScalarStrategy:
 
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """What a path prescribes and where it ends.
+    """Prescribed values of a path and its end.
 
     Parameters
     ----------
