@@ -35,7 +35,7 @@ def measure(
         given.
     mesh_error : bool or "linear"
         Whether the mesh error is estimated. It takes up to half the time of the solve, once for a solution: a few
-        states are solved for again on a second, finer mesh. ``"linear"`` takes one linear solve there, at the last
+        states are solved again on a second, finer mesh. ``"linear"`` takes one linear solve there, at the last
         state alone, where the loads are given.
     options : EngineOptions, optional
         How the engine runs on the second mesh.

@@ -1,1 +1,1 @@
-"""Foundation: errors, findings, sources, saved files, and what every other folder stands on."""
+"""Foundation: errors, findings, sources, saved files, and the other parts that every folder imports."""

@@ -15,8 +15,8 @@ Value = TypeVar("Value")
 class Registry(Mapping[str, Value], Generic[Value]):
     """Definitions of the files of a folder, by name.
 
-    A name that a file has too is looked for in that file. All files are imported when another name is requested, and
-    again looked through once the folder has another path.
+    If a file has the requested name, only this file is imported; otherwise all files are. They are read again once the
+    folder has another path.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Again: measure and report a run from its folder, finished or not, without solving anything."""
+"""Postprocess: measure and report a run from its folder, finished or not, without a solve."""
 
 from collections.abc import Callable
 from dataclasses import replace

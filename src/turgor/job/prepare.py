@@ -80,4 +80,4 @@ def model_of(job: Job, mesh: Mesh) -> Model:
 
 
 def silent(_: str) -> None:
-    """Ignore what is going on."""
+    """Ignore a notice."""

@@ -1,6 +1,6 @@
 """Mesh error: how far each measure of each state is from what finer cells would give.
 
-A few states of the path are solved for again on a second mesh, in which the cells with most of the error are cut in all
+A few states of the path are solved again on a second mesh, in which the cells with most of the error are cut in all
 directions. The estimate is the difference of a measure between the two meshes, scaled up by the error that the second
 mesh still has. Between these states it is interpolated along the path, relative to the change of the measure.
 """
@@ -176,7 +176,7 @@ def _not_estimated(reason: str) -> Finding:
 
 
 def plan(solution: Solution, refined_before: bool) -> tuple[int, float]:
-    """How many states are solved for again, and by how much the number of cells grows, for half the work of the solve.
+    """How many states are solved again, and by how much the number of cells grows, for half the work of the solve.
 
     Work is counted in factorizations, so that the estimate does not depend on how busy the machine is.
     """

@@ -1,4 +1,4 @@
-"""Refine: cut the cells that carry most of the error, as many as can be afforded."""
+"""Refine: cut the cells that carry most of the error, as many as the growth of the mesh allows."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -70,7 +70,7 @@ class SecondMesh:
     ) -> State | None:
         """Find a state on the refined mesh under the constraint of its procedure; None where Newton's method fails.
 
-        ``exact`` asks for the tolerance of a solve, not only for a good estimate of the mesh error; ``linear`` for one
+        ``exact`` requests the tolerance of a solve, not only for a good estimate of the mesh error; ``linear`` for one
         linear solve alone, where the loads are given.
         """
         controlled = procedure.filled(state.model)
@@ -144,7 +144,7 @@ def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, e
     start = Start(at.unknowns, system.stresses(at), evaluation=at)
     constraint = load_control(system, history=at.history)
     settings = EXACT_SETTINGS if exact else ROUGH_SETTINGS
-    result = newton_with_contact(constraint, tangent, start, state.load_factor, settings, _unheard)
+    result = newton_with_contact(constraint, tangent, start, state.load_factor, settings, _silent)
     if not result.converged or result.evaluation is None:
         return None
     moved = (result.evaluation.unknowns - at.unknowns)[system.moving]
@@ -158,7 +158,7 @@ def _linearly(equations: Equations, unknowns: Array, state: State) -> State | No
     system, tangent, history = equations
     start = Start(unknowns, None, np.zeros(0))
     constraint = load_control(system, history=history)
-    result = newton(constraint, tangent, start, state.load_factor, LINEAR_SETTINGS, _unheard).evaluation
+    result = newton(constraint, tangent, start, state.load_factor, LINEAR_SETTINGS, _silent).evaluation
     if result is None:
         return None
     moved = (result.unknowns - unknowns)[system.moving]
@@ -186,7 +186,7 @@ def _at_volume(equations: Equations, unknowns: Array, state: State, controlled: 
         constraint = Constraint.of(LoadFactor(system), target, history=history)
         scalars, parameter = np.array([state.load_factor]), 1.0
     start = Start(unknowns, None, scalars)
-    result = newton(constraint, tangent, start, parameter, SETTINGS, _unheard)
+    result = newton(constraint, tangent, start, parameter, SETTINGS, _silent)
     if not result.converged or result.evaluation is None:
         return None
     return _state(system, result.evaluation, state)
@@ -209,5 +209,5 @@ def _state(system: System, at: Evaluation, state: State, modes: int | None = Non
     )
 
 
-def _unheard(iteration: int, residual: float, correction: float, step_length: float) -> None:
+def _silent(iteration: int, residual: float, correction: float, step_length: float) -> None:
     """Report nothing: the progress of a run is that of its path."""

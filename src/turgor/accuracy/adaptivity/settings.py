@@ -13,14 +13,14 @@ class MeshErrorSettings:
     Parameters
     ----------
     places : tuple of float
-        Places of the states that are solved for again, as shares of the length of the path; the last one first.
+        Places of the states that are solved again, as shares of the length of the path; the last one first.
     state_work, state_work_touching : float
         Factorizations of the first mesh that pay for a state on a second one of the same size, without and with
         contact: it needs 2.5 and 15, and the estimate may take half the work of the solve.
     cost_exponent : float
         A factorization of n unknowns takes n to this power.
     growth : float
-        Growth of the number of cells beyond which more states are solved for again rather than more cells are cut. On a
+        Growth of the number of cells beyond which more states are solved again rather than more cells are cut. On a
         mesh that was refined already, where the error is spread over many cells, it is the least.
     least_growth, least_growth_hexahedra : float
         Least growth on other meshes of tetrahedra and of hexahedra.

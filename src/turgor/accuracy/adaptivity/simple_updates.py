@@ -1,4 +1,4 @@
-"""Simple updates: Newton's method for a state near the solution, with old factors while they serve."""
+"""Simple updates: Newton's method for a state near the solution, with old factors as long as they converge."""
 
 from dataclasses import dataclass, replace
 from math import inf
@@ -52,7 +52,7 @@ SETTINGS = SimpleUpdateSettings()
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Iterate:
-    """An iterate of simple updates: the whole correction so far, and what the next update needs.
+    """An iterate of simple updates: the sum of the corrections, and the data of the next update.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ class Iterate:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SimpleUpdates:
-    """The case of Newton's method for a state at its load factor: no line search, old factors while they serve."""
+    """Newton's method for a state at its load factor: no line search, old factors as long as they converge."""
 
     border: Border
     exact: bool

@@ -118,7 +118,7 @@ def rates_of(base: Equilibrium, neighbors: Neighbors) -> Rates:
 
 
 def forces_of(base: Equilibrium, neighbors: Neighbors) -> tuple[tuple[Place, ...], Array, Array]:
-    """Look at the neighbors with the unknowns of the state, supports moved: places, ∂R/∂p (size,) and ∂c/∂p (k,).
+    """Evaluate the neighbors at the unknowns of the state, with moved supports: places, ∂R/∂p (size,) and ∂c/∂p (k,).
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Derived: the derivatives of measures by all numbers of a variation, by the way that costs less."""
+"""Derived: the derivatives of measures by all numbers of a variation, directly or by adjoints, whichever is cheaper."""
 
 from dataclasses import dataclass
 

@@ -208,7 +208,7 @@ def _neighbor(base: Equilibrium, variation: Variation, name: str, steps: int) ->
 
 
 def _touching(base: Equilibrium, model: Model) -> tuple[Model, bool]:
-    """The model with what may touch at the state, none where nothing does: a third of the time went into finding it."""
+    """The model with what may touch at the state, none where nothing does; the search took a third of the time."""
     if not (base.at.contacts.touch or base.system.contact.bodies.names):
         return replace(model, contact=Contact(self_contact=False)), False
     known = base.state.model.contact.for_mesh(base.state.model.mesh)
@@ -225,7 +225,7 @@ def _check_cells(known: Mesh, mesh: Mesh, name: str) -> None:
 
 
 def _other_unknowns(base: Equilibrium, name: str) -> str:
-    """Say why the equations have other unknowns: most often, two rubbers that are alike differ then."""
+    """Say why the equations have other unknowns: most often, two equal rubbers become different."""
     rubbers = base.state.model.region_materials
     if len(rubbers) > 1:
         return (

@@ -26,7 +26,7 @@ IDEAL_MCKIBBEN = Formula(
     assumptions=(
         "The braid has both hands and its threads do not stretch.",
         "The muscle stays a cylinder to its ends.",
-        "The wall of the bladder costs nothing, and there is no friction between threads.",
+        "The wall of the bladder has no stiffness, and there is no friction between threads.",
     ),
     source=Source(
         text="Chou and Hannaford 1996, IEEE Trans. Robot. Autom. 12, 90",
@@ -54,7 +54,7 @@ def ideal_mckibben(
     """Pull with a braid that does not stretch: the force of an ideal McKibben muscle.
 
     Assumptions: The braid has both hands and its threads do not stretch. The muscle stays a cylinder to its ends. The
-    wall of the bladder costs nothing, and there is no friction between threads.
+    wall of the bladder has no stiffness, and there is no friction between threads.
 
     F = π r₀² P [a (1 − ε)² − b] with a = 3/tan²θ₀, b = 1/sin²θ₀, θ₀ from the axis; no force is left at
     ε = 1 − √(b/a), where the threads lie at 54.7356° whatever θ₀ is.
@@ -193,7 +193,7 @@ def _braid_states(wall: WoundWall, start: float, axial: Array) -> Array:
 
 
 def _unloaded(wall: WoundWall, start: float, pressure: Array) -> Array:
-    """Axial stretches without a load: between rest, where the wall is at ease, and where an ideal muscle ends."""
+    """Axial stretches without a load: between rest, where the wall is unstressed, and where an ideal muscle ends."""
     ideal = 1 / (sqrt(3) * cos(start))
     if abs(ideal - 1) < 1e-12:
         return np.ones_like(pressure)

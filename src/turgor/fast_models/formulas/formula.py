@@ -134,7 +134,7 @@ def poisson_ratio(material: Material) -> float:
 
 
 def not_so_simple(material: Material) -> Finding | None:
-    """F01: the material does more than the formula knows."""
+    """F01: the formula leaves out a behavior of the material."""
     if isinstance(material.law, Hooke):
         return None
     ratio = material.bulk_modulus / material.law.shear_modulus

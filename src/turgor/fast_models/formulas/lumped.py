@@ -273,7 +273,7 @@ def _best(residual: Callable[[Array], Array], starts: list[list[float]]) -> Any:
 
 
 def _uncertainties(jacobian: Array, residuals: Array) -> list[float]:
-    """Standard deviations from the residuals, as of independent errors; infinite where the record says nothing."""
+    """Standard deviations from the residuals, as of independent errors; infinite where there is no information."""
     spare = len(residuals) - jacobian.shape[1]
     normal = jacobian.T @ jacobian
     if spare < 1 or np.linalg.cond(normal) > 1e14:

@@ -222,7 +222,7 @@ class WoundWall:
         return R, 2 * np.pi * R * half * _WEIGHTS
 
     def _moved(self, at: Point, axial: float) -> Point:
-        """The same threads at another axial stretch: what holds a rigid winding, and a first guess for the others."""
+        """The same threads at another axial stretch: exact for a rigid winding, and a first guess for the others."""
         for family in self.families:
             square = 1 - (np.cos(family.angle) * axial) ** 2
             if family.stiffness == inf and np.sin(family.angle) > 1e-9 and square > 0:
@@ -266,7 +266,7 @@ class WoundWall:
         return np.concatenate([out, squares[:, rigid] - 1], axis=1)
 
     def _solved(self, start: Point, pressure: float, *, stretch_fixed: bool) -> Point | None:
-        """Newton's method from a state nearby; None where it finds none."""
+        """Newton's method from a state nearby; None where it does not converge."""
         unit = self.law.shear_modulus * self.base**2
         rigid = len(start.rigid)
         scale = np.array([self.base, 1.0, 1 / self.base, *[unit / self.base] * rigid])

@@ -59,7 +59,7 @@ class RodShape:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class RodSolution:
-    """States of rods along a path or in time, and how finding them went.
+    """States of rods along a path or in time, and how the solve ended.
 
     Parameters
     ----------

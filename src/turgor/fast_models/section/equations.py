@@ -76,7 +76,7 @@ class Question:
     forces: Array
 
     def towards(self, other: "Question", share: float) -> "Question":
-        """Between this question and another one that holds the same strains and volumes."""
+        """Between this question and another one that prescribes the same strains and volumes."""
         return Question(
             pressures=self.pressures + share * (other.pressures - self.pressures),
             volumes=self.volumes + share * (other.volumes - self.volumes),

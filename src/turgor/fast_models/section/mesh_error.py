@@ -1,4 +1,4 @@
-"""Mesh error of a section: a few of its states are solved for again, with every cell cut in four.
+"""Mesh error of a section: a few of its states are solved again, with every cell cut in four.
 
 The refined cells are exact pieces of the cells, so a state on them starts from the interpolated one. At sharp corners
 the error falls with the first power of the size of the cells, elsewhere faster. The second cells then have half of it
@@ -25,7 +25,7 @@ from turgor.foundation.response import MESH_ERROR, Column
 
 Array = NDArray[np.float64]
 
-#: Places of the states that are solved for again, as shares of the number of rows.
+#: Places of the states that are solved again, as shares of the number of rows.
 PLACES = (0.5, 1.0)
 
 #: Estimate over the difference between both meshes.

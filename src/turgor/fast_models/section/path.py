@@ -111,7 +111,7 @@ def follow(equations: Equations, questions: Sequence[Question], settings: Sectio
 
 
 def predicted(known: Sequence[tuple[float, Unknowns]], to: float) -> Unknowns:
-    """Where the path goes on from its last three states: along the parabola through them."""
+    """Extrapolate the path along the parabola through its last three states."""
     (b, last) = known[-1]
     if len(known) == 1:
         return last

@@ -153,7 +153,7 @@ class Section(Shown):
         throw : bool
             Whether a path that ends early is an error.
         mesh_error : bool
-            Whether the mesh error of each column is estimated: up to three states are solved for again on cells that
+            Whether the mesh error of each column is estimated: up to three states are solved again on cells that
             are cut in four.
 
         Returns

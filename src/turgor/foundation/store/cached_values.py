@@ -127,7 +127,7 @@ def sources(package: str) -> str:
 
 
 def _checked(entry: object) -> object:
-    """Return the value of an entry if its hash is right: a damaged number would be another result without a word."""
+    """Return the value of an entry if its hash is right: a damaged number would change a result unnoticed."""
     stated, value = entry if isinstance(entry, list) and len(entry) == 2 else ("", None)
     if stated != _digest((value,)):
         raise ValueError("the entry is not as it was written.")

@@ -1,4 +1,4 @@
-"""Caches: folders of this user alone for what may be lost, such as meshes and compiled kernels."""
+"""Caches: folders of this user alone for files that can be made again, such as meshes and compiled kernels."""
 
 import os
 import stat

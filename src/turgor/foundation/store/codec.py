@@ -28,7 +28,7 @@ Known = Callable[[object], str | None]
 
 
 def unknown_to_all(value: object) -> None:
-    """Know no object: all are written."""
+    """Return no name for any object, so that all are written."""
 
 
 @dataclass(slots=True, eq=False)

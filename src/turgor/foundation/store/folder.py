@@ -101,7 +101,7 @@ class Store:
         return encoder
 
     def _note(self, name: str, arrays: Mapping[str, NDArray[Any]], needs: _Needs) -> None:
-        """Know the arrays of an archive, and which others it names."""
+        """Note the arrays of an archive, and which others it names."""
         for key, array in arrays.items():
             self._arrays[id(array)] = (weakref.ref(array), f"{name}#{key}")
         self._needs[name] = needs

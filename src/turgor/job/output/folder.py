@@ -94,7 +94,7 @@ def claimed(folder: Path, force: bool, resume: bool = False, files: Sequence[str
 
 @contextmanager
 def _locked(file: Path) -> Iterator[None]:
-    """Hold the lock of a file, which is removed at the end."""
+    """Lock a file, and remove it at the end."""
     with FileLock(file, timeout=0):
         if not file.exists():  # the run that had locked it removed it in this moment
             raise Timeout(str(file))
