@@ -284,7 +284,7 @@ class System:
         return self.contact.look(position, self.springs(unknowns), load_factor)
 
     def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
-        """What a state with a memory, at rest where that is None, brings into a step of a length [s].
+        """Memory that a state brings into a step of a length [s]; None is the state at rest.
 
         0 is a sudden step, infinite an infinitely slow one.
         """

@@ -36,7 +36,7 @@ class Listeners:
     stage: str = ""
 
     def tell(self, findings: Iterable[Finding]) -> None:
-        """Tell findings but notes."""
+        """Report findings but notes."""
         for each in findings:
             if self.warn is not None and each.severity is not Severity.NOTE:
                 self.warn(each)
@@ -51,7 +51,7 @@ class Listeners:
         return report
 
     def accepted(self, step: int, state: State, result: NewtonResult) -> str | None:
-        """Tell the accepted state of a step; return why the caller ends the run, None where it goes on."""
+        """Report the accepted state of a step; return why the caller ends the run, None where it goes on."""
         iteration = _iteration(step, state.load_factor, (result.iterations, result.residual, 0.0, 1.0))
         if LOG.isEnabledFor(logging.INFO):
             LOG.info(f"{of_stage(self.stage)}{describe(iteration, state)}")

@@ -58,7 +58,7 @@ class Restart:
             part.penalty_scale = self.penalty_scales.get(key, part.penalty_scale)
 
     def history(self, system: System) -> History:
-        """What the state brings into a sudden step of the next stage, which leaves its stress as it was."""
+        """Memory that the state brings into a sudden step of the next stage, which leaves its stress as it was."""
         memory = self.state.memory
         if memory is None:
             return system.history(None, 0.0)

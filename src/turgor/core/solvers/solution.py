@@ -43,7 +43,7 @@ class Status(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Touch:
-    """What one contact does in one state: of the actuator with itself, or with an obstacle.
+    """Results of one contact in one state: of the actuator with itself, or with an obstacle.
 
     Parameters
     ----------

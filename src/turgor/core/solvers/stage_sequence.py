@@ -109,7 +109,7 @@ def _question(model: Model, stage: Stage, last: _End | None) -> Model:
 
 
 def _within(stage: Stage, listeners: Listeners) -> Listeners:
-    """Tell listeners the stage too."""
+    """Report the stage to the listeners, too."""
     progress, stop = listeners.progress, listeners.stop
 
     def tell(iteration: Iteration, state: State | None) -> None:

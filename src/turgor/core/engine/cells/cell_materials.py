@@ -110,7 +110,7 @@ class CellMaterials:
         return bool(self._remembering)
 
     def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
-        """What a state with a memory, at rest where that is None, brings into a step of a length [s]."""
+        """Memory that a state brings into a step of a length [s]; None is the state at rest."""
         return History(
             {
                 region.name: RegionMemory.of(
@@ -176,7 +176,7 @@ class CellMaterials:
         return out
 
     def remembered(self, F: Array, history: History) -> Memory | None:
-        """What the state at the end of a step remembers.
+        """Memory of the state at the end of a step.
 
         Parameters
         ----------

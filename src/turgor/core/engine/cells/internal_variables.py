@@ -109,7 +109,7 @@ class RegionMemory:
         return softened if self.factor == 1.0 else self.factor * np.stack(list(softened))
 
     def next_stress(self, S: Array, F: Array) -> Array:
-        """What is remembered of the stress at the end of the step; ``S`` (c, q, 6) [Pa] is that of the softened law."""
+        """Memory of the stress at the end of the step; ``S`` (c, q, 6) [Pa] is that of the softened law."""
         series = self.material.viscoelasticity
         assert series is not None and self.stress is not None
         return next_memory(series, self.step, self.stress, scaled_stress(S, right_cauchy_green(F)))

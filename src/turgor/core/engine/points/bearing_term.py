@@ -93,7 +93,7 @@ def bearing_slopes(carrier: Carrier) -> Array:
 
 
 def stopped(carrier: Carrier, motion: Array) -> Array:
-    """What of a small motion (n, 3) of all nodes from rest the bearing of a point does not let pass (k,)."""
+    """Components (k,) of a small motion (n, 3) of all nodes from rest that the bearing of a point blocks."""
     if carrier.bearing is None:
         return np.zeros(0)
     products = np.einsum("kij,ij->k", bearing_slopes(carrier), motion[carrier.arrows])

@@ -1,1 +1,1 @@
-"""Checkpoints: what is written after every step, so that a run that was ended goes on from there."""
+"""Checkpoints: files that are written after every step, from which an ended run can continue."""

@@ -77,7 +77,7 @@ def restore(parts: Sequence[Any], values: Sequence[Mapping[str, Any]], system: S
 
 
 def _bare(value: Any) -> Any:
-    """An evaluation without what the laws say at every point, which is large, and without forces of the step."""
+    """An evaluation without the stresses at every point, which are large, and without forces of the step."""
     if not isinstance(value, Evaluation):
         return value
     empty = Isochoric(np.empty(0), np.empty(0), np.empty(0))

@@ -1,4 +1,4 @@
-"""So far: what a checkpoint holds."""
+"""Content of a checkpoint: the path so far, and the loop."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class PathSoFar:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class LoopSoFar:
-    """How far a loop has come.
+    """State of a loop of steps.
 
     Parameters
     ----------
@@ -52,4 +52,4 @@ class Record(Protocol):
         """Count a loop, and return its last checkpoint; None where it has none."""
 
     def keep(self, path: PathSoFar, loop: LoopSoFar) -> None:
-        """Keep a checkpoint of the loop that was begun last."""
+        """Save a checkpoint of the loop that was begun last."""

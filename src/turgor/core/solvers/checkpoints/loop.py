@@ -71,4 +71,4 @@ class Loop:
 
 
 def _nothing() -> None:
-    """Keep nothing."""
+    """Save nothing."""

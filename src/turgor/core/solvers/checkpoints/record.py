@@ -1,4 +1,4 @@
-"""Run record: a folder in which a solve keeps its question and every accepted state, and from which it goes on."""
+"""Run record: a folder in which a solve saves its question and every accepted state, and from which it can continue."""
 
 import json
 import re
@@ -137,7 +137,7 @@ class RunRecord:
         return self.store.has(SOLUTION)
 
     def finish(self, solution: Solution) -> None:
-        """Keep the whole solution; only it and what it needs stay."""
+        """Save the whole solution, and remove all files that it does not need."""
         self.store.keep(SOLUTION, solution, "Solution")
         self.stages = []
         self._point()
@@ -180,7 +180,7 @@ class StageRecord:
     _loops: int = 0
 
     def of(self, system: System) -> "StageRecord":
-        """Know the equations, which checkpoints name and do not hold."""
+        """Set the equations, which checkpoints name and do not contain."""
         self.run.store.named["system"] = system
         return self
 
@@ -199,7 +199,7 @@ class StageRecord:
         return path, loop
 
     def keep(self, path: PathSoFar, loop: LoopSoFar) -> None:
-        """Keep a checkpoint: new states first, each in a file of its own, then how far the loop has come."""
+        """Save a checkpoint: new states first, each in a file of its own, then how far the loop has come."""
         store, loops = self.run.store, self.run.stages[self.number]
         before = self.run.paths()[: self.number]
         for state in path.states:

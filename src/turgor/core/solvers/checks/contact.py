@@ -177,7 +177,7 @@ def _met_next_sector(model: Model, states: Sequence[State]) -> tuple[Finding, ..
 
 
 def _unguarded(model: Model) -> tuple[str | None, ...]:
-    """Cavities that are pressed together, and None for the outer walls, where no contact stops them."""
+    """Cavities whose walls are pressed together without contact; None stands for the outer walls."""
     mesh, contact = model.mesh, model.contact
     if not mesh.cell_type.side.triangles:
         return ()

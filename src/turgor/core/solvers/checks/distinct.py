@@ -1,4 +1,4 @@
-"""Distinct materials of a model: what a finding says about equal ones, it says once."""
+"""Distinct materials of a model: a finding about equal ones is reported once."""
 
 from collections.abc import Iterable
 from dataclasses import replace

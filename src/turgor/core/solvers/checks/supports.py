@@ -66,7 +66,7 @@ def free_motions(model: Model) -> int:
 
 
 def _fixed_motions(model: Model, supports: PrescribedComponents, body: Body) -> int:
-    """How many of the six rigid motions of a body its supports hold."""
+    """Number of the six rigid motions of a body that its supports prevent."""
     tied, still = supports.ties, supports.mask.ravel().copy()
     still[tied.followers] = False
     carriers = [each for each in supports.carriers if np.isin(each.nodes, body.nodes).any()]

@@ -72,7 +72,7 @@ class VolumeTarget:
         return Conditions(errors, rows, np.zeros((len(scale), len(scale))))
 
     def onward(self, last: Place, now: Place) -> "VolumeTarget":
-        """The same all along."""
+        """The same conditions at all states."""
         return self
 
 
@@ -125,7 +125,7 @@ class GasTarget:
         return Conditions(errors, rows, np.diag(volumes**n / right))
 
     def onward(self, last: Place, now: Place) -> "GasTarget":
-        """Sealed, if this is where."""
+        """The conditions beyond a state: sealed from the seal on."""
         if self.sealed or now.parameter < self.seal:
             return self
         return replace(self, sealed=True, volume=self.chambers.volumes(now.unknowns))

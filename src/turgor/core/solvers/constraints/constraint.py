@@ -33,7 +33,7 @@ class ScalarUnknowns(Protocol):
         """The equations of equilibrium."""
 
     def load_factor(self, parameter: float, scalars: Array) -> float:
-        """How much of the other loads acts."""
+        """Share of the other loads."""
 
     def pressures(self, scalars: Array) -> Array | None:
         """Scaled pressures of the controlled faces; None where there are none."""
@@ -42,7 +42,7 @@ class ScalarUnknowns(Protocol):
         """Derivative (k, size) of the residual by the scalars."""
 
     def unstable(self, modes: int | None, stiffness: Array) -> int | None:
-        """Unstable modes of what is driven in this way, from those at given loads and the border's matrix (k, k)."""
+        """Unstable modes under this control, from those at given loads and the border's matrix (k, k)."""
 
 
 class Place(Protocol):
@@ -76,7 +76,7 @@ class Target(Protocol):
         """The conditions at a parameter."""
 
     def onward(self, last: Place, now: Place) -> "Target":
-        """The conditions beyond a state that was found after another one."""
+        """The conditions beyond a state, from the state before it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -145,5 +145,5 @@ class Constraint:
         )
 
     def onward(self, last: Place, now: Place) -> "Constraint":
-        """The constraint for the step beyond a state that was found after another one."""
+        """The constraint for the step beyond a state, from the state before it."""
         return replace(self, target=self.target.onward(last, now), clock=self.clock.onward(now.parameter))

@@ -1,4 +1,4 @@
-"""Constraints that seek the load factor: a weighted volume or an arc length is given."""
+"""Constraints with an unknown load factor: a weighted volume or an arc length is given."""
 
 from dataclasses import dataclass, replace
 
@@ -40,7 +40,7 @@ class LoadFactor:
         return (none - full)[None, :]
 
     def unstable(self, modes: int | None, stiffness: Array) -> int | None:
-        """Those at given loads, because loads are what was requested."""
+        """Those at given loads, because the user requested loads."""
         return modes
 
 
@@ -70,7 +70,7 @@ class WorkTarget:
         return Conditions(np.array([(volume - self.first) / growth - parameter]), row[None, :], np.zeros((1, 1)))
 
     def onward(self, last: Place, now: Place) -> "WorkTarget":
-        """The same all along."""
+        """The same conditions at all states."""
         return self
 
 

@@ -52,7 +52,7 @@ class NoConditions:
         return Conditions(np.empty(0), np.empty((0, len(unknowns))), np.empty((0, 0)))
 
     def onward(self, last: Place, now: Place) -> "NoConditions":
-        """The same all along."""
+        """The same conditions at all states."""
         return self
 
 

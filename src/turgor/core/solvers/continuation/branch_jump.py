@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 def move_ratio(points: Sequence[tuple[float, Array]]) -> float:
-    """How many times as much a body moved in the last step as in the one before, for the same load.
+    """Ratio of the motion of a body in the last step to that in the step before, for the same load.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def move_ratio(points: Sequence[tuple[float, Array]]) -> float:
 
 
 def move_ratio_to(states: Sequence[State], number: int) -> float:
-    """How many times as much a body moved on the way to a state as in the step before, for the same load."""
+    """Ratio of the motion of a body on the way to a state to that in the step before, for the same load."""
     return move_ratio([(state.load_factor, state.displacement) for state in states[max(0, number - 2) : number + 1]])
 
 

@@ -1,4 +1,4 @@
-"""Guide: the path of a similar model says where the next state is, so that only the requested states are solved.
+"""Guide: the path of a similar model predicts the next state, so that only the requested states are solved.
 
 A step starts from the last state plus the change of the guide's displacement from there to the next load. The guide has
 the same elements, and a rubber or dimensions that differ a little.

@@ -96,7 +96,7 @@ def _full_load(before: Point, now: Point, run: Run) -> Ending | None:
 
 
 def _reached(run: Run) -> Outcome:
-    """How a run ended that has all of the load, and the load factor from which on it went without its guide."""
+    """Outcome of a run with the full load, and the load factor from which on no guide was used."""
     outcome = converged(run.task.system.model, run.states, run.steps)
     if run.memory.guided_until is None:
         return outcome
@@ -106,13 +106,13 @@ def _reached(run: Run) -> Outcome:
 
 
 def _stepped(procedure: StepOptions, guide: Guide | None) -> StepOptions:
-    """A procedure whose first step is as long as any other where a guide leads."""
+    """A procedure whose first step is as long as all others, with a guide."""
     return procedure if guide is None else replace(procedure, first_step=procedure.max_step)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LoadStrategy:
-    """How load control goes from step to step.
+    """Strategy of load control.
 
     Parameters
     ----------
@@ -215,7 +215,7 @@ class LoadStrategy:
         return run.stepping.resumed(run.task.procedure.first_step) if lost else run.stepping
 
     def turn(self, run: Run, now: Point) -> Turn:
-        """Forget the past, which predicts nothing."""
+        """Discard the former states, which do not predict the path beyond a kink."""
         stepping = run.stepping.turned(run.task.procedure.first_step)
         return Turn((run.history[-1],), run.constraint, stepping, replace(run.memory, rate=inf))
 

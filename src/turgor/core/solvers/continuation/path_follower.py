@@ -1,6 +1,6 @@
 """Path follower: the one loop that steps along a path, whatever constraint drives it.
 
-A strategy says what differs between load control and a path with scalar unknowns: how far the next step goes, where
+A strategy has the differences between load control and a path with scalar unknowns: how far the next step goes, where
 Newton's method starts, whether a result is the next point of the path, and what to do when no step succeeds.
 """
 

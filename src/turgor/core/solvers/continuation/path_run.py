@@ -126,7 +126,7 @@ class Rescue:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Turn:
-    """How a run goes on beyond a kink: its points, its constraint, its step control and its memory."""
+    """Continuation of a run beyond a kink: its points, its constraint, its step control and its memory."""
 
     history: tuple[Point, ...]
     constraint: Constraint
@@ -136,7 +136,7 @@ class Turn:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ending:
-    """The last state of a path, and what to say about the run once it is among the states."""
+    """The last state of a path, and the outcome of the run that ends with it."""
 
     state: State
     outcome: Callable[["Run"], Outcome]
@@ -149,7 +149,7 @@ class Strategy(Protocol):
         """The parameter to try next."""
 
     def predict(self, run: "Run", parameter: float) -> Start:
-        """Where Newton's method starts."""
+        """Start of Newton's method."""
 
     def judge(self, run: "Run", result: NewtonResult, parameter: float) -> Judgment:
         """Whether a result is the next point of the path."""
@@ -161,7 +161,7 @@ class Strategy(Protocol):
         """The step control beyond an accepted step."""
 
     def turn(self, run: "Run", now: Point) -> Turn:
-        """Start without history at a kink, beyond which former states predict nothing."""
+        """Start without history at a kink, beyond which former states do not predict the path."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -207,7 +207,7 @@ class Task:
 
 @dataclass(slots=True, eq=False)
 class Run:
-    """How far a path has come.
+    """State of a run along a path.
 
     Parameters
     ----------

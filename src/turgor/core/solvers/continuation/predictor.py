@@ -35,13 +35,13 @@ Array = NDArray[np.float64]
 
 
 def unbalanced_force(system: System, at: Evaluation) -> float:
-    """Size of the residual on all that is free."""
+    """Size of the residual at the free unknowns."""
     return float(np.linalg.norm(at.residual[~system.prescribed]))
 
 
 @dataclass(frozen=True, slots=True)
 class Extrapolation:
-    """How extrapolations are compared.
+    """Comparison of extrapolations.
 
     Parameters
     ----------
@@ -191,7 +191,7 @@ def _along_tangent(
 
 
 def _touching(contacts: Contacts) -> int:
-    """How many points touch."""
+    """Number of points in contact."""
     return sum(int(each.inside.sum()) for each in contacts.gaps)
 
 

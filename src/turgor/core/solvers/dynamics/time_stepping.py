@@ -46,7 +46,7 @@ Array = NDArray[np.float64]
 
 @dataclass(slots=True, eq=False)
 class _Run:
-    """What stays the same, and how far it has come."""
+    """Constants and state of a run."""
 
     problem: Problem
     procedure: TimeOptions

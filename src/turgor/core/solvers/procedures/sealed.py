@@ -1,4 +1,4 @@
-"""Sealed: what a cavity holds stays in it while other loads change."""
+"""Sealed: the content of a cavity stays in it while other loads change."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

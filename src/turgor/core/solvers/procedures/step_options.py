@@ -1,4 +1,4 @@
-"""Step options: what every procedure of equilibria says about its steps and its iterations."""
+"""Step options: the steps and iterations of every procedure of equilibria."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import Field, dataclass, fields

@@ -1,4 +1,4 @@
-"""Watched: who looks at the progress of a solve, and what is shown to them."""
+"""Watchers: show the progress of a solve on a terminal, in a notebook, or to a function."""
 
 import sys
 from collections.abc import Callable, Iterator
@@ -72,7 +72,7 @@ def _notebook() -> Any:
 
 
 def _bar(notebook: Any) -> Any:
-    """A bar for whom looks on; rich is slow to load, and many solves need none."""
+    """A bar in a terminal or a notebook; rich is slow to load, and many solves need none."""
     if notebook is not None:
         from turgor.core.solvers.progress.notebook_bar import NotebookBar
 

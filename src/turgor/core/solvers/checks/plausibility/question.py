@@ -1,4 +1,4 @@
-"""Question: what is to be solved, and the magnitudes that are read from it."""
+"""Question: the model to solve, and its magnitudes."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

@@ -128,12 +128,12 @@ def arc_run(
 
 
 def displacement_scale(problem: Problem, unknowns: Array, load: float) -> float:
-    """Displacement that counts as much as a load factor of 1: what the state would have moved there in proportion."""
+    """Displacement that counts as much as a load factor of 1: that of the state over its load."""
     return float(np.linalg.norm(displacement_of(problem.system, unknowns - start_of(problem)))) / load
 
 
 def slowly(problem: Problem, memory: Memory | None) -> Problem:
-    """A problem that goes on from a memory as slowly as can be."""
+    """The problem with its memory at an infinitely slow step."""
     return replace(problem, history=problem.system.history(memory, inf))
 
 

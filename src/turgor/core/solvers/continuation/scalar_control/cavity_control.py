@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 
 
 def follow_cavities(problem: Problem, procedure: StepOptions) -> Outcome:
-    """Seek the pressures of the cavities for which a procedure prescribes a value."""
+    """Find the pressures of the cavities for which a procedure prescribes a value."""
     system, restart = problem.system, problem.restart
     chambers, start = Chambers(system, system.controlled), unknowns_of(system, problem.start)
     pressures = np.zeros(len(chambers)) if restart is None else restart.pressures(system)
@@ -61,7 +61,7 @@ def _driven(
 
 
 def _at_the_end(before: Point, now: Point, run: Run) -> Ending | None:
-    """All was injected."""
+    """The whole amount was injected."""
     if now.parameter < 1.0:
         return None
     return Ending(now.state, reached)
