@@ -59,7 +59,7 @@ class Chambers:
         return len(self._walls)
 
     def stored(self) -> tuple[System, tuple[str, ...]]:
-        """What a file holds of them."""
+        """Return the content of a file for them."""
         return self.system, self.faces
 
     @classmethod

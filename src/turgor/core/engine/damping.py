@@ -62,7 +62,7 @@ class StrainRateDamping:
         return system.scattered(chosen, packed[:, chosen])
 
     def _response(self, unknowns: Array, moduli: Array) -> kernels.Response:
-        """The viscous stress in place of what laws say."""
+        """The viscous stress in place of that of laws."""
         return kernels.Response(self._no_law, self._rows, self._stress(unknowns), moduli)
 
     def _stress(self, unknowns: Array) -> Array:

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 def stored_energy(system: System, unknowns: Array, history: History | None = None) -> float:
     """Strain energy of cells, membranes and fibers of the modeled part [J].
 
-    What `turgor.core.engine.fields.strain_energy` gives, without building the geometry again. ``history`` is that
+    The same as `turgor.core.engine.fields.strain_energy`, without building the geometry again. ``history`` is that
     of the step, where the rubber relaxes or softens.
     """
     e, r, rubber = system.element, system.element.tables, system.materials

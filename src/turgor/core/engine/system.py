@@ -303,7 +303,7 @@ class System:
         return self.contact.memory(self.layout)
 
     def restore_contact(self, memory: ContactMemory) -> None:
-        """Go on with what contact had learned."""
+        """Restore the memory of contact."""
         self.contact.restore(memory, self.layout)
 
     def lay_out(self, at: Evaluation) -> None:

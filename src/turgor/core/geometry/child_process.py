@@ -29,7 +29,7 @@ _TASK, _REPLY, _OUTPUT = "task.pickle", "reply.pickle", "output.txt"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Work:
-    """A task in words, for the sentence that tells how it failed.
+    """A task in words, for the sentence about its failure.
 
     Parameters
     ----------

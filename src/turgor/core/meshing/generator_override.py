@@ -1,4 +1,4 @@
-"""Meshing instead: what makes a mesh while a function runs that would generate one."""
+"""Override of the mesh generator, while a function runs that would generate a mesh."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

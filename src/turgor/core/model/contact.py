@@ -15,7 +15,7 @@ SELF = "self"
 
 @dataclass(frozen=True, slots=True, init=False)
 class Contact:
-    """What may touch what: the actuator itself, and rigid obstacles.
+    """Contact of an actuator with itself and with rigid obstacles.
 
     Parameters
     ----------

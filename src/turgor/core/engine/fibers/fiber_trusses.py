@@ -99,7 +99,7 @@ def lay(mesh: Mesh, fibers: Fibers) -> FiberTrusses | Pieces:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Where:
-    """Tells the side under points of the unrolled face, −1 outside the face or the box of the winding."""
+    """Finds the side under points of the unrolled face, −1 outside the face or the box of the winding."""
 
     mesh: Mesh
     face: UnrolledSurface
@@ -157,7 +157,7 @@ def _cut(face: UnrolledSurface, lines: Lines, where: _Where) -> _Cuts:
 
 
 def _parted(face: UnrolledSurface, lines: Lines, cuts: _Cuts) -> _Cuts:
-    """Cut each part in equal shares, as many as its share of a whole crossing of its side asks for."""
+    """Cut each part in equal shares, as many as its share of a whole crossing of its side needs."""
     extent = np.ptp(face.flat, axis=1)[cuts.side]
     crossing = (extent / np.maximum(np.abs(lines.direction[cuts.line]), 1e-12)).min(axis=1)
     parts = np.maximum(1, np.ceil(FIBERS.trusses_of_side * (cuts.end - cuts.begin) / crossing - 1e-6)).astype(np.int64)

@@ -1,4 +1,4 @@
-"""Holding: which unknowns of reference points are prescribed, and how those of their faces follow them."""
+"""Prescribed motion: which unknowns of reference points are prescribed, and how those of their faces follow them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

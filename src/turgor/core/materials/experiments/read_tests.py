@@ -133,7 +133,7 @@ def read_tests(
 
 
 def _mode(file: str, mode: str | None, names: Sequence[str]) -> str:
-    """The mode that is stated, or that the name of the file or a second stretch tells."""
+    """The mode that is stated, or that the name of the file or a second stretch implies."""
     if mode is not None:
         if mode == "pure_shear":
             return "planar"

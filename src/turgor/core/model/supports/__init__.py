@@ -1,4 +1,4 @@
-"""Supports: what holds the actuator, a file for each. Those of reference points are in `turgor.core.model.points`."""
+"""Supports of an actuator, a file for each. Those of reference points are in `turgor.core.model.points`."""
 
 from turgor.core.model.supports.displacement import Displacement as Displacement
 from turgor.core.model.supports.displacement import Shift as Shift

@@ -47,7 +47,7 @@ class Support:
 
     @property
     def place(self) -> str:
-        """Name of the face or point that it holds."""
+        """Name of the fixed face or point."""
         return str(getattr(self, "face", getattr(self, "point", "")))
 
     @property

@@ -122,7 +122,7 @@ def grid_text(
 
 
 def _times(solution: Solution) -> tuple[list[float], str]:
-    """What orders the states in ParaView, and what it is."""
+    """Values that order the states in ParaView, and their meaning."""
     clock = [state.time for state in solution.states if state.time is not None]
     if len(clock) == len(solution.states):
         return clock, "time [s]"

@@ -1,4 +1,4 @@
-"""Measures of reference points: displacement, rotation, and the reactions of what holds them."""
+"""Measures of reference points: displacement, rotation, and the reactions of their supports."""
 
 from collections.abc import Mapping
 

@@ -37,7 +37,7 @@ class StepControl:
 
     @staticmethod
     def of(procedure: StepOptions, kinks: Sequence[float] = (), wrinkling: bool = False) -> "StepControl":
-        """Start as a procedure requests, and hit the kinks of the load histories too; where sheets wrinkle steps are hard.
+        """Start as requested, and hit the kinks of the load histories too; where sheets wrinkle steps are hard.
 
         Examples
         --------

@@ -21,7 +21,7 @@ class TimeControl:
 
     @staticmethod
     def of(procedure: TimeOptions, kinks: Sequence[float] = ()) -> "TimeControl":
-        """Start as a procedure requests, and hit the kinks of the load histories too.
+        """Start as requested, and hit the kinks of the load histories too.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Which symmetry of a CAD part is used: what the caller asks for, and what loads forbid."""
+"""Which symmetry of a CAD part is used: the request of the caller, and the planes and turns that loads exclude."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

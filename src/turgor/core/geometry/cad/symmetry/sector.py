@@ -139,7 +139,7 @@ def _same_area(face: Any, other: Any) -> bool:
 
 
 def _half_spaces(wedge: Wedge, center: Array, start: float) -> list[Any]:
-    """What lies beyond the two cuts of a sector that begins at an angle."""
+    """Half spaces beyond the two cuts of a sector that begins at an angle."""
     beyond = []
     for angle, side in ((start, 1.0), (start + wedge.angle, -1.0)):
         normal = np.zeros(3)

@@ -30,7 +30,7 @@ class _Keyword:
 class _Content:
     """Content of the lines that were read, with the numbers of the file.
 
-    ``left_out`` says what was not understood, one clause each.
+    ``omitted`` names the lines that were not understood, one clause each.
     """
 
     path: Path
@@ -48,7 +48,7 @@ class _Content:
 def read_abaqus(path: Path) -> RawMesh:
     """Read an .inp file; sets and surfaces become the names of its cells and faces.
 
-    What no solid cell needs is left out, and `RawMesh.left_out` says so: members of sets that the file does not define,
+    What no solid cell needs is left out, and `RawMesh.omitted` lists it: members of sets that the file does not define,
     lines, springs and the like, surfaces on them.
 
     Parameters

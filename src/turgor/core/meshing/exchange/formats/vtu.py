@@ -39,7 +39,7 @@ _APPENDED = re.compile(rb"<AppendedData\s+encoding=\"(raw|base64)\"\s*>\s*_", re
 
 @dataclass(frozen=True, slots=True)
 class _File:
-    """What holds for all arrays of a file."""
+    """Settings of all arrays of a file."""
 
     path: Path
     order: str
