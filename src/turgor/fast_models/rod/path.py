@@ -135,7 +135,7 @@ def arc_length(
         count, along = count + result.iterations, direction
         if stop is not None and stop(result.state):
             return solution_of(system, states, "The path was stopped.", count)
-        step = min(longest, step * (PATH.wanted_iterations / result.iterations) ** 0.5)
+        step = min(longest, step * (PATH.target_iterations / result.iterations) ** 0.5)
     message = f"{most_steps} steps were taken, and the load factor is {states[-1].load_factor:.4g}; allow more steps."
     raise RodError(message, solution_of(system, states, message, count, "not_reached"))
 

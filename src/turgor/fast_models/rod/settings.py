@@ -40,7 +40,7 @@ class RodPathSettings:
         Shortest step of the load factor, and of an arc.
     growth : float
         Growth of the step of the load factor after one that converged.
-    wanted_iterations : int
+    target_iterations : int
         Iterations that a step along an arc aims at.
     rate_step : float
         Change of the load factor by which the rate of the loads is found.
@@ -48,7 +48,7 @@ class RodPathSettings:
 
     shortest: float = 1e-4
     growth: float = 4.0
-    wanted_iterations: int = 4
+    target_iterations: int = 4
     rate_step: float = 1e-6
 
 
