@@ -59,7 +59,7 @@ def main(folder: Path) -> None:
     result = tg.studies.calibrate(
         job_trial(job, measured, spread=0.05 * deg), free_parameters(FREE, PRIOR, job), evaluations=runs
     )
-    seconds = sum(each.found.seconds for each in runs.ended.values() if each.found is not None)
+    seconds = sum(each.result.seconds for each in runs.ended.values() if each.result is not None)
     print(result.summary())
     print(f"{result.solves} solves, {result.computed} of them computed now; {seconds:.1f} CPU s")
 

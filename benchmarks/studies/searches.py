@@ -192,7 +192,7 @@ def tubes(folder: Path) -> list[Case]:
     runs = studies.kept_in(folder / "search" / "runs")
     (true,) = runs.of([computation.run({"actuator.wall": 1.5 * mm, "actuator.inner_radius": 6.5 * mm})])
     names = ("tip_displacement_x", "cavity_volume")
-    goals = [studies.Target(name, float(true.found.response[name][-1])) for name in names]
+    goals = [studies.Target(name, float(true.result.response[name][-1])) for name in names]
     ranges = (("actuator.wall", 1, 4), ("actuator.inner_radius", 4, 10))
     factors = [studies.Factor(name=name, low=low * mm, high=high * mm, unit="mm") for name, low, high in ranges]
     return [Case("tube of finite elements, 2 targets by 2", computation, factors, goals, {}, evaluations=runs)]

@@ -39,10 +39,10 @@ def test_remeshing_comes_out_both_ways():
     assert judged(0.1, 0.05, 0.001).verdict is Verdict.CONDITIONAL
     fine = judged(0.005, 0.002, 0.001)
     assert fine.verdict is Verdict.NOT_REPRODUCED
-    assert "every path reached its end" in fine.found
+    assert "every path reached its end" in fine.finding
     stopped = judged(0.005, 0.002, 0.001, steps=3)
     assert stopped.verdict is Verdict.CONFIRMED
-    assert "4 of 4 paths stopped early" in stopped.found
+    assert "4 of 4 paths stopped early" in stopped.finding
 
 
 def test_kinds_of_cells_come_out_both_ways():

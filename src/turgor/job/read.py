@@ -173,7 +173,7 @@ def _read(
     setup, procedure = _read_path(given, around, problems)
     output = read_output(given["output"], geometry, setup, problems)
     threads = read_engine(given["engine"], problems)
-    if problems.found or actuator is None or mesh is None or procedure is None or output is None:
+    if problems.entries or actuator is None or mesh is None or procedure is None or output is None:
         return None
     return Job(
         name=name,

@@ -148,6 +148,6 @@ def report_run(ended: "Ended") -> None:
     ----------
     ended : Ended
     """
-    seconds = "" if ended.found is None else f", {ended.found.seconds:.1f} CPU s"
+    seconds = "" if ended.result is None else f", {ended.result.seconds:.1f} CPU s"
     what = "failed" if ended.problem else "read" if ended.again else "done"
     typer.echo(f"  {ended.run.name}: {what}{seconds}{ended.problem and f': {ended.problem}'}", err=True)

@@ -30,8 +30,8 @@ class Counts:
             self._began = perf_counter()  # those that are read come first, and say nothing of the others
         else:
             self.computed += 1
-        self.failed += ended.found is None
-        self.early += ended.found is not None and bool(ended.found.response.message)
+        self.failed += ended.result is None
+        self.early += ended.result is not None and bool(ended.result.response.message)
 
     @property
     def ended(self) -> int:

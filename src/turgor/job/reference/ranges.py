@@ -47,7 +47,7 @@ def range_of(name: str, kind: Kind, base: Mapping[str, Any], read: Reader) -> st
     for value in _wrong(kind):
         problems = Problems("", {})
         read({**base, name: value}, problems)
-        for _, sentence in problems.found:
+        for _, sentence in problems.entries:
             head, _, rest = sentence.removeprefix(": ").partition(": ")
             if head.split(".")[-1] == name or re.search(rf"\b{name} (is|of) |'\?'", rest):
                 return _allowed(rest)

@@ -114,7 +114,7 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
             there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in suffixes)
             listed = f" Mesh files there: {', '.join(there)}." if there else ""
             problems.add(place, f"there is no file '{file}'{near_file(file, there)}{listed}")
-    if problems.found:
+    if problems.entries:
         return None
     return problems.attempt(
         key,

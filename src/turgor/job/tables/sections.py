@@ -98,7 +98,7 @@ def read_output(values: Any, geometry: Geometry | None, setup: Setup | None, pro
         problems.add((*key, "measures"), "a measure is listed twice.")
     for name, point in table.markers.items():
         problems.attempt((*key, "markers", name), partial(_marker, name, point))
-    if problems.found:
+    if problems.entries:
         return None  # the job is refused: the standard measures, which load the engine, are not needed
     measures = tuple(table.measures)
     if not measures or setup is not None:

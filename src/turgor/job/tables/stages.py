@@ -131,7 +131,7 @@ def read_stages(values: Any, around: Around, problems: Problems) -> Stages | Non
         if isinstance(entry, Mapping) and entry.get("name") in [each.name for each in found[:-1] if each is not None]:
             problems.add((STAGES, label, "name"), f"'{entry['name']}' names another stage too; give each its own name.")
     stages = [stage for stage in found if stage is not None]
-    if len(stages) < len(values) or problems.found:
+    if len(stages) < len(values) or problems.entries:
         return None
     if not (around.loads or around.moved or any(map(_changes, stages))):
         problems.add((STAGES,), "nothing drives the actuator in any stage; give one of them loads, moves or a volume.")

@@ -46,7 +46,7 @@ class Problems:
         Name of the file as the user gave it.
     lines : mapping of key to int or str
         Line of each key, from `key_lines`, or `ARGUMENT` if a change states it.
-    found : list of (int, str)
+    entries : list of (int, str)
         Line and sentence of each problem noted so far.
     within : tuple of str
         Key of the table in which the keys of problems lie.
@@ -54,7 +54,7 @@ class Problems:
 
     file: str
     lines: Mapping[Key, Place]
-    found: list[tuple[int, str]] = field(default_factory=list)
+    entries: list[tuple[int, str]] = field(default_factory=list)
     within: Key = ()
 
     def below(self, key: Key) -> "Problems":
@@ -76,7 +76,7 @@ class Problems:
         place = next((self.lines[key[:n]] for n in range(len(key), 0, -1) if key[:n] in self.lines), None)
         line = place if isinstance(place, int) else _NOWHERE
         where = f"{self.file}:{place}" if isinstance(place, int) else place or self.file
-        self.found.append((line, f"{where}: {'.'.join(key)}: {sentence}"))
+        self.entries.append((line, f"{where}: {'.'.join(key)}: {sentence}"))
 
     def attempt(self, key: Key, make: Callable[[], Made], fields: Iterable[str] = ()) -> Made | None:
         """Make a value; note a `TurgorError` at the key, or at the field that its message begins with.
@@ -106,5 +106,5 @@ class Problems:
 
     def raise_any(self) -> None:
         """Raise a `JobError` with all problems in the order of their lines, if there are any."""
-        if self.found:
-            raise JobError(sentence for _, sentence in sorted(self.found, key=lambda item: item[0]))
+        if self.entries:
+            raise JobError(sentence for _, sentence in sorted(self.entries, key=lambda item: item[0]))

@@ -147,9 +147,9 @@ def _calibration(
 
 def _fitted(data: Data, begun: Response, ended: Ended, rig: dict[str, float], start: dict[str, float]) -> Fitted | None:
     """Return a trial with its curves; None where its run failed, which a trial that is held out may."""
-    if ended.found is None:
+    if ended.result is None:
         return None
-    response = ended.found.response
+    response = ended.result.response
     return Fitted(
         data=data,
         start=begun,

@@ -122,7 +122,7 @@ class Objective:
         names = [each.name for each in self.parameters[: self.models]]
         exact = [name for name, is_known in zip(names, known, strict=False) if is_known]
         others = [name for name in names if name not in exact]
-        notes = [note for each in self.ended([at])[0] if each.found is not None for note in each.found.notes]
+        notes = [note for each in self.ended([at])[0] if each.result is not None for note in each.result.notes]
         if not others:
             return "The derivatives are exact, from each run itself."
         if not exact:
@@ -221,13 +221,13 @@ def first_responses(ended: Sequence[Ended]) -> list[Response]:
         If a run failed: without a curve there is nothing to begin with.
     """
     for each in ended:
-        if each.found is None:
+        if each.result is None:
             raise TurgorError(f"the run at the start failed ({each.run.name}): {each.problem}")
-    return [each.found.response for each in ended if each.found is not None]
+    return [each.result.response for each in ended if each.result is not None]
 
 
 def _response(ended: Ended) -> Response | None:
     """Return what a run computed; a path of one state is a failure, too."""
-    if ended.found is None or len(ended.found.response) < 2:
+    if ended.result is None or len(ended.result.response) < 2:
         return None
-    return ended.found.response
+    return ended.result.response

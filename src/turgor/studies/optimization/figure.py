@@ -73,7 +73,7 @@ def before_and_after(found: Optimization, states: Sequence[State] = ()) -> PlotF
     """
     pairs = zip(("before", "after"), ends_of(found), strict=True)
     rows = [(name, number, found.study.rows[number]) for name, number in pairs]
-    pictures = [row.ended.found.picture if row.ended.found is not None else b"" for _, _, row in rows]
+    pictures = [row.ended.result.picture if row.ended.result is not None else b"" for _, _, row in rows]
     if states:
         shown = [StateFields(state) for state in states]
         view = shared_view(shown, FRAMING.design_width)

@@ -130,7 +130,7 @@ def _result(problem: Problem, descents: tuple[Descent, ...], search: Search) -> 
         study=study, goals=problem.goals, scores=tuple(each.score for each in problem.candidates), start=0,
         best=None if best is None else places[id(best.row)], pareto=tuple(places[id(each.row)] for each in front),
         ending=ending, message=message, advice=advice, descents=descents,
-        notes=next((each.ended.found.notes for each in rows if each.ended.found and each.ended.found.notes), ()),
+        notes=next((each.ended.result.notes for each in rows if each.ended.result and each.ended.result.notes), ()),
     )  # fmt: skip
 
 

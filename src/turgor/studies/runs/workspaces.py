@@ -64,10 +64,10 @@ class WorkspaceRuns:
         """Runs that failed, and those whose path ended early, in sentences."""
         sentences = []
         for each in self.ended:
-            if each.found is None:
+            if each.result is None:
                 sentences.append(f"The run with {each.run.name} failed: {each.problem}")
-            elif each.found.response.message:
-                sentences.append(f"The run with {each.run.name} ended early: {each.found.response.message}")
+            elif each.result.response.message:
+                sentences.append(f"The run with {each.run.name} ended early: {each.result.response.message}")
         return tuple(sentences)
 
     def to_response(self) -> Response:
@@ -86,7 +86,7 @@ class WorkspaceRuns:
             names = list(self.pressures[0])
             table.writerow([*(f"{name} (kPa)" for name in names), *(f"{name} (mm)" for name in COLUMNS), "problem"])
             for values, each in zip(self.pressures, self.ended, strict=True):
-                response = None if each.found is None else each.found.response
+                response = None if each.result is None else each.result.response
                 tip = ["" if response is None else f"{response[name][-1] / mm:.6g}" for name in COLUMNS]
                 problem = each.problem if response is None else response.message
                 table.writerow([*(f"{values[name] / kPa:.6g}" for name in names), *tip, problem])
@@ -255,7 +255,7 @@ def _is_loaded(job: Job, pressures: Mapping[str, float]) -> bool:
 
 
 def _gathered(combinations: tuple[Mapping[str, float], ...], ended: Sequence[Ended]) -> WorkspaceRuns:
-    responses = [each.found.response for each in ended if each.found is not None]
+    responses = [each.result.response for each in ended if each.result is not None]
     if not responses:
         raise TurgorError(f"all {len(ended)} runs failed; the first one: {ended[0].problem}")
     return WorkspaceRuns(reached=workspace(responses), pressures=combinations, ended=tuple(ended))

@@ -90,7 +90,7 @@ def read_calibrate(
              for key, names in (("experiments", table.experiments), ("hold_out", table.hold_out))}  # fmt: skip
     measured = [each for several in lists.values() for each in several if each is not None]
     spreads = problems.attempt((*CALIBRATE, "spread"), partial(_spreads, table.spread, measured))
-    if problems.found or spreads is None:
+    if problems.entries or spreads is None:
         return None
     count = len(table.experiments)
     return CalibrationPlan(

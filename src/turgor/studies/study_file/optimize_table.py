@@ -66,7 +66,7 @@ def read_optimize(
     if "casting" in given:
         casting = problems.attempt((*OPTIMIZE, "casting"), partial(_made, Casting, given["casting"]))
     workspace = problems.attempt((*OPTIMIZE, "workspace"), partial(_workspace, given.get("workspace", {})))
-    if problems.found or search is None or workspace is None:
+    if problems.entries or search is None or workspace is None:
         return None
     known = [each for each in ranges if each is not None]
     return OptimizationPlan(

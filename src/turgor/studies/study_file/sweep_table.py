@@ -98,12 +98,12 @@ def read_sweep(
     made = [problems.attempt(("factors", *place), partial(base.factor, ".".join(place), value))
             for place, value in factors.items()]  # fmt: skip
     table: SweepTable | None = read_table(SweepTable, given, SWEEP, problems)
-    if table is None or problems.found:
+    if table is None or problems.entries:
         return None
     designs = _designs(table, [each for each in made if each is not None], folder, base, problems)
     measures = read_measures(table.measures, SWEEP, problems)
     at = read_at(table.at, base.job, measures, SWEEP, problems)
-    if designs is None or problems.found:
+    if designs is None or problems.entries:
         return None
     error = bool(base.job.output.mesh_error) if table.mesh_error is None else table.mesh_error
     return SweepPlan(designs=designs, measures=measures, at=at, mesh_error=error)
@@ -119,7 +119,7 @@ def read_at(
     given: Mapping[str, Any] | None, job: Job, measures: Sequence[str], key: tuple[str, ...], problems: Problems
 ) -> tuple[str, float] | None:
     """Return the column and its value [SI] at which measures are read; None if the table has neither."""
-    if given is None or problems.found:
+    if given is None or problems.entries:
         return None
     return problems.attempt((*key, "at"), partial(_at, given, job, measures))
 

@@ -89,7 +89,7 @@ def read_uncertainty(
         at = problems.attempt(UNCERTAINTY, partial(read_number, table.at, PRESSURE, "at"))
     inputs = tuple(each for each in entries if each is not None)
     problems.attempt((*UNCERTAINTY, "records"), partial(check_records, inputs))
-    if problems.found:
+    if problems.entries:
         return None
     return UncertaintyPlan(inputs=inputs, method=table.method, at=at, mesh_error=table.mesh_error)
 

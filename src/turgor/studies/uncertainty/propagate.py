@@ -108,7 +108,7 @@ def _cases(plan: Plan, nominal: Response, drive: str, at: Array, names: Sequence
         for name, codes, numbers in zip(group.names, doubts, group.sets, strict=bool(group.names)):
             ended = plan.of_set(numbers)
             problem = plan.problem_of(ended, nominal, drive)
-            computed = ended.found
+            computed = ended.result
             curves = (
                 {}
                 if problem or computed is None
@@ -122,9 +122,9 @@ def _band(plan: Plan, nominal: Response, name: str, drive: str, at: Array) -> tu
     """Band of one column, and the largest residual of the surface over its standard deviation."""
 
     def curve(ended: Ended) -> Array | None:
-        if ended.found is None or len(ended.found.response) < 2:
+        if ended.result is None or len(ended.result.response) < 2:
             return None
-        return PathCurve.of(ended.found.response, drive, name).at(at)
+        return PathCurve.of(ended.result.response, drive, name).at(at)
 
     middle = PathCurve.of(nominal, drive, name).at(at)
     surface, tables = _surface(plan, curve, middle), _tables(plan, curve, middle, drive)

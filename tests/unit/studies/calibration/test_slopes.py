@@ -122,7 +122,7 @@ def test_the_jacobian_is_that_of_differences(tmp_path):
 
 def _plain(problem, at):
     """What the trials compute at a point, without slopes."""
-    return [each.found.response for each in problem.ended([at], slopes=False)[0]]
+    return [each.result.response for each in problem.ended([at], slopes=False)[0]]
 
 
 @pytest.fixture(scope="module")
@@ -177,7 +177,7 @@ def test_a_derivative_that_fails_falls_back_to_differences(base, measured, found
         "The derivatives by materials.body.C10 are exact, those by actuator.wall differences of runs. "
         "There are no slopes by actuator.wall: it is near a limit point."
     )
-    assert next(iter(runs.ended.values())).found.notes == ()
+    assert next(iter(runs.ended.values())).result.notes == ()
 
 
 def test_tetrahedra_have_slopes_by_a_dimension_too(tmp_path):

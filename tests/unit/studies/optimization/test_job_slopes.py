@@ -129,14 +129,14 @@ READ = [
 def run_of(base, values, **more):
     found = solved_job(**base.values, numbers=values, as_design=True, **more)
     run = Run(name="tube", function=solved_job, values={**base.values, "numbers": values})
-    return Row(values=values, ended=Ended(run=run, found=found))
+    return Row(values=values, ended=Ended(run=run, result=found))
 
 
 @pytest.mark.usefixtures("drawn_nothing")
 def test_slopes_are_those_of_what_the_goals_read(base):
     goals = [studies.Minimize(name, at=at) for name, at in READ]
     row = run_of(base, VALUES, slopes={"readings": readings_of(goals, VALUES)})
-    assert row.ended.found.notes == ()
+    assert row.ended.result.notes == ()
     found = np.array([slopes_of(row, name, at, list(VALUES)) for name, at in READ])
     for place, (key, value) in enumerate(VALUES.items()):
         step = 1e-3 * value

@@ -366,7 +366,7 @@ def test_slopes_at_a_value_of_a_drive_that_moves_as_well():
         Response(columns=columns, source=Source(text="two powers")), {"x": {"a": p}, "y": {"a": 0 * p, "b": p**2}}
     )
     row = Row(values={"a": a, "b": b}, ended=Ended(run=studies.Computation(function=cases.bowl).run({}),
-              found=Computed(response=response)))  # fmt: skip
+              result=Computed(response=response)))  # fmt: skip
     for at in (2.0, 3.0):
         found = studies.Target("y", 1.0, at=("x", at)).slopes(row, ["a", "b"])[0]
         assert found == pytest.approx([-2 * b * at**2 / a**3, at**2 / a**2], rel=1e-3)

@@ -156,8 +156,8 @@ def test_ctrl_c_in_the_middle_of_a_run_ends_the_study_and_not_the_run(tmp_path, 
     assert not kept.exists() or not list(kept.iterdir())
     monkeypatch.setattr("turgor.studies.runs.jobs.job_runs.solve", None)  # the path goes on
     (ended,) = tg.studies.kept_in(kept).of([run])
-    assert ended.found.response.status == "converged"
-    assert ended.found.response["load_factor"][-1] == 1.0
+    assert ended.result.response.status == "converged"
+    assert ended.result.response["load_factor"][-1] == 1.0
 
 
 def test_a_path_that_was_hardly_begun_is_begun_anew(tmp_path):

@@ -146,7 +146,7 @@ def test_a_bender_to_both_sides(bender, tmp_path):
     found = tg.studies.workspace_of(bender, {"cavity_1": values, "cavity_2": values}, evaluations=kept)
     assert found.problems == ()
     assert len(found.ended) == 3  # rest takes no run
-    up, down, both = (each.found.response["tip_displacement_z"][-1] for each in found.ended)
+    up, down, both = (each.result.response["tip_displacement_z"][-1] for each in found.ended)
     assert up > 1 * mm
     assert down == pytest.approx(-up, rel=0.1)
     assert abs(both) < 0.1 * up

@@ -17,7 +17,7 @@ class Gathering:
     def compute(self, runs: Sequence[Run], folder: Path | None) -> Iterator[Ended]:
         """Give each run as not computed."""
         for run in runs:
-            yield Ended(run=run, found=None, problem=NOT_YET)
+            yield Ended(run=run, result=None, problem=NOT_YET)
 
     def close(self) -> None:
         """Do nothing: nothing waits."""

@@ -120,6 +120,6 @@ def _kept(run: Run, future: Any, folder: Path | None) -> Ended:
     error = future.exception()
     if error is not None:
         reported = f"{type(error).__name__}: {error}".strip(": ")
-        return Ended(run=run, found=None, problem=f"the Dask worker could not compute it: {reported}")
+        return Ended(run=run, result=None, problem=f"the Dask worker could not compute it: {reported}")
     ended: Ended = future.result()
     return keep_ended(replace(ended, run=run), folder)

@@ -42,7 +42,7 @@ class Ended:
     @property
     def early(self) -> bool:
         """Whether its path ended early."""
-        return self.found is not None and bool(self.found.response.message)
+        return self.result is not None and bool(self.result.response.message)
 
 
 def compute(run: Run, folder: Path | None = None) -> Ended:
@@ -65,7 +65,7 @@ def compute(run: Run, folder: Path | None = None) -> Ended:
         if error.errno not in _NO_ROOM:
             raise
         where = f"'{error.filename}'" if error.filename else "its files"
-        return Ended(run=run, found=None, problem=f"{where} cannot be written: {error.strerror}; make room and go on.")
+        return Ended(run=run, result=None, problem=f"{where} cannot be written: {error.strerror}; make room and go on.")
 
 
 def _called(run: Run) -> Ended:
@@ -75,13 +75,13 @@ def _called(run: Run) -> Ended:
     except TurgorError as error:
         if isinstance(error, NotSolved) and error.interrupted:
             raise KeyboardInterrupt from None  # Ctrl-C ends the study; this run has not ended
-        return Ended(run=run, found=None, problem=str(error), final=not isinstance(error, NotHere))
+        return Ended(run=run, result=None, problem=str(error), final=not isinstance(error, NotHere))
     except Exception as error:  # what a study's own function does is not known here; the others go on
         if isinstance(error, OSError) and error.errno in _NO_ROOM:
             raise
-        return Ended(run=run, found=None, problem=traceback.format_exc().strip())
+        return Ended(run=run, result=None, problem=traceback.format_exc().strip())
     computed = Computed(response=answer) if isinstance(answer, Response) else answer
-    return Ended(run=run, found=replace(computed, seconds=computed.seconds or process_time() - begun))
+    return Ended(run=run, result=replace(computed, seconds=computed.seconds or process_time() - begun))
 
 
 def keep_ended(ended: Ended, folder: Path | None) -> Ended:
@@ -99,9 +99,9 @@ def keep_ended(ended: Ended, folder: Path | None) -> Ended:
         With what a later call reads. A table may differ from it in the last bit, and an analysis that goes on after it
         was killed must find what it finds at once.
     """
-    if folder is not None and ended.found is not None:
-        keep(ended.run, ended.found, folder)
-        return replace(ended, found=kept(ended.run, folder) or ended.found)
+    if folder is not None and ended.result is not None:
+        keep(ended.run, ended.result, folder)
+        return replace(ended, result=kept(ended.run, folder) or ended.result)
     if folder is not None and ended.final:
         keep_problem(ended.run, ended.problem, folder)
     return ended
@@ -123,6 +123,6 @@ def ended_before(run: Run, folder: Path) -> Ended | None:
     """
     computed = kept(run, folder)
     if computed is not None:
-        return Ended(run=run, found=computed, again=True)
+        return Ended(run=run, result=computed, again=True)
     problem = kept_problem(run, folder)
-    return Ended(run=run, found=None, problem=problem, again=True, final=True) if problem else None
+    return Ended(run=run, result=None, problem=problem, again=True, final=True) if problem else None

@@ -173,4 +173,4 @@ def _ended(run: Run, answer: object, folder: Path | None) -> Ended:
     if isinstance(answer, Ended):
         return answer
     before = None if folder is None else ended_before(run, folder)
-    return Ended(run=run, found=None, problem=str(answer)) if before is None else replace(before, again=False)
+    return Ended(run=run, result=None, problem=str(answer)) if before is None else replace(before, again=False)

@@ -49,7 +49,7 @@ def write_study(
     (folder / RUNS).mkdir(parents=True, exist_ok=True)
     rows = []
     for row in study.rows:
-        run, computed = row.ended.run, row.ended.found
+        run, computed = row.ended.run, row.ended.result
         if computed is not None and kept(run, folder / RUNS) is None:
             keep(run, computed, folder / RUNS)
         rows.append({"values": dict(row.values), "name": run.name, "key": run.key, "problem": row.ended.problem})
@@ -103,7 +103,7 @@ def _row(each: Mapping[str, Any], folder: Path) -> Row:
     computed = None if each["problem"] else kept_as(each["key"], folder)
     problem = each["problem"] or ("" if computed is not None else f"its files are not in '{folder}'.")
     run = Run(name=each["name"], function=not_computed, values=each["values"])
-    return Row(values=each["values"], ended=Ended(run=run, found=computed, problem=problem, again=True))
+    return Row(values=each["values"], ended=Ended(run=run, result=computed, problem=problem, again=True))
 
 
 def _from_table(path: Path) -> Study:
@@ -125,7 +125,7 @@ def _from_table(path: Path) -> Study:
                 message=problem,
             )  # fmt: skip
             computed = Computed(response=response, seconds=float(seconds))
-        rows.append(Row(values=values, ended=Ended(run=run, found=computed, problem=problem, again=True)))
+        rows.append(Row(values=values, ended=Ended(run=run, result=computed, problem=problem, again=True)))
     return Study(factors=designs.factors, rows=tuple(rows), source=Source(text=path.name))
 
 

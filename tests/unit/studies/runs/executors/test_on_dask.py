@@ -59,7 +59,7 @@ def test_a_run_that_fails_on_a_worker_is_a_row_with_its_sentence(tmp_path):
     with dask_cluster(workers=1) as (address, _), Evaluations(executor=OnDask(scheduler=address)) as runs:
         failed, fine = runs.of([run, good])
     assert failed.problem == "wall is -1 mm; allowed is above 0 mm."
-    assert fine.found is not None
+    assert fine.result is not None
 
 
 def test_what_a_cluster_lacks_is_said():

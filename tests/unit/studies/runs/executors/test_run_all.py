@@ -38,10 +38,10 @@ def test_what_is_computed_is_what_a_later_call_reads(tmp_path):
     run = Run(name="third", function=line, values={"slope": 1.01e-5})
     ended = compute(run, tmp_path)
     read = kept(run, tmp_path)
-    assert ended.found is not None and read is not None
+    assert ended.result is not None and read is not None
     for name in read.response.names:
-        assert np.array_equal(read.response.column(name), ended.found.response.column(name))
-    assert read.seconds == ended.found.seconds
+        assert np.array_equal(read.response.column(name), ended.result.response.column(name))
+    assert read.seconds == ended.result.seconds
 
 
 def test_notes_are_written_last(tmp_path):
@@ -89,9 +89,9 @@ def test_a_run_that_fails_is_told_and_the_others_go_on(tmp_path):
     ended = run_all(runs, tmp_path)
     failed, broken, good = ended.values()
     assert failed.problem == "wall is -1 mm; allowed is above 0 mm."
-    assert failed.found is None
+    assert failed.result is None
     assert "ZeroDivisionError: of the study" in broken.problem
-    assert good.found is not None
+    assert good.result is not None
     assert run_all(runs[:1], tmp_path)[runs[0].key].again
     assert not run_all(runs[:1], tmp_path, retry=True)[runs[0].key].again
 
@@ -125,7 +125,7 @@ def steep(slope):
 
 if __name__ == "__main__":
     ended = run_all([Run(name="a", function=steep, values={"slope": 1e-5})], Path("runs"))
-    print([(each.found is not None, each.again) for each in ended.values()])
+    print([(each.result is not None, each.again) for each in ended.values()])
 """
 
 

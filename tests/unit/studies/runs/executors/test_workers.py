@@ -58,8 +58,8 @@ def test_processes_stay_over_batches(tmp_path):
 def test_without_a_folder_results_come_back(tmp_path):
     with Evaluations(executor=Workers(processes=1)) as runs:
         (only,) = runs.of(clocks(tmp_path / "log", [7]))
-    assert only.found is not None
-    assert only.found.response["pressure"][-1] == 7.0
+    assert only.result is not None
+    assert only.result.response["pressure"][-1] == 7.0
 
 
 def test_a_worker_that_is_killed_takes_only_its_run_with_it(tmp_path):
@@ -68,7 +68,7 @@ def test_a_worker_that_is_killed_takes_only_its_run_with_it(tmp_path):
     with tg.studies.kept_in(tmp_path / "runs", processes=2) as evaluations:
         dead, *others, failed = evaluations.of(runs)
     assert states(dead.problem, "process", "SIGKILL")
-    assert all(each.found is not None for each in others)
+    assert all(each.result is not None for each in others)
     assert failed.problem == "wall is -1 mm; allowed is above 0 mm."
 
 
