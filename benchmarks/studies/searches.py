@@ -67,7 +67,7 @@ class Case:
     def runs_needed(self, problem: Problem) -> int | None:
         """Number of runs until the answer was there."""
         for number, each in enumerate(problem.candidates, start=1):
-            if not each.score.kept:
+            if not each.score.feasible:
                 continue
             if self.lowest is None:
                 if all(length <= 1 for length in lengths(problem, each.readings)):
@@ -189,7 +189,7 @@ def tubes(folder: Path) -> list[Case]:
     (folder / "tube.toml").write_text(calibration_cases.JOB, encoding="utf-8")
     job = job_function(tg.jobs.read_job(folder / "tube.toml"), folder / "search")
     computation = job.computation()
-    runs = studies.kept_in(folder / "search" / "runs")
+    runs = studies.saved_in(folder / "search" / "runs")
     (true,) = runs.of([computation.run({"actuator.wall": 1.5 * mm, "actuator.inner_radius": 6.5 * mm})])
     names = ("tip_displacement_x", "cavity_volume")
     goals = [studies.Target(name, float(true.result.response[name][-1])) for name in names]

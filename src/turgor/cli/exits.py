@@ -91,7 +91,7 @@ def errors_as_sentences(debug: bool, as_json: bool = False) -> Iterator[Answer]:
         write_nowhere()
         raise typer.Exit(BROKEN_PIPE) from None
     except BaseException as raised:
-        code, error = _said(raised)
+        code, error = _code_and_sentence(raised)
         if debug:
             traceback.print_exc()
     if as_json:
@@ -110,7 +110,7 @@ def write_nowhere() -> None:
         os.close(nowhere)
 
 
-def _said(raised: BaseException) -> tuple[int, str]:
+def _code_and_sentence(raised: BaseException) -> tuple[int, str]:
     """Exit code and sentence for an exception."""
     if isinstance(raised, CheckError):
         return FOUND_ERROR, raised.on_command_line
@@ -120,8 +120,8 @@ def _said(raised: BaseException) -> tuple[int, str]:
     if isinstance(raised, OSError):
         return BAD_INPUT, f"'{raised.filename or 'a file'}' cannot be read or written: {raised.strerror}."
     if isinstance(raised, KeyboardInterrupt):
-        said = str(raised) or "interrupted."
-        return ENDED + getattr(raised, "number", signal.SIGINT), said
+        sentence = str(raised) or "interrupted."
+        return ENDED + getattr(raised, "number", signal.SIGINT), sentence
     if not isinstance(raised, Exception):
         raise raised
     what = f"{type(raised).__name__}: {raised}"

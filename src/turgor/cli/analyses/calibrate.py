@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobOrStudy, Json, Retry, command_of, output_option
-from turgor.cli.start.signals import ends_at_once, kept_in_folder
+from turgor.cli.start.signals import ends_at_once, saved_in_folder
 
 if TYPE_CHECKING:
     from turgor.studies.runs.executors.run_outcome import Ended
@@ -92,7 +92,7 @@ def _run(options: _Options) -> None:
         from turgor.cli.answers.studies import calibration_result
         from turgor.studies.calibration.job_calibration import CALIBRATED, calibrate_job, equal_constants
         from turgor.studies.calibration.write import write_calibration
-        from turgor.studies.runs.evaluations import kept_in
+        from turgor.studies.runs.evaluations import saved_in
         from turgor.studies.runs.jobs.job_function import RUNS, job_function
 
         study, name = _stated(options)
@@ -104,8 +104,8 @@ def _run(options: _Options) -> None:
         base = job_function(study.job, folder)
         for note in equal_constants(plan.free, base):
             typer.echo(note, err=True)
-        runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
-        with kept_in_folder(folder):
+        runs = saved_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
+        with saved_in_folder(folder):
             calibration = calibrate_job(plan, base, runs)
         files = [*write_calibration(calibration, folder), folder / CALIBRATED]
         base.write(calibration.values, files[-1], f"Calibrated:\n{calibration.summary()}")

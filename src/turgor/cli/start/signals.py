@@ -120,7 +120,7 @@ def _lost_interrupts_raised_again(sentence: str) -> Iterator[None]:
 
 
 @contextmanager
-def kept_in_folder(folder: Path) -> Iterator[None]:
+def saved_in_folder(folder: Path) -> Iterator[None]:
     """Report where the runs are saved that Ctrl-C leaves, and how to continue.
 
     Parameters

@@ -11,7 +11,7 @@ from turgor.studies.calibration.estimate import Estimate, estimate
 from turgor.studies.calibration.objective import Objective, first_responses, rig_parameter
 from turgor.studies.calibration.parameter import Parameter, check_names, values_at
 from turgor.studies.calibration.result import Calibration, CalibrationStatus, Fitted, rms
-from turgor.studies.calibration.search import Found, search
+from turgor.studies.calibration.search import SearchResult, search
 from turgor.studies.calibration.trial import Data, Trial, check_taken, data_of
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.run_outcome import Ended
@@ -49,7 +49,7 @@ def calibrate(
         Runs after which the search ends; by default 5 and 10 more for each parameter of the model.
     evaluations : Evaluations, optional
         Where runs are computed and kept. By default in this process, without files, which suits formulas. With a
-        folder (`kept_in`), a calibration that was killed goes on where it was: nothing is computed twice.
+        folder (`saved_in`), a calibration that was killed goes on where it was: nothing is computed twice.
 
     Returns
     -------
@@ -72,8 +72,8 @@ def calibrate(
     ...     pressure = 0.4 * C10 * (1 / stretch - 1 / stretch**7)
     ...     columns = Column("pressure", "kPa", pressure), Column("widening", "", stretch - 1)
     ...     return Response(columns=columns, source=Source(text="a sphere"))
-    >>> found = calibrate(Trial(measured=sphere(0.12e6), function=sphere), [Parameter(name="C10", start=0.1e6)])
-    >>> round(found.values["C10"], -2), found.converged
+    >>> fitted = calibrate(Trial(measured=sphere(0.12e6), function=sphere), [Parameter(name="C10", start=0.1e6)])
+    >>> round(fitted.values["C10"], -2), fitted.converged
     (120000.0, True)
     """
     requested = [trials] if isinstance(trials, Trial) else list(trials)
@@ -117,14 +117,14 @@ def _paired(
 
 
 def _calibration(
-    objective: Objective, found: Found, predicted: tuple[Data, ...], begun: Sequence[Response], before: int
+    objective: Objective, end: SearchResult, predicted: tuple[Data, ...], begun: Sequence[Response], before: int
 ) -> Calibration:
     """Compute the curves at the solution and say how it went."""
     parameters, runs = objective.parameters, objective.evaluations
-    values = values_at(parameters, found.at)
+    values = values_at(parameters, end.at)
     data = (*objective.data, *predicted)
     ended = runs.of([each.trial.run(values, each.taken) for each in data])
-    known = estimate(objective, found)
+    known = estimate(objective, end)
     start = {each.name: each.start for each in parameters}
     rig = {each.name: values[each.name] for each in parameters[objective.models :]}
     curves = [_fitted(*each, rig, start) for each in zip(data, begun, ended, strict=True)]
@@ -132,7 +132,7 @@ def _calibration(
     own = list(runs.ended.values())[before:]
     failures = [f"{each.run.name}: {each.problem}" for each in own if each.problem]
     status = CalibrationStatus.CONVERGED
-    if not found.converged:
+    if not end.converged:
         status = CalibrationStatus.NOT_CONVERGED
     elif known.at_bound:
         status = CalibrationStatus.AT_BOUND
@@ -141,7 +141,7 @@ def _calibration(
     return Calibration(
         parameters=parameters, values=values, estimate=known, fits=fits_, held_out=tuple(held_out), status=status,
         message=message, advice=advice, solves=len(own), computed=sum(not each.again for each in own),
-        derivatives=objective.derivatives(found.at), failures=tuple(failures),
+        derivatives=objective.derivatives(end.at), failures=tuple(failures),
     )  # fmt: skip
 
 

@@ -14,12 +14,12 @@ from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
 
 
-def calibration_figure(found: Calibration) -> PlotFigure:
+def calibration_figure(calibration: Calibration) -> PlotFigure:
     """Draw a calibration.
 
     Parameters
     ----------
-    found : Calibration
+    calibration : Calibration
 
     Returns
     -------
@@ -27,7 +27,7 @@ def calibration_figure(found: Calibration) -> PlotFigure:
         A panel for each trial, those held out last: measured, as corrected for the rig; computed at the start and with
         the values that were found; below, what remains.
     """
-    fits = [(each, False) for each in found.fits] + [(each, True) for each in found.held_out]
+    fits = [(each, False) for each in calibration.fits] + [(each, True) for each in calibration.held_out]
     columns = min(len(fits), PLOT.columns)
     rows = -(-len(fits) // columns)
     figure = PlotFigure(figsize=(max(4.6 * columns, 5.4), 4.6 * rows))

@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Found:
+class SearchResult:
     """Where a search ended.
 
     Parameters
@@ -42,7 +42,7 @@ class _IdleError(Exception):
     """The last runs gained next to nothing, or no further one would."""
 
 
-def search(objective: Objective, start: Array, most: int) -> Found:
+def search(objective: Objective, start: Array, most: int) -> SearchResult:
     """Minimize half the sum of squares within the bounds.
 
     Each round begins with a Jacobian, by finite differences where the responses have no slopes. It goes on with one run
@@ -66,7 +66,7 @@ def search(objective: Objective, start: Array, most: int) -> Found:
     while not no_step_left(objective, at, residuals, jacobian):
         to = _one_round(objective, at, jacobian, most)
         if to is None:
-            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=False)
+            return SearchResult(at=at, residuals=residuals, jacobian=jacobian, converged=False)
         if np.array_equal(to, at):
             break
         before, at, residuals = residuals, to, objective.residuals(to)
@@ -75,8 +75,8 @@ def search(objective: Objective, start: Array, most: int) -> Found:
             break
         if len(objective.evaluations.ended) >= most:
             done = no_step_left(objective, at, residuals, jacobian)
-            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=done)
-    return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
+            return SearchResult(at=at, residuals=residuals, jacobian=jacobian, converged=done)
+    return SearchResult(at=at, residuals=residuals, jacobian=jacobian, converged=True)
 
 
 def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> Array | None:

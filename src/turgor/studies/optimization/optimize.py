@@ -57,7 +57,7 @@ def optimize(
     search : Search, optional
         Method, most runs, precision, number of starts, whether slopes are taken.
     evaluations : Evaluations, optional
-        Where runs are computed and kept, such as `turgor.studies.kept_in`; by default in this process, without files.
+        Where runs are computed and kept, such as `turgor.studies.saved_in`; by default in this process, without files.
 
     Returns
     -------
@@ -82,9 +82,9 @@ def optimize(
     ...     return Response(columns=columns, source=Source(text="a tin"))
     >>> factors = [Factor(name=each, low=5e-3, high=40e-3, unit="mm") for each in ("radius", "length")]
     >>> goals = [Minimize("surface"), Limit("volume", least=10e-6)]
-    >>> found = optimize(tin, factors, goals, search=Search(most_solves=60))
-    >>> surface = found.reads()[0].value
-    >>> found.ending.value, round(surface / (6 * np.pi * (10e-6 / 2 / np.pi) ** (2 / 3)), 2)
+    >>> result = optimize(tin, factors, goals, search=Search(most_solves=60))
+    >>> surface = result.reads()[0].value
+    >>> result.ending.value, round(surface / (6 * np.pi * (10e-6 / 2 / np.pi) ** (2 / 3)), 2)
     ('converged', 1.0)
     """
     computation = function if isinstance(function, Computation) else Computation(function=function)

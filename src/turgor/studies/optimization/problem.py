@@ -42,7 +42,7 @@ class Score:
         return bool(np.isfinite([*self.objectives, self.violation]).all())
 
     @property
-    def kept(self) -> bool:
+    def feasible(self) -> bool:
         """Whether all limits hold, and targets besides an objective are met."""
         return self.known and self.violation <= 1.0
 
@@ -110,7 +110,7 @@ class Problem:
     candidates: list[Candidate] = field(default_factory=list)
 
     @property
-    def left(self) -> int:
+    def remaining(self) -> int:
         """How many runs are left."""
         return self.most - len(self.candidates)
 
@@ -167,7 +167,7 @@ class Problem:
             values = self.values(point)
             run = self.computation.run(values, nominal=nominal, name=values_text(self.factors, values))
             runs.setdefault(run.key, (run, point, values))
-        fresh = [entry for key, entry in runs.items() if key not in before][: max(self.left, 0)]
+        fresh = [entry for key, entry in runs.items() if key not in before][: max(self.remaining, 0)]
         ended = self.evaluations.of([run for run, _, _ in fresh])
         for (_, point, values), each in zip(fresh, ended, strict=True):
             self.candidates.append(self._candidate(self.snapped(point), Row(values=values, ended=each)))
@@ -178,8 +178,8 @@ class Problem:
         """Return how well readings meet the goals."""
         misfits, excess, objectives = [0.0], [0.0], []
         for goal, part in zip(self.goals, self.parts(readings), strict=True):
-            divisor, wanted = goal.linear()
-            scaled = (part - wanted) / divisor
+            divisor, target = goal.linear()
+            scaled = (part - target) / divisor
             if isinstance(goal, Limit):
                 excess.extend(scaled.tolist())
             elif isinstance(goal, MET):
@@ -232,4 +232,4 @@ def _largest(values: Sequence[float]) -> float:
 
 
 def _count(goal: Goal) -> int:
-    return 1 if isinstance(goal, Limit | Minimize) or not hasattr(goal, "wanted") else int(goal.wanted.size)
+    return 1 if isinstance(goal, Limit | Minimize) or not hasattr(goal, "target") else int(goal.target.size)

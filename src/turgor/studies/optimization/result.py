@@ -82,8 +82,8 @@ class Optimization:
 
     def objectives(self) -> np.ndarray:
         """Return the objectives of the rows [SI], (rows, objectives), as they are reported; NaN where a run failed."""
-        wanted = [each for each in self.goals if isinstance(each, Minimize)]
-        return np.array([[each.read(row)[0] for each in wanted] for row in self.study.rows])
+        objectives = [each for each in self.goals if isinstance(each, Minimize)]
+        return np.array([[each.read(row)[0] for each in objectives] for row in self.study.rows])
 
     def summary(self) -> str:
         """Return the result as text: how it ended, the design, and what it reaches, before and after."""

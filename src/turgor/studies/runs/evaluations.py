@@ -80,7 +80,7 @@ class Evaluations:
             self.progress(ended)
 
 
-def kept_in(
+def saved_in(
     folder: str | Path, *, processes: int = 1, progress: Progress | None = None, retry: bool = False
 ) -> Evaluations:
     """Return where runs are computed, each kept on disk as it ends.

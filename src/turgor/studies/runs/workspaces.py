@@ -116,7 +116,7 @@ def workspace_of(
     values : mapping of str to float, int or str, optional
         Numbers of the job by key [SI], such as ``{"actuator.wall": 2e-3}``, or further arguments of the function.
     evaluations : Evaluations, optional
-        Where runs are computed and kept, such as `turgor.studies.kept_in`; by default in this process, without files.
+        Where runs are computed and kept, such as `turgor.studies.saved_in`; by default in this process, without files.
 
     Returns
     -------
@@ -137,8 +137,8 @@ def workspace_of(
     ...     places = (left + right, left - right, 0.0)
     ...     columns = tuple(Column(name, "mm", [0, x * 1e-7]) for name, x in zip(COLUMNS, places, strict=True))
     ...     return Response(columns=columns, source=Source(text="a beam"))
-    >>> found = workspace_of(beam, {"left": [0, 10 * kPa, 20 * kPa], "right": [0, 10 * kPa, 20 * kPa]})
-    >>> len(found.ended), round(found.reached.area / mm**2, 6)
+    >>> workspace = workspace_of(beam, {"left": [0, 10 * kPa, 20 * kPa], "right": [0, 10 * kPa, 20 * kPa]})
+    >>> len(workspace.ended), round(workspace.reached.area / mm**2, 6)
     (9, 8.0)
     """
     combinations = _combinations(model, pressures)

@@ -133,8 +133,8 @@ def local_sensitivities(
     --------
     >>> def angle(wall):
     ...     return Response(columns=(Column("angle", "", [8 / wall**3]),), source=Source(text="a formula"))
-    >>> (found,) = local_sensitivities(angle, [Tolerance(name="wall", nominal=2.0, off=0.02)], ["angle"])
-    >>> round(found.elasticity, 3), found.sentence()
+    >>> (sensitivity,) = local_sensitivities(angle, [Tolerance(name="wall", nominal=2.0, off=0.02)], ["angle"])
+    >>> round(sensitivity.elasticity, 3), sensitivity.sentence()
     (-3.001, 'wall 2 + 0.02: angle -0.03 ± 0.0006 (-3 %), elasticity -3.')
     """
     if not tolerances or not measures:

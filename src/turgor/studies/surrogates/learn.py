@@ -145,11 +145,11 @@ def learn(
         learned = Learned(surrogate=fitted, study=study, errors=tuple(errors), reached=reached)
         if progress is not None:
             progress(learned)
-        left = min(goal.batch, goal.runs - len(rows))
-        if reached or left <= 0:
+        batch = min(goal.batch, goal.runs - len(rows))
+        if reached or batch <= 0:
             return learned
         failed = [row.values for row in rows if row.response is None]
-        designs = list(next_design(fitted, left, avoid=failed, seed=len(rows)))
+        designs = list(next_design(fitted, batch, avoid=failed, seed=len(rows)))
 
 
 def _rows(computation: Computation, designs: Sequence[Design], evaluations: Evaluations) -> list[Row]:

@@ -116,13 +116,13 @@ class _Candidates:
     def for_target(self, count: int, target: Mapping[str, float]) -> list[int]:
         """Designs with the largest expected improvement, each after those before have brought theirs."""
         places = [self.surrogate.measures.index(name) for name in target]
-        wanted = np.array(list(target.values()), dtype=np.float64)
+        goal = np.array(list(target.values()), dtype=np.float64)
         scale = np.array([self.surrogate.held_out[n].range or 1.0 for n in places])
         computed = np.stack([self.surrogate.held_out[n].computed for n in places], axis=1)
-        best = float((((computed - wanted) / scale) ** 2).sum(axis=1).min())
+        best = float((((computed - goal) / scale) ** 2).sum(axis=1).min())
         mean, deviation = self.surrogate.spreads(self.surrogate.coding.points(self.points))
         draws = np.random.default_rng(0).standard_normal((SURROGATE.tried, 1, len(places)))
-        off = (mean[:, places] + draws * deviation[:, places] - wanted) / scale
+        off = (mean[:, places] + draws * deviation[:, places] - goal) / scale
         distance = (off**2).sum(axis=2).reshape(SURROGATE.tried, self.count, self.each).min(axis=2)
         brought = np.full(SURROGATE.tried, best)
         chosen: list[int] = []

@@ -219,16 +219,16 @@ class Surrogate(Saved):
 
     def point(self, values: Mapping[str, Value], names: list[str] | None = None) -> Array:
         """Return values of the factors in their order, (k,) [SI], of a choice its place; unknown names are refused."""
-        wanted = names if names is not None else [each.name for each in self.factors]
+        expected = names if names is not None else [each.name for each in self.factors]
         for name in values:
-            if name not in wanted:
-                raise unknown("factor of the surrogate", name, wanted)
-        missing = [name for name in wanted if name not in values]
+            if name not in expected:
+                raise unknown("factor of the surrogate", name, expected)
+        missing = [name for name in expected if name not in values]
         if missing:
             raise TurgorError(f"the surrogate needs a value of {', '.join(missing)} too.")
-        numbers = np.array([each.number(values[each.name]) for each in self.factors if each.name in wanted])
+        numbers = np.array([each.number(values[each.name]) for each in self.factors if each.name in expected])
         if not np.isfinite(numbers).all():
-            wrong = next(name for name in wanted if not np.isfinite(values[name]))
+            wrong = next(name for name in expected if not np.isfinite(values[name]))
             raise TurgorError(f"'{wrong}' is {values[wrong]}; a finite number is needed.")
         return numbers
 

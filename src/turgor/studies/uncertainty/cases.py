@@ -82,8 +82,8 @@ def library_alternatives(
 
     Examples
     --------
-    >>> found = library_alternatives("record", "dragon-skin-10", leave_out_doubtful=True)
-    >>> found.sets[0]
+    >>> alternatives = library_alternatives("record", "dragon-skin-10", leave_out_doubtful=True)
+    >>> alternatives.sets[0]
     {'record': 'neo-hooke-polygerinos-2020'}
     >>> library_alternatives("record", "elastosil-m4601").doubts[-1]
     ('M07',)

@@ -163,7 +163,7 @@ class Plan:
         text = f"ends at {reached:.4g} {column.unit} of {whole:.4g} {column.unit}".rstrip()
         return f"{text}. {ended.result.response.message}".strip()
 
-    def kept_sets(self, group: Alternatives, nominal: Response, drive: str) -> list[Mapping[str, float | str]]:
+    def valid_sets(self, group: Alternatives, nominal: Response, drive: str) -> list[Mapping[str, float | str]]:
         """Return the sets of a group that are part of the bands: of sets with names, those without a problem."""
         return [
             numbers
@@ -174,7 +174,7 @@ class Plan:
     def every(self, nominal: Response, drive: str) -> list[Response]:
         """Return all responses that are part of the bands."""
         ended = [self.at(point) for point in self.points()]
-        ended += [self.of_set(numbers) for each in self.sets for numbers in self.kept_sets(each, nominal, drive)]
+        ended += [self.of_set(numbers) for each in self.sets for numbers in self.valid_sets(each, nominal, drive)]
         return [each.result.response for each in ended if each.result is not None and len(each.result.response) > 1]
 
     def shared_range(self, nominal: Response, drive: str) -> Array:

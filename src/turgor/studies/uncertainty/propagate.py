@@ -161,7 +161,7 @@ def _tables(plan: Plan, curve: Curve, middle: Array, drive: str) -> list[Array]:
     tables = []
     nominal = plan.nominal()
     for group in plan.sets:
-        sets = plan.kept_sets(group, nominal, drive)
+        sets = plan.valid_sets(group, nominal, drive)
         values = [value for value in (curve(plan.of_set(numbers)) for numbers in sets) if value is not None]
         tables.append(np.array(values) - middle)
     return tables

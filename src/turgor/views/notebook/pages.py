@@ -68,13 +68,13 @@ def mesh(of: Mesh) -> str:
 
 def model(of: Model) -> str:
     """Show a model: its materials, supports, loads and contact."""
-    made: Rows = []
+    materials: Rows = []
     for used in describe.materials(of):
         values = ", ".join(f"{name} {value}" if name != "coefficients" else value for name, value in used.values)
-        made.append((used.where, f"{used.name}: {values}"))
+        materials.append((used.where, f"{used.name}: {values}"))
     rows: Rows = [
         ("mesh", of.mesh.counts),
-        *made,
+        *materials,
         ("supports", "\n".join(describe.supports(of))),
         ("loads at load factor 1", "\n".join(describe.loads(of))),
         ("contact", "\n".join(describe.contact(of))),

@@ -118,10 +118,10 @@ def picture(
     if path is not None:
         check_ending(path, "picture")
     name, figure = _drawn(of, state, _Look(color_by, title, width, style))
-    made = Picture(caption=name, png=png_of(figure))
+    picture = Picture(caption=name, png=png_of(figure))
     if path is not None:
-        made.write(path)
-    return made
+        picture.write(path)
+    return picture
 
 
 def _drawn(of: Solution | State | Model | Mesh | Geometry, number: int, look: _Look) -> tuple[str, Figure]:

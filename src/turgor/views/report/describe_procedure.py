@@ -21,10 +21,10 @@ def procedure(of: Procedure) -> Rows:
         return fields_of(of)
     rows = []
     for stage in of.stages:
-        said = [_with_settings(stage.procedure), *(_changed(load) for load in stage.loads)]
-        said += [_moved(each) for each in stage.displacements]
-        said += [f"{name} moves to {in_mm(place)} from where it was at first" for name, place in stage.moves.items()]
-        rows.append((stage.name, "; ".join(said)))
+        changes = [_with_settings(stage.procedure), *(_changed(load) for load in stage.loads)]
+        changes += [_moved(each) for each in stage.displacements]
+        changes += [f"{name} moves to {in_mm(place)} from where it was at first" for name, place in stage.moves.items()]
+        rows.append((stage.name, "; ".join(changes)))
     return rows
 
 

@@ -170,7 +170,7 @@ def _model(report: Report, staged: bool) -> dict[str, object]:
         "contact": describe.contact(model),
         "mesh": describe.mesh(model.mesh, report.quality),
         "dimensions": [(name.replace("_", " "), tidy(value)) for name, value in report.dimensions.items()],
-        "materials": [(text, law_plot(text.made_of)) for text in describe.materials(model)],
+        "materials": [(text, law_plot(text.material)) for text in describe.materials(model)],
     }
 
 

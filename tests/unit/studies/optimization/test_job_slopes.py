@@ -163,7 +163,7 @@ def test_the_end_of_a_path_that_ended_early_has_no_slopes(base):
 
 @pytest.mark.usefixtures("drawn_nothing")
 def test_what_has_no_slopes_is_said_once_and_left_to_the_surfaces(tmp_path):
-    runs = studies.kept_in(tmp_path / "runs")
+    runs = studies.saved_in(tmp_path / "runs")
     found = searched(tmp_path, FINGER, BEND, runs)
     assert len(found.notes) == 1
     assert found.notes[0].startswith("There are no slopes by actuator.chambers: ")
@@ -173,7 +173,7 @@ def test_what_has_no_slopes_is_said_once_and_left_to_the_surfaces(tmp_path):
     assert "bending_angle_slope_actuator_chambers" not in names
     before, beside = (row.values for row in found.study.rows)
     assert before["materials.body.C10"] == beside["materials.body.C10"], "a run beside the start for the chambers alone"
-    again = searched(tmp_path, FINGER, BEND, studies.kept_in(tmp_path / "runs"))
+    again = searched(tmp_path, FINGER, BEND, studies.saved_in(tmp_path / "runs"))
     assert all(row.ended.again for row in again.study.rows)
     assert again.notes == found.notes
     for one, other in zip(again.study.rows, found.study.rows, strict=True):

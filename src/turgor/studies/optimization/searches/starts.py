@@ -60,7 +60,7 @@ def descents_of(problem: Problem, start: Array, search: Search, descend: Descend
     begins = [start, *spread(problem, search.starts - 1, search.seed)]
     descents: list[Descent] = []
     for number, begin in enumerate(begins):
-        most = problem.left // (len(begins) - number)
+        most = problem.remaining // (len(begins) - number)
         if most < 1:
             break
         part = replace(problem, candidates=[], most=most)
@@ -86,7 +86,7 @@ def best_of(problem: Problem) -> Candidate | None:
     Candidate or None
         None where no run gave a response.
     """
-    return min(problem.known, key=lambda each: (not each.score.kept, merit(problem, each.score)), default=None)
+    return min(problem.known, key=lambda each: (not each.score.feasible, merit(problem, each.score)), default=None)
 
 
 def spread(problem: Problem, count: int, seed: int) -> list[Array]:

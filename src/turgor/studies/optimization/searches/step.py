@@ -65,7 +65,7 @@ def best_step(problem: Problem, surfaces: Surfaces, box: Box, seed: int) -> Arra
     draws = np.random.default_rng(seed).uniform(low, high, size=(TRUST_REGION.beginnings, len(low)))
     lowest = [_minimized(problem, surfaces, begin, (low, high)) for begin in (box.center, *draws)]
     points = [each for point in lowest for each in _whole(problem, surfaces, point, (low, high))]
-    points = [_kept(problem, box.center, point) for point in points]
+    points = [_within_rules(problem, box.center, point) for point in points]
     return min([box.center, *points], key=lambda at: merit(problem, problem.score(surfaces(at))))
 
 
@@ -141,9 +141,9 @@ class _Smooth:
         parts, gradient = self.problem.parts(self.surfaces(at)), self.surfaces.gradient(at)
         pairs, begun = [], 0
         for goal, part in zip(self.problem.goals, parts, strict=True):
-            divisor, wanted = goal.linear()
+            divisor, target = goal.linear()
             slopes = gradient[begun : begun + len(part)] / divisor[:, None]
-            pairs.append(((part - wanted) / divisor, slopes))
+            pairs.append(((part - target) / divisor, slopes))
             begun += len(part)
         return pairs
 
@@ -192,7 +192,7 @@ def _whole(problem: Problem, surfaces: Surfaces, point: Array, limits: tuple[Arr
 _SIDES = (np.floor, np.ceil)
 
 
-def _kept(problem: Problem, center: Array, point: Array) -> Array:
+def _within_rules(problem: Problem, center: Array, point: Array) -> Array:
     """Go back to the center until the rules are kept."""
     for share in (1.0, 0.75, 0.5, 0.25):
         there = problem.snapped(center + share * (point - center))

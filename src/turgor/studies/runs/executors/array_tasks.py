@@ -51,6 +51,6 @@ def share(count: int, index: int, of: int) -> range:
     [[0, 2, 4], [1, 3]]
     """
     if not 1 <= index <= of:
-        said = f"index is {index}; allowed is 1 to {of}, the number of tasks."
-        raise TurgorError(python=said, command=f"--{said}")
+        sentence = f"index is {index}; allowed is 1 to {of}, the number of tasks."
+        raise TurgorError(python=sentence, command=f"--{sentence}")
     return range(index - 1, count, of)

@@ -10,7 +10,7 @@ from typing import Any
 
 from turgor.foundation.errors import TurgorError
 from turgor.studies.runs.executors.claims import Claims
-from turgor.studies.runs.executors.run_outcome import Ended, compute, keep_ended
+from turgor.studies.runs.executors.run_outcome import Ended, compute, save_ended
 from turgor.studies.runs.optional_parts import needed
 from turgor.studies.runs.run import Run
 from turgor.studies.runs.settings import RUNS
@@ -79,7 +79,7 @@ def _ended(client: Any, ending: Any, claims: Claims, folder: Path | None) -> Ite
         else:
             future = next(ending)
             run = waiting.pop(future)
-            ended = _kept(run, future, folder)
+            ended = _saved(run, future, folder)
             claims.release(run)
             future.release()
             yield ended
@@ -115,11 +115,11 @@ def _computed(run: Run, folder: str) -> Ended:
         return compute(run)
 
 
-def _kept(run: Run, future: Any, folder: Path | None) -> Ended:
+def _saved(run: Run, future: Any, folder: Path | None) -> Ended:
     """Keep what a worker sent back, and return how the run ended."""
     error = future.exception()
     if error is not None:
         reported = f"{type(error).__name__}: {error}".strip(": ")
         return Ended(run=run, result=None, problem=f"the Dask worker could not compute it: {reported}")
     ended: Ended = future.result()
-    return keep_ended(replace(ended, run=run), folder)
+    return save_ended(replace(ended, run=run), folder)

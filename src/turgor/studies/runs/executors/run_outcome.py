@@ -8,7 +8,7 @@ from time import process_time
 
 from turgor.foundation.errors import NotHere, NotSolved, TurgorError
 from turgor.foundation.response import Response
-from turgor.studies.runs.files.run_files import keep, keep_problem, kept, kept_problem
+from turgor.studies.runs.files.run_files import save_problem, save_run, saved_problem, saved_run
 from turgor.studies.runs.run import Computed, Run
 
 #: What a full disk and one that cannot be written answer.
@@ -22,7 +22,7 @@ class Ended:
     Parameters
     ----------
     run : Run
-    found : Computed or None
+    result : Computed or None
         None where the run failed.
     problem : str
         Why it failed; empty where it did not.
@@ -34,7 +34,7 @@ class Ended:
     """
 
     run: Run
-    found: Computed | None
+    result: Computed | None
     problem: str = ""
     again: bool = False
     final: bool = False
@@ -60,7 +60,7 @@ def compute(run: Run, folder: Path | None = None) -> Ended:
         With the sentence that says why, where the run failed.
     """
     try:
-        return keep_ended(_called(run), folder)
+        return save_ended(_called(run), folder)
     except OSError as error:
         if error.errno not in _NO_ROOM:
             raise
@@ -84,7 +84,7 @@ def _called(run: Run) -> Ended:
     return Ended(run=run, result=replace(computed, seconds=computed.seconds or process_time() - begun))
 
 
-def keep_ended(ended: Ended, folder: Path | None) -> Ended:
+def save_ended(ended: Ended, folder: Path | None) -> Ended:
     """Keep what a run found, or why it failed where that is final.
 
     Parameters
@@ -100,10 +100,10 @@ def keep_ended(ended: Ended, folder: Path | None) -> Ended:
         was killed must find what it finds at once.
     """
     if folder is not None and ended.result is not None:
-        keep(ended.run, ended.result, folder)
-        return replace(ended, result=kept(ended.run, folder) or ended.result)
+        save_run(ended.run, ended.result, folder)
+        return replace(ended, result=saved_run(ended.run, folder) or ended.result)
     if folder is not None and ended.final:
-        keep_problem(ended.run, ended.problem, folder)
+        save_problem(ended.run, ended.problem, folder)
     return ended
 
 
@@ -121,8 +121,8 @@ def ended_before(run: Run, folder: Path) -> Ended | None:
     Ended or None
         None where it has not ended.
     """
-    computed = kept(run, folder)
+    computed = saved_run(run, folder)
     if computed is not None:
         return Ended(run=run, result=computed, again=True)
-    problem = kept_problem(run, folder)
+    problem = saved_problem(run, folder)
     return Ended(run=run, result=None, problem=problem, again=True, final=True) if problem else None

@@ -11,7 +11,7 @@ from study_cases import PICTURE, breaks, dies, line, refuses
 
 from refused import refused, states
 from turgor.studies.runs.executors.run_outcome import compute
-from turgor.studies.runs.files.run_files import keep, kept
+from turgor.studies.runs.files.run_files import save_run, saved_run
 from turgor.studies.runs.run import Computed, Run
 from turgor.studies.runs.run_all import run_all
 
@@ -22,9 +22,9 @@ def lines(log: str = "", slopes=(1e-5, 2e-5, 3e-5)) -> list[Run]:
 
 def test_what_is_kept_is_read_again(tmp_path):
     run, found = lines()[0], line(1e-5)
-    assert kept(run, tmp_path) is None
-    keep(run, replace(found, seconds=1.25), tmp_path)
-    read = kept(run, tmp_path)
+    assert saved_run(run, tmp_path) is None
+    save_run(run, replace(found, seconds=1.25), tmp_path)
+    read = saved_run(run, tmp_path)
     assert read is not None
     assert read.response.names == found.response.names
     for name in read.response.names:
@@ -37,7 +37,7 @@ def test_what_is_computed_is_what_a_later_call_reads(tmp_path):
     """To the last bit, which a table does not always keep: an analysis that goes on finds what it finds at once."""
     run = Run(name="third", function=line, values={"slope": 1.01e-5})
     ended = compute(run, tmp_path)
-    read = kept(run, tmp_path)
+    read = saved_run(run, tmp_path)
     assert ended.result is not None and read is not None
     for name in read.response.names:
         assert np.array_equal(read.response.column(name), ended.result.response.column(name))
@@ -47,9 +47,9 @@ def test_what_is_computed_is_what_a_later_call_reads(tmp_path):
 def test_notes_are_written_last(tmp_path):
     """A run that was killed between its table and its notes has not ended."""
     run = lines()[0]
-    keep(run, line(1e-5), tmp_path)
+    save_run(run, line(1e-5), tmp_path)
     (tmp_path / f"{run.key}.json").unlink()
-    assert kept(run, tmp_path) is None
+    assert saved_run(run, tmp_path) is None
 
 
 def test_equal_questions_have_equal_keys_whatever_their_names():
