@@ -80,7 +80,7 @@ def _report(
     as_json: tg.commands.Json = False,
     debug: tg.commands.Debug = False,
 ) -> None:
-    """Judge what was run so far, and write the page."""
+    """Judge the runs that have ended, and write the page."""
     with tg.commands.errors_as_sentences(debug, as_json) as answer:
         from turgor_guidelines.answers import judged_result
         from turgor_guidelines.judge import judged

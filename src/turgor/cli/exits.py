@@ -58,7 +58,7 @@ class Answer:
     findings: "list[Finding]" = field(default_factory=list)
 
     def give(self, make: Callable[[], object]) -> None:
-        """Take the result, which is made for a document only."""
+        """Take the result, which is built for a document only."""
         if self.as_json:
             self.result = make()
 
@@ -111,7 +111,7 @@ def write_nowhere() -> None:
 
 
 def _code_and_sentence(raised: BaseException) -> tuple[int, str]:
-    """Exit code and sentence for an exception."""
+    """Return the exit code and the sentence for an exception."""
     if isinstance(raised, CheckError):
         return FOUND_ERROR, raised.on_command_line
     if isinstance(raised, TurgorError):

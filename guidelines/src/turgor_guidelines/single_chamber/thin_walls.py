@@ -12,7 +12,7 @@ from turgor_guidelines.values import at, last, listed, rises
 #: Outer radius of the tubes and their walls [mm]; pressures of tubes and benders [kPa].
 OUTER, TUBES, TUBE_PRESSURE, BENDER_PRESSURE = 8.35, (3.0, 2.5, 2.0, 1.5, 1.0), 50.0, 20.0
 
-#: Walls of the benders [mm], and how they are made thinner.
+#: Walls of the benders [mm], and what stays when they get thinner.
 WALLS, VOID, OUTSIDE = (3.0, 2.0, 1.5), "void kept", "outside kept"
 
 
@@ -63,7 +63,7 @@ def tube_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
 
 
 def bender_runs(setting: Setting) -> tuple[Run, ...]:
-    """Benders, bare and in hoops, made thinner from outside or from inside."""
+    """Benders, bare and in hoops, thinner from outside or from inside."""
     return tuple(
         Run(
             name=f"{around}, {fixed}, wall {wall:g} mm",

@@ -1,4 +1,4 @@
-"""Command ``turgor calibrate``: numbers of a job found from experiments."""
+"""Command ``turgor calibrate``: numbers of a job fitted to experiments."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path

@@ -27,7 +27,7 @@ class Counts:
         """Count a run."""
         if ended.again:
             self.read += 1
-            self._began = perf_counter()  # those that are read come first, and say nothing of the others
+            self._began = perf_counter()  # those that are read come first, and do not count for the speed
         else:
             self.computed += 1
         self.failed += ended.result is None
@@ -40,7 +40,7 @@ class Counts:
 
     @property
     def seconds_left(self) -> float | None:
-        """Remaining time at the mean speed so far [s]; None before the first run that was computed."""
+        """Remaining time at the mean speed of this call [s]; None before the first run that was computed."""
         if not self.computed:
             return None
         return (self.total - self.ended) * (perf_counter() - self._began) / self.computed
@@ -48,7 +48,7 @@ class Counts:
     def text(self) -> str:
         """Return the counts in words."""
         parts = [f"{self.ended} of {self.total}"]
-        parts += [f"{self.read} kept from before"] if self.read else []
+        parts += [f"{self.read} saved before"] if self.read else []
         parts += [f"{self.early} ended early"] if self.early else []
         parts += [f"{self.failed} failed"] if self.failed else []
         return ", ".join(parts)

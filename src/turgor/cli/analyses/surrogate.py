@@ -107,7 +107,7 @@ class _PredictOptions:
 
 
 def _predict(options: _PredictOptions) -> None:
-    """Say what a surrogate gives for values of its factors, or which of them give wanted measures."""
+    """Print what a surrogate predicts for values of its factors, or which values give the target measures."""
     with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.analyses.given_study import values_given
         from turgor.foundation.errors import TurgorError

@@ -1,4 +1,4 @@
-"""Results of commands on models, for programs: what ``result`` in the JSON document holds, and how it is made."""
+"""Results of commands on models, for programs: the content of ``result`` in the JSON document, and how it is built."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CalibrationResult:
-    """``turgor calibrate``: what was found, in SI units.
+    """``turgor calibrate``: the fitted values, in SI units.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ class CalibrationResult:
     solves, computed : int
         Number of runs, and of those that were not read from disk.
     derivatives : str
-        How the derivatives were found, and why.
+        How the derivatives were computed, and why.
     parameters : list of tables
         ``name``, ``unit``, ``value``, ``standard_error``, ``low`` and ``high`` of the 95 % interval, ``at_bound``,
         ``start``, ``bounds``, ``prior``.

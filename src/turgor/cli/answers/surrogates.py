@@ -72,7 +72,7 @@ class PredictionResult:
     values, deviations : table
         Of each measure.
     reached : bool or None
-        Whether the wanted measures are reached; null where none was wanted.
+        Whether the target measures are reached; null without a target.
     factor_deviations : table
         Standard deviation of each unknown factor; null where a measure does not depend on it.
     others : list of tables

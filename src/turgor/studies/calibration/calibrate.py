@@ -48,7 +48,7 @@ def calibrate(
     most_solves : int, optional
         Runs after which the search ends; by default 5 and 10 more for each parameter of the model.
     evaluations : Evaluations, optional
-        Where runs are computed and kept. By default in this process, without files, which suits formulas. With a
+        Where runs are computed and saved. By default in this process, without files, which suits formulas. With a
         folder (`saved_in`), a calibration that was killed goes on where it was: nothing is computed twice.
 
     Returns
@@ -99,7 +99,7 @@ def calibrate(
 
 
 def _without_slopes(held_out: Trial, fitted: Sequence[Trial]) -> Trial:
-    """Ask for no derivatives of what is predicted, unless the same run serves a trial that is fitted."""
+    """Request no derivatives of predicted trials, unless the same run serves a trial that is fitted."""
     shared = any(each.function is held_out.function and each.values == held_out.values for each in fitted)
     return held_out if shared else replace(held_out, slopes={})
 

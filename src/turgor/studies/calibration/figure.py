@@ -25,7 +25,7 @@ def calibration_figure(calibration: Calibration) -> PlotFigure:
     -------
     matplotlib.figure.Figure
         A panel for each trial, those held out last: measured, as corrected for the rig; computed at the start and with
-        the values that were found; below, what remains.
+        the fitted values; below, the residuals.
     """
     fits = [(each, False) for each in calibration.fits] + [(each, True) for each in calibration.held_out]
     columns = min(len(fits), PLOT.columns)
@@ -78,7 +78,7 @@ def _panel(upper: Any, lower: Any, each: Fitted, held_out: bool) -> None:
 
 
 def _limit(axes: Any, measured: Any, fitted: Any) -> None:
-    """Keep a start far off from flattening what was measured."""
+    """Choose limits such that a start far off does not flatten the measured curve."""
     both = np.concatenate([measured, fitted])
     low, high = float(np.min(both)), float(np.max(both))
     bottom, top = axes.get_ylim()

@@ -59,7 +59,7 @@ def search(objective: Objective, start: Array, most: int) -> SearchResult:
 
     Returns
     -------
-    Found
+    SearchResult
     """
     at, residuals = start, objective.residuals(start)
     jacobian = objective.jacobian(at)

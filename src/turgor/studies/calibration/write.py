@@ -22,7 +22,7 @@ def write_calibration(calibration: Calibration, folder: str | Path) -> tuple[Pat
     ----------
     calibration : Calibration
     folder : str or Path
-        Made if there is none.
+        Created if there is none.
 
     Returns
     -------

@@ -89,7 +89,7 @@ def before_and_after(optimization: Optimization, states: Sequence[State] = ()) -
 
 
 def _history(axes: Any, optimization: Optimization, goal: Goal) -> None:
-    """Draw what one goal reads from each run, with what was wanted and the best design."""
+    """Draw what one goal reads from each run, with its target or limit and the best design."""
     reads = [goal.reading(row) for row in optimization.study.rows]
     shown = reads[optimization.best or 0]
     values, numbers = _in_unit(reads, shown.unit), np.arange(1, len(reads) + 1)
@@ -147,7 +147,7 @@ def _label(shown: Read, unit: str) -> str:
 
 
 def _levels(goal: Goal) -> list[float]:
-    """Return what was wanted or allowed [SI]."""
+    """Return the target or the limits of a goal [SI]."""
     if isinstance(goal, TipPath):
         return [goal.tolerance]
     if isinstance(goal, Limit):

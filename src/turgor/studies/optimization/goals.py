@@ -29,7 +29,7 @@ class Target:
     measure : str or callable
         Column of the response, or name of a factor, or a function of a `Response` that returns a number.
     value : float [SI]
-        What is wanted.
+        The target.
     at : (str, float), optional
         Column and value [SI] at which it is read, such as ``("pressure", 30e3)``; by default the last state.
     scale : float or None [SI]
@@ -223,7 +223,7 @@ class TipPath:
     Parameters
     ----------
     points : sequence of (float, float) [m]
-        The wanted curve, from rest: displacements along ``x`` and ``z``.
+        The target curve, from rest: displacements along ``x`` and ``z``.
     at : (str, sequence of float), optional
         Column and its values [SI] at the points, such as ``("pressure", [10e3, 20e3, 30e3])``.
     measures : tuple of str
@@ -262,7 +262,7 @@ class TipPath:
 
     @property
     def target(self) -> Array:
-        """Wanted points at which the path is compared, (k, 2) [m]."""
+        """Points of the target at which the path is compared, (k, 2) [m]."""
         given = np.array(self.points, dtype=np.float64)
         return given if self.at is not None else _at_shares(given)
 
@@ -285,7 +285,7 @@ class TipPath:
         return np.array([slopes_of(row, each, (name, at), factors) for at in values for each in self.measures])
 
     def linear(self) -> tuple[Array, Array]:
-        """Return divisors and wanted points: met where the length of the differences is below 1."""
+        """Return divisors and target points: the goal is met where the length of the differences is below 1."""
         target = self.target
         return np.full(target.size, self.tolerance * np.sqrt(len(target))), target.ravel()
 
@@ -302,7 +302,7 @@ class TipPath:
 
 Goal: TypeAlias = Target | Limit | Minimize | TipPath
 
-#: What is met or not, and what is made as small as possible where there is nothing else.
+#: Goals that are met or not; their misfit is minimized where there is no objective.
 MET = (Target, TipPath)
 
 

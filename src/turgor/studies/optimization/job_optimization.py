@@ -113,7 +113,7 @@ def job_optimization(plan: OptimizationPlan, job: Job, folder: Path, *, mesh_err
     plan : OptimizationPlan
     job : Job
     folder : Path
-        Made if there is none; one that holds something else is refused.
+        Created if there is none; one that holds something else is refused.
     mesh_error : bool
         Whether the mesh error of the best design is estimated.
 

@@ -61,7 +61,7 @@ class Casting:
 
 
 def casting_rules(make: Make, casting: Casting | None = None) -> tuple[Rule, ...]:
-    """Return the rules that an actuator must keep to be cast.
+    """Return the rules that an actuator must satisfy to be cast.
 
     Parameters
     ----------

@@ -42,7 +42,7 @@ def optimize(
 
     One objective or targets alone are searched in a trust region: surfaces through all candidates say where to go. With
     several objectives, the front of designs that no other one beats is searched (NSGA-II) on such surfaces, and
-    what they promise is computed. It ends with what it found; with runs kept in a folder, the same call goes on.
+    what they promise is computed. It then returns its best design; with runs saved in a folder, the same call goes on.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def optimize(
     search : Search, optional
         Method, most runs, precision, number of starts, whether slopes are taken.
     evaluations : Evaluations, optional
-        Where runs are computed and kept, such as `turgor.studies.saved_in`; by default in this process, without files.
+        Where runs are computed and saved, such as `turgor.studies.saved_in`; by default in this process, without files.
 
     Returns
     -------
@@ -114,7 +114,7 @@ def _problem(
 
 
 def _result(problem: Problem, descents: tuple[Descent, ...], search: Search) -> Optimization:
-    """Gather what was found; the status is that of the search that reached the best design."""
+    """Gather the result; the status is that of the search that reached the best design."""
     front = front_of(problem) if len(problem.objectives) > 1 else []
     best = best_of_front(problem, front) if front else best_of(problem)
     led = [each for each in descents if each.best is not None and problem.candidates[each.best] is best]

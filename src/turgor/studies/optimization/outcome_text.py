@@ -29,7 +29,7 @@ def ending_text(problem: Problem, ending: Ending, best: Candidate | None, search
     keeps = "" if missed else " The best design so far meets all targets and limits."
     return (
         f"The budget of {search.most_solves} runs ended before the search.{lost}{near}{keeps}",
-        "Call again with more runs; with runs kept in a folder, nothing is computed twice.",
+        "Call again with more runs; with runs saved in a folder, nothing is computed twice.",
     )
 
 

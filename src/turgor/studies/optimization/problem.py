@@ -28,7 +28,7 @@ class Score:
     Parameters
     ----------
     objectives : tuple of float
-        What is made as small as possible, each over its scale; where there is nothing, the length of the misfits.
+        Values to minimize, each over its scale; without an objective, the length of the misfits.
     violation : float
         The largest miss of a target or passed limit, in units of its tolerance; met up to 1.
     """
@@ -150,12 +150,12 @@ class Problem:
         return np.array([each.share_of(values[each.name]) for each in self.factors])
 
     def margins(self, at: Array) -> Array:
-        """Return by how much the rules are kept, (rules,)."""
+        """Return the margins of the rules, (rules,)."""
         values = self.values(at)
         return np.array([each.of(values) for each in self.rules])
 
     def broken(self, at: Array) -> str:
-        """Say which rule a design breaks; empty where it keeps all."""
+        """Return which rule a design breaks; empty where it satisfies all."""
         values = self.values(at)
         return next((why for why in (each.broken(values) for each in self.rules) if why), "")
 

@@ -15,14 +15,14 @@ from turgor.studies.runs.study import Row, Study
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Optimization:
-    """What an optimization found.
+    """Result of an optimization.
 
     Parameters
     ----------
     study : Study
         Every candidate is a row, in the order of the runs.
     goals : tuple of Goal
-        What was wanted, with all scales.
+        The goals, with all scales.
     scores : tuple of Score
         How well each row meets the goals.
     start : int

@@ -29,7 +29,7 @@ def write_optimization(
     ----------
     optimization : Optimization
     folder : str or Path
-        Made if there is none.
+        Created if there is none.
     base : JobFunction, optional
         The job whose numbers were searched.
 
@@ -58,7 +58,7 @@ def write_optimization(
 
 
 def _last_states(optimization: Optimization, base: JobFunction) -> tuple[State, ...]:
-    """The last states of the start and of the best design; none where a run has kept none."""
+    """The last states of the start and of the best design; none where a run saved none."""
     where = base.values
     rows = (optimization.study.rows[number] for number in ends_of(optimization))
     files = [last_state_of(str(where["job"]), str(where["digest"]), row.values) for row in rows]
@@ -66,7 +66,7 @@ def _last_states(optimization: Optimization, base: JobFunction) -> tuple[State, 
 
 
 def write_candidates(optimization: Optimization, file: Path) -> None:
-    """Write a line for each run: values of the factors, what each goal reads, whether the limits are kept."""
+    """Write a line for each run: values of the factors, what each goal reads, whether the limits are satisfied."""
     rows = []
     heads = optimization.reads(optimization.best or 0)
     for number, row in enumerate(optimization.study.rows):

@@ -111,12 +111,12 @@ def workspace_of(
         and returns a `Response` with ``tip_displacement_x``, ``tip_displacement_y`` and ``tip_displacement_z``.
     pressures : mapping of str to sequence of float [Pa]
         Pressures of each cavity, such as ``{"cavity_1": [0, 10 * kPa], "cavity_2": [0, 10 * kPa]}``. Cavities of a job
-        that are not named keep the pressure of the job. A combination at which nothing loads a job is not computed:
+        that are not named have the pressure of the job. A combination at which nothing loads a job is not computed:
         every path begins at rest.
     values : mapping of str to float, int or str, optional
         Numbers of the job by key [SI], such as ``{"actuator.wall": 2e-3}``, or further arguments of the function.
     evaluations : Evaluations, optional
-        Where runs are computed and kept, such as `turgor.studies.saved_in`; by default in this process, without files.
+        Where runs are computed and saved, such as `turgor.studies.saved_in`; by default in this process, without files.
 
     Returns
     -------

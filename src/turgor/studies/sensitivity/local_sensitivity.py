@@ -117,7 +117,7 @@ def local_sensitivities(
     at : (str, float), optional
         Column and value [SI] at which measures are read; by default the last state.
     evaluations : Evaluations, optional
-        Where runs are computed and kept; by default in this process, without files.
+        Where runs are computed and saved; by default in this process, without files.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Functions of factors that sensitivities ask at many points: runs themselves, or something fast in their place."""
+"""Functions that sensitivities evaluate at many points: runs themselves, or something fast in their place."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -72,7 +72,7 @@ class Direct:
     at : (str, float), optional
         Column and value [SI] at which they are read; by default the last state.
     evaluations : Evaluations
-        Where runs are computed and kept; by default in this process, without files.
+        Where runs are computed and saved; by default in this process, without files.
     """
 
     function: Computation | Callable[..., Response | Computed]

@@ -1,4 +1,4 @@
-"""invert: find inputs that give wanted outputs, by a surrogate."""
+"""invert: find inputs that give target outputs, by a surrogate."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Inverse:
-    """Inputs that give wanted outputs.
+    """Inputs that give target outputs.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ class Inverse:
     prediction : Prediction
         What the surrogate gives there.
     reached : bool
-        Whether the surrogate gives what was wanted.
+        Whether the surrogate gives the target.
     others : tuple of mapping
         Further inputs that give the same, far from these.
     shown : str
@@ -51,7 +51,7 @@ class Inverse:
     shown: str
 
     def sentence(self) -> str:
-        """Return the answer in a sentence; where nothing gives what was wanted, how close it gets."""
+        """Return the answer in a sentence; where no inputs give the target, how close they get."""
         given = ", ".join(f"{self._words(name)} {self.prediction.text(name)}" for name in self.target)
         more = f" {len(self.others)} other solutions lie in the range." if self.others else ""
         if self.reached:
@@ -79,10 +79,10 @@ def invert(
     fixed: Mapping[str, Value] | None = None,
     prefer: Mapping[str, Value] | None = None,
 ) -> Inverse:
-    """Find inputs within the range that give wanted outputs: from shape to pressures.
+    """Find inputs within the range that give target outputs: from shape to pressures.
 
     The distance of all outputs, each over its range, is minimized from several starts (bounded least squares with the
-    exact slopes of the surrogate). If there are more unknown inputs than wanted outputs, many inputs give the same;
+    exact slopes of the surrogate). If there are more unknown inputs than target outputs, many inputs give the same;
     then those nearest to the preferred ones are returned, each difference over the range of its factor. Of choices, all
     combinations are searched; another choice than the preferred one counts as far as a whole range.
 
@@ -99,7 +99,7 @@ def invert(
     Returns
     -------
     Inverse
-        With the closest inputs where none gives what was wanted.
+        With the closest inputs where none gives the target.
 
     Raises
     ------
@@ -148,7 +148,7 @@ class _Search:
     ----------
     surrogate : Surrogate
     outputs : list of int
-        Places of the wanted measures.
+        Places of the target measures.
     target, scale : (w,) array [SI]
         Values, and the range of each.
     point : (w,) array
@@ -176,7 +176,7 @@ class _Search:
         return [self.surrogate.coding.columns(n).start for n in self.free]
 
     def off(self, share: Array) -> Array:
-        """Return the differences from what is wanted, over the ranges."""
+        """Return the differences from the target, over the ranges."""
         return np.asarray(
             (self.surrogate.model.mean(self._whole(share)[None])[0][self.outputs] - self.target) / self.scale
         )
@@ -277,7 +277,7 @@ def _searches(
 
 
 def _check(surrogate: Surrogate, target: Mapping[str, float], given: Sequence[str]) -> None:
-    """Raise an error for names that are unknown, and wanted values that are none."""
+    """Raise an error for names that are unknown, and for target values that are not finite."""
     names = [each.name for each in surrogate.factors]
     for name in target:
         if name not in surrogate.measures:

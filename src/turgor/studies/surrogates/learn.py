@@ -1,4 +1,4 @@
-"""learn: compute the designs that a surrogate asks for, until it is good enough or the budget ends."""
+"""learn: compute the designs that a surrogate requests, until it is good enough or the budget ends."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -104,7 +104,7 @@ def learn(
 
     The first runs are 2k + 2 Sobol points of k factors, each level of a choice counted as one. Then a surrogate is
     fitted, used for the next designs (`next_design`), and fitted again. The designs depend on the runs alone, so that
-    a call that was killed goes on where it was, if ``evaluations`` keep their runs in a folder.
+    a call that was killed goes on where it was, if ``evaluations`` save their runs in a folder.
 
     Parameters
     ----------
@@ -113,7 +113,7 @@ def learn(
     factors : sequence of Factor
     goal : Goal
     evaluations : Evaluations, optional
-        Where runs are computed and kept; by default in this process, without files.
+        Where runs are computed and saved; by default in this process, without files.
     progress : callable, optional
         Called with what is known after each batch.
 

@@ -37,7 +37,7 @@ def next_design(
     count : int
         Designs of the batch, which can be computed at the same time.
     target : mapping of str to float, optional [SI]
-        Measures with wanted values.
+        Measures with target values.
     avoid : sequence of mapping [SI]
         Designs that failed, which the surrogate does not know: none near them is chosen.
     seed : int
@@ -140,7 +140,7 @@ class _Candidates:
     def _away(self, chosen: list[int]) -> Array:
         """Factor from 0 at designs that are chosen or avoided to 1 away from them.
 
-        The variance of the process says so too; the factor keeps designs apart where its kernel is long.
+        The variance of the process falls near a design, too; the factor separates designs where its kernel is long.
         """
         k = self.avoided.shape[1]
         designs = self.points[:: self.each, :k]

@@ -1,4 +1,4 @@
-"""Surrogate: a fast function in place of runs, with its error, that refuses what it has not seen."""
+"""Surrogate: a fast function in place of runs, with its error, that refuses inputs beyond its range."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -56,7 +56,7 @@ class Prediction:
 class Surrogate(Saved):
     """A fast function fitted to a study: factors in, measures with their standard deviations out.
 
-    `turgor.studies.surrogate` makes it. `save` and `load` keep plain numbers; what trained it is not needed to use it.
+    `turgor.studies.surrogate` trains it. `save` and `load` write and read plain numbers; its study is not needed then.
 
     Parameters
     ----------

@@ -84,7 +84,7 @@ class Plan:
 
     @property
     def quadratic(self) -> bool:
-        """Whether curvature is kept."""
+        """Whether the propagation has curvature."""
         return METHODS[self.method][0]
 
     @property

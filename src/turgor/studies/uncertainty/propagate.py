@@ -40,7 +40,7 @@ def propagate(
     """Propagate the spread of inputs to the response of a function.
 
     Inputs are independent and normal. The linear method takes central differences at one standard deviation, with two
-    runs for each input. The quadratic one takes them at √3 standard deviations and keeps the curvature, with as many
+    runs for each input. The quadratic one takes them at √3 standard deviations and includes the curvature, with as many
     runs; ``"interactions"`` adds a run for each pair of inputs. Sets of numbers (`Alternatives`) are computed one by
     one. A spread of what drives, such as the pressure, takes no run: the slope of the curve carries it. One run, or two
     for the quadratic methods, are held out and compared with the surface.
@@ -54,7 +54,7 @@ def propagate(
     x : str, optional
         What drives; by default the drive of the response.
     evaluations : Evaluations, optional
-        Where runs are computed and kept; by default in this process, without files.
+        Where runs are computed and saved; by default in this process, without files.
 
     Returns
     -------

@@ -70,7 +70,7 @@ class Report:
     files : mapping of str to str
         Files next to the report and what each holds.
     created : str
-        When it was made; nothing is said if it is empty.
+        Time of the report; it is left out if it is empty.
     comparisons : tuple of (str, str, str)
         Title, text and picture (SVG) of each comparison with an experiment.
     job : str

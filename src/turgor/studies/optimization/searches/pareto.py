@@ -82,7 +82,7 @@ def evolution(problem: Problem, start: Array, search: Search) -> Ending:
 
 
 def front_of(problem: Problem) -> list[Candidate]:
-    """Return the candidates that keep the limits and that no other one beats, in the order of the first objective."""
+    """Return the candidates within the limits that no other one beats, in the order of the first objective."""
     return sorted(_front(problem), key=lambda each: each.score.objectives)
 
 

@@ -59,7 +59,7 @@ def best_step(problem: Problem, surfaces: Surfaces, box: Box, seed: int) -> Arra
     Returns
     -------
     (n,) array
-        Shares of the ranges that keep the rules; the center where nothing better does.
+        Shares of the ranges that satisfy the rules; the center where nothing better does.
     """
     low, high = box.limits(problem.levels)
     draws = np.random.default_rng(seed).uniform(low, high, size=(TRUST_REGION.beginnings, len(low)))
@@ -193,7 +193,7 @@ _SIDES = (np.floor, np.ceil)
 
 
 def _within_rules(problem: Problem, center: Array, point: Array) -> Array:
-    """Go back to the center until the rules are kept."""
+    """Go back to the center until the rules are satisfied."""
     for share in (1.0, 0.75, 0.5, 0.25):
         there = problem.snapped(center + share * (point - center))
         if not problem.broken(there):

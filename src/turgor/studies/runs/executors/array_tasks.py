@@ -7,12 +7,12 @@ from turgor.foundation.errors import TurgorError
 from turgor.studies.runs.executors.run_outcome import Ended
 from turgor.studies.runs.run import Run
 
-#: What is said of a run that nobody has computed yet.
+#: Problem of a run that is not computed yet.
 NOT_YET = "not computed yet"
 
 
 class Gathering:
-    """Computes nothing: rows of runs that were not kept before say that they are not computed yet."""
+    """Computes nothing: rows of runs that were not saved before say that they are not computed yet."""
 
     def compute(self, runs: Sequence[Run], folder: Path | None) -> Iterator[Ended]:
         """Give each run as not computed."""

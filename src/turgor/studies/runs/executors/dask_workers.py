@@ -20,7 +20,7 @@ from turgor.studies.runs.settings import RUNS
 class OnDask:
     """Computes runs on the workers of a Dask scheduler.
 
-    A worker sends back what it found, and this process keeps it, so that workers need not see the folder of the study.
+    A worker sends back its result, and this process saves it, so that workers need not see the folder of the study.
     They must see the job file and the module of the function under the same names, as on a cluster with shared homes.
     If a worker dies, the scheduler gives its run to another one.
 
@@ -116,7 +116,7 @@ def _computed(run: Run, folder: str) -> Ended:
 
 
 def _saved(run: Run, future: Any, folder: Path | None) -> Ended:
-    """Keep what a worker sent back, and return how the run ended."""
+    """Save the result that a worker sent back, and return how the run ended."""
     error = future.exception()
     if error is not None:
         reported = f"{type(error).__name__}: {error}".strip(": ")

@@ -20,11 +20,10 @@ class Executor(Protocol):
     def compute(self, runs: Sequence[Run], folder: Path | None) -> Iterator[Ended]:
         """Compute runs, and give each as it ends, in any order.
 
-        Nothing of them is kept yet, and no two have one key. With a folder, a run is kept there by whatever computes
-        it before it is given, so that the study may be killed at any moment. It is locked as it is computed (`Claims`),
-        so that other processes may compute the same study: how a run ended there is given like any other. A run that
-        fails is given with its problem, and the others go on. If the caller stops before the last one, what is still
-        running is ended.
+        None of them is saved yet, and no two have one key. With a folder, a run is saved there by the process that
+        computes it before it is given, so that the study may be killed at any moment. Its lock (`Claims`) lets other
+        processes compute the same study: how a run ended there is given like any other. A run that fails is given with
+        its problem, and the others go on. If the caller stops before the last one, the remaining runs are ended.
         """
 
     def close(self) -> None:

@@ -29,7 +29,7 @@ class Ended:
     again : bool
         Whether it was read from disk.
     final : bool
-        Whether it failed by a sentence of turgor that the same call would give again. Such a failure is kept; where a
+        Whether it failed by a sentence of turgor that the same call would give again. Such a failure is saved; where a
         worker was killed, a function broke or this machine lacks something, the next call tries again.
     """
 
@@ -52,7 +52,7 @@ def compute(run: Run, folder: Path | None = None) -> Ended:
     ----------
     run : Run
     folder : Path or None
-        Where it is kept before this returns; None keeps nothing.
+        Where it is saved before this returns; None saves nothing.
 
     Returns
     -------
@@ -85,13 +85,13 @@ def _called(run: Run) -> Ended:
 
 
 def save_ended(ended: Ended, folder: Path | None) -> Ended:
-    """Keep what a run found, or why it failed where that is final.
+    """Save the result of a run, or why it failed where that is final.
 
     Parameters
     ----------
     ended : Ended
     folder : Path or None
-        None keeps nothing.
+        None saves nothing.
 
     Returns
     -------
@@ -114,7 +114,7 @@ def ended_before(run: Run, folder: Path) -> Ended | None:
     ----------
     run : Run
     folder : Path
-        Where it was kept.
+        Where it was saved.
 
     Returns
     -------

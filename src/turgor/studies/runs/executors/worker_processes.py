@@ -120,7 +120,7 @@ class Workers:
                 return worker
             worker.end()
         worker = _started()
-        with suppress(OSError):  # what happened to it is found when its answer is read
+        with suppress(OSError):  # its problem is noticed when its answer is read
             worker.connection.send((run, folder))
         return worker
 

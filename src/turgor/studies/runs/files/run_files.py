@@ -1,4 +1,4 @@
-"""What runs have found, as files that a later call reads again: a table, a picture and notes; or why one failed."""
+"""Files of runs that a later call reads again: a table, a picture and notes; or why one failed."""
 
 import json
 from collections.abc import Mapping
@@ -16,13 +16,13 @@ PROBLEM = "problem"
 
 
 def saved_run(run: Run, folder: Path) -> Computed | None:
-    """Read what a run found, if it has ended before.
+    """Read the result of a run, if it has ended before.
 
     Parameters
     ----------
     run : Run
     folder : Path
-        Where `keep` wrote it.
+        Where `save_run` wrote it.
 
     Returns
     -------
@@ -32,7 +32,7 @@ def saved_run(run: Run, folder: Path) -> Computed | None:
 
 
 def run_with_key(key: str, folder: Path) -> Computed | None:
-    """Read what the run with a key found, if it has ended.
+    """Read the result of the run with a key, if it has ended.
 
     Parameters
     ----------
@@ -59,14 +59,14 @@ def run_with_key(key: str, folder: Path) -> Computed | None:
 
 
 def save_run(run: Run, computed: Computed, folder: Path) -> None:
-    """Write what a run found: its table, its picture, and at last its notes, without which it has not ended.
+    """Write the result of a run: its table, its picture, and at last its notes, without which it has not ended.
 
     Parameters
     ----------
     run : Run
     computed : Computed
     folder : Path
-        Made if there is none.
+        Created if there is none.
     """
     folder.mkdir(parents=True, exist_ok=True)
     notes, table, picture = _files(run.key, folder)
@@ -93,7 +93,7 @@ def save_problem(run: Run, problem: str, folder: Path) -> None:
     run : Run
     problem : str
     folder : Path
-        Made if there is none.
+        Created if there is none.
     """
     folder.mkdir(parents=True, exist_ok=True)
     _write(_files(run.key, folder)[0], {**_request(run), PROBLEM: problem})
@@ -106,7 +106,7 @@ def saved_problem(run: Run, folder: Path) -> str:
     ----------
     run : Run
     folder : Path
-        Where `keep_problem` wrote it.
+        Where `save_problem` wrote it.
 
     Returns
     -------
@@ -117,7 +117,7 @@ def saved_problem(run: Run, folder: Path) -> str:
 
 
 def forget(run: Run, folder: Path) -> None:
-    """Remove what was kept of a run, its notes first, so that it is computed again.
+    """Remove the files of a run, its notes first, so that it is computed again.
 
     Parameters
     ----------

@@ -34,7 +34,7 @@ def write_study(
     ----------
     study : Study
     folder : str or Path
-        Made if there is none; that of `saved_in` or the one above it named ``runs``, where runs are kept already.
+        Created if there is none; that of `saved_in` or the one above it named ``runs``, where runs are saved already.
     measures : sequence of str
         Of the table; all by default.
     at : (str, float), optional

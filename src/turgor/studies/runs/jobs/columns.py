@@ -29,11 +29,11 @@ def unit_of_column(job: Job, name: str, measures: Sequence[str] = ()) -> str:
     Parameters
     ----------
     job : Job
-        It may vary, but keeps its cavities and regions.
+        Its dimensions may vary, but not its cavities and regions.
     name : str
         What drives the job, such as ``"pressure"``, or a measure.
     measures : sequence of str
-        What is measured; by default what the job asks for.
+        What is measured; by default what the job requests.
 
     Returns
     -------

@@ -153,9 +153,9 @@ class NearbyJobs:
         return gradient_with(self._systems, self.solution, measures, variation, state, options)
 
     def _model(self, values: Mapping[str, float], stage: int) -> Model:
-        """The model that a state belongs to; nearby ones are made once for all states of a stage.
+        """The model that a state belongs to; nearby ones are built once for all states of a stage.
 
-        That of the job itself is made each time, because what it is meshed of says how tetrahedra move.
+        That of the job itself is built each time, because what it is meshed of says how tetrahedra move.
         """
         changed = self._changed(values)
         known = tuple(sorted(changed.items())), stage
@@ -171,7 +171,7 @@ class NearbyJobs:
         return questions(model, job.procedure)[stage]
 
     def _procedure(self, values: Mapping[str, float], stage: int) -> Procedure:
-        """The procedure that found a state."""
+        """The procedure that computed a state."""
         return self._job(self._changed(values)).procedure.parts()[stage]
 
     def _changed(self, values: Mapping[str, float]) -> dict[str, float]:

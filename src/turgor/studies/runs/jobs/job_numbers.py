@@ -1,4 +1,4 @@
-"""Numbers of a job file: found by their keys, read as text with a unit, and written as such."""
+"""Numbers of a job file, by their keys; they are read from text with a unit and written as such."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

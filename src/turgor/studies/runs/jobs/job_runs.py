@@ -100,7 +100,7 @@ def solved_job(
 def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tuple[Job, Solution]:
     """Solve a job with other numbers, with one thread; the path as far as it goes.
 
-    The path is kept next to the job until `forget_path`, so that a run that is killed goes on from its last state.
+    The path is saved next to the job until `forget_path`, so that a run that is killed goes on from its last state.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tupl
 
 
 def forget_path(job: str, digest: str, numbers: Mapping[str, Value]) -> None:
-    """Remove the states that `solution_of_job` has kept on its way, once what they are for is kept.
+    """Remove the states that `solution_of_job` saved on its way, once the result is saved.
 
     Parameters
     ----------

@@ -42,8 +42,8 @@ def frame_times(solution: Solution, count: int) -> tuple[Array, Array]:
 def frames(solution: Solution, field: Field, count: int) -> Iterator[StateFields]:
     """Give the shapes of a path at evenly spaced places, with the values of a field.
 
-    Between states, displacements and values follow monotone cubic curves. They are for the eye: no equilibrium was
-    found there. Contact pressures and tensions are those of the nearest state.
+    Between states, displacements and values follow monotone cubic curves. They are not in
+    equilibrium there. Contact pressures and tensions are those of the nearest state.
 
     Parameters
     ----------
