@@ -23,7 +23,7 @@ import optimization_cases as cases
 import turgor as tg
 from turgor.studies.calibration import calibrate
 from turgor.studies.calibration.objective import Objective
-from turgor.studies.calibration.search import Found, no_step_left
+from turgor.studies.calibration.search import SearchResult, no_step_left
 from turgor.studies.optimization.goals import MET, Limit, Minimize
 from turgor.studies.optimization.optimize import _problem, _scaled, _start
 from turgor.studies.optimization.problem import Problem
@@ -90,7 +90,7 @@ def scaled(problem: Problem, readings: np.ndarray, kinds: tuple[type, ...]) -> l
 
 def readings_of(case: Case, problem: Problem, at: np.ndarray) -> np.ndarray:
     """Compute a candidate, unless the answer is there."""
-    if case.runs_needed(problem) or problem.left <= 0:
+    if case.runs_needed(problem) or problem.remaining <= 0:
         raise DoneError
     return problem.compute([at])[0].readings
 
@@ -236,7 +236,7 @@ def fits() -> dict[str, tuple[studies.Trial, list[studies.Parameter]]]:
 AROUND_ZERO = {"lower": -0.05e6, "upper": 0.05e6}
 
 
-def scipy_fit(objective: Objective, start: np.ndarray, most: int, cobyqa: bool) -> Found:
+def scipy_fit(objective: Objective, start: np.ndarray, most: int, cobyqa: bool) -> SearchResult:
     """Fit with a search of SciPy, with fresh differences at the end, as the standard errors need."""
     low, high = objective.limits
     best = {"cost": np.inf, "at": start}
@@ -266,7 +266,7 @@ def scipy_fit(objective: Objective, start: np.ndarray, most: int, cobyqa: bool) 
     except DoneError:
         pass
     at = np.asarray(best["at"])
-    return Found(at=at, residuals=objective.residuals(at), jacobian=objective.jacobian(at), converged=True)
+    return SearchResult(at=at, residuals=objective.residuals(at), jacobian=objective.jacobian(at), converged=True)
 
 
 def fit_main() -> None:

@@ -33,7 +33,7 @@ def test_remeshing_comes_out_both_ways():
     def judged(*errors, steps=4):
         names = [f"cells of {size:g} mm" for size in (*remeshing.SIZES, remeshing.FINEST)]
         results = dict(zip(names, [inflated(error, steps) for error in (*errors, 0.0)], strict=True))
-        return remeshing.judge(results, wanted=40.0)
+        return remeshing.judge(results, target=40.0)
 
     assert judged(0.1, 0.05, 0.03).verdict is Verdict.CONFIRMED
     assert judged(0.1, 0.05, 0.001).verdict is Verdict.CONDITIONAL
