@@ -1,4 +1,4 @@
-"""Exit codes of the command line, and what a command answers: sentences for people, or one JSON document."""
+"""Exit codes of the command line, and the output of a command: sentences for people, or one JSON document."""
 
 import os
 import signal
@@ -42,7 +42,7 @@ def warn(findings: "Sequence[Finding]") -> None:
 
 @dataclass(slots=True)
 class Answer:
-    """What a command answers besides what it prints.
+    """Result and findings of a command, besides its printed text.
 
     Parameters
     ----------

@@ -84,7 +84,7 @@ class _Options:
 
 
 def _run(options: _Options) -> None:
-    """Find numbers of a job from experiments, with their errors, and say what is not determined.
+    """Fit numbers of a job to experiments, with their errors, and report what is not determined.
 
     Killed and called again, it goes on: nothing is computed twice.
     """

@@ -16,7 +16,7 @@ from turgor.studies.runs.executors.run_outcome import Ended
 
 
 class Counts:
-    """How many runs have ended, in which way, and how long the rest will take."""
+    """Counts of the runs by how they ended, and the remaining time."""
 
     def __init__(self, total: int) -> None:
         self.total = total
@@ -35,7 +35,7 @@ class Counts:
 
     @property
     def ended(self) -> int:
-        """All that have ended."""
+        """Number of runs that have ended."""
         return self.computed + self.read
 
     @property

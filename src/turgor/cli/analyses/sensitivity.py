@@ -53,7 +53,7 @@ class _Options:
 
 
 def _run(options: _Options) -> None:
-    """Say which factors of a study matter: shares of the variance, with a picture.
+    """Report which factors of a study matter: shares of the variance, with a picture.
 
     A full factorial gets an analysis of variance. Samples get Sobol indices of a surrogate, whose error is reported.
     """

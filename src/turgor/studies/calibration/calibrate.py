@@ -119,7 +119,7 @@ def _paired(
 def _calibration(
     objective: Objective, end: SearchResult, predicted: tuple[Data, ...], begun: Sequence[Response], before: int
 ) -> Calibration:
-    """Compute the curves at the solution and say how it went."""
+    """Compute the curves at the solution and return the calibration."""
     parameters, runs = objective.parameters, objective.evaluations
     values = values_at(parameters, end.at)
     data = (*objective.data, *predicted)
@@ -146,7 +146,7 @@ def _calibration(
 
 
 def _fitted(data: Data, begun: Response, ended: Ended, rig: dict[str, float], start: dict[str, float]) -> Fitted | None:
-    """Return a trial with its curves; None where its run failed, which a trial that is held out may."""
+    """Return a trial with its curves; None where the run of a held-out trial failed."""
     if ended.result is None:
         return None
     response = ended.result.response
@@ -162,7 +162,7 @@ def _fitted(data: Data, begun: Response, ended: Ended, rig: dict[str, float], st
 
 
 def _outcome_text(status: CalibrationStatus, known: Estimate, fits: Sequence[Fitted], solves: int) -> tuple[str, str]:
-    """Return what happened and what to do."""
+    """Return how the calibration ended, and advice."""
     count = f"{solves} runs"
     lost = [each for each in fits if each.beyond]
     if status is CalibrationStatus.NOT_CONVERGED:

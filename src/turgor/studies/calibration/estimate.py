@@ -1,4 +1,4 @@
-"""Estimate: standard errors, intervals and correlation of the parameters, and what the curves do not determine."""
+"""Estimate: standard errors, intervals and correlation of the parameters, and undetermined combinations."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

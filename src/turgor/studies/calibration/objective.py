@@ -72,7 +72,7 @@ class Objective:
         return [outcomes[k * count : (k + 1) * count] for k in range(len(points))]
 
     def responses(self, at: Array) -> list[Response | None]:
-        """Return what the trials compute at a point; None where a run failed."""
+        """Return the responses of the trials at a point; None where a run failed."""
         return [_response(each) for each in self.ended([at])[0]]
 
     def residuals(self, at: Array) -> Array:
@@ -80,7 +80,7 @@ class Objective:
         return self._weighted(at, self.responses(at))
 
     def jacobian(self, at: Array) -> Array:
-        """Return the derivatives of `residuals` at a point, (m, n): what is not known costs runs, all at once."""
+        """Return the derivatives of `residuals` at a point, (m, n); unknown columns cost a batch of runs."""
         table = self.known_jacobian(at)
         unknown = np.flatnonzero(~known_columns(table))
         if not len(unknown):
@@ -117,7 +117,7 @@ class Objective:
         return np.vstack([*parts, *priors]) * by_coordinate
 
     def derivatives(self, at: Array) -> str:
-        """Say by which parameters of the model the derivatives at a point are exact, and why not by others."""
+        """Return by which parameters of the model the derivatives at a point are exact, and why not by others."""
         known = known_columns(self.known_jacobian(at))
         names = [each.name for each in self.parameters[: self.models]]
         exact = [name for name, is_known in zip(names, known, strict=False) if is_known]

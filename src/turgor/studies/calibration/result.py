@@ -162,7 +162,7 @@ class Calibration:
         return tuple(lines)
 
     def summary(self) -> str:
-        """Return what came out, in several lines."""
+        """Return the result in several lines."""
         lines = list(self.table())
         for label, fits in (("", self.fits), ("held out: ", self.held_out)):
             for each in fits:

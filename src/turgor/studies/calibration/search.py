@@ -39,7 +39,7 @@ class _SpentError(Exception):
 
 
 class _IdleError(Exception):
-    """The last runs gained next to nothing, or no further one would."""
+    """The last runs gained too little, or a further one would."""
 
 
 def search(objective: Objective, start: Array, most: int) -> SearchResult:
@@ -80,7 +80,7 @@ def search(objective: Objective, start: Array, most: int) -> SearchResult:
 
 
 def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> Array | None:
-    """Return the lowest point that a Jacobian which follows leads to; None where no run is left."""
+    """Return the lowest point of one round with an updated Jacobian; None where the runs are used up."""
     low, high = objective.limits
     here = objective.residuals(at)
     best: dict[str, Any] = {"at": at, "cost": _cost(here), "idle": 0}
@@ -144,7 +144,7 @@ class _Following:
 
 
 def no_step_left(objective: Objective, at: Array, residuals: Array, jacobian: Array) -> bool:
-    """Return whether the best step of the linear problem within the bounds gains next to nothing.
+    """Return whether the best step of the linear problem within the bounds gains too little.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Figure of an optimization: how each goal came nearer from run to run, or the front of several objectives."""
+"""Figure of an optimization: how the misfit of each goal falls from run to run, or the front of several objectives."""
 
 from collections.abc import Sequence
 from textwrap import fill

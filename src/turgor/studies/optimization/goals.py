@@ -71,7 +71,7 @@ class Target:
         return slopes_of(row, self.measure, self.at, factors)[None]
 
     def linear(self) -> tuple[Array, Array]:
-        """Return what differences are divided by and what is subtracted: they are met where their length is below 1."""
+        """Return divisor and target of the differences: the goal is met where their length is below 1."""
         return np.array([_size(self.scale) * self.tolerance]), np.array([self.value])
 
     def reading(self, row: Row) -> Read:
@@ -183,7 +183,7 @@ class Minimize:
 
     @property
     def sign(self) -> float:
-        """1, or −1 for what is to be large."""
+        """1, or −1 for a measure to maximize."""
         return 1.0
 
     def read(self, row: Row) -> Array:

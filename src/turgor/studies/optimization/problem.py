@@ -23,7 +23,7 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Score:
-    """How well a candidate, or what a surface says of one, meets the goals.
+    """How well a computed or predicted candidate meets the goals.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ class Problem:
         return tuple(each for each in self.goals if isinstance(each, Minimize))
 
     def snapped(self, at: Array) -> Array:
-        """Return shares within the range, of whole numbers at one of them."""
+        """Return shares within the range, rounded for whole numbers."""
         inside, levels = np.clip(at, 0.0, 1.0), self.levels
         steps = np.where(levels > 0, levels, 1.0)
         return np.where(levels > 0, np.round(inside / steps) * steps, inside)

@@ -204,7 +204,7 @@ def is_factorial(study: Study) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class _Error:
-    """Mean square that F compares with, its degrees of freedom (0: known), and what it is."""
+    """Mean square that F compares with, its degrees of freedom (0: known), and its name."""
 
     square: float
     freedom: int
@@ -236,7 +236,7 @@ def _levels(factor: Factor, rows: Sequence[Mapping[str, Value]]) -> list[Value]:
 def _divided(
     terms: Sequence[tuple[str, ...]], codes: Mapping[str, Array], y: Array
 ) -> tuple[list[float], list[int], float]:
-    """Sums of squares and degrees of freedom of terms (type II), and what all of them leave."""
+    """Sums of squares and degrees of freedom of terms (type II), and the residual sum of squares."""
     columns = {term: _columns(term, codes) for term in terms}
     full = _matrix([columns[term] for term in terms], len(y))
     if np.linalg.matrix_rank(full) < full.shape[1]:

@@ -61,7 +61,7 @@ class Indices:
     normal: tuple[str, ...] = ()
 
     def interval(self, which: str) -> tuple[Array, Array]:
-        """Return the ends of the 95 % intervals, (k,) each, with what a surrogate leaves unexplained.
+        """Return the ends of the 95 % intervals, (k,) each, widened by the unexplained share of a surrogate.
 
         Of a variance V the surrogate has (1 − u) V. What is unexplained may belong to any factor: an index of the
         surrogate s ± e lies between (1 − u)(s − e) and (1 − u)(s + e) + u.

@@ -82,7 +82,7 @@ class LocalSensitivity:
         return self.derivative * self.tolerance.nominal / self.value if self.value else float("nan")
 
     def sentence(self) -> str:
-        """Return what a tolerance does, in a sentence."""
+        """Return the effect of a tolerance in a sentence."""
         factor = self.tolerance.factor
         column = Column(self.measure, self.unit, np.array([self.change, self.error * self.tolerance.off, self.value]))
         change, error, value = column.in_unit

@@ -127,7 +127,7 @@ def invert(
 
 
 def _others(nearest: "Sequence[tuple[_Search, Array]]") -> "list[tuple[_Search, Array]]":
-    """Return what lies far from the first solution and from each other.
+    """Return solutions that are far from the first one and from each other.
 
     With fewer outputs than numbers, the solutions of one combination of choices are a continuum, of which one counts.
     """

@@ -25,7 +25,7 @@ Design = Mapping[str, float | int | str]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Goal:
-    """What a surrogate is to be good at, and what it may cost.
+    """The required accuracy of a surrogate, and its budget.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ class Learned:
     reached: bool
 
     def sentence(self) -> str:
-        """Return what was reached, in a sentence."""
+        """Return the reached accuracy in a sentence."""
         count, error = self.errors[-1]
         how = "reached" if self.reached else "not reached; the budget ended"
         return f"{count} runs, held-out error {100 * error:.2g} % of the range: {how}."

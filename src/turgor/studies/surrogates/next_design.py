@@ -114,7 +114,7 @@ class _Candidates:
         return chosen
 
     def for_target(self, count: int, target: Mapping[str, float]) -> list[int]:
-        """Designs with the largest expected improvement, each after those before have brought theirs."""
+        """Designs with the largest expected improvement, each given those before."""
         places = [self.surrogate.measures.index(name) for name in target]
         goal = np.array(list(target.values()), dtype=np.float64)
         scale = np.array([self.surrogate.held_out[n].range or 1.0 for n in places])
@@ -152,7 +152,7 @@ class _Candidates:
 
 
 def _at(factor: Factor, share: float) -> float:
-    """Return what a point has at a share of the range, or of the levels of a choice."""
+    """Return the value of a factor at a share of the range, or of the levels of a choice."""
     if factor.is_choice:
         return factor.number(factor.at(share))
     low, high = factor.bounds

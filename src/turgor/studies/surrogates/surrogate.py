@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Prediction:
-    """What a surrogate says of one design.
+    """What a surrogate predicts for one design.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ class Surrogate(Saved):
         raise unknown("measure of the surrogate", name, self.measures)
 
     def summary(self) -> str:
-        """Return what it was fitted to, and its errors, in sentences."""
+        """Return the fitted study and the errors in sentences."""
         return "\n".join([repr(self), *(each.sentence for each in self.held_out), *self.notes])
 
     def predict(self, values: Mapping[str, Value], *, extrapolate: bool = False) -> Prediction:

@@ -143,7 +143,7 @@ def _names(study: Study, measures: Sequence[str] | None, inputs: Iterable[str]) 
 
 
 def measures_that_vary(study: Study, at: tuple[str, float] | None = None, inputs: Iterable[str] = ()) -> list[str]:
-    """Return the measures of a study but the drive and those that do not vary.
+    """Return the measures of a study except the drive and those that do not vary.
 
     Parameters
     ----------

@@ -195,7 +195,7 @@ class Plan:
         return np.concatenate([[low], inside, [high]])
 
     def description(self) -> str:
-        """Return what was done, in a sentence."""
+        """Return the method in a sentence."""
         kinds = {
             "linear": "Linear propagation with central differences at one standard deviation",
             "quadratic": "Quadratic response surface with points at √3 standard deviations",

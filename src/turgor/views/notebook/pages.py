@@ -102,7 +102,7 @@ def state_rows(of: State) -> Rows:
 
 
 def solution(of: Solution) -> str:
-    """Show a solution: how it ended and what to do, the last state, and the path."""
+    """Show a solution: its ending with advice, the last state, and the path."""
     findings = "\n".join(f"{each.code} {_MARKS[each.severity]}: {each.message} {each.advice}" for each in of.findings)
     rows: Rows = [
         ("ended", f"{ending(of.status)}: {of.message}"),

@@ -38,17 +38,17 @@ class MaterialText:
 
 
 def loads(model: Model) -> list[str]:
-    """Say what drives a model at load factor 1, a sentence for each load."""
+    """Describe the loads of a model at load factor 1, a sentence for each."""
     return [load.text() for load in model.loads] or ["None."]
 
 
 def supports(model: Model) -> list[str]:
-    """Say what holds a model, a sentence for each support."""
+    """Describe the supports of a model, a sentence for each."""
     return [support.text() for support in model.supports]
 
 
 def contact(model: Model) -> list[str]:
-    """Say what may touch what, a sentence for the actuator itself and one for each obstacle."""
+    """Describe possible contact: a sentence for the actuator itself and one for each obstacle."""
     own, sentences = model.contact.for_mesh(model.mesh), []
     if own is not None:
         sentences.append(f"The actuator touches itself {friction_text(own.friction)}.")

@@ -175,7 +175,7 @@ def _model(report: Report, staged: bool) -> dict[str, object]:
 
 
 def _scene(report: Report, most_text: int = VIEWER.page_bytes) -> Scene | None:
-    """What the viewer shows in so many letters, if two states need no more; nothing of a solution without states."""
+    """Scene of the viewer within a number of letters, unless two states need more; None without states."""
     if not report.solution.states:
         return None
     linked = report.response if len(report.response) == len(report.solution.states) else None

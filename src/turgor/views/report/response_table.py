@@ -81,7 +81,7 @@ def shown_rows(count: int) -> list[int]:
 
 
 def is_zero(column: Column) -> bool:
-    """Tell whether a column is zero throughout, as far as a page would show."""
+    """Return whether a column is zero throughout, to the digits of a page."""
     return bool((np.abs(column.in_unit) < NOT_SHOWN).all())
 
 

@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
-    """Search for the front on surfaces, and compute what they promise.
+    """Search for the front on surfaces, and compute the predicted designs.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def _beaten(here: Array, others: Array) -> bool:
 def _nondominated(
     problem: Problem, readings: Callable[[Array], Array], effort: tuple[int, int], seed: int
 ) -> list[Array]:
-    """Run NSGA-II on what gives readings of designs, and return the front."""
+    """Run NSGA-II on a function that gives readings of designs, and return the front."""
     nsga2 = needed("pymoo.algorithms.moo.nsga2", "a search for several objectives").NSGA2
     minimize = needed("pymoo.optimize", "a search for several objectives").minimize
     size, generations = effort
@@ -141,7 +141,7 @@ def _apart(problem: Problem, points: Sequence[Array], surfaces: Any, count: int)
         return [], 0.0
     ranges = np.ptp(promised, axis=0)
     ranges = np.where(ranges > 0, ranges, 1.0)
-    # what passes a limit is not on the front, and does not stand in for a design that is
+    # candidates beyond a limit are not on the front, and do not replace a design that is
     taken = [np.array(each.score.objectives) / ranges for each in problem.known if each.score.feasible]
     chosen: list[Array] = []
     farthest = 0.0
@@ -161,12 +161,12 @@ def _apart(problem: Problem, points: Sequence[Array], surfaces: Any, count: int)
 
 
 def _near_failure(problem: Problem, point: Array) -> bool:
-    """Whether the nearest candidate gave no value: what surfaces promise there is worth no further run."""
+    """Whether the nearest candidate gave no value; surfaces are not trusted there."""
     return not min(problem.candidates, key=lambda each: float(np.linalg.norm(each.at - point))).known
 
 
 def _as_promised(problem: Problem, computed: Sequence[Candidate], surfaces: Any) -> bool:
-    """Whether what was computed is what the surfaces, laid before, promised."""
+    """Whether the computed front agrees with the prediction of the surfaces that were fitted before."""
     front = np.array([each.score.objectives for each in _front(problem)])
     if not len(computed) or len(front) < 2:
         return False

@@ -1,4 +1,4 @@
-"""Several starts: a local search begun at designs that are spread over the ranges, with runs shared by all."""
+"""Several starts: local searches from designs that are spread over the ranges; they share their runs."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace

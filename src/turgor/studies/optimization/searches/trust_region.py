@@ -1,4 +1,4 @@
-"""Search in a trust region: surfaces through all candidates say where to go, as far as they are right.
+"""Search in a trust region: surfaces through all candidates predict the best step within it.
 
 The method is that of Wild, Regis and Shoemaker (ORBIT, SIAM J. Sci. Comput. 30, 2008), with a surface for each reading
 instead of one for the objective, as it is usual for least squares: what a goal makes of a reading is known.
@@ -20,7 +20,7 @@ Flags = NDArray[np.bool_]
 
 
 def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
-    """Search for the one objective, or for what meets the targets, under limits and rules.
+    """Minimize one objective, or meet the targets, under limits and rules.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def _worst_misfit(problem: Problem, candidate: Candidate) -> float:
 
 
 def _is_idle(problem: Problem, surfaces: Surfaces, center: Candidate, to: Array, precision: float) -> bool:
-    """Whether a step is too small, or promises nothing."""
+    """Whether a step is too small, or its predicted gain is."""
     here = merit(problem, center.score)
     gain = here - merit(problem, problem.score(surfaces(to)))
     small = bool(np.abs(to - center.at).max() < precision)
@@ -133,7 +133,7 @@ def _is_idle(problem: Problem, surfaces: Surfaces, center: Candidate, to: Array,
 def _narrowed(
     problem: Problem, center: Candidate, radius: float, missing: Array | None, search: Search
 ) -> tuple[Candidate, float]:
-    """Where no step promises anything: learn more of the region, or look at a smaller one."""
+    """Compute a point in a missing direction, or take a smaller region, where no step has a predicted gain."""
     if missing is not None:
         before = len(problem.candidates)
         problem.compute([missing])
@@ -170,6 +170,6 @@ def _toward(problem: Problem, center: Array, radius: float, moving: Flags, direc
 
 
 def _ended(problem: Problem, center: Candidate) -> Ending:
-    """What it means that no step is left."""
+    """Return the ending where no step has a predicted gain."""
     met = center.score.feasible and (bool(problem.objectives) or _worst_misfit(problem, center) <= 1.0)
     return Ending.CONVERGED if met else Ending.INFEASIBLE

@@ -12,7 +12,7 @@ NOT_YET = "not computed yet"
 
 
 class Gathering:
-    """Computes nothing: rows of runs that were not saved before say that they are not computed yet."""
+    """Computes nothing; runs that were not saved before are reported as not computed yet."""
 
     def compute(self, runs: Sequence[Run], folder: Path | None) -> Iterator[Ended]:
         """Give each run as not computed."""
@@ -20,7 +20,7 @@ class Gathering:
             yield Ended(run=run, result=None, problem=NOT_YET)
 
     def close(self) -> None:
-        """Do nothing: nothing waits."""
+        """Do nothing; there is no process to end."""
 
 
 def share(count: int, index: int, of: int) -> range:

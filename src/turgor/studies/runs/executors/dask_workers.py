@@ -50,7 +50,7 @@ class OnDask:
             client.close()
 
     def close(self) -> None:
-        """Do nothing: the workers are not ours."""
+        """Do nothing; the workers belong to the scheduler."""
 
     def _client(self, dask: Any) -> Any:
         try:
@@ -68,7 +68,7 @@ def _ended(client: Any, ending: Any, claims: Claims, folder: Path | None) -> Ite
     while claims or waiting:
         taken = claims.take() if len(waiting) < RUNS.dask_runs else None
         if isinstance(taken, Run):
-            # pure=False: what a run computes is known by its key, and a failed one may be tried again
+            # pure=False: runs are identified by their keys, and a failed one may be tried again
             future = client.submit(_computed, taken, str(Path.cwd()), pure=False)
             waiting[future] = taken
             ending.add(future)

@@ -1,4 +1,4 @@
-"""Executors: where the runs of a study are computed. `Evaluations` hands runs to one of them, and to nothing else.
+"""Executors: where the runs of a study are computed. `Evaluations` hands runs to one of them.
 
 `Here` computes in this process; `turgor.studies.runs.executors.worker_processes.Workers` in processes of this machine.
 """
@@ -27,7 +27,7 @@ class Executor(Protocol):
         """
 
     def close(self) -> None:
-        """End what waits for further runs; a later call of `compute` starts again."""
+        """End processes that wait for further runs; a later call of `compute` starts them again."""
 
 
 class Here:
@@ -48,4 +48,4 @@ class Here:
                     sleep(RUNS.poll)
 
     def close(self) -> None:
-        """Do nothing: nothing waits."""
+        """Do nothing; there is no process to end."""

@@ -11,7 +11,7 @@ from turgor.foundation.response import Response
 from turgor.studies.runs.files.run_files import save_problem, save_run, saved_problem, saved_run
 from turgor.studies.runs.run import Computed, Run
 
-#: What a full disk and one that cannot be written answer.
+#: Errors of a full disk, and of one that cannot be written.
 _NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EROFS})
 
 
@@ -76,7 +76,7 @@ def _called(run: Run) -> Ended:
         if isinstance(error, NotSolved) and error.interrupted:
             raise KeyboardInterrupt from None  # Ctrl-C ends the study; this run has not ended
         return Ended(run=run, result=None, problem=str(error), final=not isinstance(error, NotHere))
-    except Exception as error:  # what a study's own function does is not known here; the others go on
+    except Exception as error:  # the function of a study may raise anything; the other runs go on
         if isinstance(error, OSError) and error.errno in _NO_ROOM:
             raise
         return Ended(run=run, result=None, problem=traceback.format_exc().strip())

@@ -1,4 +1,4 @@
-"""serve: what a worker process does: one run after another, until the process that started it ends."""
+"""serve: a worker process computes one run after another, until the process that started it ends."""
 
 import os
 import pickle
@@ -12,7 +12,7 @@ from threading import Thread
 from turgor.foundation.finding import FindingWarning
 from turgor.studies.runs.executors.run_outcome import compute
 
-#: What a worker says first.
+#: First message of a worker.
 READY = "ready"
 
 

@@ -95,7 +95,7 @@ def load_study(path: str | Path) -> Study:
 
 
 def not_computed() -> Response:
-    """Stand for the function of a run that was read from a file, which cannot be called."""
+    """Raise an error in place of the function of a run that was read from a file."""
     raise TurgorError("this run was read from a file, which does not hold its function.")
 
 

@@ -226,7 +226,7 @@ class _Question:
 
 
 def left_out(keys: Sequence[str], refused: Mapping[str, str]) -> tuple[str, ...]:
-    """Say by which numbers there are no slopes, those with the same reason together.
+    """Return the numbers without slopes in sentences, one for each reason.
 
     Parameters
     ----------

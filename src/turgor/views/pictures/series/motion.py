@@ -1,4 +1,4 @@
-"""Motion: the path of an actuator as a moving picture (GIF, WebP, MP4) or as a body that moves (GLB)."""
+"""Motion: the path of an actuator as an animation (GIF, WebP, MP4) or as a moving body (GLB)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
