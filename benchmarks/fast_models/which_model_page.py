@@ -45,7 +45,7 @@ def write_page(ended: Mapping[str, Ended], cases: Mapping[str, Any]) -> None:
     notes = []
     for name, case in cases.items():
         reference = ended[f"{name}: finite elements"]
-        if reference.found is None:
+        if reference.result is None:
             notes.append(f"{case.title}, finite elements: {reference.problem}")
             continue
         for row, pressure in enumerate(case.pressures):
@@ -66,8 +66,8 @@ def write_page(ended: Mapping[str, Ended], cases: Mapping[str, Any]) -> None:
 
 def _at(ended: Ended, case: Any, pressure: float) -> float:
     """Value of the quantity at a pressure [kPa], in the unit of its column; not a number beyond the path."""
-    assert ended.found is not None
-    response = ended.found.response
+    assert ended.result is not None
+    response = ended.result.response
     column = response.find(case.quantity)
     pressures = next(each.values for each in response.columns if each.name.endswith("pressure")) / 1e3
     reached = np.flatnonzero(np.isclose(pressures, pressure, rtol=1e-6))
@@ -75,8 +75,8 @@ def _at(ended: Ended, case: Any, pressure: float) -> float:
 
 
 def _reference(ended: Ended, case: Any, pressure: float, row: int) -> str:
-    assert ended.found is not None
-    response = ended.found.response
+    assert ended.result is not None
+    response = ended.result.response
     value, unit = _at(ended, case, pressure), response.find(case.quantity).unit
     errors = response.mesh_error(case.quantity)
     column = response.find(case.quantity)
@@ -85,19 +85,19 @@ def _reference(ended: Ended, case: Any, pressure: float, row: int) -> str:
         k = int(np.nanargmin(abs(column.in_unit - value)))
         share = abs(errors[k] / column.values[k]) if column.values[k] else 0.0
         spread = f" ± {share:.1%}"
-    seconds = f", {ended.found.seconds:.0f} s" if row == 1 else ""
+    seconds = f", {ended.result.seconds:.0f} s" if row == 1 else ""
     return f"{QUANTITIES[case.quantity]} {value:.4g} {unit}{spread}{seconds}"
 
 
 def _difference(other: Ended, reference: Ended, case: Any, pressure: float, row: int) -> str:
-    if other.found is None:
+    if other.result is None:
         return "failed, see below"
     truth, value = _at(reference, case, pressure), abs(_at(other, case, pressure))
     if not np.isfinite(value):
         return "not reached"
     share = value / abs(truth) - 1
     told = f"{share:+.1%}" if abs(share) < 1 else f"{value / abs(truth):.2g} times"
-    return told + (f", {_time(other.found.seconds)}" if row == 1 else "")
+    return told + (f", {_time(other.result.seconds)}" if row == 1 else "")
 
 
 def _time(seconds: float) -> str:

@@ -55,11 +55,11 @@ def main(folder: Path) -> None:
     angle += 0.05 * deg * np.random.default_rng(0).standard_normal(15)
     columns = Column("pressure", "kPa", at), Column("bending_angle", "deg", angle)
     measured = Response(columns=columns, source=Source(text="made up"))
-    runs = tg.studies.kept_in(folder / "calibration" / "runs")
+    runs = tg.studies.saved_in(folder / "calibration" / "runs")
     result = tg.studies.calibrate(
         job_trial(job, measured, spread=0.05 * deg), free_parameters(FREE, PRIOR, job), evaluations=runs
     )
-    seconds = sum(each.found.seconds for each in runs.ended.values() if each.found is not None)
+    seconds = sum(each.result.seconds for each in runs.ended.values() if each.result is not None)
     print(result.summary())
     print(f"{result.solves} solves, {result.computed} of them computed now; {seconds:.1f} CPU s")
 

@@ -44,11 +44,11 @@ def main(folder: Path) -> None:
     (folder / "finger.toml").write_text(JOB, encoding="utf-8")
     job = job_function(tg.jobs.read_job(folder / "finger.toml"), folder / "optimization")
     computation = tg.studies.Computation(function=solved_job, values=job.values, gather="numbers")
-    runs = tg.studies.kept_in(folder / "optimization" / "runs", processes=2, progress=told)
+    runs = tg.studies.saved_in(folder / "optimization" / "runs", processes=2, progress=told)
     (true,) = runs.of([computation.run(TRUE)])
-    assert true.found is not None, true.problem
+    assert true.result is not None, true.problem
     at = ("pressure", 7 * kPa)
-    goals = [tg.studies.Target(name, float(true.found.response[name][-1]), at=at) for name in MEASURES]
+    goals = [tg.studies.Target(name, float(true.result.response[name][-1]), at=at) for name in MEASURES]
     factors = [
         tg.studies.Factor(name=name, low=low * mm, high=high * mm, unit="mm") for name, (low, high) in RANGES.items()
     ]

@@ -23,7 +23,7 @@ import optimization_cases as cases
 import turgor as tg
 from turgor.studies.calibration import calibrate
 from turgor.studies.calibration.objective import Objective
-from turgor.studies.calibration.search import Found, no_step_left
+from turgor.studies.calibration.search import SearchResult, no_step_left
 from turgor.studies.optimization.goals import MET, Limit, Minimize
 from turgor.studies.optimization.optimize import _problem, _scaled, _start
 from turgor.studies.optimization.problem import Problem
@@ -67,7 +67,7 @@ class Case:
     def runs_needed(self, problem: Problem) -> int | None:
         """Number of runs until the answer was there."""
         for number, each in enumerate(problem.candidates, start=1):
-            if not each.score.kept:
+            if not each.score.feasible:
                 continue
             if self.lowest is None:
                 if all(length <= 1 for length in lengths(problem, each.readings)):
@@ -90,7 +90,7 @@ def scaled(problem: Problem, readings: np.ndarray, kinds: tuple[type, ...]) -> l
 
 def readings_of(case: Case, problem: Problem, at: np.ndarray) -> np.ndarray:
     """Compute a candidate, unless the answer is there."""
-    if case.runs_needed(problem) or problem.left <= 0:
+    if case.runs_needed(problem) or problem.remaining <= 0:
         raise DoneError
     return problem.compute([at])[0].readings
 
@@ -189,10 +189,10 @@ def tubes(folder: Path) -> list[Case]:
     (folder / "tube.toml").write_text(calibration_cases.JOB, encoding="utf-8")
     job = job_function(tg.jobs.read_job(folder / "tube.toml"), folder / "search")
     computation = job.computation()
-    runs = studies.kept_in(folder / "search" / "runs")
+    runs = studies.saved_in(folder / "search" / "runs")
     (true,) = runs.of([computation.run({"actuator.wall": 1.5 * mm, "actuator.inner_radius": 6.5 * mm})])
     names = ("tip_displacement_x", "cavity_volume")
-    goals = [studies.Target(name, float(true.found.response[name][-1])) for name in names]
+    goals = [studies.Target(name, float(true.result.response[name][-1])) for name in names]
     ranges = (("actuator.wall", 1, 4), ("actuator.inner_radius", 4, 10))
     factors = [studies.Factor(name=name, low=low * mm, high=high * mm, unit="mm") for name, low, high in ranges]
     return [Case("tube of finite elements, 2 targets by 2", computation, factors, goals, {}, evaluations=runs)]
@@ -236,7 +236,7 @@ def fits() -> dict[str, tuple[studies.Trial, list[studies.Parameter]]]:
 AROUND_ZERO = {"lower": -0.05e6, "upper": 0.05e6}
 
 
-def scipy_fit(objective: Objective, start: np.ndarray, most: int, cobyqa: bool) -> Found:
+def scipy_fit(objective: Objective, start: np.ndarray, most: int, cobyqa: bool) -> SearchResult:
     """Fit with a search of SciPy, with fresh differences at the end, as the standard errors need."""
     low, high = objective.limits
     best = {"cost": np.inf, "at": start}
@@ -266,7 +266,7 @@ def scipy_fit(objective: Objective, start: np.ndarray, most: int, cobyqa: bool) 
     except DoneError:
         pass
     at = np.asarray(best["at"])
-    return Found(at=at, residuals=objective.residuals(at), jacobian=objective.jacobian(at), converged=True)
+    return SearchResult(at=at, residuals=objective.residuals(at), jacobian=objective.jacobian(at), converged=True)
 
 
 def fit_main() -> None:

@@ -61,7 +61,7 @@ def main(count: int) -> None:
                 begun = perf_counter()
                 ended = study.of(runs)
                 walls[processes] = perf_counter() - begun
-            busy[processes] = sum(each.found.seconds for each in ended if each.found is not None)
+            busy[processes] = sum(each.result.seconds for each in ended if each.result is not None)
             print(f"{processes} process(es): {walls[processes]:.2f} s for {count} designs, {busy[processes]:.2f} CPU s "
                   f"in their functions; the first design of each worker {start:.2f} s")  # fmt: skip
     print(f"efficiency of two processes: {walls[1] / (2 * walls[2]):.0%}")

@@ -30,7 +30,7 @@ def refuses(slope: float) -> Computed:
 def steeper(runs) -> Judgement:
     """Whether the last angles rise from run to run."""
     angles = [last(each.response, "bending_angle") for each in runs.values()]
-    return Judgement(verdict=Verdict.CONFIRMED if rises(angles) else Verdict.NOT_REPRODUCED, found=listed(angles))
+    return Judgement(verdict=Verdict.CONFIRMED if rises(angles) else Verdict.NOT_REPRODUCED, finding=listed(angles))
 
 
 def curves(runs):

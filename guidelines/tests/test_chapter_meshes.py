@@ -33,16 +33,16 @@ def test_remeshing_comes_out_both_ways():
     def judged(*errors, steps=4):
         names = [f"cells of {size:g} mm" for size in (*remeshing.SIZES, remeshing.FINEST)]
         results = dict(zip(names, [inflated(error, steps) for error in (*errors, 0.0)], strict=True))
-        return remeshing.judge(results, wanted=40.0)
+        return remeshing.judge(results, target=40.0)
 
     assert judged(0.1, 0.05, 0.03).verdict is Verdict.CONFIRMED
     assert judged(0.1, 0.05, 0.001).verdict is Verdict.CONDITIONAL
     fine = judged(0.005, 0.002, 0.001)
     assert fine.verdict is Verdict.NOT_REPRODUCED
-    assert "every path reached its end" in fine.found
+    assert "every path reached its end" in fine.finding
     stopped = judged(0.005, 0.002, 0.001, steps=3)
     assert stopped.verdict is Verdict.CONFIRMED
-    assert "4 of 4 paths stopped early" in stopped.found
+    assert "4 of 4 paths stopped early" in stopped.finding
 
 
 def test_kinds_of_cells_come_out_both_ways():

@@ -62,7 +62,7 @@ def helices(most_twist, longest=0.0, axial=1.001):
 
 
 @pytest.mark.parametrize(
-    ("found", "verdict"),
+    ("runs", "verdict"),
     [
         (helices(30.0), Verdict.CONFIRMED),
         (helices(45.0), Verdict.NOT_REPRODUCED),

@@ -32,9 +32,9 @@ def test_hardness_from_end_to_end(tmp_path, monkeypatch):
     ended, guideline = [], shortened()
     (judged,) = run_guidelines([guideline], tmp_path / "runs", progress=ended.append)
     (study,) = judged.studies
-    assert len(ended) == len(study.found) == 4
+    assert len(ended) == len(study.runs) == 4
     assert not any(each.problem or each.again for each in ended)
-    tube = study.found["elastosil-m4601, neo-hooke-polygerinos-2020"].response
+    tube = study.runs["elastosil-m4601, neo-hooke-polygerinos-2020"].response
     assert at(tube, "stretch", "pressure", 20 * kPa).number == pytest.approx(1.0454, rel=1e-3)
     assert judged.verdict is Verdict.CONDITIONAL  # one record of a harder rubber is softer
     assert "dragon-skin-30, mooney-rivlin-elsayed-2014" in study.judgement.conditions

@@ -48,14 +48,14 @@ def test_a_straight_line_is_straight():
     ],
 )
 def test_the_verdict_of_several_studies(verdicts, expected):
-    assert overall(tuple(Judgement(verdict=Verdict(each), found="") for each in verdicts)) == expected
+    assert overall(tuple(Judgement(verdict=Verdict(each), finding="") for each in verdicts)) == expected
 
 
 def test_a_guideline_is_run_judged_and_reported(tmp_path):
     steep, flat = a_guideline(), a_guideline(slopes=(2e-5, 1e-5))
     first, second = run_guidelines([steep, flat], tmp_path / "runs")
     assert (first.verdict, second.verdict) == ("confirmed", "not reproduced")
-    assert first.studies[0].judgement.found == "5.73 ± 0.00011, 11.46 ± 0.00011 deg"
+    assert first.studies[0].judgement.finding == "5.73 ± 0.00011, 11.46 ± 0.00011 deg"
     page = write_page([first, second], tmp_path).read_text(encoding="utf-8")
     assert "Steeper is more &amp; better." in page
     assert "a &lt; b" in page
@@ -68,10 +68,10 @@ def test_a_guideline_is_run_judged_and_reported(tmp_path):
 def test_what_was_not_run_or_failed_is_not_judged(tmp_path):
     not_run = judged(a_guideline(), tmp_path, "full")
     assert not_run.verdict == "not judged"
-    assert "slope 5e-05: not run yet" in not_run.studies[0].judgement.found
+    assert "slope 5e-05: not run yet" in not_run.studies[0].judgement.finding
     (failed,) = run_guidelines([a_guideline(function=refuses)], tmp_path)
     assert failed.verdict == "not judged"
-    assert "wall is -1 mm" in failed.studies[0].judgement.found
+    assert "wall is -1 mm" in failed.studies[0].judgement.finding
     assert "<svg" not in write_page([failed], tmp_path).read_text(encoding="utf-8")
 
 

@@ -42,7 +42,7 @@ def judged_result(judged: "Sequence[Judged]", page: Path) -> GuidelinesResult:
                 "setup": study.study.setup,
                 "expected": study.study.expected,
                 "verdict": str(study.judgement.verdict),
-                "found": study.judgement.found,
+                "found": study.judgement.finding,
                 "conditions": study.judgement.conditions,
                 "cpu_seconds": study.seconds,
             }

@@ -67,15 +67,15 @@ def chosen(keys: Sequence[str]) -> tuple[Guideline, ...]:
     ['7.4-5']
     """
     known = guidelines()
-    wanted = set()
+    selected = set()
     for key in keys:
         matches = {each for each in known if each == key or each.startswith(f"{key}-")}
         if not matches:
             near = get_close_matches(key, known, n=1)
             hint = f"; did you mean '{near[0]}'?" if near else "."
             raise tg.TurgorError(f"unknown guideline '{key}'{hint} Known: {', '.join(known)}.")
-        wanted |= matches
-    return tuple(each for key, each in known.items() if key in wanted or not keys)
+        selected |= matches
+    return tuple(each for key, each in known.items() if key in selected or not keys)
 
 
 def _order(key: str) -> list[int]:

@@ -80,7 +80,7 @@ def _report(
     as_json: tg.commands.Json = False,
     debug: tg.commands.Debug = False,
 ) -> None:
-    """Judge what was run so far, and write the page."""
+    """Judge the runs that have ended, and write the page."""
     with tg.commands.errors_as_sentences(debug, as_json) as answer:
         from turgor_guidelines.answers import judged_result
         from turgor_guidelines.judge import judged
@@ -106,7 +106,7 @@ def _setting(full: bool) -> "Setting":
 
 
 def _progress(ended: "Ended") -> None:
-    seconds = "" if ended.found is None else f", {ended.found.seconds:.1f} CPU s"
+    seconds = "" if ended.result is None else f", {ended.result.seconds:.1f} CPU s"
     what = "failed" if ended.problem else "read" if ended.again else "done"
     typer.echo(f"  {ended.run.name}: {what}{seconds}{ended.problem and f': {ended.problem}'}", err=True)
 
@@ -115,6 +115,6 @@ def _report_verdicts(judged: "tuple[Judged, ...]") -> None:
     for each in judged:
         typer.echo(f"{each.guideline.key}  {each.verdict.upper()}: {each.guideline.rule}")
         for study in each.studies:
-            typer.echo(f"  {study.study.title}: {study.judgement.verdict}. {study.judgement.found}")
+            typer.echo(f"  {study.study.title}: {study.judgement.verdict}. {study.judgement.finding}")
             if study.judgement.conditions:
                 typer.echo(f"    {study.judgement.conditions}")

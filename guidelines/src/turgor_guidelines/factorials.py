@@ -44,7 +44,7 @@ def analyses(runs: Runs, names: Sequence[str], pressures: Sequence[float]) -> di
     rows = []
     for scales in corners(names):
         name = corner_name(scales)
-        ended = Ended(run=Run(name=name, function=Computed, values=scales), found=runs[name])
+        ended = Ended(run=Run(name=name, function=Computed, values=scales), result=runs[name])
         rows.append(Row(values=scales, ended=ended))
     study = Study(factors=factors, rows=tuple(rows), source=tg.laws.Source(text="runs of a guideline"))
     return {each: anova(study, "bending_angle", at=("pressure", each * kPa)) for each in pressures}

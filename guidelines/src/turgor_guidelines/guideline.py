@@ -11,7 +11,7 @@ from turgor.studies import Computed, Run
 #: How much is computed: coarse meshes and few values, or the default meshes and all values.
 Setting = Literal["quick", "full"]
 
-#: What the runs of a study found, by the names of the runs.
+#: Results of the runs of a study, by the names of the runs.
 Runs = Mapping[str, Computed]
 
 
@@ -31,14 +31,14 @@ class Judgement:
     Parameters
     ----------
     verdict : Verdict
-    found : str
+    finding : str
         The numbers, with their mesh errors.
     conditions : str
-        On what the rule depends that it does not state; empty where nothing was seen.
+        On what the rule depends that it does not state; empty where it depends on nothing else.
     """
 
     verdict: Verdict
-    found: str
+    finding: str
     conditions: str = ""
 
 
@@ -55,11 +55,11 @@ class GuidelineTest:
     expected : str
         Sign or number that the guideline leads to.
     runs : callable
-        Gives the runs for a `Setting`. Runs of several studies that ask for the same are computed once.
+        Gives the runs for a `Setting`. Runs that several studies share are computed once.
     judge : callable
-        Computes the judgement from what the runs found. It must be able to come out either way.
+        Computes the judgement from the results of the runs. It must be able to come out either way.
     panels : callable
-        What to draw, from what the runs found.
+        What to draw, from the results of the runs.
     """
 
     title: str
@@ -109,7 +109,7 @@ def overall(judgements: tuple[Judgement, ...]) -> Verdict:
 
     Examples
     --------
-    >>> yes, no = (Judgement(verdict=each, found="") for each in (Verdict.CONFIRMED, Verdict.NOT_REPRODUCED))
+    >>> yes, no = (Judgement(verdict=each, finding="") for each in (Verdict.CONFIRMED, Verdict.NOT_REPRODUCED))
     >>> overall((yes, yes)).value, overall((yes, no)).value
     ('confirmed', 'confirmed under these conditions')
     """

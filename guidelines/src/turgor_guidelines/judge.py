@@ -1,4 +1,4 @@
-"""Running and judging guidelines: the runs of all their studies at once, then each study on what its runs found."""
+"""Running and judging guidelines: the runs of all their studies at once, then each study by its results."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -11,24 +11,24 @@ from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Run
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class JudgedStudy:
-    """A study, its judgement, and what it rests on.
+    """A study, its judgement, and the results of its runs.
 
     Parameters
     ----------
     study : GuidelineTest
     judgement : Judgement
-    found : mapping of str to Computed
-        What the runs found, by their names.
+    runs : mapping of str to Computed
+        Results of the runs, by their names.
     """
 
     study: GuidelineTest
     judgement: Judgement
-    found: Runs
+    runs: Runs
 
     @property
     def seconds(self) -> float:
         """CPU seconds of the runs."""
-        return sum(each.seconds for each in self.found.values())
+        return sum(each.seconds for each in self.runs.values())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -88,7 +88,7 @@ def run_guidelines(
 def judged(
     guideline: Guideline, folder: Path, setting: Setting = "quick", problems: dict[str, str] | None = None
 ) -> Judged:
-    """Judge a guideline on what its runs have found so far.
+    """Judge a guideline by the results of the runs that have ended.
 
     Parameters
     ----------
@@ -113,16 +113,16 @@ def _judged_study(study: GuidelineTest, folder: Path, setting: Setting, problems
     result, missing = {}, []
     for run in study.runs(setting):
         ended = ended_before(run, folder)
-        if ended is not None and ended.found is not None:
-            result[run.name] = ended.found
+        if ended is not None and ended.result is not None:
+            result[run.name] = ended.result
         else:
             why = problems.get(run.key) or (ended.problem if ended is not None else "not run yet")
             missing.append(f"{run.name}: {why}")
     if missing:
-        judgement = Judgement(verdict=Verdict.NOT_JUDGED, found="; ".join(missing))
+        judgement = Judgement(verdict=Verdict.NOT_JUDGED, finding="; ".join(missing))
     else:
         try:
             judgement = study.judge(result)
         except tg.TurgorError as error:  # such as a column that a run which stopped early does not have
-            judgement = Judgement(verdict=Verdict.NOT_JUDGED, found=str(error))
-    return JudgedStudy(study=study, judgement=judgement, found=result)
+            judgement = Judgement(verdict=Verdict.NOT_JUDGED, finding=str(error))
+    return JudgedStudy(study=study, judgement=judgement, runs=result)

@@ -58,7 +58,7 @@ def figure_svg(study: JudgedStudy) -> str:
     """
     if study.judgement.verdict is Verdict.NOT_JUDGED:
         return ""
-    return svg_of(tg.pictures.study_figure(study.study.panels(study.found), _pictures(study)))
+    return svg_of(tg.pictures.study_figure(study.study.panels(study.runs), _pictures(study)))
 
 
 def write_markdown(judged: Sequence[Judged], folder: Path, figures: str = FIGURES) -> Path:
@@ -95,17 +95,17 @@ def write_markdown(judged: Sequence[Judged], folder: Path, figures: str = FIGURE
 def _section(study: JudgedStudy, picture: Path, figures: str) -> list[str]:
     test, judgement = study.study, study.judgement
     lines = ["", f"### {test.title}: {judgement.verdict}", "", test.setup, "", f"- Expected: {test.expected}"]
-    lines += [f"- Found: {judgement.found}"]
+    lines += [f"- Found: {judgement.finding}"]
     lines += [f"- Conditions: {judgement.conditions}"] if judgement.conditions else []
     if judgement.verdict is not Verdict.NOT_JUDGED:
-        figure = tg.pictures.study_figure(test.panels(study.found), _pictures(study))
+        figure = tg.pictures.study_figure(test.panels(study.runs), _pictures(study))
         picture.write_bytes(png_of(figure, dpi=DPI))
         lines += ["", f"![{test.title}]({figures}/{picture.name})"]
     return lines
 
 
 def _pictures(study: JudgedStudy) -> list[tuple[str, bytes]]:
-    return [(name, computed.picture) for name, computed in study.found.items() if computed.picture]
+    return [(name, computed.picture) for name, computed in study.runs.items() if computed.picture]
 
 
 def _anchor(judged: Judged) -> str:

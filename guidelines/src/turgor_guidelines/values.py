@@ -1,4 +1,4 @@
-"""Values with their mesh errors, and what judges ask of them: what they are at a pressure, and whether they differ."""
+"""Values with their mesh errors, and functions for judges: values at a pressure, and whether values differ."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

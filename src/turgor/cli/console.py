@@ -104,8 +104,8 @@ class PlainDisplay:
             self._line(f"{of_stage(self._course.stage)}{cut_back(iteration)}")
         if state is None:
             return
-        left = clock(self._course.seconds_left)
-        self._line(f"{describe(iteration, state)}{bending(self._course.angle)}, {left} left")
+        remaining = clock(self._course.seconds_left)
+        self._line(f"{describe(iteration, state)}{bending(self._course.angle)}, {remaining} left")
 
     def report(self, finding: Finding) -> None:
         """Print a finding on standard error, also where notices are off."""

@@ -38,12 +38,12 @@ def convergence_command(
         from turgor.core.results.measures.measures import find_measure
         from turgor.job.output.folder import claimed
 
-        wanted = _sizes(sizes)
+        cell_sizes = _sizes(sizes)
         find_measure(measure)
         parsed = requested_job(job, changes)
         place = output if output is not None else Path(f"{parsed.name}-convergence")
         with claimed(place, force, files=FILES) as folder:
-            study = _solve(parsed, wanted, measure)
+            study = _solve(parsed, cell_sizes, measure)
             _write(folder, parsed, study)
         _show(study)
         answer.give(lambda: convergence_result(study, folder))

@@ -1,4 +1,4 @@
-"""Exit codes of the command line, and what a command answers: sentences for people, or one JSON document."""
+"""Exit codes of the command line, and the output of a command: sentences for people, or one JSON document."""
 
 import os
 import signal
@@ -42,7 +42,7 @@ def warn(findings: "Sequence[Finding]") -> None:
 
 @dataclass(slots=True)
 class Answer:
-    """What a command answers besides what it prints.
+    """Result and findings of a command, besides its printed text.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ class Answer:
     findings: "list[Finding]" = field(default_factory=list)
 
     def give(self, make: Callable[[], object]) -> None:
-        """Take the result, which is made for a document only."""
+        """Take the result, which is built for a document only."""
         if self.as_json:
             self.result = make()
 
@@ -91,7 +91,7 @@ def errors_as_sentences(debug: bool, as_json: bool = False) -> Iterator[Answer]:
         write_nowhere()
         raise typer.Exit(BROKEN_PIPE) from None
     except BaseException as raised:
-        code, error = _said(raised)
+        code, error = _code_and_sentence(raised)
         if debug:
             traceback.print_exc()
     if as_json:
@@ -110,8 +110,8 @@ def write_nowhere() -> None:
         os.close(nowhere)
 
 
-def _said(raised: BaseException) -> tuple[int, str]:
-    """Exit code and sentence for an exception."""
+def _code_and_sentence(raised: BaseException) -> tuple[int, str]:
+    """Return the exit code and the sentence for an exception."""
     if isinstance(raised, CheckError):
         return FOUND_ERROR, raised.on_command_line
     if isinstance(raised, TurgorError):
@@ -120,8 +120,8 @@ def _said(raised: BaseException) -> tuple[int, str]:
     if isinstance(raised, OSError):
         return BAD_INPUT, f"'{raised.filename or 'a file'}' cannot be read or written: {raised.strerror}."
     if isinstance(raised, KeyboardInterrupt):
-        said = str(raised) or "interrupted."
-        return ENDED + getattr(raised, "number", signal.SIGINT), said
+        sentence = str(raised) or "interrupted."
+        return ENDED + getattr(raised, "number", signal.SIGINT), sentence
     if not isinstance(raised, Exception):
         raise raised
     what = f"{type(raised).__name__}: {raised}"

@@ -127,11 +127,11 @@ def _numbers(outcome: "RunOutcome") -> tuple[list[str], list[str]]:
         regions = in_regions(response, each)
         for name in [each] if regions else with_parts(response, each):
             column = response.find(name)
-            said = column.label.split(" [")[0]
+            label = column.label.split(" [")[0]
             if is_zero(column) and name not in own:
-                zeros[name] = said
+                zeros[name] = label
                 continue
-            value = f"{said} {last_with_error(response, column)}"
+            value = f"{label} {last_with_error(response, column)}"
             numbers[name] = f"{value} [{regions}]" if regions else value
     return list(numbers.values()), list(zeros.values())
 

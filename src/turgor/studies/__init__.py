@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from turgor.studies.runs.designs import latin_hypercube as latin_hypercube
     from turgor.studies.runs.designs import sobol as sobol
     from turgor.studies.runs.evaluations import Evaluations as Evaluations
-    from turgor.studies.runs.evaluations import kept_in as kept_in
+    from turgor.studies.runs.evaluations import saved_in as saved_in
     from turgor.studies.runs.executors.dask_workers import OnDask as OnDask
     from turgor.studies.runs.executors.executor import Executor as Executor
     from turgor.studies.runs.executors.executor import Here as Here

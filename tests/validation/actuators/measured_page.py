@@ -48,7 +48,7 @@ def _run(runs: list[Run], folder: Path) -> dict[str, Ended]:
 
 def _told(each: Ended) -> None:
     if not each.again:
-        sys.stdout.write(f"{each.run.name}: {each.problem or each.found.response.message or 'ended'}\n")
+        sys.stdout.write(f"{each.run.name}: {each.problem or each.result.response.message or 'ended'}\n")
         sys.stdout.flush()
 
 
@@ -67,7 +67,7 @@ def write(page: Page) -> None:
     parts = [page_cantilever.part(page), page_membranes.part(page)]
     parts.append(text("benders").format(factor=page.factor, **page_benders.part(page)))
     parts.append(text("blocked").format(**page_blocked.part(page)))
-    seconds = sum(each.found.seconds for each in page.ended.values() if each.found)
+    seconds = sum(each.result.seconds for each in page.ended.values() if each.result)
     summary = lines_of(
         ["what", "model", "distance (RMS, of the range)"], [[a, b, percent(c)] for a, b, c in page.distances]
     )

@@ -41,13 +41,13 @@ class Page:
     def of(self, run: Run) -> tg.Response:
         """What a run found; its problem as an error where it failed."""
         each = self.ended[run.key]
-        if each.found is None:
+        if each.result is None:
             raise RuntimeError(f"{run.name}: {each.problem}")
-        return each.found.response
+        return each.result.response
 
     def picture(self, run: Run, name: str) -> str:
         """Write the picture of a run and return its place on the page."""
-        found = self.ended[run.key].found
+        found = self.ended[run.key].result
         IMAGES.mkdir(parents=True, exist_ok=True)
         with Image.open(BytesIO(found.picture if found else b"")) as drawn:
             drawn.convert("RGB").quantize(128).save(IMAGES / name, optimize=True)

@@ -32,7 +32,7 @@ def linear(x: float, y: float) -> Response:
 
 
 def test_a_sphere_over_wall_and_stiffness(record_verification, tmp_path):
-    with tg.studies.kept_in(tmp_path, processes=2) as runs:
+    with tg.studies.saved_in(tmp_path, processes=2) as runs:
         study = tg.sweep(
             cases.thick_sphere, evaluations=runs, C10=[0.15e6, 0.2e6], wall=[5 * mm, 7 * mm, 9 * mm]
         )  # fmt: skip

@@ -46,7 +46,7 @@ def _short(values: list[float]) -> list[float]:
 
 def judge(runs: Runs) -> Judgement:
     """The coarsest mesh moves less than the finest, for both quantities of both kinds."""
-    holds, parts, seen = [], [], []
+    holds, parts, notes = [], [], []
     for kind in KINDS:
         for column in QUANTITIES:
             short = _short(_values(runs, kind, column))
@@ -54,13 +54,13 @@ def judge(runs: Runs) -> Judgement:
             holds.append(short[0] < -SAME)
             sizes = ", ".join(f"{size:g} mm {value:+.2%}" for size, value in zip(SIZES, short, strict=False))
             parts.append(f"{name} {kind} {sizes}")
-            seen += [] if holds[-1] else [f"The {name} {kind} is not less on the coarsest mesh."]
+            notes += [] if holds[-1] else [f"The {name} {kind} is not less on the coarsest mesh."]
             rising = all(b >= a - SAME for a, b in zip(short, [*short[1:], 0.0], strict=True))
-            seen += [] if rising else [f"The {name} {kind} does not rise from mesh to mesh."]
+            notes += [] if rising else [f"The {name} {kind} does not rise from mesh to mesh."]
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"against cells of {SIZES[-1]:g} mm: {'; '.join(parts)}",
-        conditions=" ".join(seen),
+        finding=f"against cells of {SIZES[-1]:g} mm: {'; '.join(parts)}",
+        conditions=" ".join(notes),
     )
 
 

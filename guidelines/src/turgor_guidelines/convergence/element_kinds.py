@@ -85,7 +85,7 @@ def judge(runs: Runs) -> Judgement:
         verdict=verdict_of([worst[0] > worst[1], lost[0] < lost[1], *cheaper])
         if abs(apart) < SAME
         else Verdict.NOT_JUDGED,
-        found=f"error of the angle: {summary}; the finest of both differ by {abs(apart):.2%}; worst Jacobian ratio "
+        finding=f"error of the angle: {summary}; the finest of both differ by {abs(apart):.2%}; worst Jacobian ratio "
         f"{worst[0]:.2g} of hexahedra and {worst[1]:.2g} of tetrahedra; volume of the cavity lost at most "
         f"{lost[0]:.1e} and {lost[1]:.1e}",
         conditions=f"Hexahedra have a smaller error than tetrahedra with as many unknowns in {sum(cheaper)} of "

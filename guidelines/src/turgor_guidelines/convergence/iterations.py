@@ -33,7 +33,7 @@ def judge(runs: Runs) -> Judgement:
     last_two = shares[-1] > shares[-2]
     return Judgement(
         verdict=verdict_of([further, last_two or not further]),
-        found=", ".join(f"{name} reach {share:.0%}" for name, share in zip(runs, shares, strict=True))
+        finding=", ".join(f"{name} reach {share:.0%}" for name, share in zip(runs, shares, strict=True))
         + " of the load; angles "
         + ", ".join(f"{end(each)}" for each in runs.values()),
         conditions=(f"{enough} are enough here; more change nothing." if enough and not last_two else "")

@@ -41,7 +41,8 @@ def judge(runs: Runs) -> Judgement:
     iterations = ", ".join(f"{spent(runs[name], 'iterations'):.0f}" for name in names)
     return Judgement(
         verdict=verdict_of([not complete[names[0]], complete[names[-1]] and same]),
-        found=f"reached: {summary}; iterations {iterations}" + (f"; angles at the end {listed(ends)}" if ends else ""),
+        finding=f"reached: {summary}; iterations {iterations}"
+        + (f"; angles at the end {listed(ends)}" if ends else ""),
         conditions="The whole load in one step converges here: the step matters less to this iteration than to plain "
         "Newton's."
         if complete[names[0]]

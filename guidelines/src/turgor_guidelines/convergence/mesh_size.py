@@ -70,7 +70,7 @@ def _apart(runs: Runs, column: str, width: float) -> dict[float, float]:
 
 def judge(runs: Runs) -> Judgement:
     """Cells of 1 to 3 mm are good enough for both widths, for bending and for ballooning."""
-    holds, rows, seen = [], [], []
+    holds, rows, notes = [], [], []
     for width in WIDTHS:
         for column, name in (("curvature_y", "curvature"), ("cavity_ballooning", "ballooning")):
             apart = _apart(runs, column, width)
@@ -81,12 +81,12 @@ def judge(runs: Runs) -> Judgement:
             coarse = [f"{size:g} mm" for size in SIZES if size > 3 and abs(apart[size]) < GOOD]
             poor = [f"{size:g} mm" for size in SIZES if size <= 3 and abs(apart[size]) >= GOOD]
             about = f"the {name} of the one {width} mm wide"
-            seen += [f"For {about} {' and '.join(coarse)} are enough too."] if coarse else []
-            seen += [f"For {about} {' and '.join(poor)} are too coarse."] if poor else []
+            notes += [f"For {about} {' and '.join(coarse)} are enough too."] if coarse else []
+            notes += [f"For {about} {' and '.join(poor)} are too coarse."] if poor else []
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"against cells of {FINEST:g} mm: {'; '.join(rows)}",
-        conditions=" ".join(seen),
+        finding=f"against cells of {FINEST:g} mm: {'; '.join(rows)}",
+        conditions=" ".join(notes),
     )
 
 

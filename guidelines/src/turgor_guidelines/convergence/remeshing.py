@@ -69,9 +69,9 @@ def _errors(runs: Runs) -> dict[float, tuple[list[float], list[float]]]:
     return errors
 
 
-def judge(runs: Runs, wanted: float) -> Judgement:
+def judge(runs: Runs, target: float) -> Judgement:
     """A mesh that stays the same stops, or becomes wrong as it distorts; a finer one from the start does so too."""
-    stopped = [last(each.response, "pressure").number < wanted * (1 - 1e-9) for each in runs.values()]
+    stopped = [last(each.response, "pressure").number < target * (1 - 1e-9) for each in runs.values()]
     errors = _errors(runs)
     wrong = [end > TOO_MUCH and end > first for _, (first, *_, end) in errors.values()]
     bad = [a or b for a, b in zip(stopped[:-1], wrong, strict=True)]
@@ -81,7 +81,7 @@ def judge(runs: Runs, wanted: float) -> Judgement:
     ends = "every path reached its end" if not any(stopped) else f"{sum(stopped)} of {len(stopped)} paths stopped early"
     return Judgement(
         verdict=verdict,
-        found=f"{ends}, with the rubber stretched {reach:.3g} times; error of the motion against cells of {FINEST:g} "
+        finding=f"{ends}, with the rubber stretched {reach:.3g} times; error of the motion against cells of {FINEST:g} "
         f"mm, from the first to the last pressure: {summary}",
         conditions=""
         if all(bad)
@@ -118,7 +118,7 @@ GUIDELINE = Guideline(
             "forty times as wide as thick; extension.",
             expected=EXPECTED,
             runs=partial(runs, bends=False),
-            judge=partial(judge, wanted=TUBE_PRESSURES[-1]),
+            judge=partial(judge, target=TUBE_PRESSURES[-1]),
             panels=panels,
         ),
         GuidelineTest(
@@ -127,7 +127,7 @@ GUIDELINE = Guideline(
             "stretched most; curvature.",
             expected=EXPECTED,
             runs=partial(runs, bends=True),
-            judge=partial(judge, wanted=BENDER_PRESSURES[-1]),
+            judge=partial(judge, target=BENDER_PRESSURES[-1]),
             panels=panels,
         ),
     ),

@@ -28,7 +28,7 @@ def judge(runs: Runs) -> Judgement:
     time = half.seconds / whole.seconds if whole.seconds else float("nan")
     return Judgement(
         verdict=verdict_of([*(abs(each) < SAME for each in apart), share < 0.7]),
-        found=f"half and whole: {listed([end(half), end(whole)])}, {apart[0]:+.2%} in the angle and {apart[1]:+.2%} "
+        finding=f"half and whole: {listed([end(half), end(whole)])}, {apart[0]:+.2%} in the angle and {apart[1]:+.2%} "
         f"in the "
         f"largest displacement; {share:.0%} of the unknowns, {time:.0%} of the CPU time",
         conditions="It holds where load and motion are symmetric too: not for twist, nor for one of three chambers "

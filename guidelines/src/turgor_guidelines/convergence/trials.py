@@ -53,13 +53,13 @@ def solve(
     columns = [
         tg.experiments.Column(name, "", np.full(len(solution.states), float(value))) for name, value in spent.items()
     ]
-    kept = tg.Response(
+    reduced = tg.Response(
         columns=(*response.columns, *columns),
         source=response.source,
         status=response.status,
         message=response.message,
     )
-    return Computed(response=kept, picture=picture_of(solution))
+    return Computed(response=reduced, picture=picture_of(solution))
 
 
 def _top(at: Any) -> float:

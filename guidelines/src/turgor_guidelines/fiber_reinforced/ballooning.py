@@ -14,7 +14,7 @@ def judge(runs: Runs) -> Judgement:
     bare, *_, dense = runs
     return Judgement(
         verdict=Verdict.CONFIRMED if holds else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(runs)}: injected volume {listed(volumes)} of that at rest; largest stretch of the rubber "
+        finding=f"{', '.join(runs)}: injected volume {listed(volumes)} of that at rest; largest stretch of the rubber "
         f"{listed(stretch)}.",
         conditions=f"Without hoops the tube takes {volumes[0].number / volumes[-1].number:.1f} times the volume "
         f"of that with {dense}, and its tip moves {extension(runs, bare)} where the other one moves "

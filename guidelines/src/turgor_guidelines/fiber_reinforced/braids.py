@@ -10,7 +10,7 @@ from turgor_guidelines.fiber_reinforced.wound import TUBE, cells, tube
 from turgor_guidelines.guideline import Guideline, GuidelineTest, Judgement, Runs, Setting, Verdict
 from turgor_guidelines.values import at
 
-#: The neutral angle from the axis [deg], how near it must be found, and pressures [kPa].
+#: The neutral angle from the axis [deg], its tolerance, and pressures [kPa].
 NEUTRAL, NEAR, PRESSURES = 54.7356, 0.5, (6.25, 31.25, 62.5)
 
 #: Angles from the axis [deg]; distances between threads [mm], dense and so loose that the wall counts.
@@ -63,7 +63,7 @@ def judge(runs: Runs) -> Judgement:
     loose = ", ".join(f"{where['loose', p]:.2f} deg" if np.isfinite(where["loose", p]) else "none" for p in PRESSURES)
     return Judgement(
         verdict=verdict,
-        found=f"The length stays at {summary} from the axis, 2 mm between threads.",
+        finding=f"The length stays at {summary} from the axis, 2 mm between threads.",
         conditions=f"Angles count from the axis; from the circumference the neutral angle is {90 - NEUTRAL:.1f} "
         f"deg. It belongs to threads that do not stretch: with so few that they do (256 mm apart) it is {loose} at "
         "the same pressures.",

@@ -48,7 +48,7 @@ def judge(runs: Runs) -> Judgement:
     best = names[straight.index(max(straight))]
     return Judgement(
         verdict=verdict,
-        found=f"{', '.join(names)}: curvature {listed(bends)} at {PRESSURE:g} kPa; R² "
+        finding=f"{', '.join(names)}: curvature {listed(bends)} at {PRESSURE:g} kPa; R² "
         f"{', '.join(f'{each:.4f}' for each in straight)}; largest stretch {listed(stretched)}.",
         conditions=f"Beyond hoops {enough} a step of four in density adds less than {WORTH:.0%} to the curvature, "
         "since Kevlar hardly stretches; threads are smeared here, and the wall between them cannot bulge. "

@@ -55,7 +55,7 @@ def judge(runs: Runs) -> Judgement:
     others = [f"{name}: {value:.1%}" for name, value in share.items() if name not in ("single helix", "double, alike")]
     return Judgement(
         verdict=Verdict.CONFIRMED if share["double, alike"] < NOTHING else Verdict.NOT_REPRODUCED,
-        found=f"Twist at {PRESSURE:g} kPa: {summary}.",
+        finding=f"Twist at {PRESSURE:g} kPa: {summary}.",
         conditions=f"Both helices must be alike; what remains of the twist of a single one: {'; '.join(others)}. The "
         f"double wrap also extends less: stretch {last(runs['double, alike'].response, 'stretch')}, single "
         f"{last(runs['single helix'].response, 'stretch')}.",

@@ -35,8 +35,8 @@ def judge_tubes(runs: Runs) -> Judgement:
     behind = [f"{p:g}" for p, each in zip(TUBES, ahead, strict=True) if not each]
     return Judgement(
         verdict=verdict,
-        found=f"Extension without hoops and with {dense}: {text}. Volume for {EXTENSION / mm:g} mm: {share[0]:.1%} and "
-        f"{share[1]:.1%} of that at rest.",
+        finding=f"Extension without hoops and with {dense}: {text}. Volume for {EXTENSION / mm:g} mm: {share[0]:.1%} "
+        f"and {share[1]:.1%} of that at rest.",
         conditions=(
             "With hoops the tube is ahead at all pressures. "
             if not behind
@@ -69,8 +69,8 @@ def judge_benders(runs: Runs) -> Judgement:
     text = "; ".join(f"{p:g} kPa {a} and {b}" for p, (a, b) in zip(BENDERS, pairs, strict=True))
     return Judgement(
         verdict=Verdict.CONFIRMED if all(ahead) and grown[1] < grown[0] else Verdict.NOT_REPRODUCED,
-        found=f"Curvature without and with hoops: {text}. Volume for {bend:.3g} 1/m: {grown[0]:.1%} and {grown[1]:.1%} "
-        "more than at rest.",
+        finding=f"Curvature without and with hoops: {text}. Volume for {bend:.3g} 1/m: {grown[0]:.1%} and "
+        f"{grown[1]:.1%} more than at rest.",
         conditions=f"The factor falls from {pairs[1][1].number / pairs[1][0].number:.3g} at {BENDERS[1]:g} kPa to "
         f"{pairs[-1][1].number / pairs[-1][0].number:.3g} at {BENDERS[-1]:g} kPa: without hoops bending grows with the "
         "square of the pressure, with hoops less than in proportion to it.",

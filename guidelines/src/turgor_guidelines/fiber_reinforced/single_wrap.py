@@ -77,7 +77,7 @@ def judge(runs: Runs) -> Judgement:
         verdict = Verdict.NOT_REPRODUCED
     return Judgement(
         verdict=verdict,
-        found=f"{'; '.join(parts)}. Stretch with threads at {angles[-1]:g} deg: {listed(axial)}.",
+        finding=f"{'; '.join(parts)}. Stretch with threads at {angles[-1]:g} deg: {listed(axial)}.",
         conditions="Angles count from the circumference; from the axis the rule would be wrong in every part. The "
         f"angle of most twist goes from {most[0]:.1f} to {most[-1]:.1f} deg ({90 - most[0]:.1f} to "
         f"{90 - most[-1]:.1f} deg from the axis) while the pressure goes from {PRESSURES[0]:g} to {PRESSURES[-1]:g} "

@@ -22,7 +22,7 @@ def judge(runs: Runs) -> Judgement:
     verdict = Verdict.CONFIRMED if ordered and spared else Verdict.CONDITIONAL
     return Judgement(
         verdict=verdict if dense else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(runs)}: R² of a straight line up to {PRESSURE:g} kPa "
+        finding=f"{', '.join(runs)}: R² of a straight line up to {PRESSURE:g} kPa "
         f"{', '.join(f'{each:.4f}' for each in straight)}; stretch that 99 % of the rubber stay below at an extension "
         f"of {EXTENSION / mm:g} mm {', '.join(f'{each:.3f}' for each in stretched)}.",
         conditions="Durability is judged by the stretch of the rubber alone; friction of threads on rubber is not "

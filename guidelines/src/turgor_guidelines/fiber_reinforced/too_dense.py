@@ -81,14 +81,14 @@ def judge(runs: Runs) -> Judgement:
     if more > HIGHER and rises(pressures[least:]):
         first = next(name for name, each in zip(names, numbers, strict=True) if each > (1 + HIGHER) * numbers[least])
         verdict = Verdict.CONFIRMED
-        said = f"More than {HIGHER:.0%} above the least from {first} on, {more:.0%} at {names[-1]}."
+        summary = f"More than {HIGHER:.0%} above the least from {first} on, {more:.0%} at {names[-1]}."
     else:
         verdict = Verdict.NOT_REPRODUCED
-        said = f"The densest winding needs {more:+.2%} of the least pressure, found at {names[least]}."
+        summary = f"The densest winding needs {more:+.2%} of the least pressure, which has {names[least]}."
     return Judgement(
         verdict=verdict,
-        found=f"Distance between threads {', '.join(names)}: {listed(pressures)} for a stretch of {STRETCH:g}.",
-        conditions=f"{said} Threads that are free to part as the tube lengthens cost no pressure however dense they "
+        finding=f"Distance between threads {', '.join(names)}: {listed(pressures)} for a stretch of {STRETCH:g}.",
+        conditions=f"{summary} Threads that are free to part as the tube lengthens cost no pressure however dense they "
         "are; it is what binds them that stretches with the tube.",
     )
 

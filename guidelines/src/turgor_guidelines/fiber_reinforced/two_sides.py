@@ -101,7 +101,7 @@ def judge_difference(runs: Runs) -> Judgement:
     verdict = Verdict.CONDITIONAL if at_first else Verdict.NOT_REPRODUCED
     return Judgement(
         verdict=Verdict.CONFIRMED if throughout else verdict,
-        found=f"{'; '.join(parts)}. All at {PRESSURE:g} kPa.",
+        finding=f"{'; '.join(parts)}. All at {PRESSURE:g} kPa.",
         conditions="More difference bends further only up to a point: "
         + "; ".join(
             f"with {upper:g} deg above, bending is largest at {lower:g} deg below, the moment at "
@@ -124,9 +124,9 @@ def judge_named(runs: Runs) -> Judgement:
     verdict = Verdict.CONDITIONAL if partly else Verdict.NOT_REPRODUCED
     return Judgement(
         verdict=Verdict.CONFIRMED if place == 1 else verdict,
-        found=f"70/35 deg from the axis: curvature {named[NAMED]} at {PRESSURE:g} kPa, place {place} of {len(ranked)} "
-        f"pairs; most: {ranked[0]} with {last(runs[ranked[0]].response, 'curvature_y')}. Counted from the "
-        f"circumference the same pair is {other[0]:g}/{other[1]:g} deg from the axis"
+        finding=f"70/35 deg from the axis: curvature {named[NAMED]} at {PRESSURE:g} kPa, place {place} of "
+        f"{len(ranked)} pairs; most: {ranked[0]} with {last(runs[ranked[0]].response, 'curvature_y')}. Counted from "
+        f"the circumference the same pair is {other[0]:g}/{other[1]:g} deg from the axis"
         + (f", {named[other]}." if other in named else ", which was not computed."),
         conditions=f"With 70 deg above, {below:g} deg below bends most, and {moment:g} deg has the largest moment; "
         "hoops above (90 deg) bend further than 70 deg with every lower angle that was tried."

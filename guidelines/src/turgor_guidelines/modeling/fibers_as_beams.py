@@ -52,7 +52,7 @@ def judge(runs: Runs) -> Judgement:
     angles = [at(runs["all rods"].response, "bending_angle", "pressure", p * kPa) for p in PRESSURES]
     return Judgement(
         verdict=verdict,
-        found=f"angle against that with rods everywhere: {summary}; with rods {listed(angles)}",
+        finding=f"angle against that with rods everywhere: {summary}; with rods {listed(angles)}",
         conditions=f"For the hoops it matters {'at ' + ', '.join(where) if where else 'nowhere here'}, because they "
         f"are in "
         "tension elsewhere; the fabric along the base resists bending as rods and hardly as threads.",

@@ -52,8 +52,10 @@ def arm(rubber: str, pressure: float, slenderness: float, gravity: bool) -> Comp
     whole = SEGMENTS * length
     columns = [response.find("load_factor")]
     columns += [tg.experiments.Column(f"tip_{axis}", "", response[f"tip_displacement_{axis}"] / whole) for axis in "xz"]
-    kept = tg.Response(columns=tuple(columns), source=response.source, status=response.status, message=response.message)
-    return Computed(response=kept)
+    reduced = tg.Response(
+        columns=tuple(columns), source=response.source, status=response.status, message=response.message
+    )
+    return Computed(response=reduced)
 
 
 def runs(setting: Setting) -> tuple[Run, ...]:
@@ -90,7 +92,7 @@ def judge(runs: Runs) -> Judgement:
     )
     return Judgement(
         verdict=verdict,
-        found="distance between the tips with and without gravity over the length of the arm: "
+        finding="distance between the tips with and without gravity over the length of the arm: "
         + ", ".join(f"{name} {size:.0%}" for name, size in apart.items()),
         conditions=f"More than {COUNTS:.0%} for: {'; '.join(far)}. The sag grows with density times length cubed "
         f"over modulus "

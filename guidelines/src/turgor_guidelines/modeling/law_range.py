@@ -62,7 +62,7 @@ def accurate_until(response: tg.Response) -> float:
 
 def judge(runs: Runs) -> Judgement:
     """Ranges in which each law is accurate, against those that are claimed."""
-    holds, parts, seen = [], [], []
+    holds, parts, notes = [], [], []
     for rubber in RUBBERS:
         reach = {law: accurate_until(runs[f"{law}; {rubber}"].response) for law in CLAIMED}
         low, high = ("neo-hooke", "mooney-rivlin"), ("yeoh", "ogden-2")
@@ -72,11 +72,11 @@ def judge(runs: Runs) -> Judgement:
         short = [f"{law} reaches {reach[law]:.0%} only" for law in CLAIMED if reach[law] < CLAIMED[law]]
         longer = [f"{law} reaches {reach[law]:.0%}" for law in low if reach[law] > CLAIMED[law]]
         if short or longer:
-            seen.append(f"{rubber}: {', '.join([*short, *longer])}.")
+            notes.append(f"{rubber}: {', '.join([*short, *longer])}.")
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"strain up to which the stress is within {ACCURATE:.0%}: {'; '.join(parts)}",
-        conditions=" ".join(seen),
+        finding=f"strain up to which the stress is within {ACCURATE:.0%}: {'; '.join(parts)}",
+        conditions=" ".join(notes),
     )
 
 

@@ -82,7 +82,7 @@ def judge(runs: Runs) -> Judgement:
     sizes = ", ".join(f"{each:g}" for each in LAYERS)
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"Curvature at {PRESSURES[-1]} kPa against that with a solid layer, layers of {sizes} mm: "
+        finding=f"Curvature at {PRESSURES[-1]} kPa against that with a solid layer, layers of {sizes} mm: "
         f"{'; '.join(parts)}.",
         conditions=f"More than {SAME:.0%} apart: {', '.join(apart)}. A thick layer has its middle half a thickness "
         "below the face that carries the sheet."

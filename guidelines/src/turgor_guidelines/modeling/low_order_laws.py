@@ -62,17 +62,17 @@ def _moduli() -> float:
 
 def judge(runs: Runs) -> Judgement:
     """The free tube differs by more than what is tolerated, the others do not."""
-    found_here = _differences(runs)
+    differences = _differences(runs)
     holds = [
-        abs(size) > TOLERATED if name == "free tube" else abs(size) < TOLERATED for name, size in found_here.items()
+        abs(size) > TOLERATED if name == "free tube" else abs(size) < TOLERATED for name, size in differences.items()
     ]
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"neo-Hooke against Yeoh: pressure of the free tube whose inner wall is stretched {FREE:g} times "
-        f"{found_here['free tube']:+.1%}, of the wound tube stretched {WOUND:g} times "
-        f"{found_here['wound tube']:+.1%}; angle "
-        f"of the wound bender at 60 kPa {found_here['wound bender']:+.1%}, of the PneuNet at 14 kPa "
-        f"{found_here['PneuNet']:+.1%}",
+        finding=f"neo-Hooke against Yeoh: pressure of the free tube whose inner wall is stretched {FREE:g} times "
+        f"{differences['free tube']:+.1%}, of the wound tube stretched {WOUND:g} times "
+        f"{differences['wound tube']:+.1%}; angle "
+        f"of the wound bender at 60 kPa {differences['wound bender']:+.1%}, of the PneuNet at 14 kPa "
+        f"{differences['PneuNet']:+.1%}",
         conditions=f"The initial shear moduli of the two records are {_moduli():+.0%} apart; what is beyond that "
         f"comes from "
         "the order of the law.",

@@ -69,7 +69,7 @@ def judge_borrowed(runs: Runs) -> Judgement:
     far = all(abs(ratio - 1) > SUBSTANTIAL for ratio in ratios)
     return Judgement(
         verdict=Verdict.CONFIRMED if far else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(runs)}: {listed(angles)} at {PRESSURE} kPa; with the borrowed constants the angle is "
+        finding=f"{', '.join(runs)}: {listed(angles)} at {PRESSURE} kPa; with the borrowed constants the angle is "
         + " and ".join(f"{ratio:.2g}" for ratio in ratios)
         + " times that with constants of the rubber itself",
     )
@@ -83,7 +83,7 @@ def judge_published(runs: Runs) -> Judgement:
     spread = angles[high].number / angles[low].number - 1
     return Judgement(
         verdict=Verdict.CONFIRMED if spread > SUBSTANTIAL else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(runs)}: {listed(list(angles.values()))} at {PRESSURE} kPa; {high} bends {spread:.0%} "
+        finding=f"{', '.join(runs)}: {listed(list(angles.values()))} at {PRESSURE} kPa; {high} bends {spread:.0%} "
         f"further "
         f"than {low}",
         conditions=f"The rubber is stretched {stretch:.2f} times at most there. Records with borrowed constants, "

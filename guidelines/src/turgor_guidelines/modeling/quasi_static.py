@@ -91,8 +91,8 @@ def judge(runs: Runs) -> Judgement:
         verdict = Verdict.CONDITIONAL
     return Judgement(
         verdict=verdict,
-        found=f"Ramps of {', '.join(f'{each:g}' for each in RAMPS)} periods, largest difference from the static path: "
-        f"{summary}.",
+        finding=f"Ramps of {', '.join(f'{each:g}' for each in RAMPS)} periods, largest difference from the static "
+        f"path: {summary}.",
         conditions="The slow ramps follow the static path without damping, too." if alone else "",
     )
 

@@ -66,7 +66,7 @@ def judge(runs: Runs) -> Judgement:
     )
     return Judgement(
         verdict=verdict,
-        found=f"pressure that is needed more with a skin; {summary}",
+        finding=f"pressure that is needed more with a skin; {summary}",
         conditions=f"The shift follows the thickness of the skin against the wall; about 25 % needs "
         f"{' or '.join(near)}."
         if near

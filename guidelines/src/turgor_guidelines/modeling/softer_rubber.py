@@ -51,17 +51,17 @@ def _pressures(runs: Runs, fabric: str) -> tuple[float, list[Value]]:
 
 def judge(runs: Runs) -> Judgement:
     """Pressures for an angle rise with the hardness."""
-    parts, holds, seen = [], [], []
+    parts, holds, notes = [], [], []
     for fabric in FABRICS:
         angle, pressures = _pressures(runs, fabric)
         holds.append(rises(pressures))
         times = pressures[-1].number / pressures[0].number
         parts.append(f"{fabric}: {listed(pressures)} for {angle:.3g} deg")
-        seen.append(f"With a {fabric} the hardest needs {times:.2g} times the pressure of the softest.")
+        notes.append(f"With a {fabric} the hardest needs {times:.2g} times the pressure of the softest.")
         if not holds[-1]:
-            seen.append("The order is not that of the hardness there.")
+            notes.append("The order is not that of the hardness there.")
     return Judgement(
-        verdict=verdict_of(holds), found=f"{', '.join(RUBBERS)}: {'; '.join(parts)}", conditions=" ".join(seen)
+        verdict=verdict_of(holds), finding=f"{', '.join(RUBBERS)}: {'; '.join(parts)}", conditions=" ".join(notes)
     )
 
 

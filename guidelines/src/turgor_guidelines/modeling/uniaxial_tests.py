@@ -32,12 +32,12 @@ def predicted(truth: str, law: str, tests: str) -> Computed:
     """Pressure of a free tube with the law fitted to tests, or with the true law for ``law="truth"``."""
     material = rubber_of(truth)
     if law != "truth":
-        made = []
+        samples = []
         for mode in TESTS[tests]:
             stretch = np.linspace(1, UNTIL[mode], 31)[1:]
             stress = tg.laws.curve(law_of(material), mode, stretch).nominal_stress
-            made.append(tg.experiments.MaterialTest(mode=mode, stretch=stretch, nominal_stress=stress, name=mode))
-        material = tg.fit(law, made).material
+            samples.append(tg.experiments.MaterialTest(mode=mode, stretch=stretch, nominal_stress=stress, name=mode))
+        material = tg.fit(law, samples).material
     else:
         material = tg.Material(name="rubber", law=law_of(material))
     result = tg.formulas.thick_tube(
@@ -80,7 +80,7 @@ def judge(runs: Runs) -> Judgement:
     harmless = [name for name, size in alone.items() if abs(size) <= COUNTS]
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"error of the pressure of a free tube whose inner wall is stretched {AT:g} times: "
+        finding=f"error of the pressure of a free tube whose inner wall is stretched {AT:g} times: "
         + ", ".join(f"{name} {size:+.1%} (with equibiaxial tests {both[name]:+.1%})" for name, size in alone.items()),
         conditions=f"Within {COUNTS:.0%} with uniaxial tests alone: {', '.join(harmless)}." if harmless else "",
     )

@@ -42,7 +42,8 @@ def judge(runs: Runs) -> Judgement:
     gains = ", ".join(f"{change(values[-1], values[0]):+.0%} at {p} kPa" for p, values in forces.items())
     return Judgement(
         verdict=verdict_of(holds.values()),
-        found=f"height {', '.join(runs)}: " + "; ".join(f"{listed(values)} at {p} kPa" for p, values in forces.items()),
+        finding=f"height {', '.join(runs)}: "
+        + "; ".join(f"{listed(values)} at {p} kPa" for p, values in forces.items()),
         conditions=f"From the lowest to the highest the force changes by {gains}."
         + (f" It does not rise at every step at {', '.join(missed)}." if missed else ""),
     )

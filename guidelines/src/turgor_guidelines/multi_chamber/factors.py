@@ -75,11 +75,11 @@ def judge_corners(runs: Runs) -> Judgement:
     tables = analyses(runs, ORDER, PRESSURES)
     holds = [each.effect(name) < 0 for each in tables.values() for name in ORDER]
     holds += [each.ranking == ORDER for each in tables.values()]
-    seen = [f"At {pressure} kPa the order is {', '.join(each.ranking)}." for pressure, each in tables.items()]
+    notes = [f"At {pressure} kPa the order is {', '.join(each.ranking)}." for pressure, each in tables.items()]
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"shares of the sum of squares; {shares_text(tables)}",
-        conditions=" ".join(seen),
+        finding=f"shares of the sum of squares; {shares_text(tables)}",
+        conditions=" ".join(notes),
     )
 
 
@@ -103,7 +103,7 @@ def _effects(runs: Runs, pressure: float) -> dict[str, float]:
 def judge(runs: Runs) -> Judgement:
     """Signs, and the order of the sizes, before walls touch and after."""
     largest = max(float(name.split(" x ")[1]) for name in runs if " x " in name)
-    holds, parts, seen = [], [], []
+    holds, parts, notes = [], [], []
     for pressure in PRESSURES:
         effects = {
             name.split(" x ")[0]: size for name, size in _effects(runs, pressure).items() if f"x {largest:g}" in name
@@ -113,13 +113,15 @@ def judge(runs: Runs) -> Judgement:
         parts.append(f"{pressure} kPa: " + ", ".join(f"{name} {size:+.1%}" for name, size in effects.items()))
         order = sorted(ORDER, key=lambda name: -abs(effects[name]))
         signs = [f"a larger {name} bends further" for name in ORDER if effects[name] >= 0]
-        seen.append(f"At {pressure} kPa the order is {', '.join(order)}" + "".join(f", and {each}" for each in signs))
-        seen[-1] += f"; where the chambers keep their length, thicker walls change the angle by {effects[LONGER]:+.1%}."
+        notes.append(f"At {pressure} kPa the order is {', '.join(order)}" + "".join(f", and {each}" for each in signs))
+        notes[-1] += (
+            f"; where the chambers keep their length, thicker walls change the angle by {effects[LONGER]:+.1%}."
+        )
     angles = listed(list(_angles(runs, PRESSURES[-1]).values()))
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"change of the angle with dimensions {largest:g} times as large; {'; '.join(parts)}. Angles: {angles}",
-        conditions=" ".join(seen),
+        finding=f"change of the angle with dimensions {largest:g} times as large; {'; '.join(parts)}. Angles: {angles}",
+        conditions=" ".join(notes),
     )
 
 

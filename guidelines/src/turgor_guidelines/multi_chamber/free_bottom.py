@@ -65,7 +65,9 @@ def judge(runs: Runs) -> Judgement:
     if fewer:
         conditions += f" There is a loss here: {', '.join(fewer)}."
     return Judgement(
-        verdict=verdict_of(more) if not all(more) else verdict_of([True, *inside]), found=summary, conditions=conditions
+        verdict=verdict_of(more) if not all(more) else verdict_of([True, *inside]),
+        finding=summary,
+        conditions=conditions,
     )
 
 

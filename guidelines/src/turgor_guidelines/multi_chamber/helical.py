@@ -59,7 +59,7 @@ def judge(runs: Runs) -> Judgement:
     missed = [name for name, confirmed in holds.items() if not confirmed]
     return Judgement(
         verdict=verdict_of(holds.values()),
-        found=f"chambers at {', '.join(name for name in runs if 'pushing' not in name)}: bending {listed(angle)} "
+        finding=f"chambers at {', '.join(name for name in runs if 'pushing' not in name)}: bending {listed(angle)} "
         f"and twist "
         f"{listed(twist)} at {PRESSURE} kPa; force at {PUSH} kPa, first and last, {listed(forces)}",
         conditions=f"Not seen here: {', '.join(missed)}." if missed else "",
@@ -79,7 +79,7 @@ def judge_longer(runs: Runs) -> Judgement:
         )
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"{', '.join(runs)} at {PRESSURE} kPa: {'; '.join(parts)}",
+        finding=f"{', '.join(runs)} at {PRESSURE} kPa: {'; '.join(parts)}",
         conditions="" if all(holds) else "Ends of the actuator still matter with so few chambers.",
     )
 

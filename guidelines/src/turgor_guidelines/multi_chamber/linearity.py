@@ -39,7 +39,7 @@ def judge(runs: Runs) -> Judgement:
         verdict=verdict_of(
             [fast > void, slow > void, bulges[0].number < bulges[2].number, bulges[1].number < bulges[2].number]
         ),
-        found=f"R² of a straight line up to {angle:.3g} deg: {fits}; sides bulge by {listed(bulges)} there, in this "
+        finding=f"R² of a straight line up to {angle:.3g} deg: {fits}; sides bulge by {listed(bulges)} there, in this "
         f"order",
         conditions=_conditions(straight, [each.number for each in bulges]),
     )

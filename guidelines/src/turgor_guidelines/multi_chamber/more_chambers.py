@@ -37,7 +37,7 @@ def judge(runs: Runs) -> Judgement:
     straighter = all(b > a - SAME for a, b in pairwise(straight))
     return Judgement(
         verdict=verdict_of([True, straighter]) if rises(angles) else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(runs)}: {listed(angles)} at {PRESSURE / kPa:g} kPa; R² of a straight line "
+        finding=f"{', '.join(runs)}: {listed(angles)} at {PRESSURE / kPa:g} kPa; R² of a straight line "
         + ", ".join(f"{each:.4f}" for each in straight),
         conditions=""
         if straighter

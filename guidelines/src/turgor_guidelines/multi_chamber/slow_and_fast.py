@@ -96,7 +96,7 @@ def judge(runs: Runs) -> Judgement:
     far = [name for name, close in near.items() if not close]
     return Judgement(
         verdict=verdict_of(more) if not all(more) else verdict_of([True, *near.values()]),
-        found=f"ratios at {angle:.3g} deg, of the force at {PUSH} kPa: {summary}",
+        finding=f"ratios at {angle:.3g} deg, of the force at {PUSH} kPa: {summary}",
         conditions=f"Not by the published factor here: {', '.join(far)}." if far else "",
     )
 
@@ -122,7 +122,7 @@ def judge_varied(runs: Runs) -> Judgement:
     strongest = spread[0]
     return Judgement(
         verdict=Verdict.CONDITIONAL if near else Verdict.NOT_REPRODUCED,
-        found=f"slow over fast pressure at {_angle(runs):.3g} deg: "
+        finding=f"slow over fast pressure at {_angle(runs):.3g} deg: "
         + ", ".join(f"{name} {ratio:.2g}" for name, ratio in ratios.items()),
         conditions=f"Most decides: {strongest} (from {rest:.2g} to {ratios[strongest]:.2g}), then {spread[1]} (to "
         f"{ratios[spread[1]]:.2g}). "

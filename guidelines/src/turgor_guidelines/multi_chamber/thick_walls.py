@@ -43,7 +43,7 @@ def judge(runs: Runs) -> Judgement:
     missed = [name for name, confirmed in holds.items() if not confirmed]
     return Judgement(
         verdict=verdict_of(holds.values()),
-        found=f"walls of {', '.join(f'{wall:g}' for wall in walls)} mm: {text}; force at {PUSH} kPa {listed(forces)}",
+        finding=f"walls of {', '.join(f'{wall:g}' for wall in walls)} mm: {text}; force at {PUSH} kPa {listed(forces)}",
         conditions=f"Does not fall by more than the mesh error: {', '.join(missed)}." if missed else "",
     )
 

@@ -91,7 +91,7 @@ def _judged(runs: Runs, better: str, order: object) -> Judgement:
     missed = [name for name, confirmed in holds.items() if not confirmed]
     return Judgement(
         verdict=verdict_of(holds.values()),
-        found=f"{'; '.join(runs)}: at {angle:.3g} deg {listed(values['pressure'])}, air "
+        finding=f"{'; '.join(runs)}: at {angle:.3g} deg {listed(values['pressure'])}, air "
         f"{listed(values['cavity_volume'])}, "
         f"their product {listed(work)}, bulge of the sides {listed(values['bulge'])}",
         conditions=f"{better} does not reduce {' and '.join(missed)} by more than the mesh error." if missed else "",

@@ -25,7 +25,7 @@ def _ballooning(runs: Runs, pressure: float) -> dict[str, Value]:
 
 def judge(runs: Runs) -> Judgement:
     """Which shape bends most and which balloons least, at equal pressure and at equal angle."""
-    holds, parts, seen = [], [], []
+    holds, parts, notes = [], [], []
     for pressure in PRESSURES:
         angles, wide = read(runs, "bending_angle", pressure), _ballooning(runs, pressure)
         most = max(angles, key=lambda name: angles[name].number)
@@ -33,10 +33,10 @@ def judge(runs: Runs) -> Judgement:
         least_each = min(wide, key=lambda name: wide[name].number / angles[name].number)
         holds += [most == "ring sector", least.startswith("half"), least_each.startswith("half")]
         parts += [f"at {pressure} kPa " + "; ".join(f"{n} {angles[n]}, {wide[n]} wider" for n in angles)]
-        seen += [
+        notes += [
             f"At {pressure} kPa {most} bends most, {least} balloons least, and least for the same angle: {least_each}."
         ]
-    return Judgement(verdict=verdict_of(holds), found=", ".join(parts), conditions=" ".join(seen))
+    return Judgement(verdict=verdict_of(holds), finding=", ".join(parts), conditions=" ".join(notes))
 
 
 def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:

@@ -17,7 +17,7 @@ PRESSURES = (0.5, 1.5)
 #: Walls and inner radii [mm] of single bellows, and their pressure [kPa].
 WALLS, RADII, SINGLE = (1.0, 1.25, 1.5), (6.0, 8.0, 10.0), 0.5
 
-#: Height of a fold [mm], kept where the inner radius changes.
+#: Height of a fold [mm], fixed where the inner radius changes.
 FOLD = 6.0
 
 
@@ -93,7 +93,7 @@ def judge_kinds(runs: Runs) -> Judgement:
         parts.append(f"{listed([free, ribbed])} at {pressure:g} kPa ({change(ribbed, free):+.1%})")
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"Without and with ribs: {'; '.join(parts)}",
+        finding=f"Without and with ribs: {'; '.join(parts)}",
         conditions="The rule does not say what constrains them. Here it is a rib that ties the three together in the "
         "middle." + ("" if apart else " Both differ by less than their mesh errors."),
     )
@@ -110,7 +110,7 @@ def judge_dimensions(runs: Runs) -> Judgement:
         thin, wide = ([values[name] for name, _, _ in part] for part in (_shapes()[:3], _shapes()[3:]))
         holds += [falls(thin), rises(wide)]
         parts.append(f"{what}, walls {listed(thin)}, inner radii {listed(wide)}")
-    return Judgement(verdict=verdict_of(holds), found=f"At {SINGLE:g} kPa: {'; '.join(parts)}")
+    return Judgement(verdict=verdict_of(holds), finding=f"At {SINGLE:g} kPa: {'; '.join(parts)}")
 
 
 def panels_kinds(runs: Runs) -> tuple[tg.pictures.Panel, ...]:

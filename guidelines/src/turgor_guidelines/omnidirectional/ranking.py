@@ -67,11 +67,11 @@ def judge_corners(runs: Runs) -> Judgement:
     tables = analyses(runs, list(SIGNS), PRESSURES)
     holds = [each.effect(name) * sign > 0 for each in tables.values() for name, sign in SIGNS.items()]
     holds += [each.ranking == tuple(SIGNS) for each in tables.values()]
-    seen = [f"At {pressure} kPa the order is {', '.join(each.ranking)}." for pressure, each in tables.items()]
+    notes = [f"At {pressure} kPa the order is {', '.join(each.ranking)}." for pressure, each in tables.items()]
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"shares of the sum of squares; {shares_text(tables)}",
-        conditions=" ".join(seen),
+        finding=f"shares of the sum of squares; {shares_text(tables)}",
+        conditions=" ".join(notes),
     )
 
 
@@ -94,20 +94,20 @@ def _sensitivities(runs: Runs, pressure: float) -> dict[str, Value]:
 
 def judge(runs: Runs) -> Judgement:
     """Signs and order at both pressures."""
-    holds, parts, seen = [], [], []
+    holds, parts, notes = [], [], []
     for pressure in PRESSURES:
         values = _sensitivities(runs, pressure)
         order = sorted(SIGNS, key=lambda name: -abs(values[name].number))
         holds += [values[name].number * sign > 0 for name, sign in SIGNS.items()] + [order == list(SIGNS)]
         parts.append(f"at {pressure} kPa " + ", ".join(f"{name} {value}" for name, value in values.items()))
-        seen.append(f"At {pressure} kPa the order is {', '.join(order)}.")
+        notes.append(f"At {pressure} kPa the order is {', '.join(order)}.")
         wrong = [name for name, sign in SIGNS.items() if values[name].number * sign <= 0]
-        seen += [f"Against the rule, more {name} has the other sign." for name in wrong]
+        notes += [f"Against the rule, more {name} has the other sign." for name in wrong]
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"d ln(angle) / d ln(parameter): {'; '.join(parts)}. Angles of the reference: "
+        finding=f"d ln(angle) / d ln(parameter): {'; '.join(parts)}. Angles of the reference: "
         + listed([angle_at(runs["reference"].response, pressure) for pressure in PRESSURES]),
-        conditions=" ".join(seen),
+        conditions=" ".join(notes),
     )
 
 

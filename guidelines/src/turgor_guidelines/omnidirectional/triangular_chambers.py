@@ -20,7 +20,7 @@ def runs(setting: Setting) -> tuple[Run, ...]:
 
 def judge(runs: Runs) -> Judgement:
     """Both ways round, at both pressures."""
-    holds, parts, seen = [], [], []
+    holds, parts, notes = [], [], []
     for pressure in PRESSURES:
         angles = read(runs, "bending_angle", pressure)
         rest = angles["circular"]
@@ -28,11 +28,11 @@ def judge(runs: Runs) -> Judgement:
         for name in NAMES[1:]:
             more = change(angles[name], rest)
             holds.append(more > 0 and differs(angles[name], rest))
-            seen.append(f"{name} {more:+.0%} at {pressure} kPa")
+            notes.append(f"{name} {more:+.0%} at {pressure} kPa")
     return Judgement(
         verdict=verdict_of(holds),
-        found=f"{'; '.join(runs)}: {'; '.join(parts)}",
-        conditions=f"At equal area and equal wall, against round chambers: {', '.join(seen)}.",
+        finding=f"{'; '.join(runs)}: {'; '.join(parts)}",
+        conditions=f"At equal area and equal wall, against round chambers: {', '.join(notes)}.",
     )
 
 

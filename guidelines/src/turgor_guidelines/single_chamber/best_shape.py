@@ -50,7 +50,7 @@ def judge_bending(runs: Runs) -> Judgement:
     verdict = Verdict.CONFIRMED if len(right) == len(ways) else Verdict.CONDITIONAL
     return Judgement(
         verdict=verdict if right else Verdict.NOT_REPRODUCED,
-        found=f"Curvature at {PRESSURE:g} kPa: "
+        finding=f"Curvature at {PRESSURE:g} kPa: "
         + "; ".join(f"{way}: {_summary(values)}" for way, values in ways.items())
         + ".",
         conditions="; ".join(
@@ -77,7 +77,7 @@ def judge_extension(runs: Runs) -> Judgement:
     verdict = Verdict.CONFIRMED if len(right) == len(ways) else Verdict.CONDITIONAL
     return Judgement(
         verdict=verdict if right or among else Verdict.NOT_REPRODUCED,
-        found=f"Stretch at {PRESSURE:g} kPa: "
+        finding=f"Stretch at {PRESSURE:g} kPa: "
         + "; ".join(f"{way}: {_summary(values)}" for way, values in ways.items())
         + ".",
         conditions="; ".join(

@@ -106,7 +106,7 @@ def _judge(runs: Runs, ways: dict[str, tuple[list[float], list[Value]]]) -> Judg
     summary = "; ".join(f"{way}: {listed(values)}" for way, (_, values) in ways.items())
     return Judgement(
         verdict=verdict if any(inside.values()) else Verdict.NOT_REPRODUCED,
-        found=f"Curvature at {PRESSURE:g} kPa for ratios {', '.join(f'{each:g}' for each in ratios)}: {summary}.",
+        finding=f"Curvature at {PRESSURE:g} kPa for ratios {', '.join(f'{each:g}' for each in ratios)}: {summary}.",
         conditions="; ".join(f"{way}: {_summary(*each)}" for way, each in ways.items())
         + f". In hoops, ratios of {NAMED[0]:g} and {NAMED[1]:g} give {share[0]:.0%} and {share[1]:.0%} of the largest "
         "curvature seen.",
@@ -114,14 +114,14 @@ def _judge(runs: Runs, ways: dict[str, tuple[list[float], list[Value]]]) -> Judg
 
 
 def judge_stiffness(runs: Runs) -> Judgement:
-    """With the softer part kept, and with the mean kept."""
-    kept = {around: bends(runs, around) for around in (BARE, HOOPED)}
+    """Judge curvatures at a fixed softer part, and at a fixed mean stiffness."""
+    softest = {around: bends(runs, around) for around in (BARE, HOOPED)}
     means = {f"{around}, mean stiffness kept": bends(runs, around, mean=True) for around in (BARE, HOOPED)}
-    return _judge(runs, kept | means)
+    return _judge(runs, softest | means)
 
 
 def judge_thickness(runs: Runs) -> Judgement:
-    """With the sum of both walls kept."""
+    """Judge curvatures at a fixed sum of both walls."""
     return _judge(runs, {around: bends(runs, around) for around in (BARE, HOOPED)})
 
 

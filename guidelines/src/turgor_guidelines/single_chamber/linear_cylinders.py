@@ -38,7 +38,7 @@ def judge(runs: Runs) -> Judgement:
     verdict = Verdict.CONFIRMED if all(good) else Verdict.CONDITIONAL
     return Judgement(
         verdict=verdict if any(good) else Verdict.NOT_REPRODUCED,
-        found=f"R² up to {PRESSURE:g} kPa, and largest stretch of the rubber at a stretch of {STRETCH:g}: "
+        finding=f"R² up to {PRESSURE:g} kPa, and largest stretch of the rubber at a stretch of {STRETCH:g}: "
         + "; ".join(f"{name} {lines[name]:.5f}, {wear[name]:.3f}" for name in runs)
         + ".",
         conditions="; ".join(parts)

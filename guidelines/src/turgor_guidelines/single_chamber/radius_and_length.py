@@ -56,7 +56,7 @@ def judge_radius(runs: Runs) -> Judgement:
     verdict = Verdict.CONFIRMED if len(right) == len(good) else Verdict.CONDITIONAL
     return Judgement(
         verdict=verdict if right else Verdict.NOT_REPRODUCED,
-        found=f"Curvature at {SECTION_PRESSURE:g} kPa for radii of {', '.join(f'{each:g}' for each in RADII)} mm: "
+        finding=f"Curvature at {SECTION_PRESSURE:g} kPa for radii of {', '.join(f'{each:g}' for each in RADII)} mm: "
         + "; ".join(texts)
         + ".",
         conditions=f"The curvature rises with the radius with {' and '.join(right) or 'none of them'}. From "
@@ -113,7 +113,7 @@ def judge_length(runs: Runs) -> Judgement:
     each_mm = [angle.number / length for angle, length in zip(angles, LENGTHS, strict=True)]
     return Judgement(
         verdict=Verdict.CONFIRMED if rises(angles) else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(runs)}: bending angle {listed(angles)} at {WHOLE_PRESSURE:g} kPa.",
+        finding=f"{', '.join(runs)}: bending angle {listed(angles)} at {WHOLE_PRESSURE:g} kPa.",
         conditions=f"The angle grows {'faster' if each_mm[-1] > each_mm[0] else 'more slowly'} than the length: "
         f"{', '.join(f'{each:.3f}' for each in each_mm)} deg for each mm. The ends bend less than the middle, and the "
         "stiff fabric carries that far: see the section of V21 in the verification.",

@@ -89,7 +89,7 @@ def judge_stress(runs: Runs) -> Judgement:
     verdict = Verdict.CONFIRMED if less and at_pressure else Verdict.CONDITIONAL if less or at_pressure else None
     return Judgement(
         verdict=verdict if further and verdict else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(runs)}: extension {listed(moves)} and von Mises stress (99 % of the volume) "
+        finding=f"{', '.join(runs)}: extension {listed(moves)} and von Mises stress (99 % of the volume) "
         f"{listed(pressed)} at {PRESSURE:g} kPa; stress {listed(equal)} at an extension of {EXTENSION / mm:g} mm.",
         conditions=f"At equal extension the softest has {equal[0].number / equal[-1].number:.0%} of the stress of the "
         f"hardest; at equal pressure it has {pressed[0].number / pressed[-1].number:.0%}: "
@@ -115,7 +115,7 @@ def judge_force(runs: Runs) -> Judgement:
     numbers = [1e3 * each.number for each in moments]
     return Judgement(
         verdict=Verdict.CONFIRMED if further and weaker else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(runs)}: curvature {listed(bends)} and moment that holds it straight "
+        finding=f"{', '.join(runs)}: curvature {listed(bends)} and moment that holds it straight "
         f"{', '.join(f'{each:.3g}' for each in numbers)} mNm at {PRESSURE:g} kPa; the rubber reaches a stretch of "
         f"{USABLE:g} at {listed(usable)}, where the moment is {listed(most)}.",
         conditions=f"The lower force is one of the pressure that the rubber bears, which differs by "

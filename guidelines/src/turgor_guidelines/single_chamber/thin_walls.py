@@ -12,7 +12,7 @@ from turgor_guidelines.values import at, last, listed, rises
 #: Outer radius of the tubes and their walls [mm]; pressures of tubes and benders [kPa].
 OUTER, TUBES, TUBE_PRESSURE, BENDER_PRESSURE = 8.35, (3.0, 2.5, 2.0, 1.5, 1.0), 50.0, 20.0
 
-#: Walls of the benders [mm], and how they are made thinner.
+#: Walls of the benders [mm], and what stays when they get thinner.
 WALLS, VOID, OUTSIDE = (3.0, 2.0, 1.5), "void kept", "outside kept"
 
 
@@ -41,7 +41,7 @@ def judge_tubes(runs: Runs) -> Judgement:
     lengths = [at(each.response, "tip_displacement_x", "pressure", TUBE_PRESSURE * kPa) for each in runs.values()]
     return Judgement(
         verdict=Verdict.CONFIRMED if rises(lengths) else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(runs)}: extension {listed(lengths)} at {TUBE_PRESSURE:g} kPa.",
+        finding=f"{', '.join(runs)}: extension {listed(lengths)} at {TUBE_PRESSURE:g} kPa.",
         conditions=f"The extension grows {lengths[-1].number / lengths[0].number:.1f} times while the wall becomes "
         f"{TUBES[0] / TUBES[-1]:g} times thinner: the outside stays, so that the pressure also acts on a larger area.",
     )
@@ -63,13 +63,13 @@ def tube_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
 
 
 def bender_runs(setting: Setting) -> tuple[Run, ...]:
-    """Benders, bare and in hoops, made thinner from outside or from inside."""
+    """Benders, bare and in hoops, thinner from outside or from inside."""
     return tuple(
         Run(
-            name=f"{around}, {kept}, wall {wall:g} mm",
+            name=f"{around}, {fixed}, wall {wall:g} mm",
             function=bend,
             values={
-                "radius": 8.0 if kept == VOID else 10.0 - wall,
+                "radius": 8.0 if fixed == VOID else 10.0 - wall,
                 "wall": wall,
                 "base": 2.0,
                 "hooped": around == HOOPED,
@@ -78,7 +78,7 @@ def bender_runs(setting: Setting) -> tuple[Run, ...]:
             },
         )
         for around in (BARE, HOOPED)
-        for kept in (VOID, OUTSIDE)
+        for fixed in (VOID, OUTSIDE)
         for wall in WALLS
     )
 
@@ -102,7 +102,7 @@ def judge_benders(runs: Runs) -> Judgement:
     bad = [group for group, each in good.items() if not each]
     return Judgement(
         verdict=verdict if any(good.values()) else Verdict.NOT_REPRODUCED,
-        found=f"Curvature at {BENDER_PRESSURE:g} kPa with walls of {', '.join(f'{each:g}' for each in WALLS)} mm: "
+        finding=f"Curvature at {BENDER_PRESSURE:g} kPa with walls of {', '.join(f'{each:g}' for each in WALLS)} mm: "
         + "; ".join(parts)
         + ".",
         conditions=f"It does not hold with {' and '.join(bad)}."
@@ -124,9 +124,11 @@ def bender_panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
                 label=group,
             )
         )
-    kept = [name for name in runs if VOID in name]
+    names = [name for name in runs if VOID in name]
     return (
-        tg.pictures.Panel(x="pressure", y="curvature_y", responses=tuple((name, runs[name].response) for name in kept)),
+        tg.pictures.Panel(
+            x="pressure", y="curvature_y", responses=tuple((name, runs[name].response) for name in names)
+        ),
         tg.pictures.Panel(x="wall [mm]", y=f"curvature at {BENDER_PRESSURE:g} kPa [1/m]", lines=lines),
     )
 

@@ -60,7 +60,7 @@ def judge(runs: Runs) -> Judgement:
     largest = max((abs(each.response["curvature_y"]).max() for each in runs.values()), default=0.0)
     return Judgement(
         verdict=Verdict.NOT_REPRODUCED if not both else Verdict.CONDITIONAL if never else Verdict.CONFIRMED,
-        found="; ".join(
+        finding="; ".join(
             f"{name}: {back[name]} to the round side, straight again at {turn[name]:.1f} kPa" for name in both
         )
         + (f". Only to the flat side: {', '.join(never)}." if never else "."),

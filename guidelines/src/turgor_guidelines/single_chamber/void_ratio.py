@@ -14,7 +14,7 @@ from turgor_guidelines.single_chamber.half_round import BARE, HOOPED
 #: Widths of the void [mm]; its height, walls all around [mm]; last pressure [kPa].
 WIDTHS, HEIGHT, WALL, PRESSURE = (5.0, 7.0, 8.5, 10.0, 12.0, 16.0, 25.0), 8.0, 2.0, 24.0
 
-#: Length where it is kept [mm], plan area where that is kept [mm²]: both have ten times the width at 10 mm.
+#: Fixed length [mm] and fixed plan area [mm²]: both have ten times the width at 10 mm.
 LENGTH, AREA = 100.0, 1000.0
 
 #: Pressure at which forces are compared [kPa], stretch of the rubber at which they are, ratios that the rule names.
@@ -61,7 +61,7 @@ def runs(setting: Setting) -> tuple[Run, ...]:
 
 
 def forces(runs: Runs, around: str, drive: str, where: float) -> dict[str, tuple[list[float], list[float]]]:
-    """Ratios of length to width, and forces of the tip [N], with the length kept and with the area kept.
+    """Ratios of length to width, and forces of the tip [N], at a fixed length and at a fixed area.
 
     A beam that is fixed at one end and whose other end is fixed across, free to turn, pushes with 1.5 times the moment
     over its length.
@@ -72,23 +72,23 @@ def forces(runs: Runs, around: str, drive: str, where: float) -> dict[str, tuple
         for width, each in chosen.items()
     }
     out = {}
-    for kept, length in (("length", lambda width: LENGTH), ("plan area", lambda width: AREA / width)):
+    for fixed, length in (("length", lambda width: LENGTH), ("plan area", lambda width: AREA / width)):
         known = {width: moment for width, moment in moments.items() if np.isfinite(moment)}
         ratios = [length(width) / width for width in known]
-        out[kept] = ratios, [1.5 * moment / (length(width) * mm) for width, moment in known.items()]
+        out[fixed] = ratios, [1.5 * moment / (length(width) * mm) for width, moment in known.items()]
     return out
 
 
 def ways(runs: Runs) -> dict[str, tuple[list[float], list[float]]]:
-    """Ratios and forces in each of eight ways to ask."""
+    """Return ratios and forces for each of eight readings of the rule."""
     return {
-        f"{around}, {kept} kept, equal {drive}": values
+        f"{around}, {fixed} kept, equal {drive}": values
         for around in (BARE, HOOPED)
         for drive, column, where in (
             ("pressure", "pressure", EQUAL * kPa),
             ("stretch of the rubber", "largest_stretch", STRETCH),
         )
-        for kept, values in forces(runs, around, column, where).items()
+        for fixed, values in forces(runs, around, column, where).items()
     }
 
 
@@ -107,7 +107,7 @@ def judge(runs: Runs) -> Judgement:
     ]
     return Judgement(
         verdict=verdict,
-        found=f"Largest force, and the ratio of length to width: {'; '.join(parts)}. Mesh errors are at most "
+        finding=f"Largest force, and the ratio of length to width: {'; '.join(parts)}. Mesh errors are at most "
         f"{max(errors):.1%} of the force at {PRESSURE:g} kPa.",
         conditions=f"{sum(inside)} of {len(inside)} ways to ask have their best ratio between {NAMED[0]:g} and "
         f"{NAMED[1]:g}. What is kept decides: the rule does not say whether length, area or volume is, nor whether the "

@@ -89,7 +89,7 @@ def judge(runs: Runs) -> Judgement:
     verdict = Verdict.CONFIRMED if not wrong else Verdict.CONDITIONAL if holds else Verdict.NOT_REPRODUCED
     return Judgement(
         verdict=verdict,
-        found=f"Pressure for a stretch of {STRETCH:g}: "
+        finding=f"Pressure for a stretch of {STRETCH:g}: "
         + "; ".join(f"{name} {pressures[name]}" for name in names)
         + f". {len(pairs) - len(wrong)} of {len(pairs)} pairs of records stand in the order of their hardness.",
         conditions=f"Rubbers whose constants come from one group ({len(table)} records of Polygerinos et al.) "

@@ -22,9 +22,9 @@ OUTER, PLACE, WALL = 12.5, 6.5, 1.5
 CENTERS, THINNEST = "axes kept", "wall kept"
 
 
-def bend(diameter: float, kept: str, size: float) -> Computed:
+def bend(diameter: float, fixed: str, size: float) -> Computed:
     """Bend a cylinder with three round chambers of a diameter [mm], one of them under pressure."""
-    wall = OUTER - PLACE - diameter / 2 if kept == CENTERS else WALL
+    wall = OUTER - PLACE - diameter / 2 if fixed == CENTERS else WALL
     shape = tg.actuators.OmnidirectionalActuator(
         outer_radius=OUTER * mm, chamber_size=diameter * mm, wall=wall * mm, symmetric=True
     )
@@ -37,15 +37,15 @@ def bend(diameter: float, kept: str, size: float) -> Computed:
 
 
 def runs(setting: Setting) -> tuple[Run, ...]:
-    """Five diameters, the axes of the chambers kept or the wall outside them."""
+    """Five diameters, at fixed axes of the chambers or at a fixed wall outside them."""
     size = 2.0 if setting == "quick" else 1.0
     return tuple(
         Run(
-            name=f"{kept}, {3 * pi * diameter**2 / 4:.0f} mm2",
+            name=f"{fixed}, {3 * pi * diameter**2 / 4:.0f} mm2",
             function=bend,
-            values={"diameter": diameter, "kept": kept, "size": size},
+            values={"diameter": diameter, "fixed": fixed, "size": size},
         )
-        for kept in (CENTERS, THINNEST)
+        for fixed in (CENTERS, THINNEST)
         for diameter in DIAMETERS
     )
 
@@ -60,10 +60,10 @@ def _groups(runs: Runs) -> dict[str, list[str]]:
 def judge(runs: Runs) -> Judgement:
     """Whether the curvature rises with the area."""
     parts, good = [], []
-    for kept, names in _groups(runs).items():
+    for fixed, names in _groups(runs).items():
         bends = [last(runs[name].response, "curvature") for name in names]
         good.append(rises(bends))
-        parts.append(f"{kept}, void of {', '.join(name.split()[-2] for name in names)} mm²: {listed(bends)}")
+        parts.append(f"{fixed}, void of {', '.join(name.split()[-2] for name in names)} mm²: {listed(bends)}")
     verdict = Verdict.CONFIRMED if all(good) else Verdict.CONDITIONAL if any(good) else Verdict.NOT_REPRODUCED
     first, second = (
         last(runs[names[-1]].response, "curvature").number / last(runs[names[0]].response, "curvature").number
@@ -71,7 +71,7 @@ def judge(runs: Runs) -> Judgement:
     )
     return Judgement(
         verdict=verdict,
-        found=f"Curvature at {PRESSURE:g} kPa in one of three chambers: {'; '.join(parts)}.",
+        finding=f"Curvature at {PRESSURE:g} kPa in one of three chambers: {'; '.join(parts)}.",
         conditions=f"A void {(DIAMETERS[-1] / DIAMETERS[0]) ** 2:.1f} times as large bends {second:.3g} times as "
         f"far where the wall of {WALL:g} mm outside it stays, and {first:.3g} times where the chambers' axes stay "
         "and this wall becomes thinner: a larger void mostly means a thinner wall, and both add up.",
@@ -81,11 +81,11 @@ def judge(runs: Runs) -> Judgement:
 def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
     """Curvature against pressure, and against the area."""
     lines = []
-    for kept, names in _groups(runs).items():
+    for fixed, names in _groups(runs).items():
         bends = [last(runs[name].response, "curvature") for name in names]
         error = [each.error for each in bends]
         area = [float(name.split()[-2]) for name in names]
-        lines.append(tg.pictures.Line(x=area, y=[each.number for each in bends], error=error, label=kept))
+        lines.append(tg.pictures.Line(x=area, y=[each.number for each in bends], error=error, label=fixed))
     curves = [
         tg.pictures.Line(
             x=np.linspace(0, PRESSURE, len(runs[name].response)), y=runs[name].response["curvature"], label=name

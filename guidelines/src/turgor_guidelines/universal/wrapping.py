@@ -22,7 +22,7 @@ def judge_density(runs: Runs) -> Judgement:
     high = [each > HIGH for each in ratio.values()]
     return Judgement(
         verdict=Verdict.CONFIRMED if all(high) else Verdict.CONDITIONAL if any(high) else Verdict.NOT_REPRODUCED,
-        found="From no hoops to one every 2 mm the extension changes "
+        finding="From no hoops to one every 2 mm the extension changes "
         + ", ".join(f"{each:.2f} times at {pressure:g} kPa" for pressure, each in ratio.items())
         + f", the injected volume {max(volumes) / min(volumes):.2f} times at {density.PRESSURE:g} kPa.",
         conditions="The impact on the stroke is largest at small pressure; near the limit point the bare tube "
@@ -42,7 +42,7 @@ def judge_angle(runs: Runs) -> Judgement:
     high = max(abs(each) for each in twist) > 0 and top / max(min(stretch) - 1, 1e-12) > HIGH
     return Judgement(
         verdict=Verdict.CONFIRMED if high else Verdict.NOT_REPRODUCED,
-        found=f"Over the angles of a single helix at {single_wrap.PRESSURES[-1]:g} kPa, the stretch goes from "
+        finding=f"Over the angles of a single helix at {single_wrap.PRESSURES[-1]:g} kPa, the stretch goes from "
         f"{min(stretch):.4f} to {max(stretch):.4f}, the outer radius from {min(wide):.3f} to {max(wide):.3f} times, "
         f"the twist from 0 to {max(abs(each) for each in twist) / deg * mm:.3g} deg/mm.",
         conditions=f"{'Some angles shorten the tube' if signs else 'No angle shortens the tube'} at full pressure; at "

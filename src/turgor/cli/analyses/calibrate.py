@@ -1,4 +1,4 @@
-"""Command ``turgor calibrate``: numbers of a job found from experiments."""
+"""Command ``turgor calibrate``: numbers of a job fitted to experiments."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobOrStudy, Json, Retry, command_of, output_option
-from turgor.cli.start.signals import ends_at_once, kept_in_folder
+from turgor.cli.start.signals import ends_at_once, saved_in_folder
 
 if TYPE_CHECKING:
     from turgor.studies.runs.executors.run_outcome import Ended
@@ -84,7 +84,7 @@ class _Options:
 
 
 def _run(options: _Options) -> None:
-    """Find numbers of a job from experiments, with their errors, and say what is not determined.
+    """Fit numbers of a job to experiments, with their errors, and report what is not determined.
 
     Killed and called again, it goes on: nothing is computed twice.
     """
@@ -92,7 +92,7 @@ def _run(options: _Options) -> None:
         from turgor.cli.answers.studies import calibration_result
         from turgor.studies.calibration.job_calibration import CALIBRATED, calibrate_job, equal_constants
         from turgor.studies.calibration.write import write_calibration
-        from turgor.studies.runs.evaluations import kept_in
+        from turgor.studies.runs.evaluations import saved_in
         from turgor.studies.runs.jobs.job_function import RUNS, job_function
 
         study, name = _stated(options)
@@ -104,8 +104,8 @@ def _run(options: _Options) -> None:
         base = job_function(study.job, folder)
         for note in equal_constants(plan.free, base):
             typer.echo(note, err=True)
-        runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
-        with kept_in_folder(folder):
+        runs = saved_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
+        with saved_in_folder(folder):
             calibration = calibrate_job(plan, base, runs)
         files = [*write_calibration(calibration, folder), folder / CALIBRATED]
         base.write(calibration.values, files[-1], f"Calibrated:\n{calibration.summary()}")
@@ -148,6 +148,6 @@ def report_run(ended: "Ended") -> None:
     ----------
     ended : Ended
     """
-    seconds = "" if ended.found is None else f", {ended.found.seconds:.1f} CPU s"
+    seconds = "" if ended.result is None else f", {ended.result.seconds:.1f} CPU s"
     what = "failed" if ended.problem else "read" if ended.again else "done"
     typer.echo(f"  {ended.run.name}: {what}{seconds}{ended.problem and f': {ended.problem}'}", err=True)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 
 import typer
 
-from turgor.cli.start.signals import kept_in_folder
+from turgor.cli.start.signals import saved_in_folder
 
 if TYPE_CHECKING:
     from turgor.studies.runs.executors.executor import Executor
@@ -131,7 +131,7 @@ def computed_study(file: "StudyFile", folder: Path, executor: "Executor", *, ret
     from turgor.studies.study_file.job_sweep import sweep_job
 
     with (
-        kept_in_folder(folder),
+        saved_in_folder(folder),
         StudyProgress(0 if file.sweep is None else len(file.sweep.designs)) as progress,
         Evaluations(folder=folder / RUNS, executor=executor, progress=progress, retry=retry) as runs,
     ):

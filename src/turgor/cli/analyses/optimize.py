@@ -9,7 +9,7 @@ import typer
 from turgor.cli.analyses.calibrate import report_run
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, Retry, command_of, output_option
-from turgor.cli.start.signals import ends_at_once, kept_in_folder
+from turgor.cli.start.signals import ends_at_once, saved_in_folder
 
 if TYPE_CHECKING:
     from turgor.studies.optimization.job_optimization import JobOptimization
@@ -55,22 +55,22 @@ def _run(options: _Options) -> None:
         if options.most_solves is not None:
             plan = replace(plan, search=replace(plan.search, most_solves=options.most_solves))
         folder = options.output if options.output is not None else Path(f"{study.name}-optimization")
-        wanted = job_optimization(plan, study.job, folder, mesh_error=options.mesh_error)
-        optimization = _searched(wanted, folder, options)
-        files = write_optimization(optimization, folder, wanted.base)
+        problem = job_optimization(plan, study.job, folder, mesh_error=options.mesh_error)
+        optimization = _searched(problem, folder, options)
+        files = write_optimization(optimization, folder, problem.base)
         typer.echo(optimization.summary())
         typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
         answer.give(lambda: optimization_result(optimization, files))
         raise typer.Exit(DONE if optimization.converged else NOT_CONVERGED)
 
 
-def _searched(wanted: "JobOptimization", folder: Path, options: _Options) -> "Optimization":
-    from turgor.studies.runs.evaluations import kept_in
+def _searched(problem: "JobOptimization", folder: Path, options: _Options) -> "Optimization":
+    from turgor.studies.runs.evaluations import saved_in
     from turgor.studies.runs.jobs.job_function import RUNS
 
-    runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
-    with kept_in_folder(folder), runs:
-        return wanted.search(runs)
+    runs = saved_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
+    with saved_in_folder(folder), runs:
+        return problem.search(runs)
 
 
 optimize_command = command_of(_Options, _run)

@@ -16,31 +16,31 @@ from turgor.studies.runs.executors.run_outcome import Ended
 
 
 class Counts:
-    """How many runs have ended, in which way, and how long the rest will take."""
+    """Counts of the runs by how they ended, and the remaining time."""
 
     def __init__(self, total: int) -> None:
         self.total = total
-        self.computed = self.failed = self.early = self.kept = 0
+        self.computed = self.failed = self.early = self.read = 0
         self._began = perf_counter()
 
     def take(self, ended: Ended) -> None:
         """Count a run."""
         if ended.again:
-            self.kept += 1
-            self._began = perf_counter()  # those that are read come first, and say nothing of the others
+            self.read += 1
+            self._began = perf_counter()  # those that are read come first, and do not count for the speed
         else:
             self.computed += 1
-        self.failed += ended.found is None
-        self.early += ended.found is not None and bool(ended.found.response.message)
+        self.failed += ended.result is None
+        self.early += ended.result is not None and bool(ended.result.response.message)
 
     @property
     def ended(self) -> int:
-        """All that have ended."""
-        return self.computed + self.kept
+        """Number of runs that have ended."""
+        return self.computed + self.read
 
     @property
     def seconds_left(self) -> float | None:
-        """Remaining time at the mean speed so far [s]; None before the first run that was computed."""
+        """Remaining time at the mean speed of this call [s]; None before the first run that was computed."""
         if not self.computed:
             return None
         return (self.total - self.ended) * (perf_counter() - self._began) / self.computed
@@ -48,7 +48,7 @@ class Counts:
     def text(self) -> str:
         """Return the counts in words."""
         parts = [f"{self.ended} of {self.total}"]
-        parts += [f"{self.kept} kept from before"] if self.kept else []
+        parts += [f"{self.read} saved before"] if self.read else []
         parts += [f"{self.early} ended early"] if self.early else []
         parts += [f"{self.failed} failed"] if self.failed else []
         return ", ".join(parts)
@@ -67,7 +67,7 @@ class StudyProgress:
         self.counts = Counts(total)
         console = PatientConsole(file=sys.stderr)
         self._bar = _bar(console) if console.is_terminal else None
-        self._task = self._bar.add_task("", total=total, text=self.counts.text(), left="") if self._bar else None
+        self._task = self._bar.add_task("", total=total, text=self.counts.text(), remaining="") if self._bar else None
 
     def __enter__(self) -> Self:
         if self._bar is not None:
@@ -87,8 +87,8 @@ class StudyProgress:
         if ended.problem:
             line = Text(f"{ended.run.name}: {ended.problem}", overflow="ellipsis", no_wrap=True)
             self._bar.console.print(line, highlight=False)
-        left = f"{clock(self.counts.seconds_left)} left"
-        self._bar.update(self._task, completed=self.counts.ended, text=self.counts.text(), left=left)
+        remaining = f"{clock(self.counts.seconds_left)} left"
+        self._bar.update(self._task, completed=self.counts.ended, text=self.counts.text(), remaining=remaining)
 
 
 def _bar(console: Console) -> Progress:
@@ -96,7 +96,7 @@ def _bar(console: Console) -> Progress:
         SpinnerColumn(),
         TextColumn("{task.fields[text]}", table_column=Column(no_wrap=True)),
         BarColumn(bar_width=None),
-        TextColumn("{task.fields[left]}", table_column=Column(no_wrap=True)),
+        TextColumn("{task.fields[remaining]}", table_column=Column(no_wrap=True)),
         console=console,
         transient=True,
         refresh_per_second=5,

@@ -53,7 +53,7 @@ class _Options:
 
 
 def _run(options: _Options) -> None:
-    """Say which factors of a study matter: shares of the variance, with a picture.
+    """Report which factors of a study matter: shares of the variance, with a picture.
 
     A full factorial gets an analysis of variance. Samples get Sobol indices of a surrogate, whose error is reported.
     """
@@ -65,15 +65,15 @@ def _run(options: _Options) -> None:
         from turgor.views.plots.figures import write_figure
 
         given = given_study(options.study, options, "sensitivity")
-        wanted = _wanted(options, given.file)
-        if wanted.method not in METHODS:
-            raise unknown("method", wanted.method, METHODS)
-        study, at = given.study, read_at(wanted.at, given.study) or given.at
-        method = wanted.method if wanted.method != "auto" else "anova" if is_factorial(study) else "sobol"
-        if method == "anova" and (wanted.fixed or wanted.spread):
-            raise TurgorError(f"{'--hold' if wanted.fixed else '--spread'} goes with the method sobol.")
-        names = wanted.measures or list(given.measures) or None
-        text, terms, figure = _anova(study, names, at) if method == "anova" else _sobol(study, names, at, wanted)
+        settings = _settings(options, given.file)
+        if settings.method not in METHODS:
+            raise unknown("method", settings.method, METHODS)
+        study, at = given.study, read_at(settings.at, given.study) or given.at
+        method = settings.method if settings.method != "auto" else "anova" if is_factorial(study) else "sobol"
+        if method == "anova" and (settings.fixed or settings.spread):
+            raise TurgorError(f"{'--hold' if settings.fixed else '--spread'} goes with the method sobol.")
+        names = settings.measures or list(given.measures) or None
+        text, terms, figure = _anova(study, names, at) if method == "anova" else _sobol(study, names, at, settings)
         folder = options.output if options.output is not None else given.folder
         folder.mkdir(parents=True, exist_ok=True)
         files = [folder / "sensitivity.png", folder / "sensitivity.txt"]
@@ -87,10 +87,10 @@ def _run(options: _Options) -> None:
 
 sensitivity_command = command_of(_Options, _run)
 
-Found = tuple[str, list[dict[str, object]], "PlotFigure"]
+Analysis = tuple[str, list[dict[str, object]], "PlotFigure"]
 
 
-def _wanted(options: _Options, file: "StudyFile | None") -> "SensitivityTable":
+def _settings(options: _Options, file: "StudyFile | None") -> "SensitivityTable":
     """Return what the study file states, with what the options state in its place."""
     from turgor.studies.study_file.analysis_tables import SensitivityTable
 
@@ -115,7 +115,7 @@ def _by_name(texts: "Sequence[str] | None", option: str) -> dict[str, str]:
     return by_name
 
 
-def _anova(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None) -> Found:
+def _anova(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None) -> Analysis:
     from turgor.cli.answers.surrogates import anova_terms
     from turgor.studies.sensitivity.anova import anova
     from turgor.studies.sensitivity.figure import anova_figure
@@ -129,8 +129,8 @@ def _anova(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] 
 
 
 def _sobol(
-    study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None, wanted: "SensitivityTable"
-) -> Found:
+    study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None, settings: "SensitivityTable"
+) -> Analysis:
     from turgor.cli.analyses.given_study import spreads_given, values_given
     from turgor.cli.answers.surrogates import index_terms
     from turgor.studies.sensitivity.figure import indices_figure
@@ -138,8 +138,8 @@ def _sobol(
     from turgor.studies.surrogates.fit import surrogate
 
     fitted = surrogate(study, names, at=at)
-    fixed = values_given([f"{name}={text}" for name, text in wanted.fixed.items()], fitted.factors, "--hold")
-    spreads = spreads_given([f"{name}={text}" for name, text in wanted.spread.items()], fitted.factors)
-    indices = sobol_indices(fitted, spreads=spreads, fixed=fixed, samples=wanted.samples)
+    fixed = values_given([f"{name}={text}" for name, text in settings.fixed.items()], fitted.factors, "--hold")
+    spreads = spreads_given([f"{name}={text}" for name, text in settings.spread.items()], fitted.factors)
+    indices = sobol_indices(fitted, spreads=spreads, fixed=fixed, samples=settings.samples)
     text = "\n".join([*(each.sentence() for each in indices), *fitted.notes])
     return text, [term for each in indices for term in index_terms(each)], indices_figure(indices)

@@ -107,7 +107,7 @@ class _PredictOptions:
 
 
 def _predict(options: _PredictOptions) -> None:
-    """Say what a surrogate gives for values of its factors, or which of them give wanted measures."""
+    """Print what a surrogate predicts for values of its factors, or which values give the target measures."""
     with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.analyses.given_study import values_given
         from turgor.foundation.errors import TurgorError
@@ -127,27 +127,27 @@ def _predict(options: _PredictOptions) -> None:
 predict_command = command_of(_PredictOptions, _predict)
 
 
-def _say(found: "Surrogate", at: "dict[str, Value]", options: _PredictOptions, answer: "Answer") -> None:
+def _say(fitted: "Surrogate", at: "dict[str, Value]", options: _PredictOptions, answer: "Answer") -> None:
     from turgor.cli.answers.surrogates import prediction_result
 
-    said = found.predict(at, extrapolate=options.extrapolate)
-    answer.warn(said.findings)
-    for name in found.measures:
-        typer.echo(f"{name.replace('_', ' ')} {said.text(name)}")
-    answer.give(lambda: prediction_result(said, at))
+    prediction = fitted.predict(at, extrapolate=options.extrapolate)
+    answer.warn(prediction.findings)
+    for name in fitted.measures:
+        typer.echo(f"{name.replace('_', ' ')} {prediction.text(name)}")
+    answer.give(lambda: prediction_result(prediction, at))
     raise typer.Exit(DONE)
 
 
-def _invert(found: "Surrogate", fixed: "dict[str, Value]", options: _PredictOptions, answer: "Answer") -> None:
+def _invert(fitted: "Surrogate", fixed: "dict[str, Value]", options: _PredictOptions, answer: "Answer") -> None:
     from turgor.cli.analyses.given_study import numbers_given, values_given
     from turgor.cli.answers.surrogates import inverse_result
     from turgor.studies.surrogates.invert import invert
 
-    prefer = values_given(options.prefer, found.factors, "--prefer")
-    wanted = numbers_given(options.want, found.units, "--want")
-    inverse = invert(found, wanted, fixed=fixed, prefer=prefer)
+    prefer = values_given(options.prefer, fitted.factors, "--prefer")
+    target = numbers_given(options.want, fitted.units, "--want")
+    inverse = invert(fitted, target, fixed=fixed, prefer=prefer)
     typer.echo(inverse.sentence())
-    for each in found.factors:
+    for each in fitted.factors:
         if each.name in inverse.deviations:
             deviation = inverse.deviations[each.name]
             typer.echo(f"{each.name} {each.shown(inverse.values[each.name])} ± {each.shown(float(f'{deviation:.2g}'))}")

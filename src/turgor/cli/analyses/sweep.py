@@ -1,4 +1,4 @@
-"""Command ``turgor sweep``: a job at many designs, in processes that stay, kept as they end."""
+"""Command ``turgor sweep``: a job at many designs, in processes that stay; runs are saved as they end."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -39,7 +39,9 @@ class _Options:
         int | None, typer.Option(metavar="TASKS", help="Number of tasks for --index; by default one for each design.",
                                  min=1, show_default=False)
     ] = None  # fmt: skip
-    gather: Annotated[bool, typer.Option("--gather", help="Compute nothing: write the table of what was kept.")] = False
+    gather: Annotated[bool, typer.Option("--gather", help="Compute nothing: write the table of the saved runs.")] = (
+        False
+    )
     sbatch: Annotated[
         Path | None, typer.Option(metavar="SCRIPT", help="Write a job script of SLURM, an array with --of tasks.",
                                   show_default=False)
@@ -94,7 +96,7 @@ def _run(options: _Options) -> None:
         study = computed_study(given, folder, executor, retry=options.retry)
         if options.index is not None:
             failed = sum(row.response is None for row in study.rows)
-            typer.echo(f"Task {options.index}: {len(study)} designs, {failed} failed; kept in {folder}.")
+            typer.echo(f"Task {options.index}: {len(study)} designs, {failed} failed; saved in {folder}.")
             answer.give(partial(designs_result, plan.designs))
             raise typer.Exit(NOT_CONVERGED if study.problems else DONE)
         measures = plan.measures or study.measures

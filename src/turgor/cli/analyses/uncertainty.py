@@ -9,7 +9,7 @@ import typer
 from turgor.cli.analyses.calibrate import often, report_run
 from turgor.cli.exits import DONE, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobOrStudy, Json, Retry, command_of, output_option
-from turgor.cli.start.signals import ends_at_once, kept_in_folder
+from turgor.cli.start.signals import ends_at_once, saved_in_folder
 
 if TYPE_CHECKING:
     from turgor.studies.study_file.study_file import StudyFile
@@ -59,7 +59,7 @@ def _run(options: _Options) -> None:
     """
     with errors_as_sentences(options.debug, options.as_json) as answer, ends_at_once():
         from turgor.cli.answers.studies import uncertainty_result
-        from turgor.studies.runs.evaluations import kept_in
+        from turgor.studies.runs.evaluations import saved_in
         from turgor.studies.runs.jobs.job_function import RUNS, job_function
         from turgor.studies.uncertainty.cases import write_cases
         from turgor.studies.uncertainty.figure import uncertainty_figure
@@ -72,8 +72,8 @@ def _run(options: _Options) -> None:
         at = plan.at
         folder = options.output if options.output is not None else Path(f"{name}-uncertainty")
         base = job_function(study.job, folder)
-        runs = kept_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
-        with kept_in_folder(folder):
+        runs = saved_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
+        with saved_in_folder(folder):
             uncertainty = propagate_job(plan, base, runs)
         sentences = [uncertainty.sentence(name, at) for name in uncertainty.bands]
         files = [folder / "uncertainty.csv", folder / "uncertainty.png", folder / "uncertainty.txt"]

@@ -1,1 +1,1 @@
-"""What commands answer to programs: results, and the JSON document that holds them."""
+"""Results of commands for programs, and the JSON document with them."""

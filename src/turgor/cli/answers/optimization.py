@@ -56,22 +56,22 @@ class OptimizationResult:
     files: Sequence[Path]
 
 
-def optimization_result(found: "Optimization", files: Sequence[Path]) -> OptimizationResult:
+def optimization_result(optimization: "Optimization", files: Sequence[Path]) -> OptimizationResult:
     """Make the result of an optimization."""
-    start = found.study.rows[found.start]
-    ends = [(each.name, each.unit, *each.bounds) for each in found.study.factors]
-    reads = found.reads(found.best or 0)
-    begun = found.reads(found.start)
+    start = optimization.study.rows[optimization.start]
+    ends = [(each.name, each.unit, *each.bounds) for each in optimization.study.factors]
+    reads = optimization.reads(optimization.best or 0)
+    begun = optimization.reads(optimization.start)
     return OptimizationResult(
-        status=found.ending.value,
-        message=found.message,
-        advice=found.advice,
-        notes=list(found.notes),
-        solves=found.solves,
+        status=optimization.ending.value,
+        message=optimization.message,
+        advice=optimization.advice,
+        notes=list(optimization.notes),
+        solves=optimization.solves,
         factors=[
             {
                 "name": name, "unit": unit, "low": low, "high": high, "start": start.values[name],
-                "value": found.values.get(name),
+                "value": optimization.values.get(name),
             }
             for name, unit, low, high in ends
         ],
@@ -83,23 +83,23 @@ def optimization_result(found: "Optimization", files: Sequence[Path]) -> Optimiz
             }
             for read, before in zip(reads, begun, strict=True)
         ],
-        best=found.best,
+        best=optimization.best,
         descents=[
-            {"start": each.start, "best": each.best, "status": each.ending.value} for each in found.descents
+            {"start": each.start, "best": each.best, "status": each.ending.value} for each in optimization.descents
         ],
-        front=list(found.pareto),
-        rows=[_row(found, number) for number in range(len(found.study))],
+        front=list(optimization.pareto),
+        rows=[_row(optimization, number) for number in range(len(optimization.study))],
         files=files,
     )  # fmt: skip
 
 
-def _row(found: "Optimization", number: int) -> dict[str, Any]:
-    row = found.study.rows[number]
-    reads: Sequence[Read] = found.reads(number)
+def _row(optimization: "Optimization", number: int) -> dict[str, Any]:
+    row = optimization.study.rows[number]
+    reads: Sequence[Read] = optimization.reads(number)
     return {
         "values": dict(row.values),
         "goals": [_known(each.value) for each in reads],
-        "kept": found.scores[number].kept,
+        "kept": optimization.scores[number].feasible,
         "status": row.status,
         "problem": row.problem,
     }

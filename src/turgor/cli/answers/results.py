@@ -1,4 +1,4 @@
-"""Results of commands on models, for programs: what ``result`` in the JSON document holds, and how it is made."""
+"""Results of commands on models, for programs: the content of ``result`` in the JSON document, and how it is built."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -269,17 +269,18 @@ def modes_result(modes: "Modes") -> ModesResult:
     )
 
 
-def compared_result(made: "Comparison", files: Sequence[Path]) -> ComparedResult:
+def compared_result(comparison: "Comparison", files: Sequence[Path]) -> ComparedResult:
     """Return the numbers of a comparison.
 
     Parameters
     ----------
-    made : Comparison
+    comparison : Comparison
     files : sequence of Path
     """
     return ComparedResult(
-        x=made.x, y=made.y, rows=len(made.rows), rms=made.rms, largest=made.largest, largest_at=made.largest_at,
-        relative=made.relative, shift=made.shift, rms_shifted=made.rms_shifted, notes=made.notes, files=files,
+        x=comparison.x, y=comparison.y, rows=len(comparison.rows), rms=comparison.rms, largest=comparison.largest,
+        largest_at=comparison.largest_at, relative=comparison.relative, shift=comparison.shift,
+        rms_shifted=comparison.rms_shifted, notes=comparison.notes, files=files,
     )  # fmt: skip
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CalibrationResult:
-    """``turgor calibrate``: what was found, in SI units.
+    """``turgor calibrate``: the fitted values, in SI units.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ class CalibrationResult:
     solves, computed : int
         Number of runs, and of those that were not read from disk.
     derivatives : str
-        How the derivatives were found, and why.
+        How the derivatives were computed, and why.
     parameters : list of tables
         ``name``, ``unit``, ``value``, ``standard_error``, ``low`` and ``high`` of the 95 % interval, ``at_bound``,
         ``start``, ``bounds``, ``prior``.
@@ -55,11 +55,11 @@ class CalibrationResult:
     files: Sequence[Path]
 
 
-def calibration_result(found: "Calibration", files: Sequence[Path]) -> CalibrationResult:
+def calibration_result(calibration: "Calibration", files: Sequence[Path]) -> CalibrationResult:
     """Make the result of a calibration."""
     from turgor.studies.calibration.write import as_numbers
 
-    return CalibrationResult(**as_numbers(found), files=files)
+    return CalibrationResult(**as_numbers(calibration), files=files)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,17 +100,17 @@ class UncertaintyResult:
     files: Sequence[Path]
 
 
-def uncertainty_result(found: "Uncertainty", files: Sequence[Path]) -> UncertaintyResult:
+def uncertainty_result(uncertainty: "Uncertainty", files: Sequence[Path]) -> UncertaintyResult:
     """Make the result of a propagation of uncertainty."""
     from turgor.cli.answers.results import columns_of
 
     return UncertaintyResult(
-        sentences=[found.sentence(name) for name in found.bands],
-        method=found.checked(),
-        runs=found.runs,
-        columns=columns_of(found.to_response()),
-        shares={name: band.shares() for name, band in found.bands.items()},
-        notes=found.notes,
+        sentences=[uncertainty.sentence(name) for name in uncertainty.bands],
+        method=uncertainty.checked(),
+        runs=uncertainty.runs,
+        columns=columns_of(uncertainty.to_response()),
+        shares={name: band.shares() for name, band in uncertainty.bands.items()},
+        notes=uncertainty.notes,
         records=[
             {
                 "label": each.label,
@@ -119,9 +119,9 @@ def uncertainty_result(found: "Uncertainty", files: Sequence[Path]) -> Uncertain
                 "problem": each.problem,
                 "values": {name: float(curve[-1]) for name, curve in each.curves.items()},
             }
-            for each in found.cases
+            for each in uncertainty.cases
         ],
-        record_sentences=found.case_sentences(),
+        record_sentences=uncertainty.case_sentences(),
         files=files,
     )
 
@@ -157,17 +157,17 @@ class GradientResult:
     files: Sequence[Path]
 
 
-def gradient_result(found: "Gradient", file: Path | None) -> GradientResult:
+def gradient_result(gradient: "Gradient", file: Path | None) -> GradientResult:
     """Make the result of a gradient."""
     return GradientResult(
-        load_factor=found.load_factor,
-        measures=[{"name": each.name, "unit": each.unit, "value": float(each.values[0])} for each in found.measures],
+        load_factor=gradient.load_factor,
+        measures=[{"name": each.name, "unit": each.unit, "value": float(each.values[0])} for each in gradient.measures],
         numbers=[
             {"key": key, "unit": each.unit, "value": float(each.values[0])}
-            for key, each in zip(found.keys, found.numbers, strict=True)
+            for key, each in zip(gradient.keys, gradient.numbers, strict=True)
         ],
-        derivatives=found.values.tolist(),
-        way=found.way,
-        left=found.residual,
+        derivatives=gradient.values.tolist(),
+        way=gradient.way,
+        left=gradient.residual,
         files=[] if file is None else [file],
     )

@@ -38,15 +38,15 @@ class SurrogateResult:
     files: Sequence[Path]
 
 
-def surrogate_result(found: "Surrogate", files: Sequence[Path]) -> SurrogateResult:
+def surrogate_result(surrogate: "Surrogate", files: Sequence[Path]) -> SurrogateResult:
     """Make the result of a fit."""
     return SurrogateResult(
-        rows=found.rows,
+        rows=surrogate.rows,
         factors=[
             {"name": each.name, "unit": each.unit, "levels": list(each.levels)}
             if each.is_choice
             else {"name": each.name, "unit": each.unit, "low": each.bounds[0], "high": each.bounds[1]}
-            for each in found.factors
+            for each in surrogate.factors
         ],
         measures=[
             {
@@ -54,9 +54,9 @@ def surrogate_result(found: "Surrogate", files: Sequence[Path]) -> SurrogateResu
                 "r_squared": each.r_squared, "coverage_68": each.coverage[0], "coverage_95": each.coverage[1],
                 "factor": each.factor,
             }
-            for each in found.held_out
+            for each in surrogate.held_out
         ],
-        notes=found.notes,
+        notes=surrogate.notes,
         files=files,
     )  # fmt: skip
 
@@ -72,7 +72,7 @@ class PredictionResult:
     values, deviations : table
         Of each measure.
     reached : bool or None
-        Whether the wanted measures are reached; null where none was wanted.
+        Whether the target measures are reached; null without a target.
     factor_deviations : table
         Standard deviation of each unknown factor; null where a measure does not depend on it.
     others : list of tables
@@ -90,13 +90,13 @@ class PredictionResult:
     sentence: str
 
 
-def prediction_result(said: "Prediction", at: Mapping[str, float | int | str]) -> PredictionResult:
+def prediction_result(prediction: "Prediction", at: Mapping[str, float | int | str]) -> PredictionResult:
     """Make the result of a prediction."""
-    sentence = ", ".join(f"{name.replace('_', ' ')} {said.text(name)}" for name in said.values)
+    sentence = ", ".join(f"{name.replace('_', ' ')} {prediction.text(name)}" for name in prediction.values)
     return PredictionResult(
         at=at,
-        values=said.values,
-        deviations=said.deviations,
+        values=prediction.values,
+        deviations=prediction.deviations,
         reached=None,
         others=[],
         sentence=sentence,
@@ -104,17 +104,17 @@ def prediction_result(said: "Prediction", at: Mapping[str, float | int | str]) -
     )
 
 
-def inverse_result(found: "Inverse") -> PredictionResult:
+def inverse_result(inverse: "Inverse") -> PredictionResult:
     """Make the result of an inverse."""
-    unknown = {name: value if value < float("inf") else None for name, value in found.deviations.items()}
+    unknown = {name: value if value < float("inf") else None for name, value in inverse.deviations.items()}
     return PredictionResult(
-        at=found.values,
-        values=found.prediction.values,
-        deviations=found.prediction.deviations,
-        reached=found.reached,
+        at=inverse.values,
+        values=inverse.prediction.values,
+        deviations=inverse.prediction.deviations,
+        reached=inverse.reached,
         factor_deviations=unknown,
-        others=found.others,
-        sentence=found.sentence(),
+        others=inverse.others,
+        sentence=inverse.sentence(),
     )
 
 
@@ -138,25 +138,25 @@ class SensitivityResult:
     files: Sequence[Path]
 
 
-def anova_terms(found: "Anova") -> list[dict[str, Any]]:
+def anova_terms(anova: "Anova") -> list[dict[str, Any]]:
     """Return the lines of an analysis of variance."""
     terms = []
-    for each in (*found.terms, found.remainder):
+    for each in (*anova.terms, anova.remainder):
         line = asdict(each)
         terms.append(
-            {"measure": found.measure} | {key: None if value != value else value for key, value in line.items()}
+            {"measure": anova.measure} | {key: None if value != value else value for key, value in line.items()}
         )
     return terms
 
 
-def index_terms(found: "Indices") -> list[dict[str, Any]]:
+def index_terms(indices: "Indices") -> list[dict[str, Any]]:
     """Return the Sobol indices of each factor."""
-    (first_low, first_high), (total_low, total_high) = found.interval("first"), found.interval("total")
+    (first_low, first_high), (total_low, total_high) = indices.interval("first"), indices.interval("total")
     return [
         {
-            "measure": found.measure, "factor": name, "first": float(found.first[n]), "first_low": float(first_low[n]),
-            "first_high": float(first_high[n]), "total": float(found.total[n]), "total_low": float(total_low[n]),
-            "total_high": float(total_high[n]), "unexplained": found.unexplained,
+            "measure": indices.measure, "factor": name, "first": float(indices.first[n]),
+            "first_low": float(first_low[n]), "first_high": float(first_high[n]), "total": float(indices.total[n]),
+            "total_low": float(total_low[n]), "total_high": float(total_high[n]), "unexplained": indices.unexplained,
         }
-        for n, name in enumerate(found.factors)
+        for n, name in enumerate(indices.factors)
     ]  # fmt: skip

@@ -194,10 +194,10 @@ def _handled(test: "MaterialTest", chosen: FitOptions) -> "MaterialTest":
     return test if preload is None else remove_slack(test, preload)
 
 
-def _cropped(test: "MaterialTest", wanted: tuple[float, float] | None) -> "MaterialTest":
+def _cropped(test: "MaterialTest", ends: tuple[float, float] | None) -> "MaterialTest":
     from turgor.core.materials.experiments.test_edits import crop
 
-    return test if wanted is None or test.mode in ("biaxial", "simple_shear") else crop(test, *wanted)
+    return test if ends is None or test.mode in ("biaxial", "simple_shear") else crop(test, *ends)
 
 
 def _thinned(test: "MaterialTest", points: int) -> "MaterialTest":
@@ -211,16 +211,16 @@ def _write(folder: Path, rankings: "Sequence[tuple[str, Ranking]]") -> None:
     from turgor.views.plots.fits import fit_figure, write_fit_plot
 
     folder.mkdir(parents=True, exist_ok=True)
-    left: dict[str, None] = {}
+    unsaved: dict[str, None] = {}
     for name, ranking in rankings:
         stem = "-".join(name.lower().split())
         write_fit_plot(folder / f"{stem}.png", fit_figure(ranking.fits, title=name))
         saved = [fit for fit in ranking.fits if can_be_saved(fit)]
         if saved:
             save_fits(folder / f"{stem}.toml", name, saved)
-        left |= {fit.spec.name: None for fit in ranking.fits if fit not in saved}
-    if left:
-        typer.echo(f"Files of constants have no form for {', '.join(left)} yet; see the plots.")
+        unsaved |= {fit.spec.name: None for fit in ranking.fits if fit not in saved}
+    if unsaved:
+        typer.echo(f"Files of constants have no form for {', '.join(unsaved)} yet; see the plots.")
     typer.echo(f"Plots and constants in {folder}.")
 
 

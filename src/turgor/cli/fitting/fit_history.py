@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def fit_over_time(
     tests: "Sequence[MaterialTest]", laws: Sequence[str], *, terms: int, softening: bool, name: str
 ) -> "HistoryFit":
-    """Fit laws to the first loading of tests with time, take the best, and fit relaxation and softening to all of it.
+    """Fit laws to the first loading of tests with time, take the best, and fit relaxation and softening to whole tests.
 
     Parameters
     ----------

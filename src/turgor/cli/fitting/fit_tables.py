@@ -49,7 +49,7 @@ def show_each(rankings: "Sequence[tuple[str, Ranking]]", laws: Sequence[str]) ->
 
 
 def _tell_findings(rankings: "Sequence[tuple[str, Ranking]]") -> None:
-    """Print common findings once, and the materials whose tests end before the wanted range."""
+    """Print common findings once, and the materials whose tests end before the requested range."""
     fits = [fit for _, ranking in rankings for fit in ranking.fits]
     common = dict.fromkeys(str(each) for fit in fits for each in fit.findings if each.code != "M01")
     for text in common:
@@ -60,7 +60,7 @@ def _tell_findings(rankings: "Sequence[tuple[str, Ranking]]") -> None:
         if any(each.code == "M01" for each in ranking.best.findings)
     ]
     if short:
-        typer.echo(f"M01 warning: tests end before the stretch that is wanted: {', '.join(short)}.")
+        typer.echo(f"M01 warning: tests end before the requested stretch: {', '.join(short)}.")
 
 
 def _cell(fit: "Fit | None", ranking: "Ranking") -> str:

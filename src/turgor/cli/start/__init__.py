@@ -1,1 +1,1 @@
-"""Start and end of the process of a command: which commands there are, what is loaded late, signals, the last line."""
+"""Start and end of the process of a command: the commands, lazy imports, signals, the last line."""

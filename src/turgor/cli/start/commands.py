@@ -72,8 +72,8 @@ def command_line(first: str = "") -> typer.Typer:
     return app
 
 
-def _print_version(wanted: bool) -> None:
-    if wanted:
+def _print_version(requested: bool) -> None:
+    if requested:
         typer.echo(f"turgor {__version__}")
         raise typer.Exit
 

@@ -16,13 +16,13 @@ import typer
 from turgor.cli.exits import ENDED
 from turgor.foundation.errors import TurgorError
 
-#: Time [s] that a command has to write what is left; a factorization of a large matrix may last longer.
+#: Time [s] that a command has to write its files; a factorization of a large matrix may last longer.
 PATIENCE = 2.0
 
 #: Time [s] after which a lost interrupt is raised again.
 RETRY_AFTER = 0.05
 
-#: What a command says that Ctrl-C or SIGTERM ends: one that computes a study, and a run.
+#: Message of a command that Ctrl-C or SIGTERM ends: of a study, and of a run.
 STUDY = "interrupted; the same command continues from the saved results."
 RUN = "interrupted; with --resume, a run continues from its last state."
 
@@ -30,7 +30,7 @@ ENDING = (signal.SIGINT, signal.SIGTERM)
 
 
 class Ended(KeyboardInterrupt):
-    """What Ctrl-C and SIGTERM raise.
+    """Exception that Ctrl-C and SIGTERM raise.
 
     Parameters
     ----------
@@ -120,7 +120,7 @@ def _lost_interrupts_raised_again(sentence: str) -> Iterator[None]:
 
 
 @contextmanager
-def kept_in_folder(folder: Path) -> Iterator[None]:
+def saved_in_folder(folder: Path) -> Iterator[None]:
     """Report where the runs are saved that Ctrl-C leaves, and how to continue.
 
     Parameters

@@ -1,1 +1,1 @@
-"""Calibration: parameters of a model fitted to experiments, with how well they are determined."""
+"""Calibration: parameters of a model fitted to experiments, with their standard errors."""

@@ -11,7 +11,7 @@ from turgor.studies.calibration.estimate import Estimate, estimate
 from turgor.studies.calibration.objective import Objective, first_responses, rig_parameter
 from turgor.studies.calibration.parameter import Parameter, check_names, values_at
 from turgor.studies.calibration.result import Calibration, CalibrationStatus, Fitted, rms
-from turgor.studies.calibration.search import Found, search
+from turgor.studies.calibration.search import SearchResult, search
 from turgor.studies.calibration.trial import Data, Trial, check_taken, data_of
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.run_outcome import Ended
@@ -48,8 +48,8 @@ def calibrate(
     most_solves : int, optional
         Runs after which the search ends; by default 5 and 10 more for each parameter of the model.
     evaluations : Evaluations, optional
-        Where runs are computed and kept. By default in this process, without files, which suits formulas. With a
-        folder (`kept_in`), a calibration that was killed goes on where it was: nothing is computed twice.
+        Where runs are computed and saved. By default in this process, without files, which suits formulas. With a
+        folder (`saved_in`), a calibration that was killed goes on where it was: nothing is computed twice.
 
     Returns
     -------
@@ -72,8 +72,8 @@ def calibrate(
     ...     pressure = 0.4 * C10 * (1 / stretch - 1 / stretch**7)
     ...     columns = Column("pressure", "kPa", pressure), Column("widening", "", stretch - 1)
     ...     return Response(columns=columns, source=Source(text="a sphere"))
-    >>> found = calibrate(Trial(measured=sphere(0.12e6), function=sphere), [Parameter(name="C10", start=0.1e6)])
-    >>> round(found.values["C10"], -2), found.converged
+    >>> fitted = calibrate(Trial(measured=sphere(0.12e6), function=sphere), [Parameter(name="C10", start=0.1e6)])
+    >>> round(fitted.values["C10"], -2), fitted.converged
     (120000.0, True)
     """
     requested = [trials] if isinstance(trials, Trial) else list(trials)
@@ -99,7 +99,7 @@ def calibrate(
 
 
 def _without_slopes(held_out: Trial, fitted: Sequence[Trial]) -> Trial:
-    """Ask for no derivatives of what is predicted, unless the same run serves a trial that is fitted."""
+    """Request no derivatives of predicted trials, unless the same run serves a trial that is fitted."""
     shared = any(each.function is held_out.function and each.values == held_out.values for each in fitted)
     return held_out if shared else replace(held_out, slopes={})
 
@@ -117,14 +117,14 @@ def _paired(
 
 
 def _calibration(
-    objective: Objective, found: Found, predicted: tuple[Data, ...], begun: Sequence[Response], before: int
+    objective: Objective, end: SearchResult, predicted: tuple[Data, ...], begun: Sequence[Response], before: int
 ) -> Calibration:
-    """Compute the curves at the solution and say how it went."""
+    """Compute the curves at the solution and return the calibration."""
     parameters, runs = objective.parameters, objective.evaluations
-    values = values_at(parameters, found.at)
+    values = values_at(parameters, end.at)
     data = (*objective.data, *predicted)
     ended = runs.of([each.trial.run(values, each.taken) for each in data])
-    known = estimate(objective, found)
+    known = estimate(objective, end)
     start = {each.name: each.start for each in parameters}
     rig = {each.name: values[each.name] for each in parameters[objective.models :]}
     curves = [_fitted(*each, rig, start) for each in zip(data, begun, ended, strict=True)]
@@ -132,7 +132,7 @@ def _calibration(
     own = list(runs.ended.values())[before:]
     failures = [f"{each.run.name}: {each.problem}" for each in own if each.problem]
     status = CalibrationStatus.CONVERGED
-    if not found.converged:
+    if not end.converged:
         status = CalibrationStatus.NOT_CONVERGED
     elif known.at_bound:
         status = CalibrationStatus.AT_BOUND
@@ -141,15 +141,15 @@ def _calibration(
     return Calibration(
         parameters=parameters, values=values, estimate=known, fits=fits_, held_out=tuple(held_out), status=status,
         message=message, advice=advice, solves=len(own), computed=sum(not each.again for each in own),
-        derivatives=objective.derivatives(found.at), failures=tuple(failures),
+        derivatives=objective.derivatives(end.at), failures=tuple(failures),
     )  # fmt: skip
 
 
 def _fitted(data: Data, begun: Response, ended: Ended, rig: dict[str, float], start: dict[str, float]) -> Fitted | None:
-    """Return a trial with its curves; None where its run failed, which a trial that is held out may."""
-    if ended.found is None:
+    """Return a trial with its curves; None where the run of a held-out trial failed."""
+    if ended.result is None:
         return None
-    response = ended.found.response
+    response = ended.result.response
     return Fitted(
         data=data,
         start=begun,
@@ -162,7 +162,7 @@ def _fitted(data: Data, begun: Response, ended: Ended, rig: dict[str, float], st
 
 
 def _outcome_text(status: CalibrationStatus, known: Estimate, fits: Sequence[Fitted], solves: int) -> tuple[str, str]:
-    """Return what happened and what to do."""
+    """Return how the calibration ended, and advice."""
     count = f"{solves} runs"
     lost = [each for each in fits if each.beyond]
     if status is CalibrationStatus.NOT_CONVERGED:

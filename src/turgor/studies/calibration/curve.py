@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PathCurve:
-    """Points of a computed curve, interpolated smoothly where it is (PCHIP), and straight on beyond its ends.
+    """Points of a computed curve: smooth between them (PCHIP), and straight beyond its ends.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ class PathCurve:
         return table
 
     def _moved(self, drive: Array, moves: Array, rates: Array) -> Array:
-        """Derivative of the interpolation where the points move at rates; the two ends are moved a little."""
+        """Return the derivative of the interpolation when its points move at rates, by a small central difference."""
         far = float(np.ptp(self.values)) or 1.0
         steps = [CALIBRATION.nudge * far / max(float(np.abs(rates).max()), 1e-300)]
         if moves.any():

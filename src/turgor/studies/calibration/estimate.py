@@ -1,4 +1,4 @@
-"""Estimate: standard errors, intervals and correlation of the parameters, and what the curves do not determine."""
+"""Estimate: standard errors, intervals and correlation of the parameters, and undetermined combinations."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from scipy.stats import norm, t
 
 from turgor.studies.calibration.objective import Objective
 from turgor.studies.calibration.parameter import Parameter
-from turgor.studies.calibration.search import Found
+from turgor.studies.calibration.search import SearchResult
 from turgor.studies.calibration.settings import CALIBRATION
 from turgor.studies.runs.settings import LEVEL
 
@@ -47,7 +47,7 @@ class Estimate:
     notes: tuple[str, ...]
 
 
-def estimate(objective: Objective, found: Found) -> Estimate:
+def estimate(objective: Objective, end: SearchResult) -> Estimate:
     """Estimate how well the parameters are determined at the end of a search.
 
     The covariance is (JᵀJ)⁻¹ with the Jacobian of the weighted differences, in the coordinates of the search. It is
@@ -57,27 +57,27 @@ def estimate(objective: Objective, found: Found) -> Estimate:
     Parameters
     ----------
     objective : Objective
-    found : Found
+    end : SearchResult
 
     Returns
     -------
     Estimate
     """
     parameters, count = objective.parameters, len(objective.parameters)
-    free = ~_at_bound(objective, found)
-    freedom = max(len(found.residuals) - int(free.sum()), 1)
-    scatter = float(np.sqrt(found.residuals @ found.residuals / freedom))
+    free = ~_at_bound(objective, end)
+    freedom = max(len(end.residuals) - int(free.sum()), 1)
+    scatter = float(np.sqrt(end.residuals @ end.residuals / freedom))
     factor = scatter if objective.assumed else max(scatter, 1.0)
     deviation, correlation = np.full(count, np.nan), np.full((count, count), np.nan)
     if free.any():
-        deviation[free], correlation[np.ix_(free, free)] = _errors(found.jacobian[:, free], factor)
+        deviation[free], correlation[np.ix_(free, free)] = _errors(end.jacobian[:, free], factor)
     scaled = objective.assumed or scatter > 1.0
     quantile = float(t.ppf((1 + LEVEL) / 2, freedom) if scaled else norm.ppf((1 + LEVEL) / 2))
-    values = np.array([each.value(x) for each, x in zip(parameters, found.at, strict=True)])
+    values = np.array([each.value(x) for each, x in zip(parameters, end.at, strict=True)])
     slopes = np.array([each.slope(value) for each, value in zip(parameters, values, strict=True)])
     intervals = np.array([
         [each.value(x - quantile * s), each.value(x + quantile * s)] if np.isfinite(s) else list(each.bounds)
-        for each, x, s in zip(parameters, found.at, deviation, strict=True)
+        for each, x, s in zip(parameters, end.at, deviation, strict=True)
     ])  # fmt: skip
     intervals[~free] = np.nan
     rows = objective.rows
@@ -89,17 +89,17 @@ def estimate(objective: Objective, found: Found) -> Estimate:
         at_bound=tuple(each.name for each, inside in zip(parameters, free, strict=True) if not inside),
         undetermined=_undetermined(
             [each for each, inside in zip(parameters, free, strict=True) if inside],
-            found.jacobian[:rows, free],
+            end.jacobian[:rows, free],
             factor,
         ),
-        notes=_notes(objective, found.residuals, scatter),
+        notes=_notes(objective, end.residuals, scatter),
     )
 
 
-def _at_bound(objective: Objective, found: Found) -> NDArray[np.bool_]:
+def _at_bound(objective: Objective, end: SearchResult) -> NDArray[np.bool_]:
     low, high = objective.limits
     near = CALIBRATION.smallest_step * np.array([each.width for each in objective.parameters])
-    return (found.at - low < near) | (high - found.at < near)
+    return (end.at - low < near) | (high - end.at < near)
 
 
 def _errors(jacobian: Array, factor: float) -> tuple[Array, Array]:

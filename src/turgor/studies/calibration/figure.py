@@ -14,20 +14,20 @@ from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
 
 
-def calibration_figure(found: Calibration) -> PlotFigure:
+def calibration_figure(calibration: Calibration) -> PlotFigure:
     """Draw a calibration.
 
     Parameters
     ----------
-    found : Calibration
+    calibration : Calibration
 
     Returns
     -------
     matplotlib.figure.Figure
         A panel for each trial, those held out last: measured, as corrected for the rig; computed at the start and with
-        the values that were found; below, what remains.
+        the fitted values; below, the residuals.
     """
-    fits = [(each, False) for each in found.fits] + [(each, True) for each in found.held_out]
+    fits = [(each, False) for each in calibration.fits] + [(each, True) for each in calibration.held_out]
     columns = min(len(fits), PLOT.columns)
     rows = -(-len(fits) // columns)
     figure = PlotFigure(figsize=(max(4.6 * columns, 5.4), 4.6 * rows))
@@ -78,7 +78,7 @@ def _panel(upper: Any, lower: Any, each: Fitted, held_out: bool) -> None:
 
 
 def _limit(axes: Any, measured: Any, fitted: Any) -> None:
-    """Keep a start far off from flattening what was measured."""
+    """Choose limits such that a start far off does not flatten the measured curve."""
     both = np.concatenate([measured, fitted])
     low, high = float(np.min(both)), float(np.max(both))
     bottom, top = axes.get_ylim()

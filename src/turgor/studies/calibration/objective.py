@@ -72,7 +72,7 @@ class Objective:
         return [outcomes[k * count : (k + 1) * count] for k in range(len(points))]
 
     def responses(self, at: Array) -> list[Response | None]:
-        """Return what the trials compute at a point; None where a run failed."""
+        """Return the responses of the trials at a point; None where a run failed."""
         return [_response(each) for each in self.ended([at])[0]]
 
     def residuals(self, at: Array) -> Array:
@@ -80,7 +80,7 @@ class Objective:
         return self._weighted(at, self.responses(at))
 
     def jacobian(self, at: Array) -> Array:
-        """Return the derivatives of `residuals` at a point, (m, n): what is not known costs runs, all at once."""
+        """Return the derivatives of `residuals` at a point, (m, n); unknown columns cost a batch of runs."""
         table = self.known_jacobian(at)
         unknown = np.flatnonzero(~known_columns(table))
         if not len(unknown):
@@ -117,12 +117,12 @@ class Objective:
         return np.vstack([*parts, *priors]) * by_coordinate
 
     def derivatives(self, at: Array) -> str:
-        """Say by which parameters of the model the derivatives at a point are exact, and why not by others."""
+        """Return by which parameters of the model the derivatives at a point are exact, and why not by others."""
         known = known_columns(self.known_jacobian(at))
         names = [each.name for each in self.parameters[: self.models]]
         exact = [name for name, is_known in zip(names, known, strict=False) if is_known]
         others = [name for name in names if name not in exact]
-        notes = [note for each in self.ended([at])[0] if each.found is not None for note in each.found.notes]
+        notes = [note for each in self.ended([at])[0] if each.result is not None for note in each.result.notes]
         if not others:
             return "The derivatives are exact, from each run itself."
         if not exact:
@@ -221,13 +221,13 @@ def first_responses(ended: Sequence[Ended]) -> list[Response]:
         If a run failed: without a curve there is nothing to begin with.
     """
     for each in ended:
-        if each.found is None:
+        if each.result is None:
             raise TurgorError(f"the run at the start failed ({each.run.name}): {each.problem}")
-    return [each.found.response for each in ended if each.found is not None]
+    return [each.result.response for each in ended if each.result is not None]
 
 
 def _response(ended: Ended) -> Response | None:
     """Return what a run computed; a path of one state is a failure, too."""
-    if ended.found is None or len(ended.found.response) < 2:
+    if ended.result is None or len(ended.result.response) < 2:
         return None
-    return ended.found.response
+    return ended.result.response

@@ -14,13 +14,13 @@ from turgor.units import unit_value
 
 Array = NDArray[np.float64]
 
-#: Ends of the names of parameters of the rig: what is added to a measured column, and what it is multiplied by.
+#: Ends of the names of parameters of the rig: the offset and the factor of a measured column.
 OFFSET, SCALE = "_offset", "_scale"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter:
-    """A number that a calibration finds.
+    """A number that a calibration fits.
 
     Parameters
     ----------

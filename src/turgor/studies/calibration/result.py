@@ -1,4 +1,4 @@
-"""Calibration: the parameters that were found, how well, and the curves before and after."""
+"""Calibration: the fitted parameters, their errors, and the curves before and after."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -33,11 +33,11 @@ class Fitted:
     data : Data
         The measured rows and how they are compared.
     start, fitted : Response
-        What the function computes at the start, and with the values that were found.
+        What the function computes at the start, and with the fitted values.
     rms_start, rms : float [SI]
         Roots of the mean squares of the differences.
     rig : mapping of str to float [SI]
-        Offsets and scales of the rig that were found.
+        Fitted offsets and scales of the rig.
     beyond : int
         Number of measured rows beyond the end of the fitted curve; it was continued straight there.
     """
@@ -84,7 +84,7 @@ class Calibration:
     parameters : tuple of Parameter
         Those of the model, then those of the rig.
     values : mapping of str to float [SI]
-        What was found.
+        The fitted values.
     estimate : Estimate
         Standard errors, intervals, correlation, and what is not determined.
     fits : tuple of Fitted
@@ -99,7 +99,7 @@ class Calibration:
     computed : int
         Those that were not read from disk.
     derivatives : str
-        How the derivatives were found, and why.
+        How the derivatives were computed, and why.
     failures : tuple of str
         Runs that failed on the way, with the reasons.
     """
@@ -162,7 +162,7 @@ class Calibration:
         return tuple(lines)
 
     def summary(self) -> str:
-        """Return what came out, in several lines."""
+        """Return the result in several lines."""
         lines = list(self.table())
         for label, fits in (("", self.fits), ("held out: ", self.held_out)):
             for each in fits:

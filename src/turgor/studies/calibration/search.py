@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Found:
+class SearchResult:
     """Where a search ended.
 
     Parameters
@@ -39,10 +39,10 @@ class _SpentError(Exception):
 
 
 class _IdleError(Exception):
-    """The last runs gained next to nothing, or no further one would."""
+    """The last runs gained too little, or a further one would."""
 
 
-def search(objective: Objective, start: Array, most: int) -> Found:
+def search(objective: Objective, start: Array, most: int) -> SearchResult:
     """Minimize half the sum of squares within the bounds.
 
     Each round begins with a Jacobian, by finite differences where the responses have no slopes. It goes on with one run
@@ -59,14 +59,14 @@ def search(objective: Objective, start: Array, most: int) -> Found:
 
     Returns
     -------
-    Found
+    SearchResult
     """
     at, residuals = start, objective.residuals(start)
     jacobian = objective.jacobian(at)
     while not no_step_left(objective, at, residuals, jacobian):
         to = _one_round(objective, at, jacobian, most)
         if to is None:
-            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=False)
+            return SearchResult(at=at, residuals=residuals, jacobian=jacobian, converged=False)
         if np.array_equal(to, at):
             break
         before, at, residuals = residuals, to, objective.residuals(to)
@@ -75,12 +75,12 @@ def search(objective: Objective, start: Array, most: int) -> Found:
             break
         if len(objective.evaluations.ended) >= most:
             done = no_step_left(objective, at, residuals, jacobian)
-            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=done)
-    return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
+            return SearchResult(at=at, residuals=residuals, jacobian=jacobian, converged=done)
+    return SearchResult(at=at, residuals=residuals, jacobian=jacobian, converged=True)
 
 
 def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> Array | None:
-    """Return the lowest point that a Jacobian which follows leads to; None where no run is left."""
+    """Return the lowest point of one round with an updated Jacobian; None where the runs are used up."""
     low, high = objective.limits
     here = objective.residuals(at)
     best: dict[str, Any] = {"at": at, "cost": _cost(here), "idle": 0}
@@ -144,7 +144,7 @@ class _Following:
 
 
 def no_step_left(objective: Objective, at: Array, residuals: Array, jacobian: Array) -> bool:
-    """Return whether the best step of the linear problem within the bounds gains next to nothing.
+    """Return whether the best step of the linear problem within the bounds gains too little.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Trials: an experiment, and the function that computes what was measured in it."""
+"""Trials: an experiment, and the function that computes the measured quantities."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field

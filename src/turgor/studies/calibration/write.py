@@ -15,14 +15,14 @@ from turgor.units import unit_value
 from turgor.views.plots.figures import write_figure
 
 
-def write_calibration(found: Calibration, folder: str | Path) -> tuple[Path, ...]:
+def write_calibration(calibration: Calibration, folder: str | Path) -> tuple[Path, ...]:
     """Write a calibration into a folder.
 
     Parameters
     ----------
-    found : Calibration
+    calibration : Calibration
     folder : str or Path
-        Made if there is none.
+        Created if there is none.
 
     Returns
     -------
@@ -34,61 +34,61 @@ def write_calibration(found: Calibration, folder: str | Path) -> tuple[Path, ...
     folder.mkdir(parents=True, exist_ok=True)
     document, table, picture = (folder / f"calibration.{end}" for end in ("json", "csv", "png"))
     with whole(document) as part:
-        part.write_text(json.dumps(as_numbers(found), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-    rows = [_row(found, each) for each in found.parameters]
+        part.write_text(json.dumps(as_numbers(calibration), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    rows = [_row(calibration, each) for each in calibration.parameters]
     with whole(table) as part, part.open("w", newline="", encoding="utf-8") as stream:
         writer = csv.DictWriter(stream, list(rows[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
-    write_figure(picture, calibration_figure(found))
+    write_figure(picture, calibration_figure(calibration))
     files = [document, table, picture]
-    for number, each in enumerate((*found.fits, *found.held_out), start=1):
+    for number, each in enumerate((*calibration.fits, *calibration.held_out), start=1):
         name = re.sub(r"[^\w.-]+", "-", Path(each.data.trial.name).stem)
         files.append(folder / f"curve-{number}-{name}.csv")
         each.to_response().to_csv(files[-1])
     return tuple(files)
 
 
-def as_numbers(found: Calibration) -> dict[str, Any]:
+def as_numbers(calibration: Calibration) -> dict[str, Any]:
     """Return a calibration as tables of numbers in SI units and texts, as JSON takes them.
 
     Parameters
     ----------
-    found : Calibration
+    calibration : Calibration
 
     Returns
     -------
     dict
     """
-    intervals = found.intervals
+    intervals = calibration.intervals
     return {
-        "status": str(found.status),
-        "message": found.message,
-        "advice": found.advice,
-        "solves": found.solves,
-        "computed": found.computed,
-        "derivatives": found.derivatives,
+        "status": str(calibration.status),
+        "message": calibration.message,
+        "advice": calibration.advice,
+        "solves": calibration.solves,
+        "computed": calibration.computed,
+        "derivatives": calibration.derivatives,
         "parameters": [
             {
                 "name": each.name,
                 "unit": each.unit,
-                "value": found.values[each.name],
-                "standard_error": _finite(found.errors[each.name]),
+                "value": calibration.values[each.name],
+                "standard_error": _finite(calibration.errors[each.name]),
                 "low": _finite(intervals[each.name][0]),
                 "high": _finite(intervals[each.name][1]),
-                "at_bound": each.name in found.estimate.at_bound,
+                "at_bound": each.name in calibration.estimate.at_bound,
                 "start": each.start,
                 "bounds": list(each.bounds),
                 "prior": list(each.prior) if each.prior else None,
             }
-            for each in found.parameters
+            for each in calibration.parameters
         ],
-        "correlation": [[_finite(value) for value in row] for row in found.correlation.tolist()],
-        "undetermined": list(found.undetermined),
-        "notes": list(found.estimate.notes),
-        "failures": list(found.failures),
-        "fits": [_fit(each) for each in found.fits],
-        "held_out": [_fit(each) for each in found.held_out],
+        "correlation": [[_finite(value) for value in row] for row in calibration.correlation.tolist()],
+        "undetermined": list(calibration.undetermined),
+        "notes": list(calibration.estimate.notes),
+        "failures": list(calibration.failures),
+        "fits": [_fit(each) for each in calibration.fits],
+        "held_out": [_fit(each) for each in calibration.held_out],
     }
 
 
@@ -100,11 +100,11 @@ def _fit(each: Fitted) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _row(found: Calibration, each: Parameter) -> dict[str, str]:
-    low, high = found.intervals[each.name]
+def _row(calibration: Calibration, each: Parameter) -> dict[str, str]:
+    low, high = calibration.intervals[each.name]
     numbers = {
-        "value": found.values[each.name], "standard_error": found.errors[each.name], "low": low, "high": high,
-        "start": each.start, "lower": each.bounds[0], "upper": each.bounds[1],
+        "value": calibration.values[each.name], "standard_error": calibration.errors[each.name], "low": low,
+        "high": high, "start": each.start, "lower": each.bounds[0], "upper": each.bounds[1],
     }  # fmt: skip
     factor = unit_value(each.unit)
     shown = {name: f"{value / factor:.6g}" if isfinite(value) else "" for name, value in numbers.items()}

@@ -1,1 +1,1 @@
-"""Optimization: dimensions, materials and loads chosen so that a response does what is wanted."""
+"""Optimization: dimensions, materials and loads chosen so that a response meets goals."""

@@ -29,7 +29,7 @@ class Target:
     measure : str or callable
         Column of the response, or name of a factor, or a function of a `Response` that returns a number.
     value : float [SI]
-        What is wanted.
+        The target.
     at : (str, float), optional
         Column and value [SI] at which it is read, such as ``("pressure", 30e3)``; by default the last state.
     scale : float or None [SI]
@@ -71,7 +71,7 @@ class Target:
         return slopes_of(row, self.measure, self.at, factors)[None]
 
     def linear(self) -> tuple[Array, Array]:
-        """Return what differences are divided by and what is subtracted: they are met where their length is below 1."""
+        """Return divisor and target of the differences: the goal is met where their length is below 1."""
         return np.array([_size(self.scale) * self.tolerance]), np.array([self.value])
 
     def reading(self, row: Row) -> Read:
@@ -183,7 +183,7 @@ class Minimize:
 
     @property
     def sign(self) -> float:
-        """1, or −1 for what is to be large."""
+        """1, or −1 for a measure to maximize."""
         return 1.0
 
     def read(self, row: Row) -> Array:
@@ -223,7 +223,7 @@ class TipPath:
     Parameters
     ----------
     points : sequence of (float, float) [m]
-        The wanted curve, from rest: displacements along ``x`` and ``z``.
+        The target curve, from rest: displacements along ``x`` and ``z``.
     at : (str, sequence of float), optional
         Column and its values [SI] at the points, such as ``("pressure", [10e3, 20e3, 30e3])``.
     measures : tuple of str
@@ -238,7 +238,7 @@ class TipPath:
 
     Examples
     --------
-    >>> TipPath([(0.0, 0.0), (-5e-3, 20e-3), (-20e-3, 35e-3)]).wanted.shape
+    >>> TipPath([(0.0, 0.0), (-5e-3, 20e-3), (-20e-3, 35e-3)]).target.shape
     (9, 2)
     """
 
@@ -261,14 +261,14 @@ class TipPath:
             raise TurgorError(f"tolerance of the path is {self.tolerance:g} m; allowed is above 0.")
 
     @property
-    def wanted(self) -> Array:
-        """Wanted points at which the path is compared, (k, 2) [m]."""
+    def target(self) -> Array:
+        """Points of the target at which the path is compared, (k, 2) [m]."""
         given = np.array(self.points, dtype=np.float64)
         return given if self.at is not None else _at_shares(given)
 
     def read(self, row: Row) -> Array:
         """Return the points of the tip of a row, (2k,) [m]; NaN where the path does not reach them."""
-        missing = np.full(self.wanted.size, np.nan)
+        missing = np.full(self.target.size, np.nan)
         if row.response is None:
             return missing
         if self.at is not None:
@@ -280,18 +280,18 @@ class TipPath:
     def slopes(self, row: Row, factors: Sequence[str]) -> Array:
         """Return the derivatives of the points, (2k, factors); NaN where they are not known, as without ``at``."""
         if self.at is None:
-            return np.full((self.wanted.size, len(factors)), np.nan)
+            return np.full((self.target.size, len(factors)), np.nan)
         name, values = self.at
         return np.array([slopes_of(row, each, (name, at), factors) for at in values for each in self.measures])
 
     def linear(self) -> tuple[Array, Array]:
-        """Return divisors and wanted points: met where the length of the differences is below 1."""
-        wanted = self.wanted
-        return np.full(wanted.size, self.tolerance * np.sqrt(len(wanted))), wanted.ravel()
+        """Return divisors and target points: the goal is met where the length of the differences is below 1."""
+        target = self.target
+        return np.full(target.size, self.tolerance * np.sqrt(len(target))), target.ravel()
 
     def distance(self, row: Row) -> float:
         """Return the root mean square of the distances [m]."""
-        apart = self.read(row).reshape(self.wanted.shape) - self.wanted
+        apart = self.read(row).reshape(self.target.shape) - self.target
         return float(np.sqrt(np.mean(np.sum(apart**2, axis=1))))
 
     def reading(self, row: Row) -> Read:
@@ -302,7 +302,7 @@ class TipPath:
 
 Goal: TypeAlias = Target | Limit | Minimize | TipPath
 
-#: What is met or not, and what is made as small as possible where there is nothing else.
+#: Goals that are met or not; their misfit is minimized where there is no objective.
 MET = (Target, TipPath)
 
 

@@ -30,7 +30,7 @@ from turgor.studies.runs.workspaces import REACHED, pressure_keys
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OptimizationPlan:
-    """What an optimization of a job searches for.
+    """Goals, factors and settings of an optimization of a job.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ class OptimizationPlan:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JobOptimization:
-    """A job in the folder of results, and what is searched for.
+    """A job in the folder of results, and the plan of the search.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ class JobOptimization:
 
     @property
     def _differentiated(self) -> list[list[Any]]:
-        """What the goals read, if the search takes slopes."""
+        """The readings of the goals, if the search takes slopes."""
         in_region = self.plan.search.method in ("auto", "trust_region")
         fronts = sum(isinstance(each, Minimize) for each in self.plan.goals) > 1
         if not self.plan.search.slopes or not in_region or fronts:
@@ -113,7 +113,7 @@ def job_optimization(plan: OptimizationPlan, job: Job, folder: Path, *, mesh_err
     plan : OptimizationPlan
     job : Job
     folder : Path
-        Made if there is none; one that holds something else is refused.
+        Created if there is none; one that holds something else is refused.
     mesh_error : bool
         Whether the mesh error of the best design is estimated.
 

@@ -61,7 +61,7 @@ class Casting:
 
 
 def casting_rules(make: Make, casting: Casting | None = None) -> tuple[Rule, ...]:
-    """Return the rules that an actuator must keep to be cast.
+    """Return the rules that an actuator must satisfy to be cast.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def casting_rules(make: Make, casting: Casting | None = None) -> tuple[Rule, ...
     """
     limits = casting or Casting()
     least = f"walls of at least {in_mm(limits.smallest_wall)}"
-    rules = [Rule(least, lambda values: _made(make, values, limits).smallest_wall - limits.smallest_wall)]
+    rules = [Rule(least, lambda values: _checked(make, values, limits).smallest_wall - limits.smallest_wall)]
     for words, part, smallest in (("web of the mold", web, limits.smallest_web), ("core", core, limits.smallest_pin)):
         thick = f"{words} of at least {in_mm(smallest)}{_drafted(limits)}"
         rules.append(Rule(thick, _thickness(make, part, smallest, limits)))
@@ -104,7 +104,7 @@ def _thickness(make: Make, part: Part, smallest: float, casting: Casting) -> Mar
     """Return by how much a part of the mold is thicker at its end than the smallest thickness."""
 
     def margin(values: Mapping[str, Value]) -> float:
-        thickness, depth = part(_made(make, values, casting))
+        thickness, depth = part(_checked(make, values, casting))
         return thickness - 2 * depth * tan(casting.draft) - smallest
 
     return margin
@@ -114,7 +114,7 @@ def _slenderness(make: Make, part: Part, casting: Casting) -> Margin:
     """Return by how much a part of the mold is thicker than its depth demands."""
 
     def margin(values: Mapping[str, Value]) -> float:
-        thickness, depth = part(_made(make, values, casting))
+        thickness, depth = part(_checked(make, values, casting))
         return thickness - depth / casting.deepest
 
     return margin
@@ -145,7 +145,7 @@ def core(actuator: Any) -> tuple[float, float]:
 _NONE = (1.0, 0.0)
 
 
-def _made(make: Make, values: Mapping[str, Value], casting: Casting) -> Any:
+def _checked(make: Make, values: Mapping[str, Value], casting: Casting) -> Any:
     actuator = make(values)
     if casting.mold and not isinstance(actuator, FastPneuNet | SlowPneuNet):
         raise TurgorError(

@@ -42,7 +42,7 @@ def optimize(
 
     One objective or targets alone are searched in a trust region: surfaces through all candidates say where to go. With
     several objectives, the front of designs that no other one beats is searched (NSGA-II) on such surfaces, and
-    what they promise is computed. It ends with what it found; with runs kept in a folder, the same call goes on.
+    what they promise is computed. It then returns its best design; with runs saved in a folder, the same call goes on.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def optimize(
     search : Search, optional
         Method, most runs, precision, number of starts, whether slopes are taken.
     evaluations : Evaluations, optional
-        Where runs are computed and kept, such as `turgor.studies.kept_in`; by default in this process, without files.
+        Where runs are computed and saved, such as `turgor.studies.saved_in`; by default in this process, without files.
 
     Returns
     -------
@@ -82,9 +82,9 @@ def optimize(
     ...     return Response(columns=columns, source=Source(text="a tin"))
     >>> factors = [Factor(name=each, low=5e-3, high=40e-3, unit="mm") for each in ("radius", "length")]
     >>> goals = [Minimize("surface"), Limit("volume", least=10e-6)]
-    >>> found = optimize(tin, factors, goals, search=Search(most_solves=60))
-    >>> surface = found.reads()[0].value
-    >>> found.ending.value, round(surface / (6 * np.pi * (10e-6 / 2 / np.pi) ** (2 / 3)), 2)
+    >>> result = optimize(tin, factors, goals, search=Search(most_solves=60))
+    >>> surface = result.reads()[0].value
+    >>> result.ending.value, round(surface / (6 * np.pi * (10e-6 / 2 / np.pi) ** (2 / 3)), 2)
     ('converged', 1.0)
     """
     computation = function if isinstance(function, Computation) else Computation(function=function)
@@ -114,7 +114,7 @@ def _problem(
 
 
 def _result(problem: Problem, descents: tuple[Descent, ...], search: Search) -> Optimization:
-    """Gather what was found; the status is that of the search that reached the best design."""
+    """Gather the result; the status is that of the search that reached the best design."""
     front = front_of(problem) if len(problem.objectives) > 1 else []
     best = best_of_front(problem, front) if front else best_of(problem)
     led = [each for each in descents if each.best is not None and problem.candidates[each.best] is best]
@@ -130,7 +130,7 @@ def _result(problem: Problem, descents: tuple[Descent, ...], search: Search) -> 
         study=study, goals=problem.goals, scores=tuple(each.score for each in problem.candidates), start=0,
         best=None if best is None else places[id(best.row)], pareto=tuple(places[id(each.row)] for each in front),
         ending=ending, message=message, advice=advice, descents=descents,
-        notes=next((each.ended.found.notes for each in rows if each.ended.found and each.ended.found.notes), ()),
+        notes=next((each.ended.result.notes for each in rows if each.ended.result and each.ended.result.notes), ()),
     )  # fmt: skip
 
 

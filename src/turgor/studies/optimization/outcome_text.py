@@ -29,7 +29,7 @@ def ending_text(problem: Problem, ending: Ending, best: Candidate | None, search
     keeps = "" if missed else " The best design so far meets all targets and limits."
     return (
         f"The budget of {search.most_solves} runs ended before the search.{lost}{near}{keeps}",
-        "Call again with more runs; with runs kept in a folder, nothing is computed twice.",
+        "Call again with more runs; with runs saved in a folder, nothing is computed twice.",
     )
 
 
@@ -39,8 +39,8 @@ def missed_goals(problem: Problem, candidate: Candidate) -> list[str]:
     for goal, part in zip(problem.goals, problem.parts(candidate.readings), strict=True):
         if isinstance(goal, Minimize):
             continue
-        divisor, wanted = goal.linear()
-        scaled = (part - wanted) / divisor
+        divisor, target = goal.linear()
+        scaled = (part - target) / divisor
         size = float(scaled.max()) if isinstance(goal, Limit) else float((scaled @ scaled) ** 0.5)
         if size > 1.0:
             missed.append(str(goal.reading(candidate.row)))

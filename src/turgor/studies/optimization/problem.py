@@ -23,12 +23,12 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Score:
-    """How well a candidate, or what a surface says of one, meets the goals.
+    """How well a computed or predicted candidate meets the goals.
 
     Parameters
     ----------
     objectives : tuple of float
-        What is made as small as possible, each over its scale; where there is nothing, the length of the misfits.
+        Values to minimize, each over its scale; without an objective, the length of the misfits.
     violation : float
         The largest miss of a target or passed limit, in units of its tolerance; met up to 1.
     """
@@ -42,7 +42,7 @@ class Score:
         return bool(np.isfinite([*self.objectives, self.violation]).all())
 
     @property
-    def kept(self) -> bool:
+    def feasible(self) -> bool:
         """Whether all limits hold, and targets besides an objective are met."""
         return self.known and self.violation <= 1.0
 
@@ -110,7 +110,7 @@ class Problem:
     candidates: list[Candidate] = field(default_factory=list)
 
     @property
-    def left(self) -> int:
+    def remaining(self) -> int:
         """How many runs are left."""
         return self.most - len(self.candidates)
 
@@ -131,7 +131,7 @@ class Problem:
         return tuple(each for each in self.goals if isinstance(each, Minimize))
 
     def snapped(self, at: Array) -> Array:
-        """Return shares within the range, of whole numbers at one of them."""
+        """Return shares within the range, rounded for whole numbers."""
         inside, levels = np.clip(at, 0.0, 1.0), self.levels
         steps = np.where(levels > 0, levels, 1.0)
         return np.where(levels > 0, np.round(inside / steps) * steps, inside)
@@ -150,12 +150,12 @@ class Problem:
         return np.array([each.share_of(values[each.name]) for each in self.factors])
 
     def margins(self, at: Array) -> Array:
-        """Return by how much the rules are kept, (rules,)."""
+        """Return the margins of the rules, (rules,)."""
         values = self.values(at)
         return np.array([each.of(values) for each in self.rules])
 
     def broken(self, at: Array) -> str:
-        """Say which rule a design breaks; empty where it keeps all."""
+        """Return which rule a design breaks; empty where it satisfies all."""
         values = self.values(at)
         return next((why for why in (each.broken(values) for each in self.rules) if why), "")
 
@@ -167,7 +167,7 @@ class Problem:
             values = self.values(point)
             run = self.computation.run(values, nominal=nominal, name=values_text(self.factors, values))
             runs.setdefault(run.key, (run, point, values))
-        fresh = [entry for key, entry in runs.items() if key not in before][: max(self.left, 0)]
+        fresh = [entry for key, entry in runs.items() if key not in before][: max(self.remaining, 0)]
         ended = self.evaluations.of([run for run, _, _ in fresh])
         for (_, point, values), each in zip(fresh, ended, strict=True):
             self.candidates.append(self._candidate(self.snapped(point), Row(values=values, ended=each)))
@@ -178,8 +178,8 @@ class Problem:
         """Return how well readings meet the goals."""
         misfits, excess, objectives = [0.0], [0.0], []
         for goal, part in zip(self.goals, self.parts(readings), strict=True):
-            divisor, wanted = goal.linear()
-            scaled = (part - wanted) / divisor
+            divisor, target = goal.linear()
+            scaled = (part - target) / divisor
             if isinstance(goal, Limit):
                 excess.extend(scaled.tolist())
             elif isinstance(goal, MET):
@@ -232,4 +232,4 @@ def _largest(values: Sequence[float]) -> float:
 
 
 def _count(goal: Goal) -> int:
-    return 1 if isinstance(goal, Limit | Minimize) or not hasattr(goal, "wanted") else int(goal.wanted.size)
+    return 1 if isinstance(goal, Limit | Minimize) or not hasattr(goal, "target") else int(goal.target.size)

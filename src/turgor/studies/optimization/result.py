@@ -15,14 +15,14 @@ from turgor.studies.runs.study import Row, Study
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Optimization:
-    """What an optimization found.
+    """Result of an optimization.
 
     Parameters
     ----------
     study : Study
         Every candidate is a row, in the order of the runs.
     goals : tuple of Goal
-        What was wanted, with all scales.
+        The goals, with all scales.
     scores : tuple of Score
         How well each row meets the goals.
     start : int
@@ -82,8 +82,8 @@ class Optimization:
 
     def objectives(self) -> np.ndarray:
         """Return the objectives of the rows [SI], (rows, objectives), as they are reported; NaN where a run failed."""
-        wanted = [each for each in self.goals if isinstance(each, Minimize)]
-        return np.array([[each.read(row)[0] for each in wanted] for row in self.study.rows])
+        objectives = [each for each in self.goals if isinstance(each, Minimize)]
+        return np.array([[each.read(row)[0] for each in objectives] for row in self.study.rows])
 
     def summary(self) -> str:
         """Return the result as text: how it ended, the design, and what it reaches, before and after."""

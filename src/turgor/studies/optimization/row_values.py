@@ -116,7 +116,7 @@ def words_of(measure: Measure) -> str:
 
 
 def unit_of(row: Row, measure: Measure) -> str:
-    """Return the unit of a column; empty for what is no column."""
+    """Return the unit of a column; empty if there is no such column."""
     if isinstance(measure, str) and row.response is not None and measure in row.response:
         return row.response.find(measure).unit
     return ""

@@ -1,4 +1,4 @@
-"""Rules that a design must keep before it is computed, such as a smallest wall: no run is spent on what breaks one."""
+"""Rules that a design must satisfy before it is computed, such as a smallest wall."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -18,9 +18,9 @@ class Rule:
     Parameters
     ----------
     name : str
-        What it asks for, in words, such as ``"gap of at least 1 mm"``.
+        What it requires, in words, such as ``"gap of at least 1 mm"``.
     margin : callable
-        Function of the values of the factors by name [SI]. It returns by how much the rule is kept, negative where it
+        Function of the values of the factors by name [SI]. It returns the margin of the rule, negative where it
         is broken; where it raises a `TurgorError`, such as one of an actuator that cannot be built, the rule is broken.
 
     Examples
@@ -41,7 +41,7 @@ class Rule:
             return -float("inf")
 
     def broken(self, values: Mapping[str, Value]) -> str:
-        """Say why the rule is broken; empty where it is kept."""
+        """Return why the rule is broken; empty where it is satisfied."""
         try:
             margin = float(self.margin(values))
         except TurgorError as error:

@@ -31,7 +31,7 @@ class Search:
         what was computed; ``"evolution"`` for several objectives of a function that takes no time (NSGA-II). ``"auto"``
         takes one of the first two.
     most_solves : int
-        Runs after which it ends with what it found, at least 2.
+        Runs after which the search ends with its best design, at least 2.
     precision : float [-]
         Steps below this share of the ranges do not count. Where a mesh changes with a dimension, so do values, by their
         mesh error: smaller steps than these errors are chance.

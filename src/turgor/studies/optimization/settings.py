@@ -24,7 +24,8 @@ class TrustRegionSettings:
     last_region : float
         A step below the precision ends the search where the region is at most so many times the precision.
     tries : int
-        Points tried where the start gives no response, and Latin hypercubes drawn until enough designs keep the rules.
+        Points tried where the start gives no response, and Latin hypercubes drawn until enough designs satisfy
+        the rules.
     aim : float
         A search aims at this violation; up to 1 counts as met. Misfits below it count less and less, because their
         length has a kink where all targets are met.

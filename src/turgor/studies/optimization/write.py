@@ -20,14 +20,16 @@ TABLE, BEST, FIGURE, TEXT = "optimization.csv", "best.toml", "optimization.png",
 BEFORE_AND_AFTER = "before-and-after.png"
 
 
-def write_optimization(found: Optimization, folder: str | Path, base: JobFunction | None = None) -> tuple[Path, ...]:
+def write_optimization(
+    optimization: Optimization, folder: str | Path, base: JobFunction | None = None
+) -> tuple[Path, ...]:
     """Write candidates as a table, the figure, the text, and for a job the best one, with pictures before and after.
 
     Parameters
     ----------
-    found : Optimization
+    optimization : Optimization
     folder : str or Path
-        Made if there is none.
+        Created if there is none.
     base : JobFunction, optional
         The job whose numbers were searched.
 
@@ -38,46 +40,46 @@ def write_optimization(found: Optimization, folder: str | Path, base: JobFunctio
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     files = [folder / TABLE, folder / TEXT]
-    write_candidates(found, files[0])
+    write_candidates(optimization, files[0])
     with whole(files[1]) as part:
-        part.write_text(found.summary() + "\n", encoding="utf-8")
-    if found.best is None:
+        part.write_text(optimization.summary() + "\n", encoding="utf-8")
+    if optimization.best is None:
         return tuple(files)
     files.append(folder / FIGURE)
-    write_figure(files[-1], optimization_figure(found))
+    write_figure(files[-1], optimization_figure(optimization))
     if base is not None:
         files.append(folder / BEST)
-        base.write(found.values, files[-1], f"Optimized:\n{found.summary()}")
-    drawn = before_and_after(found, () if base is None else _last_states(found, base))
+        base.write(optimization.values, files[-1], f"Optimized:\n{optimization.summary()}")
+    drawn = before_and_after(optimization, () if base is None else _last_states(optimization, base))
     if drawn is not None:
         files.append(folder / BEFORE_AND_AFTER)
         write_figure(files[-1], drawn)
     return tuple(files)
 
 
-def _last_states(found: Optimization, base: JobFunction) -> tuple[State, ...]:
-    """The last states of the start and of the best design; none where a run has kept none."""
+def _last_states(optimization: Optimization, base: JobFunction) -> tuple[State, ...]:
+    """The last states of the start and of the best design; none where a run saved none."""
     where = base.values
-    rows = (found.study.rows[number] for number in ends_of(found))
+    rows = (optimization.study.rows[number] for number in ends_of(optimization))
     files = [last_state_of(str(where["job"]), str(where["digest"]), row.values) for row in rows]
     return tuple(load(file).states[-1] for file in files) if all(file.is_file() for file in files) else ()
 
 
-def write_candidates(found: Optimization, file: Path) -> None:
-    """Write a line for each run: values of the factors, what each goal reads, whether the limits are kept."""
+def write_candidates(optimization: Optimization, file: Path) -> None:
+    """Write a line for each run: values of the factors, what each goal reads, whether the limits are satisfied."""
     rows = []
-    heads = found.reads(found.best or 0)
-    for number, row in enumerate(found.study.rows):
+    heads = optimization.reads(optimization.best or 0)
+    for number, row in enumerate(optimization.study.rows):
         line: dict[str, object] = {"run": number + 1}
-        for each in found.study.factors:
+        for each in optimization.study.factors:
             value = float(row.values[each.name]) / unit_value(each.unit)
             line[f"{each.name} ({each.unit})" if each.unit else each.name] = f"{value:.9g}"
-        for goal, head in zip(found.goals, heads, strict=True):
+        for goal, head in zip(optimization.goals, heads, strict=True):
             value = goal.reading(row).value
             text = f"{value / COLUMN_UNITS.get(head.unit, 1.0):.9g}" if isfinite(value) else ""
             line[f"{head.name} ({head.unit})" if head.unit else head.name] = text
-        line["kept"] = int(found.scores[number].kept)
-        line["front"] = int(number in found.pareto)
+        line["kept"] = int(optimization.scores[number].feasible)
+        line["front"] = int(number in optimization.pareto)
         line |= {"status": row.status, "problem": row.problem, "cpu_seconds": f"{row.seconds:.3g}"}
         rows.append(line)
     with whole(file) as part, part.open("w", newline="", encoding="utf-8") as stream:

@@ -1,1 +1,1 @@
-"""Studies: many runs of the same question, in processes of their own, kept on disk as they end."""
+"""Studies: many runs of the same question, in processes of their own, saved on disk as they end."""

@@ -1,4 +1,4 @@
-"""Computation: a function of numbers, with its further arguments, from which runs are made."""
+"""Computation: a function of numbers, with its further arguments, from which runs are created."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -21,7 +21,7 @@ class Computation:
     values : mapping
         Further arguments.
     nominal : mapping
-        Arguments of the nominal run alone, such as one that asks for the mesh error.
+        Arguments of the nominal run alone, such as one that requests the mesh error.
     gather : str
         Name of an argument that takes all numbers as one mapping; by default each is a keyword.
     design : object

@@ -91,8 +91,8 @@ def factorial(factors: Sequence[Factor]) -> Designs:
     Examples
     --------
     >>> wall = Factor(name="wall", levels=(1e-3, 2e-3), unit="mm")
-    >>> found = factorial([wall, Factor(name="chambers", levels=(4, 6, 8), whole=True)])
-    >>> len(found), found.values[1]
+    >>> designs = factorial([wall, Factor(name="chambers", levels=(4, 6, 8), whole=True)])
+    >>> len(designs), designs.values[1]
     (6, {'wall': 0.001, 'chambers': 6})
     """
     levels = [each.spaced() for each in factors]
@@ -131,8 +131,8 @@ def latin_hypercube(factors: Sequence[Factor], samples: int, seed: int = 0) -> D
 
     Examples
     --------
-    >>> found = latin_hypercube([Factor(name="wall", low=1e-3, high=2e-3)], 4, seed=1)
-    >>> sorted(int(each["wall"] * 4000) for each in found.values)
+    >>> designs = latin_hypercube([Factor(name="wall", low=1e-3, high=2e-3)], 4, seed=1)
+    >>> sorted(int(each["wall"] * 4000) for each in designs.values)
     [4, 5, 6, 7]
     """
     rule = f"Latin hypercube of {samples}"

@@ -1,4 +1,4 @@
-"""Evaluations of functions that return a response, kept in memory or on disk, in this process or in others."""
+"""Evaluations of functions that return a response, stored in memory or on disk, in this process or in others."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -24,7 +24,7 @@ class Evaluations:
     Parameters
     ----------
     folder : Path or None
-        Where they are kept as they end; None keeps nothing on disk, which suits formulas.
+        Where they are saved as they end; None saves nothing on disk, which suits formulas.
     executor : Executor
         Where they are computed: by default in this process.
     progress : callable or None
@@ -63,7 +63,7 @@ class Evaluations:
         self.close()
 
     def _read(self, run: Run) -> bool:
-        """Read a run that was kept before; return whether it was."""
+        """Read a run that was saved before; return whether there is one."""
         before = ended_before(run, self.folder) if self.folder is not None else None
         if before is None or self.folder is None:
             return False
@@ -80,15 +80,15 @@ class Evaluations:
             self.progress(ended)
 
 
-def kept_in(
+def saved_in(
     folder: str | Path, *, processes: int = 1, progress: Progress | None = None, retry: bool = False
 ) -> Evaluations:
-    """Return where runs are computed, each kept on disk as it ends.
+    """Return where runs are computed, each saved on disk as it ends.
 
     Parameters
     ----------
     folder : str or Path
-        Made if there is none.
+        Created if there is none.
     processes : int
         Processes at once, each with one thread, which stay until all batches are computed. One is this process itself.
     progress : callable, optional

@@ -197,7 +197,7 @@ def parallel_picture(study: Study, measure: str, at: At = None) -> PlotFigure:
 
 
 def hidden_by_mesh(study: Study, measure: str, at: At = None) -> tuple[str, ...]:
-    """Say which effects mesh errors hide: differences between neighboring levels that are smaller than their errors.
+    """Return which effects mesh errors hide: differences between neighboring levels that are smaller than their errors.
 
     The mesh errors of two runs are added, because they are no random numbers. Only rows on a full grid are compared.
 

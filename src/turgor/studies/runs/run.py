@@ -16,7 +16,7 @@ from turgor.studies.runs.settings import RUNS
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Computed:
-    """What one run found.
+    """Result of one run.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ class Run:
     Attributes
     ----------
     code : str
-        `code_digest` of the function as the run was made.
+        `code_digest` of the function when the run was created.
 
     Examples
     --------
@@ -90,7 +90,7 @@ class Run:
         try:
             json.dumps(dict(self.values))
         except TypeError as error:
-            raise TurgorError(f"run '{self.name}' has a value that cannot be kept: {error}.") from None
+            raise TurgorError(f"run '{self.name}' has a value that cannot be saved: {error}.") from None
         encoder = Encoder()
         encoder.encode(self.design, f"the design of run '{self.name}'")
         if encoder.arrays:

@@ -1,4 +1,4 @@
-"""Many runs in processes of their own: what has ended is kept at once, and is not computed again."""
+"""Many runs in processes of their own: what has ended is saved at once, and is not computed again."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -17,7 +17,7 @@ def run_all(
     progress: Callable[[Ended], None] | None = None,
     retry: bool = False,
 ) -> dict[str, Ended]:
-    """Compute runs that have not ended before, each in a process with one thread, and keep them as they end.
+    """Compute runs that have not ended before, each in a process with one thread, and save them as they end.
 
     Killed at any moment, nothing that has ended is lost: the next call reads it. A run that fails is no hole: it has
     the sentence that says why.
@@ -27,7 +27,7 @@ def run_all(
     runs : sequence of Run
         Runs of one key are computed once.
     folder : Path
-        Where they are kept.
+        Where they are saved.
     processes : int
         Processes at once, at least 1.
     progress : callable or None

@@ -12,7 +12,7 @@ class RunSettings:
     ----------
     digits : int
         Digits of the values that functions are called with: the last ones of a float may differ from machine to
-        machine, and a run is found again by its values. Tables have one more.
+        machine, and a saved run is identified by its values. Tables have one more.
     letters : int
         Letters of a hash in the name of a file.
     range_levels, most_levels : int
@@ -25,7 +25,7 @@ class RunSettings:
     dask_runs : int
         Most runs that a scheduler has at once: this process holds a lock of each, and may open about a thousand files.
     attempts : int
-        How often the folder of a path is made: other runs may remove the one above it while it is empty.
+        How often the folder of a path is created: other runs may remove the one above it while it is empty.
     exact_slopes : float
         Estimated relative error up to which slopes count as exact.
     """

@@ -43,7 +43,7 @@ class Row:
     @property
     def response(self) -> Response | None:
         """What was measured, as far as the path goes; None where the run failed."""
-        return None if self.ended.found is None else self.ended.found.response
+        return None if self.ended.result is None else self.ended.result.response
 
     @property
     def status(self) -> str:
@@ -58,7 +58,7 @@ class Row:
     @property
     def seconds(self) -> float:
         """CPU time of the run [s]; 0 where it failed."""
-        return 0.0 if self.ended.found is None else self.ended.found.seconds
+        return 0.0 if self.ended.result is None else self.ended.result.seconds
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

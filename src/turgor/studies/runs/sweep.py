@@ -40,8 +40,8 @@ def sweep(
     designs : Designs, optional
         Points to compute at, from `turgor.studies.latin_hypercube`, `sobol`, `factorial` or `read_designs`.
     evaluations : Evaluations, optional
-        Where runs are computed and kept, such as ``turgor.studies.kept_in("folder", processes=4)``; by default in this
-        process, without files. With a folder, a sweep that was killed goes on where it was.
+        Where runs are computed and saved, such as ``turgor.studies.saved_in("folder", processes=4)``; by default in
+        this process, without files. With a folder, a sweep that was killed goes on where it was.
     **levels : sequence of float, int or str [SI]
         Levels of each factor, by its name, for a full factorial; instead of ``designs``. A dictionary gives names with
         points: ``**{"law.C10": [0.1e6, 0.2e6]}``.

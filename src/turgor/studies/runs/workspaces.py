@@ -64,10 +64,10 @@ class WorkspaceRuns:
         """Runs that failed, and those whose path ended early, in sentences."""
         sentences = []
         for each in self.ended:
-            if each.found is None:
+            if each.result is None:
                 sentences.append(f"The run with {each.run.name} failed: {each.problem}")
-            elif each.found.response.message:
-                sentences.append(f"The run with {each.run.name} ended early: {each.found.response.message}")
+            elif each.result.response.message:
+                sentences.append(f"The run with {each.run.name} ended early: {each.result.response.message}")
         return tuple(sentences)
 
     def to_response(self) -> Response:
@@ -86,7 +86,7 @@ class WorkspaceRuns:
             names = list(self.pressures[0])
             table.writerow([*(f"{name} (kPa)" for name in names), *(f"{name} (mm)" for name in COLUMNS), "problem"])
             for values, each in zip(self.pressures, self.ended, strict=True):
-                response = None if each.found is None else each.found.response
+                response = None if each.result is None else each.result.response
                 tip = ["" if response is None else f"{response[name][-1] / mm:.6g}" for name in COLUMNS]
                 problem = each.problem if response is None else response.message
                 table.writerow([*(f"{values[name] / kPa:.6g}" for name in names), *tip, problem])
@@ -111,12 +111,12 @@ def workspace_of(
         and returns a `Response` with ``tip_displacement_x``, ``tip_displacement_y`` and ``tip_displacement_z``.
     pressures : mapping of str to sequence of float [Pa]
         Pressures of each cavity, such as ``{"cavity_1": [0, 10 * kPa], "cavity_2": [0, 10 * kPa]}``. Cavities of a job
-        that are not named keep the pressure of the job. A combination at which nothing loads a job is not computed:
+        that are not named have the pressure of the job. A combination at which nothing loads a job is not computed:
         every path begins at rest.
     values : mapping of str to float, int or str, optional
         Numbers of the job by key [SI], such as ``{"actuator.wall": 2e-3}``, or further arguments of the function.
     evaluations : Evaluations, optional
-        Where runs are computed and kept, such as `turgor.studies.kept_in`; by default in this process, without files.
+        Where runs are computed and saved, such as `turgor.studies.saved_in`; by default in this process, without files.
 
     Returns
     -------
@@ -137,8 +137,8 @@ def workspace_of(
     ...     places = (left + right, left - right, 0.0)
     ...     columns = tuple(Column(name, "mm", [0, x * 1e-7]) for name, x in zip(COLUMNS, places, strict=True))
     ...     return Response(columns=columns, source=Source(text="a beam"))
-    >>> found = workspace_of(beam, {"left": [0, 10 * kPa, 20 * kPa], "right": [0, 10 * kPa, 20 * kPa]})
-    >>> len(found.ended), round(found.reached.area / mm**2, 6)
+    >>> workspace = workspace_of(beam, {"left": [0, 10 * kPa, 20 * kPa], "right": [0, 10 * kPa, 20 * kPa]})
+    >>> len(workspace.ended), round(workspace.reached.area / mm**2, 6)
     (9, 8.0)
     """
     combinations = _combinations(model, pressures)
@@ -255,7 +255,7 @@ def _is_loaded(job: Job, pressures: Mapping[str, float]) -> bool:
 
 
 def _gathered(combinations: tuple[Mapping[str, float], ...], ended: Sequence[Ended]) -> WorkspaceRuns:
-    responses = [each.found.response for each in ended if each.found is not None]
+    responses = [each.result.response for each in ended if each.result is not None]
     if not responses:
         raise TurgorError(f"all {len(ended)} runs failed; the first one: {ended[0].problem}")
     return WorkspaceRuns(reached=workspace(responses), pressures=combinations, ended=tuple(ended))

@@ -160,8 +160,8 @@ def anova(study: Study, measure: str, *, at: tuple[str, float] | None = None, in
     >>> from turgor.studies.runs.sweep import sweep
     >>> def angle(wall, gap):
     ...     return Response(columns=(Column("angle", "", [10 - 2 * wall - gap]),), source=Source(text="a formula"))
-    >>> found = anova(sweep(angle, wall=[1.0, 2.0], gap=[1.0, 2.0]), "angle")
-    >>> found.ranking, round(found.term("wall").share, 3), found.effect("wall")
+    >>> result = anova(sweep(angle, wall=[1.0, 2.0], gap=[1.0, 2.0]), "angle")
+    >>> result.ranking, round(result.term("wall").share, 3), result.effect("wall")
     (('wall', 'gap'), 0.8, -2.0)
     """
     values = study.column(measure, at)
@@ -204,7 +204,7 @@ def is_factorial(study: Study) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class _Error:
-    """Mean square that F compares with, its degrees of freedom (0: known), and what it is."""
+    """Mean square that F compares with, its degrees of freedom (0: known), and its name."""
 
     square: float
     freedom: int
@@ -236,7 +236,7 @@ def _levels(factor: Factor, rows: Sequence[Mapping[str, Value]]) -> list[Value]:
 def _divided(
     terms: Sequence[tuple[str, ...]], codes: Mapping[str, Array], y: Array
 ) -> tuple[list[float], list[int], float]:
-    """Sums of squares and degrees of freedom of terms (type II), and what all of them leave."""
+    """Sums of squares and degrees of freedom of terms (type II), and the residual sum of squares."""
     columns = {term: _columns(term, codes) for term in terms}
     full = _matrix([columns[term] for term in terms], len(y))
     if np.linalg.matrix_rank(full) < full.shape[1]:
@@ -247,8 +247,11 @@ def _divided(
     squares = []
     for term in terms:
         others = [columns[each] for each in terms if not set(term) <= set(each)]
-        squares.append(_left(_matrix(others, len(y)), y) - _left(_matrix([*others, columns[term]], len(y)), y))
-    return squares, [columns[term].shape[1] for term in terms], _left(full, y)
+        squares.append(
+            _residual_squares(_matrix(others, len(y)), y)
+            - _residual_squares(_matrix([*others, columns[term]], len(y)), y)
+        )
+    return squares, [columns[term].shape[1] for term in terms], _residual_squares(full, y)
 
 
 def _columns(term: tuple[str, ...], codes: Mapping[str, Array]) -> Array:
@@ -262,7 +265,7 @@ def _matrix(parts: Sequence[Array], rows: int) -> Array:
     return np.column_stack([np.ones(rows), *parts])
 
 
-def _left(matrix: Array, y: Array) -> float:
+def _residual_squares(matrix: Array, y: Array) -> float:
     """Sum of squares that a linear model leaves."""
     coefficients = np.linalg.lstsq(matrix, y, rcond=None)[0]
     return float(((y - matrix @ coefficients) ** 2).sum())

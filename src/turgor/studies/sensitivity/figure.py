@@ -15,20 +15,20 @@ from turgor.views.plots.styling import INK, QUIET, style_axes
 BAR, AROUND, WIDTH = 0.42, 1.3, 6.4
 
 
-def indices_figure(found: Sequence[Indices]) -> PlotFigure:
+def indices_figure(indices: Sequence[Indices]) -> PlotFigure:
     """Draw first and total indices with their 95 % intervals, a panel for each measure.
 
     Parameters
     ----------
-    found : sequence of Indices
+    indices : sequence of Indices
 
     Returns
     -------
     matplotlib.figure.Figure
     """
-    heights = [max(len(each.factors), 2) * BAR + AROUND for each in found]
+    heights = [max(len(each.factors), 2) * BAR + AROUND for each in indices]
     figure = PlotFigure(figsize=(WIDTH, sum(heights)))
-    for axes, each in zip(np.atleast_1d(figure.subplots(len(found), 1, height_ratios=heights)), found, strict=True):
+    for axes, each in zip(np.atleast_1d(figure.subplots(len(indices), 1, height_ratios=heights)), indices, strict=True):
         order = [each.factors.index(name) for name in reversed(each.ranking)]
         place = np.arange(len(order))
         for which, index, off, color in (
@@ -36,8 +36,8 @@ def indices_figure(found: Sequence[Indices]) -> PlotFigure:
             ("first", each.first, 0.19, COLORS[4]),
         ):
             low, high = each.interval(which)
-            left = 1 - each.unexplained
-            values = left * index[order]
+            explained = 1 - each.unexplained
+            values = explained * index[order]
             bars = np.maximum([values - low[order], high[order] - values], 0.0)
             label = "with interactions (total)" if which == "total" else "alone (first order)"
             axes.barh(place - off, 100 * values, height=0.36, color=color, label=label)
@@ -52,38 +52,38 @@ def indices_figure(found: Sequence[Indices]) -> PlotFigure:
     return figure
 
 
-def anova_figure(found: Sequence[tuple[str, Anova]]) -> PlotFigure:
+def anova_figure(anovas: Sequence[tuple[str, Anova]]) -> PlotFigure:
     """Draw the shares of main effects and pairs, with the bars of the analyses side by side.
 
     Parameters
     ----------
-    found : sequence of (str, Anova)
+    anovas : sequence of (str, Anova)
         Name in the legend, and analysis. All have the same terms.
 
     Returns
     -------
     matplotlib.figure.Figure
     """
-    first = found[0][1]
+    first = anovas[0][1]
     names = [term.name for term in (*first.terms, first.remainder)]
     figure = PlotFigure(figsize=(WIDTH, len(names) * BAR + AROUND))
     axes = figure.subplots()
-    thick = 0.8 / len(found)
+    thick = 0.8 / len(anovas)
     place = np.arange(len(names))[::-1]
-    for n, (label, each) in enumerate(found):
+    for n, (label, each) in enumerate(anovas):
         shares = [100 * term.share for term in (*each.terms, each.remainder)]
-        off = (n - (len(found) - 1) / 2) * thick
+        off = (n - (len(anovas) - 1) / 2) * thick
         bars = axes.barh(place - off, shares, height=0.9 * thick, color=COLORS[n % len(COLORS)], label=label)
         axes.bar_label(bars, [f"{share:.2g}" for share in shares], padding=3, fontsize=8, color=QUIET)
     axes.set_yticks(place, names)
     axes.set_xlabel(f"share of the sum of squares of {first.measure.replace('_', ' ')} [%]", color=INK)
     style_axes(axes)
     axes.grid(False, axis="y")
-    if any(label for label, _ in found):
+    if any(label for label, _ in anovas):
         axes.legend(frameon=False, labelcolor=INK, fontsize=8, loc="lower right")
     return figure
 
 
-def _title(found: Indices) -> str:
-    left = f"; the surrogate leaves {percent(found.unexplained)} % unexplained" if found.unexplained else ""
-    return f"{found.count} points, lines: 95 %{left}"
+def _title(indices: Indices) -> str:
+    unexplained = f"; the surrogate leaves {percent(indices.unexplained)} % unexplained" if indices.unexplained else ""
+    return f"{indices.count} points, lines: 95 %{unexplained}"

@@ -61,7 +61,7 @@ class Indices:
     normal: tuple[str, ...] = ()
 
     def interval(self, which: str) -> tuple[Array, Array]:
-        """Return the ends of the 95 % intervals, (k,) each, with what a surrogate leaves unexplained.
+        """Return the ends of the 95 % intervals, (k,) each, widened by the unexplained share of a surrogate.
 
         Of a variance V the surrogate has (1 − u) V. What is unexplained may belong to any factor: an index of the
         surrogate s ± e lies between (1 − u)(s − e) and (1 − u)(s + e) + u.
@@ -74,8 +74,10 @@ class Indices:
         if which not in ("first", "total"):
             raise unknown("index", which, ("first", "total"))
         index, error = (self.first, self.first_error) if which == "first" else (self.total, self.total_error)
-        left = self.unexplained
-        return np.maximum((1 - left) * (index - error), 0.0), np.minimum((1 - left) * (index + error) + left, 1.0)
+        unexplained = self.unexplained
+        return np.maximum((1 - unexplained) * (index - error), 0.0), np.minimum(
+            (1 - unexplained) * (index + error) + unexplained, 1.0
+        )
 
     @property
     def ranking(self) -> tuple[str, ...]:
@@ -91,10 +93,10 @@ class Indices:
             shares.append(f"{name} {percent(self.total[n])} % ({percent(low[n])} to {percent(high[n])})")
         column = Column(self.measure, self.unit, np.array([self.deviation]))
         deviation = f"{column.in_unit[0]:.3g} {self.unit}".rstrip()
-        left = f"; the surrogate leaves {percent(self.unexplained)} % unexplained" if self.unexplained else ""
+        unexplained = f"; the surrogate leaves {percent(self.unexplained)} % unexplained" if self.unexplained else ""
         alone = f"factors alone bring {percent(float(self.first.sum()))} %"
         how = f" with {', '.join(self.normal)} normal" if self.normal else ""
-        return f"{column.words} varies by {deviation}{how}: {', '.join(shares)}; {alone}{left}."
+        return f"{column.words} varies by {deviation}{how}: {', '.join(shares)}; {alone}{unexplained}."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -183,8 +185,8 @@ def sobol_indices(
     >>> def angle(wall, gap):
     ...     return Response(columns=(Column("angle", "", [10 - 2 * wall - gap]),), source=Source(text="a formula"))
     >>> factors = Factor(name="wall", low=1.0, high=2.0), Factor(name="gap", low=1.0, high=2.0)
-    >>> (found,) = sobol_indices(Direct(function=angle, factors=factors, measures=("angle",)), samples=256)
-    >>> found.ranking, found.total.round(2)
+    >>> (indices,) = sobol_indices(Direct(function=angle, factors=factors, measures=("angle",)), samples=256)
+    >>> indices.ranking, indices.total.round(2)
     (('wall', 'gap'), array([0.8, 0.2]))
     """
     if samples < 2 or samples & (samples - 1):

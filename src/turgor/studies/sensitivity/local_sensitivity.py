@@ -82,7 +82,7 @@ class LocalSensitivity:
         return self.derivative * self.tolerance.nominal / self.value if self.value else float("nan")
 
     def sentence(self) -> str:
-        """Return what a tolerance does, in a sentence."""
+        """Return the effect of a tolerance in a sentence."""
         factor = self.tolerance.factor
         column = Column(self.measure, self.unit, np.array([self.change, self.error * self.tolerance.off, self.value]))
         change, error, value = column.in_unit
@@ -117,7 +117,7 @@ def local_sensitivities(
     at : (str, float), optional
         Column and value [SI] at which measures are read; by default the last state.
     evaluations : Evaluations, optional
-        Where runs are computed and kept; by default in this process, without files.
+        Where runs are computed and saved; by default in this process, without files.
 
     Returns
     -------
@@ -133,8 +133,8 @@ def local_sensitivities(
     --------
     >>> def angle(wall):
     ...     return Response(columns=(Column("angle", "", [8 / wall**3]),), source=Source(text="a formula"))
-    >>> (found,) = local_sensitivities(angle, [Tolerance(name="wall", nominal=2.0, off=0.02)], ["angle"])
-    >>> round(found.elasticity, 3), found.sentence()
+    >>> (sensitivity,) = local_sensitivities(angle, [Tolerance(name="wall", nominal=2.0, off=0.02)], ["angle"])
+    >>> round(sensitivity.elasticity, 3), sensitivity.sentence()
     (-3.001, 'wall 2 + 0.02: angle -0.03 ± 0.0006 (-3 %), elasticity -3.')
     """
     if not tolerances or not measures:

@@ -1,4 +1,4 @@
-"""Functions of factors that sensitivities ask at many points: runs themselves, or something fast in their place."""
+"""Functions that sensitivities evaluate at many points: runs themselves, or something fast in their place."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -72,7 +72,7 @@ class Direct:
     at : (str, float), optional
         Column and value [SI] at which they are read; by default the last state.
     evaluations : Evaluations
-        Where runs are computed and kept; by default in this process, without files.
+        Where runs are computed and saved; by default in this process, without files.
     """
 
     function: Computation | Callable[..., Response | Computed]
@@ -123,7 +123,7 @@ class Direct:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Problem:
-    """What is sampled: the factors that vary, and those that are fixed.
+    """The sampled problem: the factors that vary, and those that are fixed.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ class Problem:
 
     @property
     def salib(self) -> dict[str, Any]:
-        """The problem in the words of SALib."""
+        """The problem in the form of SALib."""
         normal = {each.name: each.standard for each in self.spreads}
         return {
             "num_vars": len(self.varied),
@@ -167,7 +167,7 @@ class Problem:
 
 
 def problem_of(predictor: Predictor, fixed: Mapping[str, Value] | None, spreads: Sequence[Spread] = ()) -> Problem:
-    """Return what is sampled, after a check of the factors.
+    """Return the problem to sample, after a check of the factors.
 
     Parameters
     ----------

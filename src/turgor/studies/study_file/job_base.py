@@ -46,9 +46,9 @@ class JobBase:
         """Return a factor with levels or a range that the job takes."""
         if isinstance(given, Mapping):
             given = {name: value for name, value in given.items() if name in RANGE}
-        made = job_factor(key, given, self.whole, self.numbers)
-        check_choices(self.file, self.changes, [made], self.whole)
-        return made
+        factor = job_factor(key, given, self.whole, self.numbers)
+        check_choices(self.file, self.changes, [factor], self.whole)
+        return factor
 
     def range(self, key: str, given: Any) -> tuple[Factor, Value]:
         """Return a factor with a range, and where a search starts: at the value of the job by default."""
@@ -57,13 +57,13 @@ class JobBase:
         for end in ("low", "high"):
             if end not in given:
                 raise TurgorError(f"'{end}' is missing.")
-        made = job_factor(key, {end: given[end] for end in ("low", "high")}, self.whole, self.numbers)
-        number = self.numbers[made.name.split(",")[0]]
+        factor = job_factor(key, {end: given[end] for end in ("low", "high")}, self.whole, self.numbers)
+        number = self.numbers[factor.name.split(",")[0]]
         start = number.value
         if "start" in given:
             start = float(job_factor(key, [given["start"]], self.whole, self.numbers).levels[0])
-        low, high = made.bounds
-        return made, round(start) if number.whole else min(max(start, low), high)
+        low, high = factor.bounds
+        return factor, round(start) if number.whole else min(max(start, low), high)
 
     def number(self, key: str) -> tuple[str, JobNumber]:
         """Return the name of a factor and its number, which is not a whole one; several keys have one value."""

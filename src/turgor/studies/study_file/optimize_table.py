@@ -64,7 +64,7 @@ def read_optimize(
     search = problems.attempt(OPTIMIZE, partial(_search, given))
     casting = None
     if "casting" in given:
-        casting = problems.attempt((*OPTIMIZE, "casting"), partial(_made, Casting, given["casting"]))
+        casting = problems.attempt((*OPTIMIZE, "casting"), partial(_settings, Casting, given["casting"]))
     workspace = problems.attempt((*OPTIMIZE, "workspace"), partial(_workspace, given.get("workspace", {})))
     if problems.entries or search is None or workspace is None:
         return None
@@ -89,7 +89,7 @@ def _goals(given: Table, problems: Problems) -> tuple[Goal, ...]:
 
 
 def _search(given: Table) -> Search:
-    return _made(Search, {key: value for key, value in given.items() if key in SETTINGS})
+    return _settings(Search, {key: value for key, value in given.items() if key in SETTINGS})
 
 
 def _workspace(given: Any) -> dict[str, tuple[float, ...]]:
@@ -99,7 +99,7 @@ def _workspace(given: Any) -> dict[str, tuple[float, ...]]:
     return {name: tuple(numbers_in(text, name, "pressure", "0, 10, 20 kPa")) for name, text in given.items()}
 
 
-def _made(kind: type[Made], table: Any) -> Made:
+def _settings(kind: type[Made], table: Any) -> Made:
     """Make settings from a table: texts with units are quantities, but words stay words."""
     if not isinstance(table, Mapping):
         raise TurgorError(f"{table!r} is not a table.")

@@ -1,4 +1,4 @@
-"""StudyFile: what a study file states, and the one reader of it."""
+"""StudyFile: the content of a study file, and its reader."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -41,7 +41,7 @@ READERS: Mapping[str, Callable[[Any, Mapping[tuple[str, ...], Any], JobBase, Pat
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StudyFile:
-    """What a study file states: a job, and a plan for each kind of study that it has a table for.
+    """Content of a study file: a job, and a plan for each kind of study with a table.
 
     Parameters
     ----------

@@ -95,12 +95,12 @@ def read_sweep(
     SweepPlan or None
         None if there is any problem.
     """
-    made = [problems.attempt(("factors", *place), partial(base.factor, ".".join(place), value))
+    parsed = [problems.attempt(("factors", *place), partial(base.factor, ".".join(place), value))
             for place, value in factors.items()]  # fmt: skip
     table: SweepTable | None = read_table(SweepTable, given, SWEEP, problems)
     if table is None or problems.entries:
         return None
-    designs = _designs(table, [each for each in made if each is not None], folder, base, problems)
+    designs = _designs(table, [each for each in parsed if each is not None], folder, base, problems)
     measures = read_measures(table.measures, SWEEP, problems)
     at = read_at(table.at, base.job, measures, SWEEP, problems)
     if designs is None or problems.entries:

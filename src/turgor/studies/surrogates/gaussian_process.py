@@ -136,7 +136,7 @@ def conditioned(
     scaled = ((targets - center) / scale).T
     variance = ((noise / scale).T) ** 2 + scatter[:, None] ** 2
     whole = kernel(inputs, inputs, amplitude, lengths, smooth)
-    # the smallest addition that keeps it positive definite in double precision
+    # the smallest addition with which it is positive definite in double precision
     floor = 1e-11 * amplitude[:, None] ** 2
     every = np.arange(len(inputs))
     whole[:, every, every] += variance + floor

@@ -1,4 +1,4 @@
-"""invert: find inputs that give wanted outputs, by a surrogate."""
+"""invert: find inputs that give target outputs, by a surrogate."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Inverse:
-    """Inputs that give wanted outputs.
+    """Inputs that give target outputs.
 
     Parameters
     ----------
@@ -31,11 +31,11 @@ class Inverse:
     deviations : mapping of str to float [SI]
         Standard deviation of the unknown numbers, from that of the surrogate; infinite where the outputs do
         not depend on one.
-    wanted : mapping of str to float [SI]
+    target : mapping of str to float [SI]
     prediction : Prediction
         What the surrogate gives there.
     reached : bool
-        Whether the surrogate gives what was wanted.
+        Whether the surrogate gives the target.
     others : tuple of mapping
         Further inputs that give the same, far from these.
     shown : str
@@ -44,21 +44,21 @@ class Inverse:
 
     values: Mapping[str, Value]
     deviations: Mapping[str, float]
-    wanted: Mapping[str, float]
+    target: Mapping[str, float]
     prediction: Prediction
     reached: bool
     others: tuple[Mapping[str, Value], ...]
     shown: str
 
     def sentence(self) -> str:
-        """Return the answer in a sentence; where nothing gives what was wanted, how close it gets."""
-        given = ", ".join(f"{self._words(name)} {self.prediction.text(name)}" for name in self.wanted)
+        """Return the answer in a sentence; where no inputs give the target, how close they get."""
+        given = ", ".join(f"{self._words(name)} {self.prediction.text(name)}" for name in self.target)
         more = f" {len(self.others)} other solutions lie in the range." if self.others else ""
         if self.reached:
             return f"{self.shown} give {given}.{more}"
         off = ", ".join(
             f"{self._words(name)} {self._text(name, self.prediction[name] - value, '+')} off {self._text(name, value)}"
-            for name, value in self.wanted.items()
+            for name, value in self.target.items()
         )
         return f"Nothing in the range gives that. The closest, {self.shown}, gives {given}: {off}."
 
@@ -74,22 +74,22 @@ class Inverse:
 
 def invert(
     surrogate: Surrogate,
-    wanted: Mapping[str, float],
+    target: Mapping[str, float],
     *,
     fixed: Mapping[str, Value] | None = None,
     prefer: Mapping[str, Value] | None = None,
 ) -> Inverse:
-    """Find inputs within the range that give wanted outputs: from shape to pressures.
+    """Find inputs within the range that give target outputs: from shape to pressures.
 
     The distance of all outputs, each over its range, is minimized from several starts (bounded least squares with the
-    exact slopes of the surrogate). If there are more unknown inputs than wanted outputs, many inputs give the same;
+    exact slopes of the surrogate). If there are more unknown inputs than target outputs, many inputs give the same;
     then those nearest to the preferred ones are returned, each difference over the range of its factor. Of choices, all
     combinations are searched; another choice than the preferred one counts as far as a whole range.
 
     Parameters
     ----------
     surrogate : Surrogate
-    wanted : mapping of str to float [SI]
+    target : mapping of str to float [SI]
         By the name of the measure.
     fixed : mapping of str to float or str, optional [SI]
         Factors that are given, such as the dimensions of the actuator at hand.
@@ -99,7 +99,7 @@ def invert(
     Returns
     -------
     Inverse
-        With the closest inputs where none gives what was wanted.
+        With the closest inputs where none gives the target.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def invert(
         If a name is unknown, a fixed or preferred value lies beyond the range, or nothing is left to seek.
     """
     fixed = fixed or {}
-    ends = [(each, end) for each in _searches(surrogate, wanted, fixed, prefer or {}) for end in each.ends()]
+    ends = [(each, end) for each in _searches(surrogate, target, fixed, prefer or {}) for end in each.ends()]
     best = min(search.distance(end) for search, end in ends)
     good = [(each, end) for each, end in ends if each.distance(end) <= max(SURROGATE.reached, best * (1 + 1e-3))]
     nearest = [(search, search.nearest(end)) for search, end in good]
@@ -118,7 +118,7 @@ def invert(
     return Inverse(
         values=values,
         deviations=search.deviations(share),
-        wanted=dict(wanted),
+        target=dict(target),
         prediction=surrogate.predict(values),
         reached=reached,
         others=tuple(each.values(other) for each, other in _others(nearest)) if reached else (),
@@ -127,7 +127,7 @@ def invert(
 
 
 def _others(nearest: "Sequence[tuple[_Search, Array]]") -> "list[tuple[_Search, Array]]":
-    """Return what lies far from the first solution and from each other.
+    """Return solutions that are far from the first one and from each other.
 
     With fewer outputs than numbers, the solutions of one combination of choices are a continuum, of which one counts.
     """
@@ -148,8 +148,8 @@ class _Search:
     ----------
     surrogate : Surrogate
     outputs : list of int
-        Places of the wanted measures.
-    wanted, scale : (w,) array [SI]
+        Places of the target measures.
+    target, scale : (w,) array [SI]
         Values, and the range of each.
     point : (w,) array
         Inputs of the model; those of free numbers are replaced.
@@ -163,7 +163,7 @@ class _Search:
 
     surrogate: Surrogate
     outputs: list[int]
-    wanted: Array
+    target: Array
     scale: Array
     point: Array
     free: list[int]
@@ -176,9 +176,9 @@ class _Search:
         return [self.surrogate.coding.columns(n).start for n in self.free]
 
     def off(self, share: Array) -> Array:
-        """Return the differences from what is wanted, over the ranges."""
+        """Return the differences from the target, over the ranges."""
         return np.asarray(
-            (self.surrogate.model.mean(self._whole(share)[None])[0][self.outputs] - self.wanted) / self.scale
+            (self.surrogate.model.mean(self._whole(share)[None])[0][self.outputs] - self.target) / self.scale
         )
 
     def slope(self, share: Array) -> Array:
@@ -201,7 +201,7 @@ class _Search:
         tried = qmc.Sobol(len(self.free), seed=0).random(SURROGATE.tried)
         points = np.tile(self.point, (SURROGATE.tried, 1))
         points[:, self.columns] = tried
-        off = (self.surrogate.model.mean(points)[:, self.outputs] - self.wanted) / self.scale
+        off = (self.surrogate.model.mean(points)[:, self.outputs] - self.target) / self.scale
         starts = [self.preferred, *_far_apart(tried, (off**2).sum(axis=1), SURROGATE.starts)]
         ends = []
         for start in starts:
@@ -253,10 +253,10 @@ class _Search:
 
 
 def _searches(
-    surrogate: Surrogate, wanted: Mapping[str, float], fixed: Mapping[str, Value], prefer: Mapping[str, Value]
+    surrogate: Surrogate, target: Mapping[str, float], fixed: Mapping[str, Value], prefer: Mapping[str, Value]
 ) -> list[_Search]:
     """Return a search for each combination of the choices that are not fixed."""
-    _check(surrogate, wanted, (*fixed, *prefer))
+    _check(surrogate, target, (*fixed, *prefer))
     choices = [each for each in surrogate.factors if each.is_choice and each.name not in fixed]
     count = prod(len(each.levels) for each in choices)
     if count > SURROGATE.tried:
@@ -272,36 +272,36 @@ def _searches(
     for levels in product(*(each.levels for each in choices)):
         chosen = {each.name: level for each, level in zip(choices, levels, strict=True)}
         apart = sum(chosen[name] != level for name, level in wished.items())
-        searches.append(_search(surrogate, wanted, {**prefer, **fixed, **chosen}, free, apart))
+        searches.append(_search(surrogate, target, {**prefer, **fixed, **chosen}, free, apart))
     return searches
 
 
-def _check(surrogate: Surrogate, wanted: Mapping[str, float], given: Sequence[str]) -> None:
-    """Raise an error for names that are unknown, and wanted values that are none."""
+def _check(surrogate: Surrogate, target: Mapping[str, float], given: Sequence[str]) -> None:
+    """Raise an error for names that are unknown, and for target values that are not finite."""
     names = [each.name for each in surrogate.factors]
-    for name in wanted:
+    for name in target:
         if name not in surrogate.measures:
             raise unknown("measure of the surrogate", name, surrogate.measures)
-        if not np.isfinite(wanted[name]):
-            raise TurgorError(f"'{name}' is {wanted[name]}; a finite number is needed.")
+        if not np.isfinite(target[name]):
+            raise TurgorError(f"'{name}' is {target[name]}; a finite number is needed.")
     for name in given:
         if name not in names:
             raise unknown("factor of the surrogate", name, names)
-    if not wanted:
+    if not target:
         raise TurgorError("nothing is wanted; name a measure and its value.")
 
 
 def _search(
-    surrogate: Surrogate, wanted: Mapping[str, float], known: Mapping[str, Value], free: list[int], apart: int
+    surrogate: Surrogate, target: Mapping[str, float], known: Mapping[str, Value], free: list[int], apart: int
 ) -> _Search:
     middle = {each.name: sum(each.bounds) / 2 for each in surrogate.factors if not each.is_choice}
     point = surrogate.point({**middle, **known})
     surrogate.means(point[None])  # refuses what lies beyond the ranges
     shares = surrogate.shares(point)
-    outputs = [surrogate.measures.index(name) for name in wanted]
+    outputs = [surrogate.measures.index(name) for name in target]
     scale = np.array([surrogate.held_out[n].range or 1.0 for n in outputs])
     return _Search(
-        surrogate=surrogate, outputs=outputs, wanted=np.array(list(wanted.values()), dtype=np.float64), scale=scale,
+        surrogate=surrogate, outputs=outputs, target=np.array(list(target.values()), dtype=np.float64), scale=scale,
         point=shares, free=free, preferred=shares[[surrogate.coding.columns(n).start for n in free]], apart=apart,
     )  # fmt: skip
 

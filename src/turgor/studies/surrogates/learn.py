@@ -1,4 +1,4 @@
-"""learn: compute the designs that a surrogate asks for, until it is good enough or the budget ends."""
+"""learn: compute the designs that a surrogate requests, until it is good enough or the budget ends."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ Design = Mapping[str, float | int | str]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Goal:
-    """What a surrogate is to be good at, and what it may cost.
+    """The required accuracy of a surrogate, and its budget.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ class Learned:
     reached: bool
 
     def sentence(self) -> str:
-        """Return what was reached, in a sentence."""
+        """Return the reached accuracy in a sentence."""
         count, error = self.errors[-1]
         how = "reached" if self.reached else "not reached; the budget ended"
         return f"{count} runs, held-out error {100 * error:.2g} % of the range: {how}."
@@ -104,7 +104,7 @@ def learn(
 
     The first runs are 2k + 2 Sobol points of k factors, each level of a choice counted as one. Then a surrogate is
     fitted, used for the next designs (`next_design`), and fitted again. The designs depend on the runs alone, so that
-    a call that was killed goes on where it was, if ``evaluations`` keep their runs in a folder.
+    a call that was killed goes on where it was, if ``evaluations`` save their runs in a folder.
 
     Parameters
     ----------
@@ -113,7 +113,7 @@ def learn(
     factors : sequence of Factor
     goal : Goal
     evaluations : Evaluations, optional
-        Where runs are computed and kept; by default in this process, without files.
+        Where runs are computed and saved; by default in this process, without files.
     progress : callable, optional
         Called with what is known after each batch.
 
@@ -145,11 +145,11 @@ def learn(
         learned = Learned(surrogate=fitted, study=study, errors=tuple(errors), reached=reached)
         if progress is not None:
             progress(learned)
-        left = min(goal.batch, goal.runs - len(rows))
-        if reached or left <= 0:
+        batch = min(goal.batch, goal.runs - len(rows))
+        if reached or batch <= 0:
             return learned
         failed = [row.values for row in rows if row.response is None]
-        designs = list(next_design(fitted, left, avoid=failed, seed=len(rows)))
+        designs = list(next_design(fitted, batch, avoid=failed, seed=len(rows)))
 
 
 def _rows(computation: Computation, designs: Sequence[Design], evaluations: Evaluations) -> list[Row]:

@@ -37,7 +37,7 @@ def next_design(
     count : int
         Designs of the batch, which can be computed at the same time.
     target : mapping of str to float, optional [SI]
-        Measures with wanted values.
+        Measures with target values.
     avoid : sequence of mapping [SI]
         Designs that failed, which the surrogate does not know: none near them is chosen.
     seed : int
@@ -114,15 +114,15 @@ class _Candidates:
         return chosen
 
     def for_target(self, count: int, target: Mapping[str, float]) -> list[int]:
-        """Designs with the largest expected improvement, each after those before have brought theirs."""
+        """Designs with the largest expected improvement, each given those before."""
         places = [self.surrogate.measures.index(name) for name in target]
-        wanted = np.array(list(target.values()), dtype=np.float64)
+        goal = np.array(list(target.values()), dtype=np.float64)
         scale = np.array([self.surrogate.held_out[n].range or 1.0 for n in places])
         computed = np.stack([self.surrogate.held_out[n].computed for n in places], axis=1)
-        best = float((((computed - wanted) / scale) ** 2).sum(axis=1).min())
+        best = float((((computed - goal) / scale) ** 2).sum(axis=1).min())
         mean, deviation = self.surrogate.spreads(self.surrogate.coding.points(self.points))
         draws = np.random.default_rng(0).standard_normal((SURROGATE.tried, 1, len(places)))
-        off = (mean[:, places] + draws * deviation[:, places] - wanted) / scale
+        off = (mean[:, places] + draws * deviation[:, places] - goal) / scale
         distance = (off**2).sum(axis=2).reshape(SURROGATE.tried, self.count, self.each).min(axis=2)
         brought = np.full(SURROGATE.tried, best)
         chosen: list[int] = []
@@ -140,7 +140,7 @@ class _Candidates:
     def _away(self, chosen: list[int]) -> Array:
         """Factor from 0 at designs that are chosen or avoided to 1 away from them.
 
-        The variance of the process says so too; the factor keeps designs apart where its kernel is long.
+        The variance of the process falls near a design, too; the factor separates designs where its kernel is long.
         """
         k = self.avoided.shape[1]
         designs = self.points[:: self.each, :k]
@@ -152,7 +152,7 @@ class _Candidates:
 
 
 def _at(factor: Factor, share: float) -> float:
-    """Return what a point has at a share of the range, or of the levels of a choice."""
+    """Return the value of a factor at a share of the range, or of the levels of a choice."""
     if factor.is_choice:
         return factor.number(factor.at(share))
     low, high = factor.bounds

@@ -30,7 +30,7 @@ class SurrogateSettings:
         improvement, as many combinations of choices at most, and the best points that searches for an inverse start
         from.
     reached : float
-        Distance below which wanted outputs count as reached, as a share of the range of each.
+        Distance below which target outputs count as reached, as a share of the range of each.
     """
 
     amplitude: tuple[float, float] = (1e-2, 1e3)

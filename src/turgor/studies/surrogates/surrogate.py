@@ -1,4 +1,4 @@
-"""Surrogate: a fast function in place of runs, with its error, that refuses what it has not seen."""
+"""Surrogate: a fast function in place of runs, with its error, that refuses inputs beyond its range."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Prediction:
-    """What a surrogate says of one design.
+    """What a surrogate predicts for one design.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ class Prediction:
 class Surrogate(Saved):
     """A fast function fitted to a study: factors in, measures with their standard deviations out.
 
-    `turgor.studies.surrogate` makes it. `save` and `load` keep plain numbers; what trained it is not needed to use it.
+    `turgor.studies.surrogate` trains it. `save` and `load` write and read plain numbers; its study is not needed then.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ class Surrogate(Saved):
         raise unknown("measure of the surrogate", name, self.measures)
 
     def summary(self) -> str:
-        """Return what it was fitted to, and its errors, in sentences."""
+        """Return the fitted study and the errors in sentences."""
         return "\n".join([repr(self), *(each.sentence for each in self.held_out), *self.notes])
 
     def predict(self, values: Mapping[str, Value], *, extrapolate: bool = False) -> Prediction:
@@ -219,16 +219,16 @@ class Surrogate(Saved):
 
     def point(self, values: Mapping[str, Value], names: list[str] | None = None) -> Array:
         """Return values of the factors in their order, (k,) [SI], of a choice its place; unknown names are refused."""
-        wanted = names if names is not None else [each.name for each in self.factors]
+        expected = names if names is not None else [each.name for each in self.factors]
         for name in values:
-            if name not in wanted:
-                raise unknown("factor of the surrogate", name, wanted)
-        missing = [name for name in wanted if name not in values]
+            if name not in expected:
+                raise unknown("factor of the surrogate", name, expected)
+        missing = [name for name in expected if name not in values]
         if missing:
             raise TurgorError(f"the surrogate needs a value of {', '.join(missing)} too.")
-        numbers = np.array([each.number(values[each.name]) for each in self.factors if each.name in wanted])
+        numbers = np.array([each.number(values[each.name]) for each in self.factors if each.name in expected])
         if not np.isfinite(numbers).all():
-            wrong = next(name for name in wanted if not np.isfinite(values[name]))
+            wrong = next(name for name in expected if not np.isfinite(values[name]))
             raise TurgorError(f"'{wrong}' is {values[wrong]}; a finite number is needed.")
         return numbers
 

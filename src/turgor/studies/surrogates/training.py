@@ -143,7 +143,7 @@ def _names(study: Study, measures: Sequence[str] | None, inputs: Iterable[str]) 
 
 
 def measures_that_vary(study: Study, at: tuple[str, float] | None = None, inputs: Iterable[str] = ()) -> list[str]:
-    """Return the measures of a study but the drive and those that do not vary.
+    """Return the measures of a study except the drive and those that do not vary.
 
     Parameters
     ----------
@@ -162,8 +162,8 @@ def measures_that_vary(study: Study, at: tuple[str, float] | None = None, inputs
     TurgorError
         If there is none.
     """
-    left = {*WITHOUT, *inputs, *((at[0],) if at else ())}
-    names = [name for name in study.measures if name not in left and _varies(study, name)]
+    excluded = {*WITHOUT, *inputs, *((at[0],) if at else ())}
+    names = [name for name in study.measures if name not in excluded and _varies(study, name)]
     if not names:
         given = ", ".join(study.measures)
         raise TurgorError(f"no measure of the study ({given}) varies; there is nothing to compare or to fit.")

@@ -150,7 +150,7 @@ class Uncertainty:
         return f"{band.name.replace('_', ' ')} at {x}: {band.shown(value)} {' '.join(parts)}"
 
     def case_sentences(self, at: float | None = None) -> list[str]:
-        """Return what the records say: the lowest and the highest one of each column, with and without the doubtful.
+        """Return the lowest and the highest record of each column, with and without the doubtful ones.
 
         Parameters
         ----------
@@ -177,7 +177,7 @@ class Uncertainty:
         )
 
     def checked(self) -> str:
-        """Return how it was computed, and how well runs that were held out agree."""
+        """Return how the bands were computed, and how well held-out runs agree."""
         far = max(self.residual.values(), default=0.0)
         if not far:
             return self.method

@@ -1,4 +1,4 @@
-"""Cases: the published records of a rubber as alternatives, how each of them ran, and what they say together."""
+"""Cases: the published records of a rubber as alternatives, the run of each, and the range of all."""
 
 import csv
 from collections.abc import Callable, Mapping, Sequence
@@ -55,7 +55,7 @@ class Case:
 def library_alternatives(
     name: str, library: str, *, nominal: str | None = None, leave_out_doubtful: bool = False, label: str = ""
 ) -> Alternatives:
-    """Return all records of a rubber in the library as alternatives, of which one holds.
+    """Return all records of a rubber in the library as alternatives.
 
     Parameters
     ----------
@@ -82,8 +82,8 @@ def library_alternatives(
 
     Examples
     --------
-    >>> found = library_alternatives("record", "dragon-skin-10", leave_out_doubtful=True)
-    >>> found.sets[0]
+    >>> alternatives = library_alternatives("record", "dragon-skin-10", leave_out_doubtful=True)
+    >>> alternatives.sets[0]
     {'record': 'neo-hooke-polygerinos-2020'}
     >>> library_alternatives("record", "elastosil-m4601").doubts[-1]
     ('M07',)

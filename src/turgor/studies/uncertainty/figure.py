@@ -11,12 +11,12 @@ from turgor.views.plots.response_plots import BLUE, COLORS
 from turgor.views.plots.styling import INK, style_axes
 
 
-def uncertainty_figure(found: Uncertainty, name: str | None = None) -> PlotFigure:
+def uncertainty_figure(uncertainty: Uncertainty, name: str | None = None) -> PlotFigure:
     """Draw the band of a column, and below the standard deviation that each input brings.
 
     Parameters
     ----------
-    found : Uncertainty
+    uncertainty : Uncertainty
     name : str, optional
         Column; by default the one that a reader looks for first.
 
@@ -24,10 +24,10 @@ def uncertainty_figure(found: Uncertainty, name: str | None = None) -> PlotFigur
     -------
     matplotlib.figure.Figure
     """
-    band = found.band(name or found.headline)
+    band = uncertainty.band(name or uncertainty.headline)
     figure = PlotFigure(figsize=(6.4, 5.6))
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
-    x = found.drive.in_unit
+    x = uncertainty.drive.in_unit
     _curve(upper, x, band)
     label = Column(band.name, band.unit, band.nominal).label
     for number, (part, values) in enumerate(_parts(band)):
@@ -35,12 +35,12 @@ def uncertainty_figure(found: Uncertainty, name: str | None = None) -> PlotFigur
     upper.set_ylabel(label, color=INK)
     unit = f" [{unit_text(band.unit)}]" if band.unit else ""
     lower.set_ylabel(f"standard deviation{unit}", color=INK)
-    lower.set_xlabel(found.drive.label, color=INK)
+    lower.set_xlabel(uncertainty.drive.label, color=INK)
     lower.set_ylim(bottom=0.0)
     for axes in (upper, lower):
         axes.legend(frameon=False, labelcolor=INK, fontsize=8)
         style_axes(axes)
-    upper.set_title(found.sentence(band.name), loc="left", color=INK, fontsize=9, wrap=True)
+    upper.set_title(uncertainty.sentence(band.name), loc="left", color=INK, fontsize=9, wrap=True)
     return figure
 
 

@@ -84,7 +84,7 @@ class Plan:
 
     @property
     def quadratic(self) -> bool:
-        """Whether curvature is kept."""
+        """Whether the propagation has curvature."""
         return METHODS[self.method][0]
 
     @property
@@ -95,9 +95,9 @@ class Plan:
     def nominal(self) -> Response:
         """Compute the nominal response; an error if its run fails."""
         (ended,) = self.evaluations.of([self.computation.run(self.values, nominal=True)])
-        if ended.found is None:
+        if ended.result is None:
             raise TurgorError(f"the nominal run failed ({ended.run.name}): {ended.problem}")
-        return ended.found.response
+        return ended.result.response
 
     def check_drives(self, drive: str) -> None:
         """Raise an error if a spread without a mean is not that of the drive."""
@@ -148,22 +148,22 @@ class Plan:
         for each in self.sets:
             runs += [self.computation.run({**self.values, **numbers}) for numbers in each.sets[1:]]
         for ended in self.evaluations.of(runs):
-            if ended.found is None and ended.run.key not in reported:
+            if ended.result is None and ended.run.key not in reported:
                 self.notes.append(f"a run failed ({ended.run.name}): {ended.problem}")
 
     def problem_of(self, ended: Ended, nominal: Response, drive: str) -> str:
         """Return why the run of a set with a name is not part of the bands; empty where it is."""
-        if ended.found is None:
+        if ended.result is None:
             return ended.problem.removeprefix("changes: ")
-        end, top = (float(np.nanmax(each.column(drive))) for each in (ended.found.response, nominal))
-        if len(ended.found.response) > 1 and end > top - 1e-6 * abs(top):
+        end, top = (float(np.nanmax(each.column(drive))) for each in (ended.result.response, nominal))
+        if len(ended.result.response) > 1 and end > top - 1e-6 * abs(top):
             return ""
         column = nominal.find(drive)
         reached, whole = Column(drive, column.unit, np.array([end, top])).in_unit
         text = f"ends at {reached:.4g} {column.unit} of {whole:.4g} {column.unit}".rstrip()
-        return f"{text}. {ended.found.response.message}".strip()
+        return f"{text}. {ended.result.response.message}".strip()
 
-    def kept_sets(self, group: Alternatives, nominal: Response, drive: str) -> list[Mapping[str, float | str]]:
+    def valid_sets(self, group: Alternatives, nominal: Response, drive: str) -> list[Mapping[str, float | str]]:
         """Return the sets of a group that are part of the bands: of sets with names, those without a problem."""
         return [
             numbers
@@ -174,8 +174,8 @@ class Plan:
     def every(self, nominal: Response, drive: str) -> list[Response]:
         """Return all responses that are part of the bands."""
         ended = [self.at(point) for point in self.points()]
-        ended += [self.of_set(numbers) for each in self.sets for numbers in self.kept_sets(each, nominal, drive)]
-        return [each.found.response for each in ended if each.found is not None and len(each.found.response) > 1]
+        ended += [self.of_set(numbers) for each in self.sets for numbers in self.valid_sets(each, nominal, drive)]
+        return [each.result.response for each in ended if each.result is not None and len(each.result.response) > 1]
 
     def shared_range(self, nominal: Response, drive: str) -> Array:
         """Return the values of the drive of the nominal run that all runs reach."""
@@ -195,7 +195,7 @@ class Plan:
         return np.concatenate([[low], inside, [high]])
 
     def description(self) -> str:
-        """Return what was done, in a sentence."""
+        """Return the method in a sentence."""
         kinds = {
             "linear": "Linear propagation with central differences at one standard deviation",
             "quadratic": "Quadratic response surface with points at √3 standard deviations",

@@ -40,7 +40,7 @@ def propagate(
     """Propagate the spread of inputs to the response of a function.
 
     Inputs are independent and normal. The linear method takes central differences at one standard deviation, with two
-    runs for each input. The quadratic one takes them at √3 standard deviations and keeps the curvature, with as many
+    runs for each input. The quadratic one takes them at √3 standard deviations and includes the curvature, with as many
     runs; ``"interactions"`` adds a run for each pair of inputs. Sets of numbers (`Alternatives`) are computed one by
     one. A spread of what drives, such as the pressure, takes no run: the slope of the curve carries it. One run, or two
     for the quadratic methods, are held out and compared with the surface.
@@ -54,7 +54,7 @@ def propagate(
     x : str, optional
         What drives; by default the drive of the response.
     evaluations : Evaluations, optional
-        Where runs are computed and kept; by default in this process, without files.
+        Where runs are computed and saved; by default in this process, without files.
 
     Returns
     -------
@@ -108,7 +108,7 @@ def _cases(plan: Plan, nominal: Response, drive: str, at: Array, names: Sequence
         for name, codes, numbers in zip(group.names, doubts, group.sets, strict=bool(group.names)):
             ended = plan.of_set(numbers)
             problem = plan.problem_of(ended, nominal, drive)
-            computed = ended.found
+            computed = ended.result
             curves = (
                 {}
                 if problem or computed is None
@@ -122,9 +122,9 @@ def _band(plan: Plan, nominal: Response, name: str, drive: str, at: Array) -> tu
     """Band of one column, and the largest residual of the surface over its standard deviation."""
 
     def curve(ended: Ended) -> Array | None:
-        if ended.found is None or len(ended.found.response) < 2:
+        if ended.result is None or len(ended.result.response) < 2:
             return None
-        return PathCurve.of(ended.found.response, drive, name).at(at)
+        return PathCurve.of(ended.result.response, drive, name).at(at)
 
     middle = PathCurve.of(nominal, drive, name).at(at)
     surface, tables = _surface(plan, curve, middle), _tables(plan, curve, middle, drive)
@@ -161,7 +161,7 @@ def _tables(plan: Plan, curve: Curve, middle: Array, drive: str) -> list[Array]:
     tables = []
     nominal = plan.nominal()
     for group in plan.sets:
-        sets = plan.kept_sets(group, nominal, drive)
+        sets = plan.valid_sets(group, nominal, drive)
         values = [value for value in (curve(plan.of_set(numbers)) for numbers in sets) if value is not None]
         tables.append(np.array(values) - middle)
     return tables

@@ -87,7 +87,7 @@ def design(count: int, *, quadratic: bool, interactions: bool) -> list[Point]:
 
 
 def check_points(count: int, *, quadratic: bool) -> list[Point]:
-    """Return points that are held out: all inputs off at once, in the same and in alternating directions.
+    """Return the held-out points: all inputs off at once, in the same and in alternating directions.
 
     Parameters
     ----------

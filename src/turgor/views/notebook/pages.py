@@ -68,13 +68,13 @@ def mesh(of: Mesh) -> str:
 
 def model(of: Model) -> str:
     """Show a model: its materials, supports, loads and contact."""
-    made: Rows = []
+    materials: Rows = []
     for used in describe.materials(of):
         values = ", ".join(f"{name} {value}" if name != "coefficients" else value for name, value in used.values)
-        made.append((used.where, f"{used.name}: {values}"))
+        materials.append((used.where, f"{used.name}: {values}"))
     rows: Rows = [
         ("mesh", of.mesh.counts),
-        *made,
+        *materials,
         ("supports", "\n".join(describe.supports(of))),
         ("loads at load factor 1", "\n".join(describe.loads(of))),
         ("contact", "\n".join(describe.contact(of))),
@@ -102,7 +102,7 @@ def state_rows(of: State) -> Rows:
 
 
 def solution(of: Solution) -> str:
-    """Show a solution: how it ended and what to do, the last state, and the path."""
+    """Show a solution: its ending with advice, the last state, and the path."""
     findings = "\n".join(f"{each.code} {_MARKS[each.severity]}: {each.message} {each.advice}" for each in of.findings)
     rows: Rows = [
         ("ended", f"{ending(of.status)}: {of.message}"),

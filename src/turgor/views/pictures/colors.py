@@ -81,7 +81,7 @@ class Field:
 
     @property
     def note(self) -> str:
-        """What the colors mean, next to the color bar."""
+        """Meaning of the colors, next to the color bar."""
         unit = f" [{self.unit}]" if self.unit else ""
         share = f"{PERCENTILE} %"
         if self.name in (VON_MISES, CONTACT_PRESSURE):

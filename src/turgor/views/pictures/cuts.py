@@ -92,7 +92,7 @@ def clipped(skin: Skin, level: Array) -> Skin:
     out = at > 0
     count = out.sum(axis=1)
     pieces, owners = [skin.triangles[count == 3]], [np.flatnonzero(count == 3)]
-    made: list[tuple[Ints, Ints]] = []
+    edges: list[tuple[Ints, Ints]] = []
     start = len(skin.points)
     for inside in (1, 2):
         rows = np.flatnonzero(count == inside)
@@ -100,11 +100,11 @@ def clipped(skin: Skin, level: Array) -> Skin:
         a, b, c = (skin.triangles[rows, (lone + k) % 3] for k in range(3))
         ab, ac = (start + np.arange(len(rows)) + k * len(rows) for k in (0, 1))
         start += 2 * len(rows)
-        made += [(a, b), (a, c)]
+        edges += [(a, b), (a, c)]
         corners = [(a, ab, ac)] if inside == 1 else [(ab, b, c), (ab, c, ac)]
         pieces += [np.stack(each, axis=1) for each in corners]
         owners += [rows] * len(corners)
-    first, second = (np.concatenate([pair[k] for pair in made]) for k in (0, 1))
+    first, second = (np.concatenate([pair[k] for pair in edges]) for k in (0, 1))
     share = (level[first] / (level[first] - level[second]))[:, None]
     owner = np.concatenate(owners)
 
@@ -162,12 +162,12 @@ def _crossed(corners: Ints, level: Array, of: tuple[Array, Array], owner: Ints) 
             ends = np.array(triangle)
             a, b = (sorted_corners[rows][:, ends[:, k]].ravel() for k in (0, 1))
             share = level[a] / (level[a] - level[b])
-            made = of[0][a] * (1 - share)[:, None] + of[0][b] * share[:, None]
-            points.append(made)
-            away = made.reshape(-1, 3, 3)
+            crossings = of[0][a] * (1 - share)[:, None] + of[0][b] * share[:, None]
+            points.append(crossings)
+            away = crossings.reshape(-1, 3, 3)
             normal = np.cross(away[:, 1] - away[:, 0], away[:, 2] - away[:, 0])
-            left_out = of[0][sorted_corners[rows][:, 0]] - away[:, 0]
-            normals.append(normal * np.sign(np.einsum("ti,ti->t", normal, left_out))[:, None])
+            to_front = of[0][sorted_corners[rows][:, 0]] - away[:, 0]
+            normals.append(normal * np.sign(np.einsum("ti,ti->t", normal, to_front))[:, None])
             values.append(of[1][a] * (1 - share) + of[1][b] * share)
             owners.append(owner[rows])
     return np.concatenate(points), np.concatenate(normals), np.concatenate(values), np.concatenate(owners)

@@ -29,7 +29,7 @@ class _Pixels(FigureImage):
         self._pixels, self._drawn_at = pixels, figure.dpi
 
     def make_image(self, renderer: Any, magnification: float = 1.0, unsampled: bool = False) -> Any:
-        """Return the pixels, which Agg wants from the bottom to the top."""
+        """Return the pixels from the bottom to the top, as Agg requires."""
         pixels, figure = self._pixels, self.figure
         if magnification != 1.0 or figure is None or figure.dpi != self._drawn_at:
             return super().make_image(renderer, magnification, unsampled)

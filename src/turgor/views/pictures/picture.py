@@ -118,10 +118,10 @@ def picture(
     if path is not None:
         check_ending(path, "picture")
     name, figure = _drawn(of, state, _Look(color_by, title, width, style))
-    made = Picture(caption=name, png=png_of(figure))
+    picture = Picture(caption=name, png=png_of(figure))
     if path is not None:
-        made.write(path)
-    return made
+        picture.write(path)
+    return picture
 
 
 def _drawn(of: Solution | State | Model | Mesh | Geometry, number: int, look: _Look) -> tuple[str, Figure]:
@@ -187,7 +187,7 @@ def geometry_figure(geometry: Geometry, title: str, width: int) -> Figure:
     if isinstance(shape, MeshedShape):
         return mesh_figure(shape.mesh, title, width)
     faces = [(name, corners * geometry.length_scale) for name, corners in named_facets(shape) if len(corners)]
-    # here: it loads all that looks at CAD parts, which a run does not draw
+    # a local import, because it loads the CAD kernel, which a run does not need
     from turgor.views.pictures.cad_picture import named_faces_figure
 
     figure = named_faces_figure(title, faces)

@@ -123,10 +123,10 @@ class Scene:
         intersections = self._scene.run(origins, directions, query="INTERSECT", output=True)
         triangle = np.full((raster.rows, raster.columns), -1, dtype=np.int32)
         depth = np.zeros(triangle.shape, dtype=np.float32)
-        seen = intersections["primID"] >= 0
+        hit = intersections["primID"] >= 0
         triangle[near] = intersections["primID"]
-        depth[near] = np.where(seen, intersections["tfar"], 0) * np.float32(self._size)
-        return Hits(triangle=triangle, depth=depth, u=intersections["u"][seen], v=intersections["v"][seen])
+        depth[near] = np.where(hit, intersections["tfar"], 0) * np.float32(self._size)
+        return Hits(triangle=triangle, depth=depth, u=intersections["u"][hit], v=intersections["v"][hit])
 
     def depth(self, points: Array) -> Array:
         """Return the distance of points along the view, (p,) [m], to compare with ``depth`` of `Hits`."""

@@ -20,7 +20,7 @@ from turgor.views.pictures.colors import (
     field_of,
     plain_rubber,
 )
-from turgor.views.pictures.overlays.contact_patches import draw_patches, laid_over, values_seen
+from turgor.views.pictures.overlays.contact_patches import draw_patches, laid_over, visible_values
 from turgor.views.pictures.overlays.fiber_lines import Thread, draw_threads, visible_threads
 from turgor.views.pictures.overlays.obstacle_skin import draw_obstacles
 from turgor.views.pictures.raycast import Camera, Hits, Raster, Scene, camera
@@ -236,9 +236,9 @@ class _Layers:
         draw_threads(image, threads, (2.4 if tense else 1.6) * SAMPLES, self._of_tension if tense else None)
         distance = np.where(free, np.inf, front.distance(hits))
         if self._obstacles is not None:
-            scene, seen = self._obstacles.scene, self._obstacles.hits(band, rows)
-            nearer = (seen.triangle >= 0) & (scene.distance(seen) < distance)
-            draw_obstacles(image, scene.skin, seen, nearer, self._view.eye, 0.8 * SAMPLES)
+            scene, obstacle = self._obstacles.scene, self._obstacles.hits(band, rows)
+            nearer = (obstacle.triangle >= 0) & (scene.distance(obstacle) < distance)
+            draw_obstacles(image, scene.skin, obstacle, nearer, self._view.eye, 0.8 * SAMPLES)
         if self._patches:
             self._draw_patches(image, band, rows, distance)
         return image
@@ -252,10 +252,10 @@ class _Layers:
             draw_lines(image, (lines[0], find_lines(self._cells, hits)[1]), INK, 0.45 * SAMPLES, 0.45)
         if self._inside is None or self._inside.look is None:
             return image, lines
-        scene, seen = self._inside.scene, self._inside.hits(band, rows)
-        within = paint(scene.skin, seen, scene.eye, self._inside.look)
-        draw_lines(within, find_lines(scene.skin, seen), INK, 0.6 * SAMPLES, 0.5)
-        veil = np.where(hits.triangle >= 0, np.where(seen.triangle >= 0, LOOK.see_through, 1.0), 0.0)[..., None]
+        scene, inside = self._inside.scene, self._inside.hits(band, rows)
+        within = paint(scene.skin, inside, scene.eye, self._inside.look)
+        draw_lines(within, find_lines(scene.skin, inside), INK, 0.6 * SAMPLES, 0.5)
+        veil = np.where(hits.triangle >= 0, np.where(inside.triangle >= 0, LOOK.see_through, 1.0), 0.0)[..., None]
         return (within * (1 - veil) + image * veil + 0.5).astype(np.uint8), lines
 
     def _of_tension(self, values: Array) -> Array:
@@ -267,7 +267,7 @@ class _Layers:
         size = self._patches[0].scene.size
         for scene, near, _ in self._patches:
             hits = scene.look(band, near[rows])
-            seen = values_seen(scene.skin, hits, self._view.limit)
-            value, place = laid_over((value, place), (seen, scene.distance(hits)), RENDERING.touching * size)
+            inner = visible_values(scene.skin, hits, self._view.limit)
+            value, place = laid_over((value, place), (inner, scene.distance(hits)), RENDERING.touching * size)
         behind = place > distance + RENDERING.depth_jump * size
         draw_patches(image, value, behind, color_map(CONTACT_PRESSURE), self._view.limit)

@@ -54,9 +54,9 @@ def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
     are those of the color bar everywhere, and a value can be read off the color of a pixel.
     """
     image = np.full((*hits.triangle.shape, 3), 255, dtype=np.uint8)
-    seen = hits.triangle >= 0
+    hit = hits.triangle >= 0
     fields = np.column_stack([skin.values, look.openness, skin.normals]).astype(np.float32)
-    corners = skin.triangles[hits.triangle[seen]]
+    corners = skin.triangles[hits.triangle[hit]]
     at = fields[corners[:, 0]] * (1 - hits.u - hits.v)[:, None]
     at += fields[corners[:, 1]] * hits.u[:, None]
     at += fields[corners[:, 2]] * hits.v[:, None]
@@ -72,7 +72,7 @@ def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
     light += LOOK.lamp * np.maximum(normal @ lamp, 0) * (0.4 + 0.6 * sky)
     color *= (1 - look.shadow * (1 - np.clip(light, 0, 1)))[:, None]
     levels = (np.linspace(0, 1, 4096) ** (1 / GAMMA) * 255 + 0.5).astype(np.uint8)
-    image[seen] = levels[(np.clip(color, 0, 1) * 4095).astype(np.int32)]
+    image[hit] = levels[(np.clip(color, 0, 1) * 4095).astype(np.int32)]
     return image
 
 

@@ -130,7 +130,7 @@ def svg_of(figure: Figure) -> str:
 
 
 def _save(figure: Figure, to: Path | BytesIO | StringIO, form: str, dpi: float | None, note: str = "") -> None:
-    said = {NOTE: note} if note and form == "png" else {}
+    texts = {NOTE: note} if note and form == "png" else {}
     with matplotlib.rc_context({"svg.hashsalt": "turgor"}):
         packed: dict[str, Any] = {"pil_kwargs": {"compress_level": PLOT.png_level}} if form == "png" else {}
-        figure.savefig(to, format=form, dpi=dpi or figure.dpi, metadata=METADATA[form] | said, **packed)
+        figure.savefig(to, format=form, dpi=dpi or figure.dpi, metadata=METADATA[form] | texts, **packed)

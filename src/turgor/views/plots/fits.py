@@ -47,11 +47,11 @@ def plot_test(axes: Axes, test: MaterialTest, *, color: str = INK) -> Axes:
     if test.raw is not None:
         axes.plot(raw.stretch, raw.nominal_stress / MPa, ".", color="#c3c9d1", ms=3, label="raw", zorder=1)
     if removed:
-        gone = np.concatenate([edit.stretch for edit in removed])
+        stretch = np.concatenate([edit.stretch for edit in removed])
         stress = np.concatenate([edit.nominal_stress for edit in removed])
-        every = -(-len(gone) // PLOT.marks)
-        gone, stress = gone[::every], stress[::every] / MPa
-        axes.plot(gone, stress, "x", color="#b3402a", ms=3.5, mew=0.7, alpha=0.7, label="removed", zorder=2)
+        every = -(-len(stretch) // PLOT.marks)
+        stretch, stress = stretch[::every], stress[::every] / MPa
+        axes.plot(stretch, stress, "x", color="#b3402a", ms=3.5, mew=0.7, alpha=0.7, label="removed", zorder=2)
     if test.spread is not None:
         low, high = test.nominal_stress - test.spread, test.nominal_stress + test.spread
         axes.fill_between(

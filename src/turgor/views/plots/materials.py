@@ -130,9 +130,9 @@ def material_figure(
     figure = PlotFigure(figsize=(8.4, 5.0))
     axes = plot_records(figure.add_subplot(), chosen, across, mode)
     for test in tests:
-        seen = (test.stretch >= across[0]) & (test.stretch <= across[-1])
-        every = max(1, int(seen.sum()) // 60)
-        points = test.stretch[seen][::every], test.nominal_stress[seen][::every] / 1e6
+        inside = (test.stretch >= across[0]) & (test.stretch <= across[-1])
+        every = max(1, int(inside.sum()) // 60)
+        points = test.stretch[inside][::every], test.nominal_stress[inside][::every] / 1e6
         axes.plot(*points, "o", color=INK, ms=3.5, mfc="none", label=f"measured: {test.name}")
     axes.set_ylabel("nominal stress [MPa]", color=INK)
     axes.set_xlim(across[0], across[-1])
@@ -177,8 +177,8 @@ def _limits(chosen: Sequence[Record], stretch: Array, mode: str, tests: Sequence
     curves = [stress for record in chosen if (stress := curve(record, stretch, mode)) is not None]
     tops = [float(np.nanmax(stress)) for stress in curves if np.isfinite(stress).any()]
     if tests:
-        seen = [test.nominal_stress[(test.stretch >= stretch[0]) & (test.stretch <= stretch[-1])] for test in tests]
-        measured = np.concatenate([*seen, np.zeros(1)]) / 1e6
+        inside = [test.nominal_stress[(test.stretch >= stretch[0]) & (test.stretch <= stretch[-1])] for test in tests]
+        measured = np.concatenate([*inside, np.zeros(1)]) / 1e6
         top, bottom = 2.5 * float(measured.max()), float(measured.min())
     else:
         top, bottom = min(2.5 * float(np.median(tops or [1.0])), 1.05 * max(tops or [1.0])), 0.0

@@ -40,7 +40,7 @@ def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str 
     color : str
         Color of the line.
     label : str
-        Name of the line in a legend, if one is made.
+        Name of the line in the legend, if there is one.
 
     Returns
     -------

@@ -20,7 +20,7 @@ CONTACT_HEADS = (
 
 
 def contact_section(solution: Solution) -> dict[str, object]:
-    """Collect what a report says about contact: a table with a row for each contact, who does not touch, and plots.
+    """Collect the part of a report about contact: a row for each contact, the surfaces without contact, and plots.
 
     Parameters
     ----------

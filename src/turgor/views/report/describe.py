@@ -23,9 +23,9 @@ Rows = list[tuple[str, str]]
 
 @dataclass(frozen=True, slots=True)
 class MaterialText:
-    """A material in words: where it is used, its name, its law, its values, its source and what is doubtful.
+    """A material in words: where it is used, its name, its law, its values, its source and its doubts.
 
-    ``made_of`` is the material itself; None for threads.
+    ``material`` is the material itself; None for threads.
     """
 
     where: str
@@ -34,27 +34,27 @@ class MaterialText:
     values: Rows
     source: str
     doubts: tuple[str, ...]
-    made_of: Material | None = None
+    material: Material | None = None
 
 
 def loads(model: Model) -> list[str]:
-    """Say what drives a model at load factor 1, a sentence for each load."""
+    """Describe the loads of a model at load factor 1, a sentence for each."""
     return [load.text() for load in model.loads] or ["None."]
 
 
 def supports(model: Model) -> list[str]:
-    """Say what holds a model, a sentence for each support."""
+    """Describe the supports of a model, a sentence for each."""
     return [support.text() for support in model.supports]
 
 
 def contact(model: Model) -> list[str]:
-    """Say what may touch what, a sentence for the actuator itself and one for each obstacle."""
-    own, said = model.contact.for_mesh(model.mesh), []
+    """Describe possible contact: a sentence for the actuator itself and one for each obstacle."""
+    own, sentences = model.contact.for_mesh(model.mesh), []
     if own is not None:
-        said.append(f"The actuator touches itself {friction_text(own.friction)}.")
+        sentences.append(f"The actuator touches itself {friction_text(own.friction)}.")
     elif model.contact.self_contact is None:
-        said.append("Walls of the actuator do not stop each other: self-contact is off.")
-    return said + [obstacle.text() for obstacle in model.contact.obstacles]
+        sentences.append("Walls of the actuator do not stop each other: self-contact is off.")
+    return sentences + [obstacle.text() for obstacle in model.contact.obstacles]
 
 
 def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:
@@ -130,9 +130,9 @@ def material(names: list[str], used: Material | Sheet) -> MaterialText:
     -------
     MaterialText
     """
-    made_of = used.material if isinstance(used, Sheet) else used
+    material = used.material if isinstance(used, Sheet) else used
     where = ", ".join(name.replace("_", " ") for name in names)
-    values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(made_of.law)))]
+    values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(material.law)))]
     if isinstance(used, Sheet):
         where += f" ({type(used).__name__.lower()})"
         values.append(("thickness", f"{used.thickness / mm:g} mm"))
@@ -141,17 +141,17 @@ def material(names: list[str], used: Material | Sheet) -> MaterialText:
         if used.wrinkles:
             values.append(("in compression", f"{100 * used.compression:g} % of the stiffness: it wrinkles"))
     else:
-        kappa = "infinite: fully incompressible" if isinf(made_of.bulk_modulus) else _modulus(made_of.bulk_modulus)
-        stiff = isinstance(made_of.law, Hooke)
-        values += [] if stiff else [("shear modulus", _modulus(made_of.law.shear_modulus)), ("bulk modulus", kappa)]
-    if made_of.density is not None:
-        values.append(("density", f"{made_of.density:g} kg/m³"))
-    if made_of.stretch_range is not None:
-        values.append(("fitted to stretches", f"{made_of.stretch_range[0]:g} to {made_of.stretch_range[1]:g}"))
-    values += describe_history(made_of.viscoelasticity, made_of.stress_softening)
-    formula = (inspect.getdoc(type(made_of.law)) or type(made_of.law).__name__).splitlines()[0]
-    values += [("law published in", law_source(made_of.law))] if law_source(made_of.law) else []
-    return MaterialText(where, made_of.name, formula, values, str(made_of.source), made_of.source.doubts, made_of)
+        kappa = "infinite: fully incompressible" if isinf(material.bulk_modulus) else _modulus(material.bulk_modulus)
+        stiff = isinstance(material.law, Hooke)
+        values += [] if stiff else [("shear modulus", _modulus(material.law.shear_modulus)), ("bulk modulus", kappa)]
+    if material.density is not None:
+        values.append(("density", f"{material.density:g} kg/m³"))
+    if material.stretch_range is not None:
+        values.append(("fitted to stretches", f"{material.stretch_range[0]:g} to {material.stretch_range[1]:g}"))
+    values += describe_history(material.viscoelasticity, material.stress_softening)
+    formula = (inspect.getdoc(type(material.law)) or type(material.law).__name__).splitlines()[0]
+    values += [("law published in", law_source(material.law))] if law_source(material.law) else []
+    return MaterialText(where, material.name, formula, values, str(material.source), material.source.doubts, material)
 
 
 def coefficients(law: Any) -> Rows:

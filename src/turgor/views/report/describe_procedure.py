@@ -16,20 +16,20 @@ from turgor.views.report.describe import Rows
 
 
 def procedure(of: Procedure) -> Rows:
-    """Say how the path was followed: the fields of a procedure, or what each stage of a sequence changed."""
+    """Describe how the path was followed: the fields of a procedure, or what each stage of a sequence changed."""
     if not of.stages:
         return fields_of(of)
     rows = []
     for stage in of.stages:
-        said = [_with_settings(stage.procedure), *(_changed(load) for load in stage.loads)]
-        said += [_moved(each) for each in stage.displacements]
-        said += [f"{name} moves to {in_mm(place)} from where it was at first" for name, place in stage.moves.items()]
-        rows.append((stage.name, "; ".join(said)))
+        changes = [_with_settings(stage.procedure), *(_changed(load) for load in stage.loads)]
+        changes += [_moved(each) for each in stage.displacements]
+        changes += [f"{name} moves to {in_mm(place)} from where it was at first" for name, place in stage.moves.items()]
+        rows.append((stage.name, "; ".join(changes)))
     return rows
 
 
 def ending(status: Status) -> str:
-    """Say how a solve ended. "Converged" could be read as converged in the mesh, which a single solve cannot show.
+    """Describe how a solve ended. "Converged" could be read as converged in the mesh, which a single solve cannot show.
 
     Examples
     --------
@@ -40,7 +40,7 @@ def ending(status: Status) -> str:
 
 
 def _with_settings(of: Procedure) -> str:
-    """Name of a procedure with what is not as by default."""
+    """Name of a procedure with its settings other than the defaults."""
     usual = {each.name: each.default for each in fields_in_order(type(of))}
     stated = {name.replace(" ", "_"): text for name, text in fields_of(of)}
     changed = [f"{name.replace('_', ' ')} {text}" for name, text in stated.items() if getattr(of, name) != usual[name]]
@@ -48,7 +48,7 @@ def _with_settings(of: Procedure) -> str:
 
 
 def _changed(load: Load) -> str:
-    """What a load becomes in a stage, and how it gets there unless evenly."""
+    """The load at the end of a stage, and its history unless it is even."""
     way = "" if load.history == RAMP else f", its share of the way over the load factor: {history_text(load.history)}"
     return f"{with_history(load, RAMP).text().rstrip('.')}{way}"
 

@@ -70,7 +70,7 @@ class Report:
     files : mapping of str to str
         Files next to the report and what each holds.
     created : str
-        When it was made; nothing is said if it is empty.
+        Time of the report; it is left out if it is empty.
     comparisons : tuple of (str, str, str)
         Title, text and picture (SVG) of each comparison with an experiment.
     job : str
@@ -170,12 +170,12 @@ def _model(report: Report, staged: bool) -> dict[str, object]:
         "contact": describe.contact(model),
         "mesh": describe.mesh(model.mesh, report.quality),
         "dimensions": [(name.replace("_", " "), tidy(value)) for name, value in report.dimensions.items()],
-        "materials": [(text, law_plot(text.made_of)) for text in describe.materials(model)],
+        "materials": [(text, law_plot(text.material)) for text in describe.materials(model)],
     }
 
 
 def _scene(report: Report, most_text: int = VIEWER.page_bytes) -> Scene | None:
-    """What the viewer shows in so many letters, if two states need no more; nothing of a solution without states."""
+    """Scene of the viewer within a number of letters, unless two states need more; None without states."""
     if not report.solution.states:
         return None
     linked = report.response if len(report.response) == len(report.solution.states) else None

@@ -63,15 +63,15 @@ def references(model: Model, version: str) -> list[str]:
     list of str
         Each once.
     """
-    said = [
+    sources = [
         f"The turgor developers, turgor: finite element modeling of soft fluidic actuators{_version(version)}",
         REVIEW,
     ]
     used = [each.material if isinstance(each, Sheet) else each for each in model.materials.values()]
     used += [fibers.material for fibers in model.reinforcements]
     for material in used:
-        said += [LAW_SOURCES.get(type(material.law).__name__, ("", ""))[0], f"{material.name}: {material.source}"]
-    return [text for text in dict.fromkeys(said) if text]
+        sources += [LAW_SOURCES.get(type(material.law).__name__, ("", ""))[0], f"{material.name}: {material.source}"]
+    return [text for text in dict.fromkeys(sources) if text]
 
 
 def _version(version: str) -> str:

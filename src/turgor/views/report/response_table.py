@@ -28,15 +28,15 @@ def response_table(response: Response) -> dict[str, Any]:
     count = len(response)
     rows = shown_rows(count)
     drives = {drive_of(response), *(column.name for column in pressures_in(response))}
-    wanted = [c for c in response.quantities if c.name in drives or (c.name != "load_factor" and not is_zero(c))]
+    shown = [c for c in response.quantities if c.name in drives or (c.name != "load_factor" and not is_zero(c))]
     columns = [
         list(response.stages) if column.name == "stage" and response.stages else _written(response, column)
-        for column in wanted
+        for column in shown
     ]
     return {
-        "labels": [column.label for column in wanted],
+        "labels": [column.label for column in shown],
         "rows": [[column[row] for column in columns] for row in rows],
-        "zeros": [c.words for c in response.quantities if c not in wanted and c.name != "load_factor"],
+        "zeros": [c.words for c in response.quantities if c not in shown and c.name != "load_factor"],
         "left_out": count - len(rows),
         "count": count,
     }
@@ -81,7 +81,7 @@ def shown_rows(count: int) -> list[int]:
 
 
 def is_zero(column: Column) -> bool:
-    """Tell whether a column is zero throughout, as far as a page would show."""
+    """Return whether a column is zero throughout, to the digits of a page."""
     return bool((np.abs(column.in_unit) < NOT_SHOWN).all())
 
 

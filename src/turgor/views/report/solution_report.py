@@ -1,4 +1,4 @@
-"""Report of a solution from Python, as that of a job but for what only a job file states."""
+"""Report of a solution from Python: that of a job without the parts that only a job file states."""
 
 from pathlib import Path
 

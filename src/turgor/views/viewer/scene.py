@@ -1,4 +1,4 @@
-"""Scene: all that the viewer draws of a solution, small enough for one page."""
+"""Scene: the parts of a solution that the viewer draws, small enough for one page."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

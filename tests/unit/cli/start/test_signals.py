@@ -8,7 +8,7 @@ from ctypes import CFUNCTYPE
 import pytest
 
 from refused import refused
-from turgor.cli.exits import _said
+from turgor.cli.exits import _code_and_sentence
 from turgor.cli.start.signals import RUN, STUDY, ends_at_once
 from turgor.foundation.errors import TurgorError
 
@@ -53,5 +53,5 @@ def test_other_ends_stay_what_they_are() -> None:
 def test_a_command_names_no_option_that_it_lacks(arguments: tuple[str, ...], said: str) -> None:
     with pytest.raises(KeyboardInterrupt) as raised, ends_at_once(*arguments):
         signal.raise_signal(signal.SIGINT)
-    assert _said(raised.value) == (130, said)
-    assert _said(KeyboardInterrupt()) == (130, "interrupted.")
+    assert _code_and_sentence(raised.value) == (130, said)
+    assert _code_and_sentence(KeyboardInterrupt()) == (130, "interrupted.")

@@ -18,7 +18,7 @@ from turgor.studies.calibration.calibrate import calibrate
 from turgor.studies.calibration.curve import PathCurve
 from turgor.studies.calibration.parameter import Parameter
 from turgor.studies.calibration.trial import Trial
-from turgor.studies.runs.evaluations import Evaluations, kept_in
+from turgor.studies.runs.evaluations import Evaluations, saved_in
 from turgor.units import kPa, mm
 
 C10 = Parameter(name="C10", start=0.2e6, unit="MPa")
@@ -233,14 +233,14 @@ from pathlib import Path
 import calibration_cases as cases
 from turgor.studies.calibration.calibrate import calibrate
 from turgor.studies.calibration.curve import PathCurve
-from turgor.studies.runs.evaluations import kept_in
+from turgor.studies.runs.evaluations import saved_in
 from turgor.studies.calibration.parameter import Parameter
 from turgor.studies.calibration.trial import Trial
 
 if __name__ == "__main__":
     log = sys.argv[1]
     trial = Trial(measured=cases.measured_sphere(C20=0.0), function=cases.thin_sphere, values={"log": log})
-    found = calibrate(trial, [Parameter(name="C10", start=0.3e6)], evaluations=kept_in("runs"))
+    found = calibrate(trial, [Parameter(name="C10", start=0.3e6)], evaluations=saved_in("runs"))
     print(found.values["C10"], found.solves, found.computed)
 """
 
@@ -277,6 +277,6 @@ def test_evaluations_compute_each_value_once():
 
 def test_processes_at_once_find_the_same(tmp_path):
     free = [Parameter(name="C10", start=0.125e6), Parameter(name="C20", start=0.004e6, lower=-0.05e6, upper=0.05e6)]
-    several = calibrate(sphere(), free, evaluations=kept_in(tmp_path, processes=2))
+    several = calibrate(sphere(), free, evaluations=saved_in(tmp_path, processes=2))
     assert several.values == calibrate(sphere(), free).values
     assert len(list(tmp_path.glob("*.json"))) == several.solves

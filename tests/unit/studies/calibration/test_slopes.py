@@ -15,7 +15,7 @@ from turgor.studies.calibration.job_calibration import job_trial
 from turgor.studies.calibration.objective import Objective, rig_parameter
 from turgor.studies.calibration.parameter import Parameter
 from turgor.studies.calibration.trial import Trial, data_of
-from turgor.studies.runs.evaluations import Evaluations, kept_in
+from turgor.studies.runs.evaluations import Evaluations, saved_in
 from turgor.studies.runs.jobs import job_slopes
 from turgor.studies.runs.jobs.job_function import job_function
 from turgor.studies.runs.jobs.job_runs import solved_job
@@ -122,7 +122,7 @@ def test_the_jacobian_is_that_of_differences(tmp_path):
 
 def _plain(problem, at):
     """What the trials compute at a point, without slopes."""
-    return [each.found.response for each in problem.ended([at], slopes=False)[0]]
+    return [each.result.response for each in problem.ended([at], slopes=False)[0]]
 
 
 @pytest.fixture(scope="module")
@@ -130,7 +130,7 @@ def found(base, measured, tmp_path_factory):
     """A calibration with slopes, whose runs are kept, and the folder."""
     folder = tmp_path_factory.mktemp("kept")
     trial = job_trial(base, measured, spread=0.002 * mm)
-    return calibrate(trial, free_parameters(FREE, PRIOR, base), evaluations=kept_in(folder)), folder
+    return calibrate(trial, free_parameters(FREE, PRIOR, base), evaluations=saved_in(folder)), folder
 
 
 def test_derivatives_spare_solves_and_find_the_same(base, measured, found):
@@ -151,7 +151,7 @@ def test_derivatives_are_kept(base, measured, found):
     tables = list(folder.glob("*.csv"))
     assert len(tables) == first.solves and all("_slope_" in each.read_text(encoding="utf-8") for each in tables)
     trial = job_trial(base, measured, spread=0.002 * mm)
-    again = calibrate(trial, free_parameters(FREE, PRIOR, base), evaluations=kept_in(folder))
+    again = calibrate(trial, free_parameters(FREE, PRIOR, base), evaluations=saved_in(folder))
     assert (again.computed, again.solves) == (0, first.solves)
     assert again.derivatives == first.derivatives
     assert again.values == pytest.approx(first.values, rel=1e-8)
@@ -177,7 +177,7 @@ def test_a_derivative_that_fails_falls_back_to_differences(base, measured, found
         "The derivatives by materials.body.C10 are exact, those by actuator.wall differences of runs. "
         "There are no slopes by actuator.wall: it is near a limit point."
     )
-    assert next(iter(runs.ended.values())).found.notes == ()
+    assert next(iter(runs.ended.values())).result.notes == ()
 
 
 def test_tetrahedra_have_slopes_by_a_dimension_too(tmp_path):

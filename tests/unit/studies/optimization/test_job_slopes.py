@@ -129,14 +129,14 @@ READ = [
 def run_of(base, values, **more):
     found = solved_job(**base.values, numbers=values, as_design=True, **more)
     run = Run(name="tube", function=solved_job, values={**base.values, "numbers": values})
-    return Row(values=values, ended=Ended(run=run, found=found))
+    return Row(values=values, ended=Ended(run=run, result=found))
 
 
 @pytest.mark.usefixtures("drawn_nothing")
 def test_slopes_are_those_of_what_the_goals_read(base):
     goals = [studies.Minimize(name, at=at) for name, at in READ]
     row = run_of(base, VALUES, slopes={"readings": readings_of(goals, VALUES)})
-    assert row.ended.found.notes == ()
+    assert row.ended.result.notes == ()
     found = np.array([slopes_of(row, name, at, list(VALUES)) for name, at in READ])
     for place, (key, value) in enumerate(VALUES.items()):
         step = 1e-3 * value
@@ -163,7 +163,7 @@ def test_the_end_of_a_path_that_ended_early_has_no_slopes(base):
 
 @pytest.mark.usefixtures("drawn_nothing")
 def test_what_has_no_slopes_is_said_once_and_left_to_the_surfaces(tmp_path):
-    runs = studies.kept_in(tmp_path / "runs")
+    runs = studies.saved_in(tmp_path / "runs")
     found = searched(tmp_path, FINGER, BEND, runs)
     assert len(found.notes) == 1
     assert found.notes[0].startswith("There are no slopes by actuator.chambers: ")
@@ -173,7 +173,7 @@ def test_what_has_no_slopes_is_said_once_and_left_to_the_surfaces(tmp_path):
     assert "bending_angle_slope_actuator_chambers" not in names
     before, beside = (row.values for row in found.study.rows)
     assert before["materials.body.C10"] == beside["materials.body.C10"], "a run beside the start for the chambers alone"
-    again = searched(tmp_path, FINGER, BEND, studies.kept_in(tmp_path / "runs"))
+    again = searched(tmp_path, FINGER, BEND, studies.saved_in(tmp_path / "runs"))
     assert all(row.ended.again for row in again.study.rows)
     assert again.notes == found.notes
     for one, other in zip(again.study.rows, found.study.rows, strict=True):

@@ -81,7 +81,7 @@ def test_killed_and_called_again_it_goes_on(tmp_path):
     computation = studies.Computation(function=cases.bowl, values={"log": str(log)})
 
     def asked(most):
-        runs = studies.kept_in(tmp_path / "runs")
+        runs = studies.saved_in(tmp_path / "runs")
         goals = [studies.Minimize("height"), studies.Limit("total", most=0.5)]
         return tg.optimize(computation, AB, goals, start=BEGIN, search=search(most), evaluations=runs)
 
@@ -94,7 +94,7 @@ def test_killed_and_called_again_it_goes_on(tmp_path):
 
 
 def test_runs_beside_the_start_are_computed_in_processes(tmp_path):
-    runs = studies.kept_in(tmp_path, processes=2)
+    runs = studies.saved_in(tmp_path, processes=2)
     found = tg.optimize(cases.bowl, AB, [studies.Target("height", 3.5)], start=BEGIN, evaluations=runs)
     assert found.converged
 
@@ -213,7 +213,7 @@ def test_rows_say_whether_they_keep_the_limits():
     found = tg.optimize(cases.bowl, AB, goals, start={"a": 0.5, "b": 0.5}, search=search(30))
     total = found.study.column("total")
     assert total[0] == 1.0 and found.converged
-    assert [each.kept for each in found.scores] == (total <= 0.5 * 1.002).tolist()
+    assert [each.feasible for each in found.scores] == (total <= 0.5 * 1.002).tolist()
 
 
 def test_own_objectives_and_factors_are_measures():
@@ -366,7 +366,7 @@ def test_slopes_at_a_value_of_a_drive_that_moves_as_well():
         Response(columns=columns, source=Source(text="two powers")), {"x": {"a": p}, "y": {"a": 0 * p, "b": p**2}}
     )
     row = Row(values={"a": a, "b": b}, ended=Ended(run=studies.Computation(function=cases.bowl).run({}),
-              found=Computed(response=response)))  # fmt: skip
+              result=Computed(response=response)))  # fmt: skip
     for at in (2.0, 3.0):
         found = studies.Target("y", 1.0, at=("x", at)).slopes(row, ["a", "b"])[0]
         assert found == pytest.approx([-2 * b * at**2 / a**3, at**2 / a**2], rel=1e-3)

@@ -73,7 +73,7 @@ def test_one_rubber_harder_than_another(tmp_path):
         encoding="utf-8",
     )
     asked = tg.studies.read_study_file(tmp_path / "study.toml", {"loads.pressure": "2 kPa"})
-    kept = tg.studies.kept_in(tmp_path / "runs")
+    kept = tg.studies.saved_in(tmp_path / "runs")
     study = tg.studies.sweep_job(asked, tmp_path / "found", kept)
     soft, hard = study.column("tip_displacement_x")
     assert soft > 3 * hard > 0
@@ -151,13 +151,13 @@ def test_ctrl_c_in_the_middle_of_a_run_ends_the_study_and_not_the_run(tmp_path, 
     run = base.computation().run({"materials.body.C10": 1.1e5})
     kept = tmp_path / "study" / "runs"
     with pytest.raises(KeyboardInterrupt):
-        tg.studies.kept_in(kept).of([run])
+        tg.studies.saved_in(kept).of([run])
     assert len(states) == 3
     assert not kept.exists() or not list(kept.iterdir())
     monkeypatch.setattr("turgor.studies.runs.jobs.job_runs.solve", None)  # the path goes on
-    (ended,) = tg.studies.kept_in(kept).of([run])
-    assert ended.found.response.status == "converged"
-    assert ended.found.response["load_factor"][-1] == 1.0
+    (ended,) = tg.studies.saved_in(kept).of([run])
+    assert ended.result.response.status == "converged"
+    assert ended.result.response["load_factor"][-1] == 1.0
 
 
 def test_a_path_that_was_hardly_begun_is_begun_anew(tmp_path):

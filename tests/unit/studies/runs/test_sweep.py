@@ -45,13 +45,13 @@ def test_a_closed_formula_at_all_levels():
 
 
 def test_a_design_goes_to_other_processes_and_is_found_again(tmp_path):
-    with tg.studies.kept_in(tmp_path, processes=2) as runs:
+    with tg.studies.saved_in(tmp_path, processes=2) as runs:
         study = tg.sweep(deflection, Beam(length=0.2), evaluations=runs, parts=[1, 2, 4])
     values = study.column("deflection", AT)
     np.testing.assert_allclose(values, values[0] / np.array([1, 2, 4]), rtol=1e-12)
-    again = tg.sweep(deflection, Beam(length=0.2), evaluations=tg.studies.kept_in(tmp_path), parts=[1, 2, 4])
+    again = tg.sweep(deflection, Beam(length=0.2), evaluations=tg.studies.saved_in(tmp_path), parts=[1, 2, 4])
     assert all(row.ended.again for row in again.rows)
-    other = tg.sweep(deflection, Beam(length=0.3), evaluations=tg.studies.kept_in(tmp_path), parts=[1, 2, 4])
+    other = tg.sweep(deflection, Beam(length=0.3), evaluations=tg.studies.saved_in(tmp_path), parts=[1, 2, 4])
     assert not any(row.ended.again for row in other.rows)
     assert study.factor("parts").whole
 

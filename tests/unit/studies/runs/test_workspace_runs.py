@@ -52,9 +52,9 @@ def test_runs_that_fail_are_told(tmp_path):
 
 
 def test_runs_are_kept(tmp_path):
-    kept = tg.studies.kept_in(tmp_path)
+    kept = tg.studies.saved_in(tmp_path)
     area = tg.studies.workspace_of(beam, PRESSURES, evaluations=kept).reached.area
-    again = tg.studies.workspace_of(beam, PRESSURES, evaluations=tg.studies.kept_in(tmp_path))
+    again = tg.studies.workspace_of(beam, PRESSURES, evaluations=tg.studies.saved_in(tmp_path))
     assert all(each.again for each in again.ended)
     assert again.reached.area == pytest.approx(area)
 
@@ -141,12 +141,12 @@ def test_a_cavity_that_the_job_lacks(bender):
 @pytest.mark.slow
 def test_a_bender_to_both_sides(bender, tmp_path):
     """One cavity bends it down, the other one up by the same, but for its mesh; both together hardly bend it."""
-    kept = tg.studies.kept_in(tmp_path / "runs")
+    kept = tg.studies.saved_in(tmp_path / "runs")
     values = [0, 20 * kPa]
     found = tg.studies.workspace_of(bender, {"cavity_1": values, "cavity_2": values}, evaluations=kept)
     assert found.problems == ()
     assert len(found.ended) == 3  # rest takes no run
-    up, down, both = (each.found.response["tip_displacement_z"][-1] for each in found.ended)
+    up, down, both = (each.result.response["tip_displacement_z"][-1] for each in found.ended)
     assert up > 1 * mm
     assert down == pytest.approx(-up, rel=0.1)
     assert abs(both) < 0.1 * up

@@ -33,7 +33,7 @@ def study_of(values, factors=(A, B), mesh=None):
             columns.append(Column("angle_mesh_error", "deg", [mesh]))
         found = None if value is None else Computed(response=Response(columns=tuple(columns), source=Source(text="t")))
         named = dict(zip([each.name for each in factors], design, strict=True))
-        rows.append(Row(values=named, ended=Ended(run=Run(name="", function=Computed), found=found, problem="no")))
+        rows.append(Row(values=named, ended=Ended(run=Run(name="", function=Computed), result=found, problem="no")))
     return Study(factors=tuple(factors), rows=tuple(rows), source=Source(text="t"))
 
 

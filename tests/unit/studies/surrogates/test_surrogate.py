@@ -136,7 +136,7 @@ def test_mesh_errors_are_noise(study):
         response = row.response
         error = Column("bending_angle_mesh_error", "deg", np.full(len(response), 3 * deg))
         response = Response(columns=(*response.columns, error), source=response.source)
-        return replace(row, ended=replace(row.ended, found=replace(row.ended.found, response=response)))
+        return replace(row, ended=replace(row.ended, result=replace(row.ended.result, response=response)))
 
     rough = Study(factors=study.factors, rows=tuple(noisy(row) for row in study.rows), source=study.source)
     assert training(rough, ["bending_angle"]).noise == pytest.approx(3 * deg)

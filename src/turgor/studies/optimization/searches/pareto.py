@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
-    """Search for the front on surfaces, and compute what they promise.
+    """Search for the front on surfaces, and compute the predicted designs.
 
     Parameters
     ----------
@@ -35,13 +35,13 @@ def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
     first = max(2 * len(start) + 2, round(PARETO.first_share * problem.most))
     problem.compute([start, *spread(problem, first - 1, search.seed)])
     quiet = 0
-    while problem.left > 0 and quiet < PARETO.quiet:
+    while problem.remaining > 0 and quiet < PARETO.quiet:
         known = problem.known
         if len(known) < len(start) + 1:
             return Ending.FAILED if not known else Ending.BUDGET
         surfaces = surfaces_through(np.array([each.at for each in known]), np.array([each.readings for each in known]))
         points = _nondominated(problem, surfaces, (PARETO.population, PARETO.generations), search.seed)
-        chosen, gap = _apart(problem, points, surfaces, min(PARETO.batch, problem.left))
+        chosen, gap = _apart(problem, points, surfaces, min(PARETO.batch, problem.remaining))
         if not chosen:
             quiet += 1
             break
@@ -67,22 +67,22 @@ def evolution(problem: Problem, start: Array, search: Search) -> Ending:
     Ending
     """
     problem.compute([start])
-    size = min(PARETO.computed_population, max(problem.left, 2))
+    size = min(PARETO.computed_population, max(problem.remaining, 2))
 
     def readings(points: Array) -> Array:
-        if problem.left > 0:
+        if problem.remaining > 0:
             problem.compute(list(points))
         known = {each.row.ended.run.key: each.readings for each in problem.candidates}
         keys = [problem.computation.run(problem.values(point)).key for point in points]
         missing = np.full(len(problem.candidates[0].readings), np.nan)
         return np.array([known.get(key, missing) for key in keys])
 
-    _nondominated(problem, readings, (size, max(problem.left // size, 1)), search.seed)
+    _nondominated(problem, readings, (size, max(problem.remaining // size, 1)), search.seed)
     return Ending.BUDGET if _front(problem) else _ended(problem, False)
 
 
 def front_of(problem: Problem) -> list[Candidate]:
-    """Return the candidates that keep the limits and that no other one beats, in the order of the first objective."""
+    """Return the candidates within the limits that no other one beats, in the order of the first objective."""
     return sorted(_front(problem), key=lambda each: each.score.objectives)
 
 
@@ -95,7 +95,7 @@ def best_of_front(problem: Problem, front: Sequence[Candidate]) -> Candidate:
 
 
 def _front(problem: Problem) -> list[Candidate]:
-    allowed = [each for each in problem.known if each.score.kept]
+    allowed = [each for each in problem.known if each.score.feasible]
     values = np.array([each.score.objectives for each in allowed]).reshape(len(allowed), -1)
     return [each for each, here in zip(allowed, values, strict=True) if not _beaten(here, values)]
 
@@ -107,7 +107,7 @@ def _beaten(here: Array, others: Array) -> bool:
 def _nondominated(
     problem: Problem, readings: Callable[[Array], Array], effort: tuple[int, int], seed: int
 ) -> list[Array]:
-    """Run NSGA-II on what gives readings of designs, and return the front."""
+    """Run NSGA-II on a function that gives readings of designs, and return the front."""
     nsga2 = needed("pymoo.algorithms.moo.nsga2", "a search for several objectives").NSGA2
     minimize = needed("pymoo.optimize", "a search for several objectives").minimize
     size, generations = effort
@@ -141,8 +141,8 @@ def _apart(problem: Problem, points: Sequence[Array], surfaces: Any, count: int)
         return [], 0.0
     ranges = np.ptp(promised, axis=0)
     ranges = np.where(ranges > 0, ranges, 1.0)
-    # what passes a limit is not on the front, and does not stand in for a design that is
-    taken = [np.array(each.score.objectives) / ranges for each in problem.known if each.score.kept]
+    # candidates beyond a limit are not on the front, and do not replace a design that is
+    taken = [np.array(each.score.objectives) / ranges for each in problem.known if each.score.feasible]
     chosen: list[Array] = []
     farthest = 0.0
     broken = [bool(problem.broken(point)) or _near_failure(problem, point) for point in points]
@@ -161,20 +161,20 @@ def _apart(problem: Problem, points: Sequence[Array], surfaces: Any, count: int)
 
 
 def _near_failure(problem: Problem, point: Array) -> bool:
-    """Whether the nearest candidate gave no value: what surfaces promise there is worth no further run."""
+    """Whether the nearest candidate gave no value; surfaces are not trusted there."""
     return not min(problem.candidates, key=lambda each: float(np.linalg.norm(each.at - point))).known
 
 
-def _as_promised(problem: Problem, found: Sequence[Candidate], surfaces: Any) -> bool:
-    """Whether what was computed is what the surfaces, laid before, promised."""
+def _as_promised(problem: Problem, computed: Sequence[Candidate], surfaces: Any) -> bool:
+    """Whether the computed front agrees with the prediction of the surfaces that were fitted before."""
     front = np.array([each.score.objectives for each in _front(problem)])
-    if not len(found) or len(front) < 2:
+    if not len(computed) or len(front) < 2:
         return False
     ranges = np.ptp(front, axis=0)
     ranges = np.where(ranges > 0, ranges, 1.0)
     errors = [
         np.abs(np.array(each.score.objectives) - np.array(problem.score(surfaces(each.at)).objectives)) / ranges
-        for each in found
+        for each in computed
     ]
     return bool(np.max(errors) < PARETO.front_error)
 
@@ -183,5 +183,5 @@ def _ended(problem: Problem, quiet: bool) -> Ending:
     if not problem.known:
         return Ending.FAILED
     if not _front(problem):
-        return Ending.INFEASIBLE if problem.left <= 0 or quiet else Ending.BUDGET
+        return Ending.INFEASIBLE if problem.remaining <= 0 or quiet else Ending.BUDGET
     return Ending.CONVERGED if quiet else Ending.BUDGET

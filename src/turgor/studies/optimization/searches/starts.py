@@ -1,4 +1,4 @@
-"""Several starts: a local search begun at designs that are spread over the ranges, with runs shared by all."""
+"""Several starts: local searches from designs that are spread over the ranges; they share their runs."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -25,7 +25,7 @@ class Descent:
     start : int
         Row of the start.
     best : int or None
-        Row of the best design that it found; None where no run gave a response.
+        Row of its best design; None where no run gave a response.
     ending : Ending
         How it ended.
     """
@@ -39,7 +39,7 @@ def descents_of(problem: Problem, start: Array, search: Search, descend: Descend
     """Search from the start, and from further ones of a Latin hypercube; all candidates are gathered in the problem.
 
     Each start may take an equal part of the runs that are left. It begins without the candidates of the others, whose
-    surfaces would lead it to their designs; a run that several ask for is computed once. Where all targets are met, no
+    surfaces would lead it to their designs; a run that several request is computed once. Where all targets are met, no
     further start is needed.
 
     Parameters
@@ -60,7 +60,7 @@ def descents_of(problem: Problem, start: Array, search: Search, descend: Descend
     begins = [start, *spread(problem, search.starts - 1, search.seed)]
     descents: list[Descent] = []
     for number, begin in enumerate(begins):
-        most = problem.left // (len(begins) - number)
+        most = problem.remaining // (len(begins) - number)
         if most < 1:
             break
         part = replace(problem, candidates=[], most=most)
@@ -75,7 +75,7 @@ def descents_of(problem: Problem, start: Array, search: Search, descend: Descend
 
 
 def best_of(problem: Problem) -> Candidate | None:
-    """Return the candidate of least merit; those that keep the limits come first.
+    """Return the candidate of least merit; those that satisfy the limits come first.
 
     Parameters
     ----------
@@ -86,11 +86,11 @@ def best_of(problem: Problem) -> Candidate | None:
     Candidate or None
         None where no run gave a response.
     """
-    return min(problem.known, key=lambda each: (not each.score.kept, merit(problem, each.score)), default=None)
+    return min(problem.known, key=lambda each: (not each.score.feasible, merit(problem, each.score)), default=None)
 
 
 def spread(problem: Problem, count: int, seed: int) -> list[Array]:
-    """Return designs of a Latin hypercube that keep the rules.
+    """Return designs of a Latin hypercube that satisfy the rules.
 
     Parameters
     ----------

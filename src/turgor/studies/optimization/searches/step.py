@@ -1,4 +1,4 @@
-"""The best step that surfaces promise within a box around a candidate, under limits and rules."""
+"""The best step that surfaces predict within a box around a candidate, under limits and rules."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Box:
-    """Where a step may lead.
+    """Region in which a step may end.
 
     Parameters
     ----------
@@ -39,14 +39,14 @@ class Box:
 
 
 def merit(problem: Problem, score: Score) -> float:
-    """Return what a step is to lower: the objective, and a penalty of what is violated."""
+    """Return the merit that a step lowers: the objective, and a penalty of violated conditions."""
     if not score.known:
         return float("inf")
     return score.objectives[0] + max(score.violation - TRUST_REGION.aim, 0.0)
 
 
 def best_step(problem: Problem, surfaces: Surfaces, box: Box, seed: int) -> Array:
-    """Return the point in a box at which the surfaces promise most.
+    """Return the point in a box with the least predicted merit.
 
     Parameters
     ----------
@@ -59,13 +59,13 @@ def best_step(problem: Problem, surfaces: Surfaces, box: Box, seed: int) -> Arra
     Returns
     -------
     (n,) array
-        Shares of the ranges that keep the rules; the center where nothing better does.
+        Shares of the ranges that satisfy the rules; the center where nothing better does.
     """
     low, high = box.limits(problem.levels)
     draws = np.random.default_rng(seed).uniform(low, high, size=(TRUST_REGION.beginnings, len(low)))
     lowest = [_minimized(problem, surfaces, begin, (low, high)) for begin in (box.center, *draws)]
     points = [each for point in lowest for each in _whole(problem, surfaces, point, (low, high))]
-    points = [_kept(problem, box.center, point) for point in points]
+    points = [_within_rules(problem, box.center, point) for point in points]
     return min([box.center, *points], key=lambda at: merit(problem, problem.score(surfaces(at))))
 
 
@@ -76,7 +76,7 @@ def _minimized(
     limits: tuple[Array, Array],
     fixed: Flags | None = None,
 ) -> Array:
-    """Minimize what the surfaces say, with one slack for all that may be violated."""
+    """Minimize the surfaces, with one slack for all conditions that may be violated."""
     low, high = limits
     if fixed is not None:
         low, high = np.where(fixed, begin, low), np.where(fixed, begin, high)
@@ -124,7 +124,7 @@ class _Smooth:
         return length, (values @ slopes) / length
 
     def conditions(self, at: Array) -> tuple[Array, Array]:
-        """Return what must not be above 0, and its derivatives: limits, and targets besides an objective."""
+        """Return the conditions, met up to 0, and their derivatives: limits, and targets besides an objective."""
         violations, slopes = [0.0], [np.zeros(len(at))]
         for goal, (values, slope) in zip(self.problem.goals, self._scaled(at), strict=True):
             if isinstance(goal, Limit):
@@ -141,9 +141,9 @@ class _Smooth:
         parts, gradient = self.problem.parts(self.surfaces(at)), self.surfaces.gradient(at)
         pairs, begun = [], 0
         for goal, part in zip(self.problem.goals, parts, strict=True):
-            divisor, wanted = goal.linear()
+            divisor, target = goal.linear()
             slopes = gradient[begun : begun + len(part)] / divisor[:, None]
-            pairs.append(((part - wanted) / divisor, slopes))
+            pairs.append(((part - target) / divisor, slopes))
             begun += len(part)
         return pairs
 
@@ -192,8 +192,8 @@ def _whole(problem: Problem, surfaces: Surfaces, point: Array, limits: tuple[Arr
 _SIDES = (np.floor, np.ceil)
 
 
-def _kept(problem: Problem, center: Array, point: Array) -> Array:
-    """Go back to the center until the rules are kept."""
+def _within_rules(problem: Problem, center: Array, point: Array) -> Array:
+    """Go back to the center until the rules are satisfied."""
     for share in (1.0, 0.75, 0.5, 0.25):
         there = problem.snapped(center + share * (point - center))
         if not problem.broken(there):

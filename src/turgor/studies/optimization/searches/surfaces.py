@@ -1,4 +1,4 @@
-"""Surfaces: radial basis functions through what was computed, with which a search predicts before it computes."""
+"""Surfaces: radial basis functions through computed points, by which a search predicts readings."""
 
 from dataclasses import dataclass
 

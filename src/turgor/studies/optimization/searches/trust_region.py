@@ -1,4 +1,4 @@
-"""Search in a trust region: surfaces through all candidates say where to go, as far as they are right.
+"""Search in a trust region: surfaces through all candidates predict the best step within it.
 
 The method is that of Wild, Regis and Shoemaker (ORBIT, SIAM J. Sci. Comput. 30, 2008), with a surface for each reading
 instead of one for the objective, as it is usual for least squares: what a goal makes of a reading is known.
@@ -20,7 +20,7 @@ Flags = NDArray[np.bool_]
 
 
 def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
-    """Search for the one objective, or for what meets the targets, under limits and rules.
+    """Minimize one objective, or meet the targets, under limits and rules.
 
     Parameters
     ----------
@@ -35,10 +35,10 @@ def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
     """
     begun = _begun(problem, start, search)
     if begun is None:
-        return Ending.FAILED if problem.left <= 0 or not problem.known else Ending.BUDGET
+        return Ending.FAILED if problem.remaining <= 0 or not problem.known else Ending.BUDGET
     problem.compute(_around(problem, begun))
     center, radius = _lowest(problem), TRUST_REGION.first_radius
-    while problem.left > 0:
+    while problem.remaining > 0:
         if _all_met(problem, center):
             return Ending.CONVERGED
         surfaces = _surfaces(problem, TRUST_REGION.spanned / 2 * radius)
@@ -55,7 +55,7 @@ def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
         (there,) = problem.compute([to]) or [center]
         gained = merit(problem, center.score) - merit(problem, there.score)
         share = gained / promised if np.isfinite(gained) else -1.0
-        if share < TRUST_REGION.poor and missing is not None and problem.left > 0:
+        if share < TRUST_REGION.poor and missing is not None and problem.remaining > 0:
             problem.compute([missing])
         elif share < TRUST_REGION.poor:
             radius = max(radius / 4, min(radius, step) / 2)
@@ -76,7 +76,7 @@ def _begun(problem: Problem, start: Array, search: Search) -> Candidate | None:
             for each in problem.compute([point]):
                 if each.known:
                     return each
-        if problem.left <= 0:
+        if problem.remaining <= 0:
             return None
     return None
 
@@ -110,20 +110,20 @@ def _lowest(problem: Problem) -> Candidate:
 
 def _all_met(problem: Problem, center: Candidate) -> bool:
     """Whether there are only targets and limits, and all are met."""
-    return not problem.objectives and center.score.kept and _worst_misfit(problem, center) <= 1.0
+    return not problem.objectives and center.score.feasible and _worst_misfit(problem, center) <= 1.0
 
 
 def _worst_misfit(problem: Problem, candidate: Candidate) -> float:
     lengths = [0.0]
     for goal, part in zip(problem.goals, problem.parts(candidate.readings), strict=True):
         if isinstance(goal, MET):
-            divisor, wanted = goal.linear()
-            lengths.append(float(np.linalg.norm((part - wanted) / divisor)))
+            divisor, target = goal.linear()
+            lengths.append(float(np.linalg.norm((part - target) / divisor)))
     return max(lengths)
 
 
 def _is_idle(problem: Problem, surfaces: Surfaces, center: Candidate, to: Array, precision: float) -> bool:
-    """Whether a step is too small, or promises nothing."""
+    """Whether a step is too small, or its predicted gain is."""
     here = merit(problem, center.score)
     gain = here - merit(problem, problem.score(surfaces(to)))
     small = bool(np.abs(to - center.at).max() < precision)
@@ -133,7 +133,7 @@ def _is_idle(problem: Problem, surfaces: Surfaces, center: Candidate, to: Array,
 def _narrowed(
     problem: Problem, center: Candidate, radius: float, missing: Array | None, search: Search
 ) -> tuple[Candidate, float]:
-    """Where no step promises anything: learn more of the region, or look at a smaller one."""
+    """Compute a point in a missing direction, or take a smaller region, where no step has a predicted gain."""
     if missing is not None:
         before = len(problem.candidates)
         problem.compute([missing])
@@ -170,6 +170,6 @@ def _toward(problem: Problem, center: Array, radius: float, moving: Flags, direc
 
 
 def _ended(problem: Problem, center: Candidate) -> Ending:
-    """What it means that no step is left."""
-    met = center.score.kept and (bool(problem.objectives) or _worst_misfit(problem, center) <= 1.0)
+    """Return the ending where no step has a predicted gain."""
+    met = center.score.feasible and (bool(problem.objectives) or _worst_misfit(problem, center) <= 1.0)
     return Ending.CONVERGED if met else Ending.INFEASIBLE

@@ -7,20 +7,20 @@ from turgor.foundation.errors import TurgorError
 from turgor.studies.runs.executors.run_outcome import Ended
 from turgor.studies.runs.run import Run
 
-#: What is said of a run that nobody has computed yet.
+#: Problem of a run that is not computed yet.
 NOT_YET = "not computed yet"
 
 
 class Gathering:
-    """Computes nothing: rows of runs that were not kept before say that they are not computed yet."""
+    """Computes nothing; runs that were not saved before are reported as not computed yet."""
 
     def compute(self, runs: Sequence[Run], folder: Path | None) -> Iterator[Ended]:
         """Give each run as not computed."""
         for run in runs:
-            yield Ended(run=run, found=None, problem=NOT_YET)
+            yield Ended(run=run, result=None, problem=NOT_YET)
 
     def close(self) -> None:
-        """Do nothing: nothing waits."""
+        """Do nothing; there is no process to end."""
 
 
 def share(count: int, index: int, of: int) -> range:
@@ -51,6 +51,6 @@ def share(count: int, index: int, of: int) -> range:
     [[0, 2, 4], [1, 3]]
     """
     if not 1 <= index <= of:
-        said = f"index is {index}; allowed is 1 to {of}, the number of tasks."
-        raise TurgorError(python=said, command=f"--{said}")
+        sentence = f"index is {index}; allowed is 1 to {of}, the number of tasks."
+        raise TurgorError(python=sentence, command=f"--{sentence}")
     return range(index - 1, count, of)

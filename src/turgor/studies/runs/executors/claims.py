@@ -16,15 +16,15 @@ class Claims:
     """Runs that wait to be computed, handed out one after the other.
 
     Before a run is handed out, its file ``KEY.lock`` in the folder is locked by the system, which unlocks it when this
-    process ends, however it ends; a shared file system does so when the machine is gone. A run that another process
-    holds goes to the end of the queue, and is read when that one has kept it. Where a file system has no locks, runs
+    process ends, however it ends; a shared file system does so when the machine stops. A run that another process
+    holds goes to the end of the queue, and is read when that one has saved it. Where a file system has no locks, runs
     are handed out without, and two studies in one folder may compute a run twice.
 
     Parameters
     ----------
     runs : sequence of Run
     folder : Path or None
-        Where runs are kept; None locks nothing.
+        Where runs are saved; None locks nothing.
     """
 
     def __init__(self, runs: Sequence[Run], folder: Path | None) -> None:
@@ -68,7 +68,7 @@ class Claims:
         return None
 
     def release(self, run: Run) -> None:
-        """Unlock a run, after it has been kept or has failed."""
+        """Unlock a run, after it was saved or failed."""
         _unlocked(self._locks.pop(run.key, None))
 
 
@@ -90,15 +90,15 @@ def _locked(file: Path) -> BaseFileLock | None:
         if isinstance(error, Timeout):
             raise
         return None
-    if isinstance(lock, SoftFileLock):  # stands in for a lock of the system, and would stay when its machine is gone
+    if isinstance(lock, SoftFileLock):  # stands in for a lock of the system, and would stay when its machine stops
         lock.release()
         return None
     return lock
 
 
 def _unlocked(lock: BaseFileLock | None) -> None:
-    """Remove the file of a lock while it is locked, so that no other process locks what is gone, and unlock it."""
+    """Remove the file of a lock while it is locked, so that no other process locks a removed file, and unlock it."""
     if lock is not None:
-        with suppress(OSError):  # Windows keeps a file that is open
+        with suppress(OSError):  # Windows does not remove an open file
             Path(lock.lock_file).unlink(missing_ok=True)
         lock.release()

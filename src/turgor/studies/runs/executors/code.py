@@ -25,7 +25,7 @@ def code_digest(function: Callable[..., Any]) -> str:
     Returns
     -------
     str
-        Empty for functions of turgor, whose kept runs stay, and where there is no source.
+        Empty for functions of turgor, whose saved runs stay, and where there is no source.
 
     Examples
     --------

@@ -10,7 +10,7 @@ from typing import Any
 
 from turgor.foundation.errors import TurgorError
 from turgor.studies.runs.executors.claims import Claims
-from turgor.studies.runs.executors.run_outcome import Ended, compute, keep_ended
+from turgor.studies.runs.executors.run_outcome import Ended, compute, save_ended
 from turgor.studies.runs.optional_parts import needed
 from turgor.studies.runs.run import Run
 from turgor.studies.runs.settings import RUNS
@@ -20,7 +20,7 @@ from turgor.studies.runs.settings import RUNS
 class OnDask:
     """Computes runs on the workers of a Dask scheduler.
 
-    A worker sends back what it found, and this process keeps it, so that workers need not see the folder of the study.
+    A worker sends back its result, and this process saves it, so that workers need not see the folder of the study.
     They must see the job file and the module of the function under the same names, as on a cluster with shared homes.
     If a worker dies, the scheduler gives its run to another one.
 
@@ -50,7 +50,7 @@ class OnDask:
             client.close()
 
     def close(self) -> None:
-        """Do nothing: the workers are not ours."""
+        """Do nothing; the workers belong to the scheduler."""
 
     def _client(self, dask: Any) -> Any:
         try:
@@ -68,7 +68,7 @@ def _ended(client: Any, ending: Any, claims: Claims, folder: Path | None) -> Ite
     while claims or waiting:
         taken = claims.take() if len(waiting) < RUNS.dask_runs else None
         if isinstance(taken, Run):
-            # pure=False: what a run computes is known by its key, and a failed one may be tried again
+            # pure=False: runs are identified by their keys, and a failed one may be tried again
             future = client.submit(_computed, taken, str(Path.cwd()), pure=False)
             waiting[future] = taken
             ending.add(future)
@@ -79,7 +79,7 @@ def _ended(client: Any, ending: Any, claims: Claims, folder: Path | None) -> Ite
         else:
             future = next(ending)
             run = waiting.pop(future)
-            ended = _kept(run, future, folder)
+            ended = _saved(run, future, folder)
             claims.release(run)
             future.release()
             yield ended
@@ -115,11 +115,11 @@ def _computed(run: Run, folder: str) -> Ended:
         return compute(run)
 
 
-def _kept(run: Run, future: Any, folder: Path | None) -> Ended:
-    """Keep what a worker sent back, and return how the run ended."""
+def _saved(run: Run, future: Any, folder: Path | None) -> Ended:
+    """Save the result that a worker sent back, and return how the run ended."""
     error = future.exception()
     if error is not None:
         reported = f"{type(error).__name__}: {error}".strip(": ")
-        return Ended(run=run, found=None, problem=f"the Dask worker could not compute it: {reported}")
+        return Ended(run=run, result=None, problem=f"the Dask worker could not compute it: {reported}")
     ended: Ended = future.result()
-    return keep_ended(replace(ended, run=run), folder)
+    return save_ended(replace(ended, run=run), folder)

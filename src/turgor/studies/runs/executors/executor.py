@@ -1,4 +1,4 @@
-"""Executors: where the runs of a study are computed. `Evaluations` hands runs to one of them, and to nothing else.
+"""Executors: where the runs of a study are computed. `Evaluations` hands runs to one of them.
 
 `Here` computes in this process; `turgor.studies.runs.executors.worker_processes.Workers` in processes of this machine.
 """
@@ -20,15 +20,14 @@ class Executor(Protocol):
     def compute(self, runs: Sequence[Run], folder: Path | None) -> Iterator[Ended]:
         """Compute runs, and give each as it ends, in any order.
 
-        Nothing of them is kept yet, and no two have one key. With a folder, a run is kept there by whatever computes
-        it before it is given, so that the study may be killed at any moment. It is locked as it is computed (`Claims`),
-        so that other processes may compute the same study: how a run ended there is given like any other. A run that
-        fails is given with its problem, and the others go on. If the caller stops before the last one, what is still
-        running is ended.
+        None of them is saved yet, and no two have one key. With a folder, a run is saved there by the process that
+        computes it before it is given, so that the study may be killed at any moment. Its lock (`Claims`) lets other
+        processes compute the same study: how a run ended there is given like any other. A run that fails is given with
+        its problem, and the others go on. If the caller stops before the last one, the remaining runs are ended.
         """
 
     def close(self) -> None:
-        """End what waits for further runs; a later call of `compute` starts again."""
+        """End processes that wait for further runs; a later call of `compute` starts them again."""
 
 
 class Here:
@@ -49,4 +48,4 @@ class Here:
                     sleep(RUNS.poll)
 
     def close(self) -> None:
-        """Do nothing: nothing waits."""
+        """Do nothing; there is no process to end."""

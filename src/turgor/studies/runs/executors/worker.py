@@ -1,4 +1,4 @@
-"""serve: what a worker process does: one run after another, until the process that started it is gone."""
+"""serve: a worker process computes one run after another, until the process that started it ends."""
 
 import os
 import pickle
@@ -12,7 +12,7 @@ from threading import Thread
 from turgor.foundation.finding import FindingWarning
 from turgor.studies.runs.executors.run_outcome import compute
 
-#: What a worker says first.
+#: First message of a worker.
 READY = "ready"
 
 
@@ -22,7 +22,7 @@ def serve(connection: Connection) -> None:
     Parameters
     ----------
     connection : Connection
-        Of `multiprocessing`; pairs of a run and the folder where it is kept, or None, come through it.
+        Of `multiprocessing`; pairs of a run and the folder where it is saved, or None, come through it.
     """
     warnings.simplefilter("ignore", FindingWarning)  # the terminal is that of the process that started this one
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the first one decides
@@ -46,7 +46,7 @@ def _computed(given: bytes) -> object:
 
 
 def _end_with_parent() -> None:
-    """End this process at once when the one that started it is gone, so that nothing is computed for nobody."""
+    """End this process at once when the one that started it has ended, because nobody reads its results."""
     parent = parent_process()
     if parent is not None:
         wait([parent.sentinel])

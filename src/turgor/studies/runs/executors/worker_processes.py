@@ -32,7 +32,7 @@ class _Worker:
     ready: bool = False
 
     def end(self) -> None:
-        """End it, whatever it does."""
+        """End the process at once."""
         self.process.kill()
         self.process.join()
         self.connection.close()
@@ -120,13 +120,13 @@ class Workers:
                 return worker
             worker.end()
         worker = _started()
-        with suppress(OSError):  # what happened to it is found when its answer is read
+        with suppress(OSError):  # its problem is noticed when its answer is read
             worker.connection.send((run, folder))
         return worker
 
 
 def _started() -> _Worker:
-    """Start a process: a fresh interpreter, because a copy would hold threads and what they have locked."""
+    """Start a fresh interpreter, because a copy of this process would contain its threads and their locks."""
     context = get_context("spawn")
     here, there = context.Pipe()
     process = context.Process(target=serve, args=(there,), daemon=True)
@@ -152,7 +152,7 @@ def _one_thread() -> Iterator[None]:
 
 
 def _answer(worker: _Worker) -> object:
-    """Read what a process says: that it is ready, how a run ended, or, where it has died, why."""
+    """Read a message of a process: that it is ready, how a run ended, or why the process died."""
     try:
         return worker.connection.recv()
     except (EOFError, OSError):
@@ -169,8 +169,8 @@ def _answer(worker: _Worker) -> object:
 
 
 def _ended(run: Run, answer: object, folder: Path | None) -> Ended:
-    """Make how a run ended from the answer: the problem as text, and what was stored, if anything."""
+    """Return how a run ended: by the answer of the worker, or by the saved files with the problem as text."""
     if isinstance(answer, Ended):
         return answer
     before = None if folder is None else ended_before(run, folder)
-    return Ended(run=run, found=None, problem=str(answer)) if before is None else replace(before, again=False)
+    return Ended(run=run, result=None, problem=str(answer)) if before is None else replace(before, again=False)

@@ -1,4 +1,4 @@
-"""What runs have found, as files that a later call reads again: a table, a picture and notes; or why one failed."""
+"""Files of runs that a later call reads again: a table, a picture and notes; or why one failed."""
 
 import json
 from collections.abc import Mapping
@@ -15,24 +15,24 @@ from turgor.studies.runs.run import Computed, Run
 PROBLEM = "problem"
 
 
-def kept(run: Run, folder: Path) -> Computed | None:
-    """Read what a run found, if it has ended before.
+def saved_run(run: Run, folder: Path) -> Computed | None:
+    """Read the result of a run, if it has ended before.
 
     Parameters
     ----------
     run : Run
     folder : Path
-        Where `keep` wrote it.
+        Where `save_run` wrote it.
 
     Returns
     -------
     Computed or None
     """
-    return kept_as(run.key, folder)
+    return run_with_key(run.key, folder)
 
 
-def kept_as(key: str, folder: Path) -> Computed | None:
-    """Read what the run with a key found, if it has ended.
+def run_with_key(key: str, folder: Path) -> Computed | None:
+    """Read the result of the run with a key, if it has ended.
 
     Parameters
     ----------
@@ -58,34 +58,34 @@ def kept_as(key: str, folder: Path) -> Computed | None:
     )
 
 
-def keep(run: Run, found: Computed, folder: Path) -> None:
-    """Write what a run found: its table, its picture, and at last its notes, without which it has not ended.
+def save_run(run: Run, computed: Computed, folder: Path) -> None:
+    """Write the result of a run: its table, its picture, and at last its notes, without which it has not ended.
 
     Parameters
     ----------
     run : Run
-    found : Computed
+    computed : Computed
     folder : Path
-        Made if there is none.
+        Created if there is none.
     """
     folder.mkdir(parents=True, exist_ok=True)
     notes, table, picture = _files(run.key, folder)
-    found.response.to_csv(table)
-    if found.picture:
+    computed.response.to_csv(table)
+    if computed.picture:
         with whole(picture) as part:
-            part.write_bytes(found.picture)
+            part.write_bytes(computed.picture)
     content = {
         **_request(run),
-        "source": str(found.response.source),
-        "status": found.response.status,
-        "message": found.response.message,
-        "cpu_seconds": round(found.seconds, 3),
-        **({"notes": list(found.notes)} if found.notes else {}),
+        "source": str(computed.response.source),
+        "status": computed.response.status,
+        "message": computed.response.message,
+        "cpu_seconds": round(computed.seconds, 3),
+        **({"notes": list(computed.notes)} if computed.notes else {}),
     }
     _write(notes, content)
 
 
-def keep_problem(run: Run, problem: str, folder: Path) -> None:
+def save_problem(run: Run, problem: str, folder: Path) -> None:
     """Write why a run failed.
 
     Parameters
@@ -93,20 +93,20 @@ def keep_problem(run: Run, problem: str, folder: Path) -> None:
     run : Run
     problem : str
     folder : Path
-        Made if there is none.
+        Created if there is none.
     """
     folder.mkdir(parents=True, exist_ok=True)
     _write(_files(run.key, folder)[0], {**_request(run), PROBLEM: problem})
 
 
-def kept_problem(run: Run, folder: Path) -> str:
+def saved_problem(run: Run, folder: Path) -> str:
     """Read why a run failed before.
 
     Parameters
     ----------
     run : Run
     folder : Path
-        Where `keep_problem` wrote it.
+        Where `save_problem` wrote it.
 
     Returns
     -------
@@ -117,7 +117,7 @@ def kept_problem(run: Run, folder: Path) -> str:
 
 
 def forget(run: Run, folder: Path) -> None:
-    """Remove what was kept of a run, its notes first, so that it is computed again.
+    """Remove the files of a run, its notes first, so that it is computed again.
 
     Parameters
     ----------

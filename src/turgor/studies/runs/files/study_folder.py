@@ -15,7 +15,7 @@ from turgor.foundation.store.atomic_files import whole
 from turgor.studies.runs.executors.run_outcome import Ended
 from turgor.studies.runs.factor import Factor
 from turgor.studies.runs.files.designs_csv import read_designs
-from turgor.studies.runs.files.run_files import keep, kept, kept_as
+from turgor.studies.runs.files.run_files import run_with_key, save_run, saved_run
 from turgor.studies.runs.run import Computed, Run
 from turgor.studies.runs.study import FAILED, Row, Study
 
@@ -34,7 +34,7 @@ def write_study(
     ----------
     study : Study
     folder : str or Path
-        Made if there is none; that of `kept_in` or the one above it named ``runs``, where runs are kept already.
+        Created if there is none; that of `saved_in` or the one above it named ``runs``, where runs are saved already.
     measures : sequence of str
         Of the table; all by default.
     at : (str, float), optional
@@ -49,9 +49,9 @@ def write_study(
     (folder / RUNS).mkdir(parents=True, exist_ok=True)
     rows = []
     for row in study.rows:
-        run, computed = row.ended.run, row.ended.found
-        if computed is not None and kept(run, folder / RUNS) is None:
-            keep(run, computed, folder / RUNS)
+        run, computed = row.ended.run, row.ended.result
+        if computed is not None and saved_run(run, folder / RUNS) is None:
+            save_run(run, computed, folder / RUNS)
         rows.append({"values": dict(row.values), "name": run.name, "key": run.key, "problem": row.ended.problem})
     factors = [{item.name: getattr(each, item.name) for item in fields(each)} for each in study.factors]
     content = {"source": str(study.source), "factors": factors, "rows": rows}
@@ -95,15 +95,15 @@ def load_study(path: str | Path) -> Study:
 
 
 def not_computed() -> Response:
-    """Stand for the function of a run that was read from a file, which cannot be called."""
+    """Raise an error in place of the function of a run that was read from a file."""
     raise TurgorError("this run was read from a file, which does not hold its function.")
 
 
 def _row(each: Mapping[str, Any], folder: Path) -> Row:
-    computed = None if each["problem"] else kept_as(each["key"], folder)
+    computed = None if each["problem"] else run_with_key(each["key"], folder)
     problem = each["problem"] or ("" if computed is not None else f"its files are not in '{folder}'.")
     run = Run(name=each["name"], function=not_computed, values=each["values"])
-    return Row(values=each["values"], ended=Ended(run=run, found=computed, problem=problem, again=True))
+    return Row(values=each["values"], ended=Ended(run=run, result=computed, problem=problem, again=True))
 
 
 def _from_table(path: Path) -> Study:
@@ -125,7 +125,7 @@ def _from_table(path: Path) -> Study:
                 message=problem,
             )  # fmt: skip
             computed = Computed(response=response, seconds=float(seconds))
-        rows.append(Row(values=values, ended=Ended(run=run, found=computed, problem=problem, again=True)))
+        rows.append(Row(values=values, ended=Ended(run=run, result=computed, problem=problem, again=True)))
     return Study(factors=designs.factors, rows=tuple(rows), source=Source(text=path.name))
 
 

@@ -29,11 +29,11 @@ def unit_of_column(job: Job, name: str, measures: Sequence[str] = ()) -> str:
     Parameters
     ----------
     job : Job
-        It may vary, but keeps its cavities and regions.
+        Its dimensions may vary, but not its cavities and regions.
     name : str
         What drives the job, such as ``"pressure"``, or a measure.
     measures : sequence of str
-        What is measured; by default what the job asks for.
+        What is measured; by default what the job requests.
 
     Returns
     -------
@@ -63,12 +63,12 @@ def unit_of_column(job: Job, name: str, measures: Sequence[str] = ()) -> str:
 def _drives(job: Job) -> dict[str, str]:
     """Names and units of what drives a job; which of several pressures are equal may vary."""
     cavities = [as_column(each) for each in job.geometry().cavities]
-    found = {**DRIVES, **prescribed_columns()}
+    units = {**DRIVES, **prescribed_columns()}
     if len(cavities) > 1:
         for cavity in cavities:
-            found[f"{cavity}_pressure"] = "kPa"
-            found |= {f"{name}_{cavity}": unit for name, unit in prescribed_columns().items()}
-    return found | (dict.fromkeys(ENERGIES, "mJ") if all(each.has_energies for each in job.procedure.parts()) else {})
+            units[f"{cavity}_pressure"] = "kPa"
+            units |= {f"{name}_{cavity}": unit for name, unit in prescribed_columns().items()}
+    return units | (dict.fromkeys(ENERGIES, "mJ") if all(each.has_energies for each in job.procedure.parts()) else {})
 
 
 def _comes(job: Job, name: str) -> bool:

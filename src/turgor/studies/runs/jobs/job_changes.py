@@ -118,8 +118,8 @@ def record_changes(content: Mapping[str, Any], records: Mapping[str, str]) -> di
         library, _, record = value.rpartition("/")
         for key in keys.split(","):
             table = _at(content, key.split("."))
-            kept = {name: table[name] for name in _OF_THE_JOB if name in table}
-            changes[key] = {"library": library, "record": record, **kept}
+            others = {name: table[name] for name in _OF_THE_JOB if name in table}
+            changes[key] = {"library": library, "record": record, **others}
     return changes
 
 

@@ -103,10 +103,10 @@ def _check_key(keys: Sequence[str], content: Mapping[str, Any], numbers: Mapping
 
 
 def _number(keys: Sequence[str], numbers: Mapping[str, JobNumber]) -> JobNumber:
-    found = [any_number(numbers, key) for key in keys]
-    if len({each.dimension for each in found}) > 1:
-        raise TurgorError(f"{' and '.join(sorted({each.dimension for each in found}))} cannot have one value.")
-    return found[0]
+    matches = [any_number(numbers, key) for key in keys]
+    if len({each.dimension for each in matches}) > 1:
+        raise TurgorError(f"{' and '.join(sorted({each.dimension for each in matches}))} cannot have one value.")
+    return matches[0]
 
 
 def _value(given: Any, number: JobNumber) -> Value:

@@ -67,7 +67,7 @@ class JobFunction:
         as_design: bool = False,
         workspace: Mapping[str, Sequence[float]] = MappingProxyType({}),
     ) -> Computation:
-        """Return the function from which runs are made.
+        """Return the function from which runs are created.
 
         Parameters
         ----------
@@ -121,7 +121,7 @@ def job_function(job: Job, folder: Path) -> JobFunction:
     ----------
     job : Job
     folder : Path
-        Made if there is none; one that holds something else is refused.
+        Created if there is none; one that holds something else is refused.
 
     Returns
     -------

@@ -121,7 +121,7 @@ class NearbyJobs:
     job: Job
     numbers: Mapping[str, JobNumber]
     solution: Solution
-    _made: dict[tuple[tuple[tuple[str, float], ...], int], Model] = field(default_factory=dict)
+    _models: dict[tuple[tuple[tuple[str, float], ...], int], Model] = field(default_factory=dict)
     _systems: Systems = field(default_factory=Systems)
 
     def gradient(
@@ -153,25 +153,25 @@ class NearbyJobs:
         return gradient_with(self._systems, self.solution, measures, variation, state, options)
 
     def _model(self, values: Mapping[str, float], stage: int) -> Model:
-        """The model that a state belongs to; nearby ones are made once for all states of a stage.
+        """The model that a state belongs to; nearby ones are built once for all states of a stage.
 
-        That of the job itself is made each time, because what it is meshed of says how tetrahedra move.
+        That of the job itself is built each time, because what it is meshed of says how tetrahedra move.
         """
         changed = self._changed(values)
         known = tuple(sorted(changed.items())), stage
-        if not changed or known not in self._made:
-            self._made[known] = self._new_model(changed, changed or values, stage)
-        return self._made[known]
+        if not changed or known not in self._models:
+            self._models[known] = self._new_model(changed, changed or values, stage)
+        return self._models[known]
 
     def _new_model(self, changed: Mapping[str, float], shaped: Mapping[str, float], stage: int) -> Model:
-        job, made = self._job(changed), self.solution.states[0].model.mesh
+        job, mesh = self._job(changed), self.solution.states[0].model.mesh
         if any(key.split(".")[0] == _SHAPE for keys in shaped for key in keys.split(",")):
-            made = new_mesh_of(replace(job, mesh=self.job.mesh_settings), job.geometry())
-        model = with_setup(model_of(job, made), with_direction(job.setup, self.solution.model))
+            mesh = new_mesh_of(replace(job, mesh=self.job.mesh_settings), job.geometry())
+        model = with_setup(model_of(job, mesh), with_direction(job.setup, self.solution.model))
         return questions(model, job.procedure)[stage]
 
     def _procedure(self, values: Mapping[str, float], stage: int) -> Procedure:
-        """The procedure that found a state."""
+        """The procedure that computed a state."""
         return self._job(self._changed(values)).procedure.parts()[stage]
 
     def _changed(self, values: Mapping[str, float]) -> dict[str, float]:
@@ -201,11 +201,11 @@ def _value(numbers: Mapping[str, JobNumber], keys: str) -> float:
     TurgorError
         If there is none, it is a setting of the computation, or several keys have different ones.
     """
-    found = [find_number(numbers, key) for key in keys.split(",")]
-    for each in found:
+    matches = [find_number(numbers, key) for key in keys.split(",")]
+    for each in matches:
         if each.key.split(".")[0] in _SETTINGS:
             raise TurgorError(f"'{each.key}' is a setting of the computation; a gradient is taken by what is built.")
-    values = [each.value for each in found]
+    values = [each.value for each in matches]
     if len(set(values)) > 1:
         raise TurgorError(f"'{keys}' has the numbers {' and '.join(f'{each:g}' for each in values)}; one is needed.")
     return values[0]

@@ -1,4 +1,4 @@
-"""Numbers of a job file: found by their keys, read as text with a unit, and written as such."""
+"""Numbers of a job file, by their keys; they are read from text with a unit and written as such."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -66,15 +66,15 @@ def numbers_of(content: Mapping[str, Any]) -> dict[str, JobNumber]:
 
     Examples
     --------
-    >>> found = numbers_of({"materials": {"body": {"law": "ogden", "mu": ["1 kPa", "2 kPa"], "alpha": [2.0, 4.0]}}})
-    >>> found["materials.body.mu.2"]
+    >>> numbers = numbers_of({"materials": {"body": {"law": "ogden", "mu": ["1 kPa", "2 kPa"], "alpha": [2.0, 4.0]}}})
+    >>> numbers["materials.body.mu.2"]
     JobNumber(key='materials.body.mu.2', value=2000.0, unit='kPa', whole=False)
     """
-    found: dict[str, JobNumber] = {}
+    numbers: dict[str, JobNumber] = {}
     for name in content:
         if name not in _LEFT_OUT:
-            _gather(name, content[name], found)
-    return found
+            _gather(name, content[name], numbers)
+    return numbers
 
 
 def find_number(numbers: Mapping[str, JobNumber], key: str) -> JobNumber:
@@ -169,11 +169,11 @@ def shared_number(numbers: Mapping[str, JobNumber], text: str) -> tuple[str, Job
         If one is unknown or a whole number, or they measure different things.
     """
     keys = [each.strip() for each in text.split(",")]
-    found = [find_number(numbers, each) for each in keys]
-    units = {each.dimension for each in found}
+    matches = [find_number(numbers, each) for each in keys]
+    units = {each.dimension for each in matches}
     if len(units) > 1:
         raise TurgorError(f"'{text.strip()}': {' and '.join(sorted(units))} cannot have one value.")
-    return ",".join(keys), found[0]
+    return ",".join(keys), matches[0]
 
 
 def mean_and_deviation(text: str, number: JobNumber, where: str) -> tuple[float, float]:
@@ -207,17 +207,17 @@ def mean_and_deviation(text: str, number: JobNumber, where: str) -> tuple[float,
     return middle, read_number(deviation, number, where)
 
 
-def _gather(key: str, value: Any, found: dict[str, JobNumber]) -> None:
+def _gather(key: str, value: Any, numbers: dict[str, JobNumber]) -> None:
     if isinstance(value, Mapping):
         for name, each in value.items():
             if name != "source":
-                _gather(f"{key}.{name}", each, found)
+                _gather(f"{key}.{name}", each, numbers)
     elif isinstance(value, list):
         for number, each in enumerate(value, start=1):
-            _gather(f"{key}.{number}", each, found)
+            _gather(f"{key}.{number}", each, numbers)
     elif isinstance(value, int | float) and not isinstance(value, bool):
-        found[key] = JobNumber(key=key, value=float(value), unit="", whole=isinstance(value, int))
+        numbers[key] = JobNumber(key=key, value=float(value), unit="", whole=isinstance(value, int))
     elif isinstance(value, str):
         read = split_quantity(value)
         if read is not None:
-            found[key] = JobNumber(key=key, value=read[0] * unit_value(read[1]), unit=read[1])
+            numbers[key] = JobNumber(key=key, value=read[0] * unit_value(read[1]), unit=read[1])

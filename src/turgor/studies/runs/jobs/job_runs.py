@@ -98,9 +98,9 @@ def solved_job(
 
 
 def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tuple[Job, Solution]:
-    """Solve a job with other numbers, with one thread; the path as far as it goes.
+    """Solve a job with other numbers, with one thread, and return the path as far as it goes.
 
-    The path is kept next to the job until `forget_path`, so that a run that is killed goes on from its last state.
+    The path is saved next to the job until `forget_path`, so that a run that is killed goes on from its last state.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tupl
 
 
 def forget_path(job: str, digest: str, numbers: Mapping[str, Value]) -> None:
-    """Remove the states that `solution_of_job` has kept on its way, once what they are for is kept.
+    """Remove the states that `solution_of_job` saved on its way, once the result is saved.
 
     Parameters
     ----------
@@ -159,7 +159,7 @@ def _path_of(job: str, digest: str, numbers: Mapping[str, Value]) -> Path:
 
 
 def measured_job(job: Job, solution: Solution, *, mesh_error: bool = False, measures: Sequence[str] = ()) -> Response:
-    """Measure what `solution_of_job` gave; the message says why the path ended early.
+    """Measure a solution of `solution_of_job`; the message says why the path ended early.
 
     Parameters
     ----------

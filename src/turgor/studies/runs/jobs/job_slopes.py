@@ -77,9 +77,9 @@ def with_requested_slopes(
         rows = set(range(len(first_branch(response, drive)[0])))
         if drive in _prescribed():
             refused = {key: f"they change the {drive.replace('_', ' ')}, too." for key in numbers if is_of_path(key)}
-    left = {key: value for key, value in numbers.items() if key not in refused}
-    found, more = with_slopes_at(job, solution, response, left, measures, rows)
-    return found, left_out(tuple(numbers), refused | more)
+    able = {key: value for key, value in numbers.items() if key not in refused}
+    result, more = with_slopes_at(job, solution, response, able, measures, rows)
+    return result, left_out(tuple(numbers), refused | more)
 
 
 def _at_readings(
@@ -159,18 +159,18 @@ def with_slopes_at(
     names = [each if isinstance(each, str) else each.name for each in measures]
     slopes: dict[str, dict[str, Array]] = {name: {} for name in names}
     refused = refused_at_once(numbers)
-    left = tuple(key for key in numbers if key not in refused)
-    if left and rows:
+    able = tuple(key for key in numbers if key not in refused)
+    if able and rows:
         with nearby_jobs(job, solution) as nearby:
             question = _Question(nearby, tuple(measures))
             for row in sorted(rows):
-                found, reasons = question.at(row, left)
+                gradient, reasons = question.at(row, able)
                 refused |= reasons
-                left = tuple(key for key in left if key not in reasons)
-                for name in names if found is not None else ():
-                    for key in left:
+                able = tuple(key for key in able if key not in reasons)
+                for name in names if gradient is not None else ():
+                    for key in able:
                         column = slopes[name].setdefault(key, np.full(len(response), np.nan))
-                        column[slice(None) if name == SOLID_VOLUME else row] = found[name, key]  # type: ignore[index]
+                        column[slice(None) if name == SOLID_VOLUME else row] = gradient[name, key]  # type: ignore[index]
     return with_slopes(response, slopes), refused
 
 
@@ -204,9 +204,9 @@ class _Question:
 
     def at(self, row: int, keys: tuple[str, ...]) -> tuple[Gradient | None, dict[str, str]]:
         """Return the derivatives at a state by the numbers that can be differentiated, and why others cannot."""
-        found, refused = self._gradient(row, keys)
-        if found is not None or len(keys) < 2:
-            return found, dict.fromkeys(keys, refused) if refused else {}
+        gradient, refused = self._gradient(row, keys)
+        if gradient is not None or len(keys) < 2:
+            return gradient, dict.fromkeys(keys, refused) if refused else {}
         reasons = {key: why for key in keys if (why := self._gradient(row, (key,))[1])}
         able = tuple(key for key in keys if key not in reasons)
         return (self._gradient(row, able)[0] if able else None), reasons
@@ -215,15 +215,15 @@ class _Question:
         if not keys:
             return None, ""
         try:
-            found = self.nearby.gradient(keys, self.measures, row, EngineOptions(threads=1))
+            gradient = self.nearby.gradient(keys, self.measures, row, EngineOptions(threads=1))
         except TurgorError as error:
             return None, str(error).removeprefix("the gradient is not computed: ")
-        share = found.residual
-        return (found, "") if share < RUNS.exact_slopes else (None, f"their error is about {share:.1%}.")
+        share = gradient.residual
+        return (gradient, "") if share < RUNS.exact_slopes else (None, f"their error is about {share:.1%}.")
 
 
 def left_out(keys: Sequence[str], refused: Mapping[str, str]) -> tuple[str, ...]:
-    """Say by which numbers there are no slopes, those with the same reason together.
+    """Return the numbers without slopes in sentences, one for each reason.
 
     Parameters
     ----------

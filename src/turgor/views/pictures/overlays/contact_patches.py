@@ -87,12 +87,12 @@ def pressed(skin: Skin, limit: float, eye: Camera) -> tuple[Skin, ...]:
     return tuple(skin.part(p) for p in parts if p.any())
 
 
-def values_seen(skin: Skin, hits: Hits, limit: float) -> Array:
+def visible_values(skin: Skin, hits: Hits, limit: float) -> Array:
     """Return the pressure on the skin in each sample, (h, w) [Pa]; zero where there is no skin or little pressure."""
     out = np.zeros(hits.triangle.shape)
-    seen = hits.triangle >= 0
-    corners = skin.values[skin.triangles[hits.triangle[seen]]]
-    out[seen] = corners[:, 0] * (1 - hits.u - hits.v) + corners[:, 1] * hits.u + corners[:, 2] * hits.v
+    hit = hits.triangle >= 0
+    corners = skin.values[skin.triangles[hits.triangle[hit]]]
+    out[hit] = corners[:, 0] * (1 - hits.u - hits.v) + corners[:, 1] * hits.u + corners[:, 2] * hits.v
     return np.where(out > LOOK.faint_pressure * limit, out, 0.0)
 
 

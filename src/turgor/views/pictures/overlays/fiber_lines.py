@@ -47,8 +47,8 @@ def visible_threads(scene: Scene, hits: Hits, raster: Raster, threads: Sequence[
     inside = (column >= 0) & (column < raster.columns) & (line >= 0) & (line < raster.rows)
     column, line, depth, row = column[inside], line[inside], scene.depth(points[inside]), row[inside]
     below = RENDERING.depth_jump * float(np.ptp(scene.skin.points, axis=0).max())
-    seen = (hits.triangle[line, column] >= 0) & (depth <= hits.depth[line, column] + below)
-    painted[line[seen], column[seen]] = values[row[seen]]
+    visible = (hits.triangle[line, column] >= 0) & (depth <= hits.depth[line, column] + below)
+    painted[line[visible], column[visible]] = values[row[visible]]
     return painted
 
 

@@ -109,13 +109,13 @@ def draw_obstacles(image: Bytes, skin: Skin, hits: Hits, nearer: NDArray[np.bool
     width : float
         Width of the outlines of obstacles, in samples.
     """
-    seen = hits.triangle >= 0
-    corners = skin.triangles[hits.triangle[seen]]
+    hit = hits.triangle >= 0
+    corners = skin.triangles[hits.triangle[hit]]
     normal = skin.normals[corners[:, 0]] * (1 - hits.u - hits.v)[:, None]
     normal += skin.normals[corners[:, 1]] * hits.u[:, None] + skin.normals[corners[:, 2]] * hits.v[:, None]
     facing = np.abs(normal @ eye.forward) / np.maximum(np.linalg.norm(normal, axis=1), 1e-12)
-    shade = np.zeros(seen.shape)
-    shade[seen] = 0.62 + 0.5 * facing
+    shade = np.zeros(hit.shape)
+    shade[hit] = 0.62 + 0.5 * facing
     color = np.clip(np.array(GRAY) * shade[nearer][:, None], 0, 255)
     image[nearer] = (image[nearer] * (1 - LOOK.obstacle) + color * LOOK.obstacle).astype(np.uint8)
     outside, inner = find_lines(skin, hits)

@@ -42,8 +42,8 @@ def frame_times(solution: Solution, count: int) -> tuple[Array, Array]:
 def frames(solution: Solution, field: Field, count: int) -> Iterator[StateFields]:
     """Give the shapes of a path at evenly spaced places, with the values of a field.
 
-    Between states, displacements and values follow monotone cubic curves. They are for the eye: no equilibrium was
-    found there. Contact pressures and tensions are those of the nearest state.
+    Between states, displacements and values follow monotone cubic curves. They are not in
+    equilibrium there. Contact pressures and tensions are those of the nearest state.
 
     Parameters
     ----------
@@ -56,14 +56,14 @@ def frames(solution: Solution, field: Field, count: int) -> Iterator[StateFields
     ------
     StateFields
     """
-    place, wanted = frame_times(solution, count)
+    place, times = frame_times(solution, count)
     distinct = np.concatenate([[True], np.diff(place) > 1e-9 * place[-1]])
     states = [state for state, is_new in zip(solution.states, distinct, strict=True) if is_new]
     place, facts = place[distinct], MeshFacts(solution.model.mesh)
     moved = PchipInterpolator(place, np.array([state.displacement for state in states]))
     steady = field.name in (CONTACT_PRESSURE, FIBER_TENSION)
     values = None if steady else PchipInterpolator(place, np.array([field.read(StateFields(s, facts)) for s in states]))
-    for at in wanted:
+    for at in times:
         nearest = states[int(np.abs(place - at).argmin())]
         shape = StateFields(replace(nearest, displacement=np.asarray(moved(at))), facts)
         if values is not None:

@@ -1,4 +1,4 @@
-"""Motion: the path of an actuator as a moving picture (GIF, WebP, MP4) or as a body that moves (GLB)."""
+"""Motion: the path of an actuator as an animation (GIF, WebP, MP4) or as a moving body (GLB)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -147,7 +147,7 @@ def _top(points: NDArray[np.float64], view: View, images: Sequence[Any]) -> floa
 
 
 def _stacked(drawn: list[Bytes], middles: list[float], view: View) -> list[Bytes]:
-    """Put pictures whose middles are at given heights [m] onto canvases of one size; sides are even, as MP4 asks."""
+    """Put pictures whose middles are at given heights [m] onto canvases of one size, with even sides for MP4."""
     above = [round(middle / view.pixel) + each.shape[0] // 2 for each, middle in zip(drawn, middles, strict=True)]
     below = [top - each.shape[0] for top, each in zip(above, drawn, strict=True)]
     height, width = max(above) - min(below), drawn[0].shape[1]

@@ -165,8 +165,8 @@ def spread(solution: Solution, count: int) -> list[int]:
     along = np.array([state.time if timed else state.load_factor for state in states], dtype=np.float64)
     if not (np.diff(along) > 0).all():
         along = np.arange(len(states), dtype=np.float64)
-    wanted = np.linspace(along[0], along[-1], min(count, len(states)))
-    return sorted({int(np.abs(along - place).argmin()) for place in wanted})
+    places = np.linspace(along[0], along[-1], min(count, len(states)))
+    return sorted({int(np.abs(along - place).argmin()) for place in places})
 
 
 def _view(states: Sequence[State | StateFields], color_by: str | Field, width: int) -> View:

@@ -41,7 +41,7 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no full device")
 def test_a_function_that_finds_no_room_is_told_in_a_sentence(tmp_path):
     ended = compute(Run(name="full", function=written_to_a_full_disk), tmp_path)
-    assert ended.found is None
+    assert ended.result is None
     assert states(ended.problem, "No space")
     assert not ended.final, "the next call tries again"
 
@@ -49,8 +49,8 @@ def test_a_function_that_finds_no_room_is_told_in_a_sentence(tmp_path):
 def test_results_that_find_no_room_are_told_in_a_sentence(small_disk):
     run = Run(name="two", function=doubled, values={"x": 1.0})
     ended = compute(run, small_disk / "runs")
-    assert ended.found is None
+    assert ended.result is None
     assert states(ended.problem, "No space")
     assert "Traceback" not in ended.problem
     subprocess.run(["mount", "-o", "remount,size=1m", str(small_disk)], check=True)
-    assert compute(run, small_disk / "runs").found is not None
+    assert compute(run, small_disk / "runs").result is not None

@@ -11,7 +11,7 @@ from dask_cluster import dask_cluster
 from refused import refused
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.dask_workers import OnDask
-from turgor.studies.runs.files.run_files import kept
+from turgor.studies.runs.files.run_files import saved_run
 from turgor.studies.runs.run import Run
 
 
@@ -43,7 +43,7 @@ def test_a_killed_worker_costs_its_own_run_only_and_another_worker_repeats_it(tm
         ended = study.of(runs)
         assert [each.problem for each in ended] == [""] * 8
         assert [each.run.name for each in ended] == list("01234567")
-        assert all(kept(run, folder) is not None for run in runs)
+        assert all(saved_run(run, folder) is not None for run in runs)
         processes = {process for _, process in told(log, "begun")}
         assert len(processes) == 2
         assert victim[0] in processes
@@ -59,7 +59,7 @@ def test_a_run_that_fails_on_a_worker_is_a_row_with_its_sentence(tmp_path):
     with dask_cluster(workers=1) as (address, _), Evaluations(executor=OnDask(scheduler=address)) as runs:
         failed, fine = runs.of([run, good])
     assert failed.problem == "wall is -1 mm; allowed is above 0 mm."
-    assert fine.found is not None
+    assert fine.result is not None
 
 
 def test_what_a_cluster_lacks_is_said():

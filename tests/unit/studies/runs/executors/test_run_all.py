@@ -11,7 +11,7 @@ from study_cases import PICTURE, breaks, dies, line, refuses
 
 from refused import refused, states
 from turgor.studies.runs.executors.run_outcome import compute
-from turgor.studies.runs.files.run_files import keep, kept
+from turgor.studies.runs.files.run_files import save_run, saved_run
 from turgor.studies.runs.run import Computed, Run
 from turgor.studies.runs.run_all import run_all
 
@@ -22,9 +22,9 @@ def lines(log: str = "", slopes=(1e-5, 2e-5, 3e-5)) -> list[Run]:
 
 def test_what_is_kept_is_read_again(tmp_path):
     run, found = lines()[0], line(1e-5)
-    assert kept(run, tmp_path) is None
-    keep(run, replace(found, seconds=1.25), tmp_path)
-    read = kept(run, tmp_path)
+    assert saved_run(run, tmp_path) is None
+    save_run(run, replace(found, seconds=1.25), tmp_path)
+    read = saved_run(run, tmp_path)
     assert read is not None
     assert read.response.names == found.response.names
     for name in read.response.names:
@@ -37,19 +37,19 @@ def test_what_is_computed_is_what_a_later_call_reads(tmp_path):
     """To the last bit, which a table does not always keep: an analysis that goes on finds what it finds at once."""
     run = Run(name="third", function=line, values={"slope": 1.01e-5})
     ended = compute(run, tmp_path)
-    read = kept(run, tmp_path)
-    assert ended.found is not None and read is not None
+    read = saved_run(run, tmp_path)
+    assert ended.result is not None and read is not None
     for name in read.response.names:
-        assert np.array_equal(read.response.column(name), ended.found.response.column(name))
-    assert read.seconds == ended.found.seconds
+        assert np.array_equal(read.response.column(name), ended.result.response.column(name))
+    assert read.seconds == ended.result.seconds
 
 
 def test_notes_are_written_last(tmp_path):
     """A run that was killed between its table and its notes has not ended."""
     run = lines()[0]
-    keep(run, line(1e-5), tmp_path)
+    save_run(run, line(1e-5), tmp_path)
     (tmp_path / f"{run.key}.json").unlink()
-    assert kept(run, tmp_path) is None
+    assert saved_run(run, tmp_path) is None
 
 
 def test_equal_questions_have_equal_keys_whatever_their_names():
@@ -89,9 +89,9 @@ def test_a_run_that_fails_is_told_and_the_others_go_on(tmp_path):
     ended = run_all(runs, tmp_path)
     failed, broken, good = ended.values()
     assert failed.problem == "wall is -1 mm; allowed is above 0 mm."
-    assert failed.found is None
+    assert failed.result is None
     assert "ZeroDivisionError: of the study" in broken.problem
-    assert good.found is not None
+    assert good.result is not None
     assert run_all(runs[:1], tmp_path)[runs[0].key].again
     assert not run_all(runs[:1], tmp_path, retry=True)[runs[0].key].again
 
@@ -125,7 +125,7 @@ def steep(slope):
 
 if __name__ == "__main__":
     ended = run_all([Run(name="a", function=steep, values={"slope": 1e-5})], Path("runs"))
-    print([(each.found is not None, each.again) for each in ended.values()])
+    print([(each.result is not None, each.again) for each in ended.values()])
 """
 
 

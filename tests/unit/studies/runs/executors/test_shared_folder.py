@@ -31,7 +31,7 @@ if __name__ == "__main__":
     Path(name).touch()
     while len(list(Path().glob("ready-*"))) < int(others):
         time.sleep(0.01)
-    with tg.studies.kept_in("runs", processes=int(processes)) as runs:
+    with tg.studies.saved_in("runs", processes=int(processes)) as runs:
         ended = runs.of(gated(Path.cwd()))
     print([each.problem for each in ended])
 """
@@ -94,7 +94,7 @@ def test_a_lock_that_a_killed_process_left_behind_locks_nothing(tmp_path):
     runs = gated(tmp_path)[:2]
     for run in runs:
         (tmp_path / "runs" / f"{run.key}.lock").touch()
-    ended = tg.studies.kept_in(tmp_path / "runs").of(runs)
+    ended = tg.studies.saved_in(tmp_path / "runs").of(runs)
     assert [each.problem for each in ended] == ["", ""]
     assert not list((tmp_path / "runs").glob("*.lock"))
 
@@ -103,13 +103,13 @@ def test_the_lock_of_a_run_that_has_ended_goes(tmp_path):
     """A process that is killed between the end of a run and its unlocking leaves the file of the lock."""
     (tmp_path / "gate").touch()
     runs = gated(tmp_path)[:2]
-    tg.studies.kept_in(tmp_path / "runs").of(runs)
+    tg.studies.saved_in(tmp_path / "runs").of(runs)
     for run in runs:
         (tmp_path / "runs" / f"{run.key}.lock").touch()
     with FileLock(tmp_path / "runs" / f"{runs[0].key}.lock"):  # the process is still there
-        assert all(each.again for each in tg.studies.kept_in(tmp_path / "runs").of(runs))
+        assert all(each.again for each in tg.studies.saved_in(tmp_path / "runs").of(runs))
         assert [each.stem for each in (tmp_path / "runs").glob("*.lock")] == [runs[0].key]
-    tg.studies.kept_in(tmp_path / "runs").of(runs)
+    tg.studies.saved_in(tmp_path / "runs").of(runs)
     assert not list((tmp_path / "runs").glob("*.lock"))
 
 
@@ -119,7 +119,7 @@ def test_a_file_system_without_locks_computes_without(tmp_path, monkeypatch):
 
     (tmp_path / "gate").touch()
     monkeypatch.setattr("turgor.studies.runs.executors.claims.FileLock.acquire", refused)
-    ended = tg.studies.kept_in(tmp_path / "runs").of(gated(tmp_path)[:2])
+    ended = tg.studies.saved_in(tmp_path / "runs").of(gated(tmp_path)[:2])
     assert [each.problem for each in ended] == ["", ""]
 
 
@@ -134,14 +134,14 @@ def ends(folder: Path, ways=WAYS) -> list[Run]:
 def test_failures_that_are_told_are_kept_and_others_tried_again(tmp_path, processes):
     """A sentence of turgor would come again; a mistake in Python, a missing file or a killed process need not."""
     ways = WAYS if processes == 1 else (*WAYS, "killed")  # a worker, not this process
-    with tg.studies.kept_in(tmp_path / "runs", processes=processes) as runs:
+    with tg.studies.saved_in(tmp_path / "runs", processes=processes) as runs:
         first = runs.of(ends(tmp_path, ways))
-    with tg.studies.kept_in(tmp_path / "runs", processes=processes) as runs:
+    with tg.studies.saved_in(tmp_path / "runs", processes=processes) as runs:
         second = runs.of(ends(tmp_path, ways))
     assert {each.run.name for each in second if each.again} == {"refused", "early", "good"}
     assert [each.problem.splitlines()[-1:] for each in second] == [each.problem.splitlines()[-1:] for each in first]
     (tmp_path / "log").unlink()
-    with tg.studies.kept_in(tmp_path / "runs", processes=processes, retry=True) as runs:
+    with tg.studies.saved_in(tmp_path / "runs", processes=processes, retry=True) as runs:
         third = runs.of(ends(tmp_path, ways))
         runs.of(ends(tmp_path, ways))  # asked for twice, computed once
     assert sorted((tmp_path / "log").read_text(encoding="utf-8").split()) == sorted({*ways} - {"good"})
@@ -165,7 +165,7 @@ def test_a_run_that_has_ended_is_read_without_a_lock(tmp_path, monkeypatch):
     """The file of a lock would stay where its holder is killed while it only reads."""
     (tmp_path / "gate").touch()
     run = gated(tmp_path)[0]
-    with tg.studies.kept_in(tmp_path / "runs") as runs:
+    with tg.studies.saved_in(tmp_path / "runs") as runs:
         runs.of([run])
     monkeypatch.setattr(claims, "_locked", lambda file: pytest.fail("locked"))
     read = claims.Claims([run], tmp_path / "runs").take()

@@ -14,7 +14,7 @@ import turgor as tg
 from refused import refused, states
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.worker_processes import Workers
-from turgor.studies.runs.files.run_files import kept
+from turgor.studies.runs.files.run_files import saved_run
 from turgor.studies.runs.run import Run
 
 
@@ -45,7 +45,7 @@ def until(true, seconds: float = 60.0) -> None:
 
 def test_processes_stay_over_batches(tmp_path):
     log = tmp_path / "log"
-    with tg.studies.kept_in(tmp_path / "runs", processes=2) as runs:
+    with tg.studies.saved_in(tmp_path / "runs", processes=2) as runs:
         first = runs.of(clocks(log, range(4)))
         runs.of(clocks(log, range(2, 8)))
     assert [each.run.name for each in first] == ["0", "1", "2", "3"]
@@ -58,23 +58,23 @@ def test_processes_stay_over_batches(tmp_path):
 def test_without_a_folder_results_come_back(tmp_path):
     with Evaluations(executor=Workers(processes=1)) as runs:
         (only,) = runs.of(clocks(tmp_path / "log", [7]))
-    assert only.found is not None
-    assert only.found.response["pressure"][-1] == 7.0
+    assert only.result is not None
+    assert only.result.response["pressure"][-1] == 7.0
 
 
 def test_a_worker_that_is_killed_takes_only_its_run_with_it(tmp_path):
     log = tmp_path / "log"
     runs = [Run(name="dead", function=killed), *clocks(log, range(5)), Run(name="refused", function=refuses)]
-    with tg.studies.kept_in(tmp_path / "runs", processes=2) as evaluations:
+    with tg.studies.saved_in(tmp_path / "runs", processes=2) as evaluations:
         dead, *others, failed = evaluations.of(runs)
     assert states(dead.problem, "process", "SIGKILL")
-    assert all(each.found is not None for each in others)
+    assert all(each.result is not None for each in others)
     assert failed.problem == "wall is -1 mm; allowed is above 0 mm."
 
 
 def test_a_worker_that_is_killed_between_batches_is_replaced(tmp_path):
     log = tmp_path / "log"
-    with tg.studies.kept_in(tmp_path / "runs", processes=2) as runs:
+    with tg.studies.saved_in(tmp_path / "runs", processes=2) as runs:
         runs.of(clocks(log, [1, 2]))
         os.kill(int(told(log, "ended")[0][1]), signal.SIGKILL)
         time.sleep(0.1)
@@ -91,12 +91,12 @@ def test_a_worker_killed_from_outside_as_it_computes(tmp_path):
 
     killer = threading.Thread(target=kill)
     killer.start()
-    with tg.studies.kept_in(tmp_path / "runs", processes=2) as runs:
+    with tg.studies.saved_in(tmp_path / "runs", processes=2) as runs:
         ended = runs.of(clocks(log, range(6), seconds=0.4))
     killer.join()
     lost = [each for each in ended if each.problem]
     assert [each.run.name for each in lost] == [told(log, "begun")[0][0]]
-    with tg.studies.kept_in(tmp_path / "runs", processes=2) as runs:  # the next call computes the lost one alone
+    with tg.studies.saved_in(tmp_path / "runs", processes=2) as runs:  # the next call computes the lost one alone
         again = runs.of(clocks(log, range(6), seconds=0.4))
     assert [each.run.name for each in again if not each.again] == [lost[0].run.name]
 
@@ -109,7 +109,7 @@ import turgor as tg
 from test_workers import clocks
 
 if __name__ == "__main__":
-    with tg.studies.kept_in("runs", processes=2) as runs:
+    with tg.studies.saved_in("runs", processes=2) as runs:
         runs.of(clocks(Path("log").absolute(), range(8), seconds=0.4))
 """
 
@@ -132,7 +132,7 @@ def test_a_study_that_is_killed_goes_on_and_computes_nothing_twice(tmp_path):
     before = [number for number, _ in told(log, "ended")]
     assert 3 <= len(before) < 8
     lost = [each for each in clocks(log, range(8), seconds=0.4)
-            if each.name in before and kept(each, tmp_path / "runs") is None]  # fmt: skip
+            if each.name in before and saved_run(each, tmp_path / "runs") is None]  # fmt: skip
     assert len(lost) <= 2  # killed between the end of a function and its file
     assert started(tmp_path).wait() == 0
     ended = [number for number, _ in told(log, "ended")]
@@ -163,4 +163,4 @@ def test_scripts_that_import_themselves_are_told(tmp_path):
 
 def test_a_process_at_least(tmp_path):
     with refused("processes", 0, "1 or more"):
-        tg.studies.kept_in(tmp_path, processes=0)
+        tg.studies.saved_in(tmp_path, processes=0)
