@@ -64,6 +64,7 @@ class PenaltySettings:
         The stiffness of a side grows by the first factor at once at most, and by the second altogether.
     deeper : float
         One update of Newton's method deepens no penetration by more than this share of the cell behind the surface.
+        Ten of the cases change with twice as much, two of them by a third fewer iterations.
     margin : float
         An update is shortened only if it would deepen a penetration by this factor more. Without it, "walls meet, one
         step" takes 44 iterations instead of 26, and "walls meet, one pressed" 99 instead of 92.
