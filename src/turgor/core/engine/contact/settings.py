@@ -93,8 +93,8 @@ class FrictionSettings:
     ----------
     elastic_slip : float
         A sticking point slips elastically by this share of the length of a side before it slides, unless a length is
-        stated, whatever the pressure; so the tangential stiffness is in proportion to the pressure. The cases "plate that
-        sticks" and "plate that drags" change with it.
+        stated, whatever the pressure; so the tangential stiffness is in proportion to the pressure. The cases "plate
+        that sticks" and "plate that drags" change with it.
     settled : float
         Saved limits are valid if none changes by more than this share of the largest; a point sticks while its traction
         is below its limit by more than this.
