@@ -106,7 +106,9 @@ BENDERS = (
     "Sections of semicircular benders, 10 and 25 mm wide, wall a tenth of the width, of Elastosil M4601 (Yeoh, 0.11 "
     "and 0.02 MPa)"
 )
-EXPECTED = f"Curvature and ballooning within {GOOD:.0%} of those with elements of {FINEST:g} mm, for elements of 1 to 3 mm."
+EXPECTED = (
+    f"Curvature and ballooning within {GOOD:.0%} of those with elements of {FINEST:g} mm, for elements of 1 to 3 mm."
+)
 
 GUIDELINE = Guideline(
     key="6.2-2",

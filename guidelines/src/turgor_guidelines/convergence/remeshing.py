@@ -85,8 +85,8 @@ def judge(runs: Runs, wanted: float) -> Judgement:
         f"mm, from the first to the last pressure: {summary}",
         conditions=""
         if all(bad)
-        else "Here a mesh that is fine enough from the start serves to the end. The "
-        "equations refer to the elements at rest, so that an element that is drawn long is no worse than its shape at rest.",
+        else "Here a mesh that is fine enough from the start serves to the end. The equations refer to the "
+        "elements at rest, so that an element that is drawn long is no worse than its shape at rest.",
     )
 
 
