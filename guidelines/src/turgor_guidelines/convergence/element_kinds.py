@@ -88,9 +88,9 @@ def judge(runs: Runs) -> Judgement:
         found=f"error of the angle: {summary}; the finest of both differ by {abs(apart):.2%}; worst Jacobian ratio "
         f"{worst[0]:.2g} of hexahedra and {worst[1]:.2g} of tetrahedra; volume of the cavity lost at most "
         f"{lost[0]:.1e} and {lost[1]:.1e}",
-        conditions=f"Hexahedra have a smaller error than tetrahedra with as many degrees of freedom in "
-        f"{sum(cheaper)} of {len(cheaper)} sizes. Both kinds are quadratic and curved here; linear elements are not compared, because "
-        "turgor has none.",
+        conditions="Hexahedra have a smaller error than tetrahedra with as many degrees of freedom in "
+        f"{sum(cheaper)} of {len(cheaper)} sizes. Both kinds are quadratic and curved here; linear elements are not "
+        "compared, because turgor has none.",
     )
 
 
