@@ -25,7 +25,7 @@ help:
 	@echo "make format        let ruff format and tidy the code"
 	@echo "make verification  all verification tests (half an hour of one core); renews docs/verification.md"
 	@echo "make actuators     write docs/actuators from the families, with their pictures (some minutes)"
-	@echo "make gallery       draw the moving pictures of docs/gallery.md, and run the notebook for docs/first-finger.md (some minutes)"
+	@echo "make gallery       draw the animations of docs/gallery.md, and run the notebook for docs/first-finger.md (some minutes)"
 	@echo "make reference     write docs/reference/job-file.md and names.md from the code"
 	@echo "make docs          build the documentation into docs/_build/html; a warning is an error"
 	@echo "make dist          build source archive and wheel, check them, and run a small job from the wheel with each Python found"

@@ -1,4 +1,4 @@
-"""The moving pictures of the gallery, each from a run of an example job: `make gallery` renews them (some minutes).
+"""The animations of the gallery, each from a run of an example job: `make gallery` renews them (some minutes).
 
 A run is made coarse. The pictures are evenly spaced along the motion, and play forwards and backwards.
 """

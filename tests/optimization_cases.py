@@ -121,7 +121,7 @@ def reach_of_two_cavities(length: float, wall: float) -> Response:
     """The workspace of the beam, the stress of its wall and its rubber."""
     pressures = {"left": PRESSURES, "right": PRESSURES}
     runs = tg.studies.workspace_of(two_cavities, pressures, values={"length": length, "wall": wall})
-    found = runs.to_response()
+    result = runs.to_response()
     stress = Column("stress", "kPa", [20 * kPa * 8 * mm / wall])
     rubber = Column("rubber", "mL", [length * wall * 50 * mm])
-    return replace(found, columns=(*found.columns, stress, rubber))
+    return replace(result, columns=(*result.columns, stress, rubber))

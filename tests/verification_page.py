@@ -95,12 +95,12 @@ def page(sections: Mapping[str, Section], folder: Path) -> str:
 
     A file is named by its path in the folder, such as ``beams/test_flexure.py``.
     """
-    found = {file: NUMBERED.match(headline(folder / file)) for file in sections if (folder / file).exists()}
+    result = {file: NUMBERED.match(headline(folder / file)) for file in sections if (folder / file).exists()}
     groups: dict[str, list[str]] = {}
-    for file, match in sorted(found.items(), key=lambda item: (item[1] is None, item[1] and item[1][0], item[0])):
+    for file, match in sorted(result.items(), key=lambda item: (item[1] is None, item[1] and item[1][0], item[0])):
         groups.setdefault(match[0] if match else OTHERS, []).append(file)
-    rows = sum(len(sections[file].lines) for file in found)
-    lines = [HEAD.rstrip().format(last=max(TITLES), count=f"Now: {rows} comparisons in {len(found)} files.")]
+    rows = sum(len(sections[file].lines) for file in result)
+    lines = [HEAD.rstrip().format(last=max(TITLES), count=f"Now: {rows} comparisons in {len(result)} files.")]
     for group, files in groups.items():
         lines += ["", f"## {group} {TITLES[group]}" if group in TITLES else f"## {group}"]
         for file in files:

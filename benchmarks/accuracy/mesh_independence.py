@@ -81,8 +81,8 @@ by `python benchmarks/accuracy/mesh_independence.py`.
 {chr(10).join(rows)}
 
 Angle and volume are integrals over the whole actuator. They converge slowly, because corners limit the rate. A value
-that hardly changes between two sizes need not be converged, and the estimate says how far it may be off. The stretch
-and the stress that 99 % of the volume stay below converge too, the stress more slowly. The largest values lie at
+that hardly changes between two sizes need not be converged, and the estimate says how far it may be off. The 99th
+percentiles of stretch and stress converge too, the stress more slowly. The largest values lie at
 re-entrant edges, where the exact solution is unbounded. They grow with refinement, so they have no mesh error here.
 *Unknowns* are degrees of freedom.
 

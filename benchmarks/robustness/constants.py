@@ -17,11 +17,11 @@ from pathlib import Path
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # so that `benchmarks` is found
-# ruff: noqa: E402  (the probes come before what imports the solvers)
 from benchmarks.robustness.probed_source import PLAN, install
 from benchmarks.robustness.probes import NOTES
 
-install(["core.solvers"], [], [])
+if __name__ == "__main__":
+    install(["core.solvers"], [], [])
 
 import turgor as tg
 from benchmarks.robustness.robustness import written

@@ -24,56 +24,56 @@ different discretizations confirm; every error on this page is an error against 
 of freedom. The page is written by `make truth` (`python benchmarks/truth/truth.py`).
 
 *Third order* is an independent code in NGSolve (`benchmarks/truth/third_order.py`). It has displacements of third
-order, mean stresses of second order that jump between regions, and cells that are curved to the same order. Cells are
-bisected where they carry most of the error, or cut in thin layers along re-entrant edges. It shares dimensions,
-material parameters and definitions of measures with turgor, and nothing of the engine. *Graded* means turgor's
-hexahedra, short beside every sharp edge and up to four times as long from one cell to the next. *Refined* means
-turgor's default mesh, refined by `refine_to` toward an estimate of 0.1 % or up to 120,000 unknowns. Some values were
-copied from printed output: `origin` in `truth_runs.json` says so.
+order, mean stresses of second order that jump between regions, and elements that are curved to the same order.
+Elements are bisected where they carry most of the error, or cut in thin layers along re-entrant edges. It shares
+dimensions, material parameters and definitions of measures with turgor, and nothing of the engine. *Graded* means
+turgor's hexahedra, short next to every sharp edge and up to four times as long from one element to the next.
+*Refined* means turgor's default mesh, refined by `refine_to` toward an estimate of 0.1 % or up to 120,000 degrees of
+freedom. Some values were copied from printed output: `origin` in `truth_runs.json` says so.
 
 The code in NGSolve has no contact. Where walls touch, tetrahedra and hexahedra are the two discretizations; refined
 tetrahedra are then refined on the path without contact, and the path with contact is followed once. The tube between
 plates has an obstacle instead of self-contact: without the plates (hexahedra of 5 mm) its volume is 7.67 mL and its
 tip moves by 2.300 mm, with them 6.963 mL and 2.597 mm. Hexahedra of 1.7 and 1.25 mm press on one plate with 5.090 N
 and 5.097 N (of a quarter model, times two), tetrahedra of 1.4 and 1.0 mm with 5.092 N and 5.091 N. The tip of uniform
-tetrahedra of 1 mm is 0.32 % below that of hexahedra; refined ones, whose small cells lie at sharp inner edges, agree
-with hexahedra within 0.01 %. The PneuNet that is pressed until its walls touch is less certain: its reference is the
-mean of two kinds that differ by 1.75 %. Hexahedra of 3, 1.85 and 1.5 mm give 43.54°, 43.633° and 43.906°, tetrahedra
-of 2 and 1.4 mm 42.65° and 42.88°. Both kinds are uniform, and before the walls touch such meshes are 0.4 % and 2.1 %
-below the reference; refined ones were not solved with contact. Do not judge a mesh by it to better than 2 %. (Forces,
-and angles at 1.5 mm, are printed output.)
+tetrahedra of 1 mm is 0.32 % below that of hexahedra; refined ones, whose small elements lie at sharp inner edges,
+agree with hexahedra within 0.01 %. The PneuNet that is pressed until its walls touch is less certain: its reference
+is the mean of two kinds that differ by 1.75 %. Hexahedra of 3, 1.85 and 1.5 mm give 43.54°, 43.633° and 43.906°,
+tetrahedra of 2 and 1.4 mm 42.65° and 42.88°. Both kinds are uniform, and before the walls touch such meshes are 0.4 %
+and 2.1 % below the reference; refined ones were not solved with contact. Do not judge a mesh by it to better than
+2 %. (Forces, and angles at 1.5 mm, are printed output.)
 
 **Sharp edges decide the error.** Inside a cavity they make stresses without bound, and there the error falls only
-about in proportion to the size of the cells, whatever the order of the elements. Two series of uniform meshes share
-this slow convergence, so that they may agree with each other and both be 1 % off. Therefore the reference of the
-PneuNets on a stiff base is that of graded hexahedra, 0.2 mm long beside the edges. On that of three chambers,
-hexahedra of 3, 2, 1.5 and 1.25 mm with one cell through a wall give 6.553°, 6.584°, 6.608° and 6.634°, graded ones of
-0.3 and 0.2 mm 6.601° and 6.607°. Third order gives 6.551° on 2,492 cells and 6.571° on 11,779, which leads to about
-6.60° if the error is in proportion to the size of the cells. One chamber of 10 mm shows how far that is from the
-limit: the tip moves by 0.12258 mm with cells of 0.2 mm and 0.12280 mm with 0.1 mm, which leads to 0.1230 mm; elements
-of order three, four and five on cells of 2.5 mm give 0.11881, 0.12055 and 0.12145 mm, which leads to 0.1229 mm. So
-these references are known to about 0.3 %, although third order of the fast one is 0.5 % below.
+about in proportion to the size of the elements, whatever their order. Two series of uniform meshes share this slow
+convergence, so that they may agree with each other and both be 1 % off. Therefore the reference of the PneuNets on a
+stiff base is that of graded hexahedra, 0.2 mm long next to the edges. On that of three chambers, hexahedra of 3, 2,
+1.5 and 1.25 mm with one element through a wall give 6.553°, 6.584°, 6.608° and 6.634°, graded ones of 0.3 and 0.2 mm
+6.601° and 6.607°. Third order gives 6.551° on 2,492 elements and 6.571° on 11,779, which leads to about 6.60° if the
+error is in proportion to the size of the elements. One chamber of 10 mm shows how far that is from the limit: the tip
+moves by 0.12258 mm with elements of 0.2 mm and 0.12280 mm with 0.1 mm, which leads to 0.1230 mm; elements of 2.5 mm
+of order three, four and five give 0.11881, 0.12055 and 0.12145 mm, which leads to 0.1229 mm. So these references are
+known to about 0.3 %, although third order of the fast one is 0.5 % below.
 
-Layers of thin cells along the edges (`layers` of a case, each layer an eighth as thick as the next one) come nearer
-to that limit with fewer unknowns, because cells stay long along the edge. On that chamber, third order on cells of
-2.5 mm gives 0.12241 mm with one layer and 0.12271 mm with two, on cells of 1.7 mm with one layer 0.12255 mm: the
-second layer adds 0.25 %, the smaller cells 0.11 %. The slow PneuNet agrees within 0.3 % with graded hexahedra on
-cells of 4 mm with one layer, with a quarter of the unknowns of bisected cells, which were 0.37 % off. On the fast one
-on a stiff base, cells of 3.5 mm with one layer give 6.568° with 121,369 unknowns, as bisection does with 201,929.
-With two layers, 214,890 unknowns, Newton's method found no state: its corrections are far too long, whether it starts
-at rest or from the second order. That reference stays 0.54 % apart from third order. The wound bender has its
-reference from one layer: 7.174° and 3.2296 mm, 0.10 % apart from hexahedra. Without a layer along the corner of its
-section it gave 7.136° and 3.2133 mm, 0.5 % less; bisected cells, 37,787 unknowns, gave 7.152° and 3.2165 mm (printed
-output, not stored).
+Layers of thin elements along the edges (`layers` of a case, each layer an eighth as thick as the next one) come
+nearer to that limit with fewer degrees of freedom, because elements stay long along the edge. On that chamber, third
+order on elements of 2.5 mm gives 0.12241 mm with one layer and 0.12271 mm with two, on elements of 1.7 mm with one
+layer 0.12255 mm: the second layer adds 0.25 %, the smaller elements 0.11 %. The slow PneuNet agrees within 0.3 % with
+graded hexahedra on elements of 4 mm with one layer, with a quarter of the degrees of freedom of bisected elements,
+which were 0.37 % off. On the fast one on a stiff base, elements of 3.5 mm with one layer give 6.568° with 121,369
+degrees of freedom, as bisection does with 201,929. With two layers, 214,890 degrees of freedom, Newton's method found
+no state: its corrections are far too long, whether it starts at rest or from the second order. That reference stays
+0.54 % apart from third order. The wound bender has its reference from one layer: 7.174° and 3.2296 mm, 0.10 % apart
+from hexahedra. Without a layer along the corner of its section it gave 7.136° and 3.2133 mm, 0.5 % less; bisected
+elements, 37,787 degrees of freedom, gave 7.152° and 3.2165 mm (printed output, not stored).
 
-The half-round bender gets layers along the rims of the held face and of the border between its rubbers too. With one
-layer along these and along the re-entrant edges, third order gives 2.9650° and 1.24414 mm on cells of 3.5 mm, 2.9623°
-and 1.24417 mm on cells of 2.6 mm, which is the reference. Angle and volume of graded hexahedra agree within 0.3 %;
-their tip is 0.49 % lower: their cells are short along the length only, not at the corners of the section. The tip of
-the other meshes is within 0.3 %, but their angle is larger: 2.978° with third order on bisected cells, 3.001° with
-refined tetrahedra, whose estimate is 0.24 %. The angle is that of the tip's face, whose rim bulges, and it is
-sensitive: on the cells of 2.6 mm, the second order is 2.3 % above the third. Do not judge a mesh by this angle to
-better than 0.5 %.
+The half-round bender gets layers along the rims of the fixed face and of the border between its rubbers too. With one
+layer along these and along the re-entrant edges, third order gives 2.9650° and 1.24414 mm on elements of 3.5 mm,
+2.9623° and 1.24417 mm on elements of 2.6 mm, which is the reference. Angle and volume of graded hexahedra agree
+within 0.3 %; their tip is 0.49 % lower: their elements are short along the length only, not at the corners of the
+section. The tip of the other meshes is within 0.3 %, but their angle is larger: 2.978° with third order on bisected
+elements, 3.001° with refined tetrahedra, whose estimate is 0.24 %. The angle is that of the tip's face, whose rim
+bulges, and it is sensitive: on the elements of 2.6 mm, the second order is 2.3 % above the third. Do not judge a mesh
+by this angle to better than 0.5 %.
 
 Times are CPU seconds of one thread, with meshing and solving, without compilation. Other work ran on the machine:
 compare times within a row, and expect noise of more than 10 %. Fibers are smeared. Volumes are volumes of the cavity,
@@ -84,13 +84,13 @@ TRUTH = """## Reference values
 
 The last column is the difference of the second discretization from the first one. It is a loose bound on the error of
 the reference, because the first one is the finer one. A star marks a difference above 0.3 %: that reference is less
-certain than asked, and errors near that difference mean little."""
+certain than requested, and errors near that difference mean little."""
 SUMMARY = """## Errors of the default mesh
 
-The aim is 2 % at the default size and 1 % at 60,000 unknowns, for angles, extensions, twists and volumes. The table
-shows the largest error among these for each case. *Target* is the default mesh refined until the estimate of the
-headline is 2 %, as `[mesh] target = "2 %"` does it. The last two columns take the stored run whose unknowns, in
-brackets, are nearest to 60,000, if it has 30,000 to 120,000. **Bold** is a miss."""
+The aim is 2 % at the default size and 1 % at 60,000 degrees of freedom, for angles, extensions, twists and volumes.
+The table shows the largest error among these for each case. *Target* is the default mesh refined until the estimate
+of the headline is 2 %, as `[mesh] target = "2 %"` does it. The last two columns take the stored run whose degrees of
+freedom, in brackets, are nearest to 60,000, if it has 30,000 to 120,000. **Bold** is a miss."""
 ESTIMATES = """## Estimated over true error
 
 Every run of the sizes double, default and half has an estimated mesh error. The count includes measures whose true

@@ -51,7 +51,7 @@ def verdict(lines: Sequence[Sequence[str]]) -> str:
     slower, dearer = (sum(text.startswith("**") for text in texts) for texts in (same, [line[-1] for line in lines]))
     return (
         f"On the same mesh, {slower} of {len(same)} rows are slower by more than 10 %. "
-        f"At equal error, {dearer} of {len(lines)} rows miss what is asked."
+        f"At equal error, {dearer} of {len(lines)} rows miss the limit."
     )
 
 

@@ -70,11 +70,11 @@ def test_weight_first():
 
 
 def test_rigs(tmp_path):
-    found = next(after_each_block("rigs", names()))
-    response = found["response"]
+    result = next(after_each_block("rigs", names()))
+    response = result["response"]
     assert response.column("plate_displacement_x")[-1] < -0.2 * mm
     assert response.column("reaction")[-1] == pytest.approx(
-        (0.1 + tg.measures.total_mass(found["model"])) * 9.80665, rel=1e-6
+        (0.1 + tg.measures.total_mass(result["model"])) * 9.80665, rel=1e-6
     )
     (tmp_path / "job.toml").write_text(HEAD + blocks("rigs", "toml")[0].replace('"-x"', '"-z"'), encoding="utf-8")
     assert tg.jobs.read_job(tmp_path / "job.toml").points["plate"].point.mass == pytest.approx(0.1)
@@ -94,9 +94,9 @@ def test_limit_points(capsys):
 def test_frequencies(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     steps = after_each_block("frequencies", names(tg.Pressure("cavity", 20 * kPa)))
-    found = next(steps)
-    assert found["at_rest"].unstable == 0
-    assert len(found["pressurized"].frequencies) == 4
+    result = next(steps)
+    assert result["at_rest"].unstable == 0
+    assert len(result["pressurized"].frequencies) == 4
     assert "Frequencies at load factor 1" in capsys.readouterr().out
     assert list((tmp_path / "modes").iterdir())
     assert next(steps)["half_way"].frequencies[0] > 0
@@ -135,9 +135,9 @@ def test_report_and_viewer(tmp_path, monkeypatch):
 
 
 def test_relaxation_and_softening():
-    found = next(after_each_block("viscoelasticity", {}))
-    stress = found["test"].nominal_stress
-    assert found["lost"] > 0
+    result = next(after_each_block("viscoelasticity", {}))
+    stress = result["test"].nominal_stress
+    assert result["lost"] > 0
     assert stress[50] > 1.1 * stress[650]  # on the way up to half of the stretch, at 5 s and at 65 s
 
 

@@ -13,11 +13,11 @@ ROOT = Path(__file__).parents[2]
 
 
 def test_the_arm_moves_its_tip_aside(capsys):
-    found = runpy.run_path(str(ROOT / "examples" / "soft_arm_rod.py"))
-    assert found["aside"] / mm == pytest.approx(-34, rel=0.02)
-    assert found["joint"] / deg == pytest.approx(29, rel=0.03)
+    result = runpy.run_path(str(ROOT / "examples" / "soft_arm_rod.py"))
+    assert result["aside"] / mm == pytest.approx(-34, rel=0.02)
+    assert result["joint"] / deg == pytest.approx(29, rel=0.03)
     assert "the tip moves aside by -34 mm" in capsys.readouterr().out
-    assert all(found["solution"].stable)
+    assert all(result["solution"].stable)
 
 
 def test_code_of_the_guide_on_rods():

@@ -24,8 +24,8 @@ def test_the_code_of_the_guide(tmp_path, monkeypatch, capsys):
     exec(first, known)
     study = known["study"]
     assert len(study) == 6
-    found = study.column("inner_stretch", ("pressure", 20 * kPa))
-    stretch = dict(zip(map(tuple, np.round(study.inputs / mm, 6)), found, strict=True))
+    result = study.column("inner_stretch", ("pressure", 20 * kPa))
+    stretch = dict(zip(map(tuple, np.round(study.inputs / mm, 6)), result, strict=True))
     assert stretch[2.0, 10.0] == pytest.approx(1.076, abs=1e-3)
     same = tg.sweep(known["inflated"], known["sphere"], wall=[4 * mm], inner_radius=[20 * mm])
     assert same.column("inner_stretch")[0] == pytest.approx(stretch[2.0, 10.0], rel=1e-6)

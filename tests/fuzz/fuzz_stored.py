@@ -88,9 +88,9 @@ def damaged_saved(chance: random.Random, folder: Path) -> Path:
 
 
 def use_saved(file: Path) -> None:
-    found = tg.load(file)
-    repr(found)
-    found.save(file.with_name("b.turgor"))
+    result = tg.load(file)
+    repr(result)
+    result.save(file.with_name("b.turgor"))
 
 
 @cache

@@ -98,8 +98,8 @@ def changed_bytes(content: bytes, chance: random.Random) -> bytes:
 
 
 def _replaced(line: str, pattern: str, by: str, chance: random.Random) -> str:
-    found = list(re.finditer(pattern, line))
-    if not found:
+    results = list(re.finditer(pattern, line))
+    if not results:
         return line
-    at = chance.choice(found)
+    at = chance.choice(results)
     return line[: at.start()] + by + line[at.end() :]

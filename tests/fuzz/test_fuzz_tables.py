@@ -32,16 +32,16 @@ def read(folder, data, number, **options):
     path.write_bytes(data)
     begin = perf_counter()
     try:
-        found = read_tests(path, **({"specimen": STRIP} | options))
+        result = read_tests(path, **({"specimen": STRIP} | options))
     except TurgorError as error:
-        found = str(error)
+        result = str(error)
     except Exception as error:
         pytest.fail(f"case {number}: {type(error).__name__}: {error}\n{data!r}")
     path.unlink()
     assert perf_counter() - begin < LONGEST, f"case {number} took {perf_counter() - begin:.1f} s:\n{data!r}"
-    if isinstance(found, str):
-        assert 20 < len(found) < 8000 and found.endswith((".", '"')), f"case {number}: no sentence: {found}"
-    return found
+    if isinstance(result, str):
+        assert 20 < len(result) < 8000 and result.endswith((".", '"')), f"case {number}: no sentence: {result}"
+    return result
 
 
 def test_the_same_numbers_in_any_form(tmp_path):
@@ -50,9 +50,9 @@ def test_the_same_numbers_in_any_form(tmp_path):
         table = Written(chance)
         lines, gone = keep_the_meaning(chance, table)
         data = table.bytes(lines)
-        found = read(tmp_path, data, number)
-        assert not isinstance(found, str), f"case {number}: {found}\n{data!r}"
-        (test,) = found
+        result = read(tmp_path, data, number)
+        assert not isinstance(result, str), f"case {number}: {result}\n{data!r}"
+        (test,) = result
         assert test.stretch == pytest.approx(table.stretch, rel=1e-6, abs=1e-9), f"case {number}: {data!r}"
         scale = np.abs(table.stress).max()
         assert test.nominal_stress == pytest.approx(table.stress, rel=1e-6, abs=1e-6 * scale), f"case {number}"
@@ -80,10 +80,10 @@ def test_no_number_changes_its_place(tmp_path):
         for row in chance.sample(table.rows[1:], chance.choice((1, 1, 1, 3))):
             spoil(chance, row)
         data = table.bytes()
-        found = read(tmp_path, data, number)
-        if isinstance(found, str):
+        result = read(tmp_path, data, number)
+        if isinstance(result, str):
             continue
-        (test,) = found
+        (test,) = result
         for x, p in zip(test.stretch, test.nominal_stress, strict=True):
             near = np.isclose(x, table.stretch, rtol=1e-6) & np.isclose(p, table.stress, rtol=1e-6, atol=1e-3)
             assert near.any(), f"case {number}: stretch {x}, stress {p} were not in the table\n{data!r}"

@@ -223,8 +223,8 @@ class Kept:
 def kept_steps(folder: Path) -> int:
     """Return the number of the last step that the log of a run names; its states are on disk."""
     log = folder / "run.log"
-    found = re.findall(r"(?m)^step (\d+):", log.read_text(encoding="utf-8")) if log.exists() else []
-    return int(found[-1]) if found else 0
+    result = re.findall(r"(?m)^step (\d+):", log.read_text(encoding="utf-8")) if log.exists() else []
+    return int(result[-1]) if result else 0
 
 
 def kept_runs(folder: Path) -> dict[str, int]:

@@ -145,15 +145,15 @@ def strike(process: "subprocess.Popen[str]", whom: str) -> bool:
 
 def alive(group: int) -> list[int]:
     """Return the processes of a group that have not ended."""
-    found = []
+    results = []
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
             state, _, of = stat.read_text(encoding="utf-8").rsplit(")", 1)[1].split()[:3]
         except OSError:
             continue
         if int(of) == group and state != "Z":
-            found.append(int(stat.parent.name))
-    return found
+            results.append(int(stat.parent.name))
+    return results
 
 
 def check_gone(group: int) -> None:
@@ -171,8 +171,8 @@ def check_whole(results: Path, before: dict[str, object] | None) -> None:
     for file in results.rglob("*.toml"):
         assert tomllib.loads(file.read_text(encoding="utf-8")), f"'{file}' is empty"
     if before is not None and not (results / "path" / "solution.turgor").exists():
-        found = [results / place / "response.csv" for place in ("", ".previous", "previous")]
-        assert before["response.csv"] in [outcome(each.parent).get(each.name) for each in found if each.exists()]
+        result = [results / place / "response.csv" for place in ("", ".previous", "previous")]
+        assert before["response.csv"] in [outcome(each.parent).get(each.name) for each in result if each.exists()]
 
 
 def chain(bench: Bench, name: str, case: Case, chance: random.Random) -> list[tuple[Moment, float]]:
@@ -204,9 +204,9 @@ def chain(bench: Bench, name: str, case: Case, chance: random.Random) -> list[tu
     code, said = bench.ended(case, results, caches, more=options)
     assert code == 0, f"{kills}: {said}"
     kept.check(said)
-    found = outcome(results)
-    assert sorted(found) == sorted(reference), f"{kills}: {sorted(set(found) ^ set(reference))}"
-    differ = [file for file in reference if found[file] != reference[file]]
+    result = outcome(results)
+    assert sorted(result) == sorted(reference), f"{kills}: {sorted(set(result) ^ set(reference))}"
+    differ = [file for file in reference if result[file] != reference[file]]
     assert not differ, f"{kills}: {differ}"
     shutil.rmtree(results)
     return kills

@@ -34,15 +34,15 @@ def hollow_cube(tetrahedra=False, side=10.0):
 def quads_at(cells, points, axis, position):
     """Sides of hexahedra on a plane, corners as they come."""
     sides = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
-    found = [c[list(s)] for c in cells for s in sides if np.allclose(points[c[list(s)], axis], position)]
-    return np.array(found)
+    results = [c[list(s)] for c in cells for s in sides if np.allclose(points[c[list(s)], axis], position)]
+    return np.array(results)
 
 
 def triangles_at(cells, points, axis, position):
     """Sides of tetrahedra on a plane."""
     sides = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
-    found = [c[list(s)] for c in cells for s in sides if np.allclose(points[c[list(s)], axis], position)]
-    return np.array(found)
+    results = [c[list(s)] for c in cells for s in sides if np.allclose(points[c[list(s)], axis], position)]
+    return np.array(results)
 
 
 def text_of(rows):
@@ -223,5 +223,5 @@ def vtu(points, blocks, form="ascii", compressed=False, header="UInt32", order="
 def centers(mesh, name):
     """Centers of the sides of a face, sorted."""
     corners = mesh.faces[name][:, : mesh.cell_type.side.corners]
-    found = mesh.points[corners].mean(axis=1)
-    return found[np.lexsort(np.round(found, 9).T)]
+    result = mesh.points[corners].mean(axis=1)
+    return result[np.lexsort(np.round(result, 9).T)]

@@ -33,12 +33,12 @@ def lattice(
     """
     corners = 2 * np.stack(np.meshgrid(*(np.arange(n) for n in counts), indexing="ij"), axis=-1).reshape(-1, 3)
     nodes = _cubes(corners) if kind is HEXAHEDRON else _tetrahedra(corners)
-    found, inverse = np.unique(nodes.reshape(-1, 3), axis=0, return_inverse=True)
+    result, inverse = np.unique(nodes.reshape(-1, 3), axis=0, return_inverse=True)
     cells = inverse.reshape(nodes.shape[:2])
-    middle = np.ones(len(found), dtype=bool)
+    middle = np.ones(len(result), dtype=bool)
     middle[cells[:, : kind.corners]] = False
     order = np.argsort(middle, kind="stable")
-    cells, at = np.argsort(order)[cells], found[order] / (2.0 * np.array(counts))
+    cells, at = np.argsort(order)[cells], result[order] / (2.0 * np.array(counts))
     center = at[cells[:, : kind.corners]].mean(axis=1)
     sides = np.concatenate([cells[:, list(side)] for side in kind.sides])
     of_side = np.tile(np.arange(len(cells)), len(kind.sides))

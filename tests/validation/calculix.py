@@ -28,11 +28,11 @@ def displacements(file: Path, node_count: int) -> list[tuple[float, np.ndarray]]
 
     Nodes that the file does not name, those in the middle of the sides of 27-node hexahedra, are NaN.
     """
-    found = []
+    results = []
     for block in file.with_suffix(".dat").read_text().split("displacements")[1:]:
         head, *lines = block.splitlines()
         rows = np.array([line.split() for line in lines if len(line.split()) == 4], dtype=float)
         u = np.full((node_count, 3), np.nan)
         u[rows[:, 0].astype(int) - 1] = rows[:, 1:] * 1e-3
-        found.append((float(head.split()[-1]), u))
-    return found
+        results.append((float(head.split()[-1]), u))
+    return results

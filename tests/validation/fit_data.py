@@ -28,12 +28,12 @@ def meunier(mode: str) -> MaterialTest:
 def ecoflex_planar() -> list[MaterialTest]:
     """Ecoflex 00-30 in planar tension: the last loading of four tests, taut at 0.1 N as its authors have it."""
     section = 150 * mm**2
-    found = []
+    results = []
     for name in ("planar4A", "planar4B", "planar5A", "planar5B"):
         file = DATA / "epfl-ecoflex30-actuators" / "planar" / f"{name}.csv"
         test = read_test(file, specimen=Specimen(length=9 * mm, area=section), cyclic=True)
-        found.append(remove_slack(select_cycle(test), 0.1 * N / section))
-    return found
+        results.append(remove_slack(select_cycle(test), 0.1 * N / section))
+    return results
 
 
 def silicone(file: Path, *, upto: float) -> MaterialTest:

@@ -44,7 +44,7 @@ def test_pneunet_bends_towards_its_stiff_side():
         regions={"base": STIFF},
         cavities={"cavity": PNEUNET / "pneunetCavityCut.stl"},
     )
-    assert {found.code for found in mesh.findings} == {"G20", "G23"}
+    assert {finding.code for finding in mesh.findings} == {"G20", "G23"}
     solution = solved(mesh, {"body": rubber(500 * kPa), "base": rubber(1500 * kPa)}, 10 * kPa)
     response = tg.measure(solution, tg.bending_angle, tg.cavity_volume, mesh_error=False)
     assert response.column("cavity_volume")[0] == pytest.approx(8887.5 * mm**3, rel=1e-6)
@@ -65,7 +65,7 @@ def test_pneunet_is_filled_from_its_surfaces():
 def test_bellows_extends(file, axes, volume):
     faces = {"fixed": WithNormal("-x"), "tip": WithNormal("+x")}
     mesh = read_mesh(BELLOWS / file, unit="cm", axes=axes, faces=faces)
-    assert ("G24" in {found.code for found in mesh.findings}) == (file == "Springy.vtk")
+    assert ("G24" in {finding.code for finding in mesh.findings}) == (file == "Springy.vtk")
     response = tg.measure(
         solved(mesh, {"body": rubber(500 * kPa)}, 5 * kPa), find_measure("tip_displacement_x"), tg.cavity_volume
     )
@@ -80,6 +80,6 @@ def test_bellows_with_a_surface_in_other_axes_or_crossing_itself():
     with refused(BELLOWS / "Springy.stl", "2 places", "(-9.398, -8.437, 26.13) mm"):
         mesh_surfaces(BELLOWS / "Springy.stl", unit="cm", cavities={"cavity": BELLOWS / "Springy_Cavity.stl"})
     mesh = read_mesh(BELLOWS / "Springy.vtk", unit="cm", cavities={"cavity": BELLOWS / "Springy_Cavity.stl"})
-    (found,) = [found for found in mesh.findings if found.code == "G23"]
-    assert found.severity == "warning"
+    (finding,) = [finding for finding in mesh.findings if finding.code == "G23"]
+    assert finding.severity == "warning"
     assert np.ptp(mesh.points[mesh.face_nodes("cavity"), 2]) == pytest.approx(40 * mm, rel=0.02)

@@ -72,14 +72,14 @@ def _tetrahedra(block: Block) -> NDArray[np.int64]:
 
 def _lattice_faces(nodes: NDArray[np.int64], block: Block, kind: CellType) -> dict[str, NDArray[np.int64]]:
     """Which side of which cell lies on each named side of the block: rows (cell, side of the cell)."""
-    found: dict[str, NDArray[np.int64]] = {}
+    results: dict[str, NDArray[np.int64]] = {}
     for side, name in block.names.items():
         axis, end = "xyz".index(side[0]), int(side[1])
         on = nodes[:, :, axis] == 2 * block.counts[axis] * end
         hits = [(np.flatnonzero(on[:, list(f)].all(axis=1)), k) for k, f in enumerate(kind.sides)]
         rows = np.concatenate([np.column_stack([cells, np.full(len(cells), k)]) for cells, k in hits])
-        found[name] = np.concatenate([found[name], rows]) if name in found else rows
-    return found
+        results[name] = np.concatenate([results[name], rows]) if name in results else rows
+    return results
 
 
 def glued(blocks: Sequence[Block], *, straight: bool = False, kind: CellType = TETRAHEDRON) -> Mesh:

@@ -75,8 +75,8 @@ def states_at(model: tg.Model, path: Sequence[tuple[float, float]], **steps) -> 
 def free(model: tg.Model, near: Sequence[tuple[float, float]], within: float = 0.004, **steps) -> list[Slice]:
     """Closed ends without a force: between two stretches at each pressure, ``within`` about the one given."""
     path = [(p, s + side * within) for p, s in near for side in (-1, 1)]
-    found = follow(model, path, **steps)
-    return [unforced(low, high) for low, high in zip(found[::2], found[1::2], strict=True)]
+    result = follow(model, path, **steps)
+    return [unforced(low, high) for low, high in zip(result[::2], result[1::2], strict=True)]
 
 
 def unforced(low: Slice, high: Slice) -> Slice:

@@ -21,7 +21,7 @@ SKINNED = tg.actuators.FiberReinforcedCylinder(length=40 * mm, skin=1 * mm)
 CASES = (
     Case(
         name="held_cylinder",
-        title="Cylinder with a skin of 1 mm, its winding held radially, 13.72 kPa",
+        title="Cylinder with a skin of 1 mm, its winding fixed radially, 13.72 kPa",
         actuator=SKINNED,
         materials=WALLED,
         pressures={"cavity": 13.7201},

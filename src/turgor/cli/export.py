@@ -29,7 +29,7 @@ class ExportOptions:
         ),
     ] = None
     color_by: Annotated[str, typer.Option(help="Field that the motion is colored by.")] = "von_mises"
-    width: Annotated[int, typer.Option(help="Width of the moving pictures in pixels.")] = 640
+    width: Annotated[int, typer.Option(help="Width of the animation in pixels.")] = 640
     seconds: Annotated[float, typer.Option(help="Time from rest to the last state.")] = 2.0
     output: Annotated[Path | None, output_option("Folder; by default NAME-export here.")] = None
     program: Annotated[str, typer.Option(help="Reader of the .inp file: calculix or abaqus.")] = "calculix"

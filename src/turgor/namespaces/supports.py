@@ -1,4 +1,4 @@
-"""Supports: what holds an actuator, and where it is moved."""
+"""Supports: where an actuator is fixed, and where it is moved."""
 
 from typing import TYPE_CHECKING
 

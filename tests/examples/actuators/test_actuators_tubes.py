@@ -60,9 +60,9 @@ def closed_tube(inner: float, outer: float, pressure: float) -> tuple[float, flo
         along_z = (area * by_z).sum() - pressure * pi * a**2
         return np.array([along_a * inner, along_z]) / (pressure * pi * inner**2)
 
-    found = root(slopes, (1.01, 1.0), tol=1e-12)
-    assert found.success
-    return float(found.x[1]), float(found.x[0] ** 2 * found.x[1])
+    result = root(slopes, (1.01, 1.0), tol=1e-12)
+    assert result.success
+    return float(result.x[1]), float(result.x[0] ** 2 * result.x[1])
 
 
 def test_the_exact_tube_is_that_of_case_v06():

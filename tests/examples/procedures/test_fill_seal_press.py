@@ -9,6 +9,6 @@ ROOT = Path(__file__).parents[3]
 
 
 def test_a_squeeze_raises_the_pressure(capsys):
-    found = runpy.run_path(str(ROOT / "examples" / "fill_seal_press.py"))
-    assert (found["force"], found["rise"]) == (pytest.approx(6.52, rel=0.02), pytest.approx(13.7, rel=0.02))
+    result = runpy.run_path(str(ROOT / "examples" / "fill_seal_press.py"))
+    assert (result["force"], result["rise"]) == (pytest.approx(6.52, rel=0.02), pytest.approx(13.7, rel=0.02))
     assert "Each jaw pushes with" in capsys.readouterr().out

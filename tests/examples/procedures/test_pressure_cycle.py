@@ -25,8 +25,8 @@ base = { law = "neo_hooke", C10 = "0.1 MPa" }
 
 @pytest.mark.slow
 def test_the_first_cycle_loses_more_than_the_second(capsys):
-    found = runpy.run_path(str(ROOT / "examples" / "pressure_cycle.py"))
-    assert found["lost"] == pytest.approx([28.3, 8.0], abs=0.3)
+    result = runpy.run_path(str(ROOT / "examples" / "pressure_cycle.py"))
+    assert result["lost"] == pytest.approx([28.3, 8.0], abs=0.3)
     assert "the first cycle loses 28.3 %" in capsys.readouterr().out
 
 

@@ -22,9 +22,9 @@ base = { law = "neo_hooke", C10 = "0.1 MPa", density = "1070 kg/m³" }
 
 @pytest.mark.slow
 def test_it_swings_beyond_where_it_rests(capsys):
-    found = runpy.run_path(str(ROOT / "examples" / "vibrating_bender.py"))
-    assert found["swing"] == pytest.approx(20.9, rel=0.02)
-    assert 0.25 < found["overshoot"] < 0.4
+    result = runpy.run_path(str(ROOT / "examples" / "vibrating_bender.py"))
+    assert result["swing"] == pytest.approx(20.9, rel=0.02)
+    assert 0.25 < result["overshoot"] < 0.4
     assert "the energies balance to 0.0" in capsys.readouterr().out
 
 

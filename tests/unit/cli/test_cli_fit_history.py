@@ -64,10 +64,10 @@ def test_words_plot_and_constants(run, strip, tmp_path):
     assert "% near rest" in result.output
     assert "strip_uniaxial: R² = 1.00000" in result.output
     assert (tmp_path / "out" / "strip_uniaxial.png").read_bytes().startswith(b"\x89PNG")
-    found = from_library(str(tmp_path / "out" / "strip_uniaxial.toml"))
-    assert pytest.approx(3e4, rel=0.01) == found.law.C10
-    assert found.viscoelasticity.g[0] == pytest.approx(0.2, abs=0.02)
-    assert found.stress_softening.r == pytest.approx(2.0, rel=0.05)
+    results = from_library(str(tmp_path / "out" / "strip_uniaxial.toml"))
+    assert pytest.approx(3e4, rel=0.01) == results.law.C10
+    assert results.viscoelasticity.g[0] == pytest.approx(0.2, abs=0.02)
+    assert results.stress_softening.r == pytest.approx(2.0, rel=0.05)
 
 
 def test_a_preload_lets_it_rest_where_it_is_slack(run, strip):

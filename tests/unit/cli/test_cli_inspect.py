@@ -51,8 +51,8 @@ def test_mistakes_end_with_a_sentence(tmp_path, capsys):
 
 
 def test_the_inspection_says_what_is_drawn():
-    found = inspect_cad(cases.DATA / "cup_and_plate.step")
-    assert [side / mm for side in found.size] == pytest.approx([40, 20, 12.5], rel=1e-6)
-    assert [body.region for body in found.bodies] == ["top", "base plate"]
-    assert sum(face.area for face in found.faces) / mm**2 == pytest.approx(5144 + 2 * pi * 1.5 * 3 - 2 * pi * 1.5**2)
-    assert all(face.triangles.shape[1:] == (3, 3) for face in found.faces)
+    result = inspect_cad(cases.DATA / "cup_and_plate.step")
+    assert [side / mm for side in result.size] == pytest.approx([40, 20, 12.5], rel=1e-6)
+    assert [body.region for body in result.bodies] == ["top", "base plate"]
+    assert sum(face.area for face in result.faces) / mm**2 == pytest.approx(5144 + 2 * pi * 1.5 * 3 - 2 * pi * 1.5**2)
+    assert all(face.triangles.shape[1:] == (3, 3) for face in result.faces)

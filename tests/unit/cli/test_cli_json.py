@@ -26,10 +26,10 @@ def answer(capsys, tmp_path, monkeypatch):
     def run(*arguments, code=DONE):
         assert main([*arguments, "--json"]) == code
         printed = capsys.readouterr()
-        found = json.loads(printed.out)
-        assert list(found) == ["turgor", "exit_code", "error", "findings", "result"]
-        assert found["exit_code"] == code
-        return found
+        result = json.loads(printed.out)
+        assert list(result) == ["turgor", "exit_code", "error", "findings", "result"]
+        assert result["exit_code"] == code
+        return result
 
     return run
 
@@ -39,44 +39,44 @@ def keys(kind):
 
 
 def test_check(answer):
-    found = answer("check", FINGER, *SMALL)
-    assert list(found["result"]) == keys(results.CheckResult)
-    assert found["result"]["unknowns"] > 500
-    assert found["error"] is None
+    result = answer("check", FINGER, *SMALL)
+    assert list(result["result"]) == keys(results.CheckResult)
+    assert result["result"]["unknowns"] > 500
+    assert result["error"] is None
 
 
 def test_findings_and_mistakes_stand_in_the_document(answer):
     doubtful = ["--set", "materials.body.record=ogden-steck-2019", "--set", "materials.body.library=ecoflex-00-30"]
-    found = answer("check", FINGER, *SMALL, *doubtful)
-    assert len(found["findings"]) > 0
-    assert all(list(each) == ["code", "severity", "message", "advice"] for each in found["findings"])
-    found = answer("check", FINGER, "--set", "mesh.siz=1", "--set", "loads.presure=1", code=BAD_INPUT)
-    assert len(found["error"]["problems"]) == 2
+    result = answer("check", FINGER, *SMALL, *doubtful)
+    assert len(result["findings"]) > 0
+    assert all(list(each) == ["code", "severity", "message", "advice"] for each in result["findings"])
+    result = answer("check", FINGER, "--set", "mesh.siz=1", "--set", "loads.presure=1", code=BAD_INPUT)
+    assert len(result["error"]["problems"]) == 2
 
 
 def test_run(answer, tmp_path):
     quick = [f"output.{name}=false" for name in ("fields", "pictures", "report", "mesh_error")]
     changed = [part for text in ("loads.pressure=1 kPa", *quick) for part in ("--set", text)]
-    found = answer("run", FINGER, *SMALL, *changed)["result"]
-    assert list(found) == keys(results.RunResult)
-    assert (found["status"], found["columns"][0]["name"]) == ("converged", "load_factor")
-    pressure = next(each for each in found["columns"] if each["name"] == "pressure")
+    result = answer("run", FINGER, *SMALL, *changed)["result"]
+    assert list(result) == keys(results.RunResult)
+    assert (result["status"], result["columns"][0]["name"]) == ("converged", "load_factor")
+    pressure = next(each for each in result["columns"] if each["name"] == "pressure")
     assert (pressure["unit"], pressure["values"][-1]) == ("kPa", pytest.approx(1.0))
-    assert (tmp_path / found["folder"] / found["files"][0]).exists()
+    assert (tmp_path / result["folder"] / result["files"][0]).exists()
 
 
 def test_a_run_that_stops_early_says_so(answer):
     stops = ["procedure.max_steps=1", "output.fields=false", "output.pictures=false", "output.report=false"]
     changed = [part for text in (*stops, "output.mesh_error=false") for part in ("--set", text)]
-    found = answer("run", FINGER, *SMALL, *changed, code=NOT_CONVERGED)
-    assert found["result"]["status"] != "converged"
-    assert found["result"]["message"]
+    result = answer("run", FINGER, *SMALL, *changed, code=NOT_CONVERGED)
+    assert result["result"]["status"] != "converged"
+    assert result["result"]["message"]
 
 
 def test_mesh(answer):
-    found = answer("mesh", FINGER, *SMALL)["result"]
-    assert list(found) == keys(results.MeshResult)
-    assert 0 < found["min_edge_m"] < found["max_edge_m"] < 0.02
+    result = answer("mesh", FINGER, *SMALL)["result"]
+    assert list(result) == keys(results.MeshResult)
+    assert 0 < result["min_edge_m"] < result["max_edge_m"] < 0.02
 
 
 @pytest.mark.parametrize("what", [["list"], ["show", "ecoflex-00-30"]])
@@ -88,38 +88,38 @@ def test_materials(answer, what):
 
 def test_actuators(answer):
     assert answer("actuators")["result"]["keys"] == []
-    found = answer("actuators", "fast_pneunet")["result"]
-    assert found["keys"][1]["name"] == "length"
-    assert found["keys"][1]["default"] == '"110 mm"'
+    result = answer("actuators", "fast_pneunet")["result"]
+    assert result["keys"][1]["name"] == "length"
+    assert result["keys"][1]["default"] == '"110 mm"'
 
 
 def test_inspect(answer):
-    found = answer("inspect", str(ROOT / "examples" / "cad_file.step"))["result"]
-    assert list(found) == keys(file_results.InspectResult)
-    assert found["cavities"][0]["volume"] > 1e-7
+    result = answer("inspect", str(ROOT / "examples" / "cad_file.step"))["result"]
+    assert list(result) == keys(file_results.InspectResult)
+    assert result["cavities"][0]["volume"] > 1e-7
 
 
 def test_fit(answer, tmp_path):
     file = tmp_path / "test.csv"
     file.write_text(CURVE, encoding="utf-8")
-    found = answer(
+    result = answer(
         "fit", str(file), "--mode", "uniaxial", "--stress", "nominal", "--laws", "neo-hooke", "--starts", "2"
     )
-    fit = found["result"]["materials"][0]["fits"][0]
+    fit = result["result"]["materials"][0]["fits"][0]
     assert fit["law"] == "neo-hooke"
     assert fit["parameters"]["C10"] == pytest.approx(50e3, rel=1e-3)
-    assert found["result"]["tests"][0]["mode"] == "uniaxial"
+    assert result["result"]["tests"][0]["mode"] == "uniaxial"
 
 
 def test_export(answer):
-    found = answer("export", FINGER, *SMALL, "--step")["result"]
-    assert found["files"][0].endswith(".step")
+    result = answer("export", FINGER, *SMALL, "--step")["result"]
+    assert result["files"][0].endswith(".step")
 
 
 @pytest.mark.parametrize(
     "arguments", [["check", "no.toml"], ["chek", "a"], ["inspect", "no.step"], ["run", "--nonsense"]]
 )
 def test_mistakes_are_documents_too(answer, arguments):
-    found = answer(*arguments, code=BAD_INPUT)
-    assert found["result"] is None
-    assert found["error"]["message"]
+    result = answer(*arguments, code=BAD_INPUT)
+    assert result["result"] is None
+    assert result["error"]["message"]

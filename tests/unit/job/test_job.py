@@ -256,9 +256,9 @@ CHANGES = [
 @pytest.mark.parametrize(("old", "new", "facts"), CHANGES, ids=[f"{new}"[:40] for _, new, _ in CHANGES])
 def test_each_mistake_is_one_clear_sentence(tmp_path: Path, old: str, new: str, facts: list[str]) -> None:
     assert old in SMALL
-    found = problems(tmp_path, SMALL.replace(old, new))
-    assert any_states(found, facts), "\n".join(found)
-    assert all(line.endswith((".", "?")) and "\n" not in line for line in found)
+    result = problems(tmp_path, SMALL.replace(old, new))
+    assert any_states(result, facts), "\n".join(result)
+    assert all(line.endswith((".", "?")) and "\n" not in line for line in result)
 
 
 JUNK = (7, -0.5, True, "junk", "", "1 mm", "1 kPa", [], ["junk"], [1, 2], {}, {"junk": 1})
@@ -279,28 +279,30 @@ def test_junk_anywhere_is_answered_with_a_sentence(tmp_path: Path, place: tuple[
         for key in place[:-1]:
             table = table[key]
         table[place[-1]] = junk
-        found: tuple[str, ...] = ()
+        result: tuple[str, ...] = ()
         try:
             read(tmp_path, tomlkit.dumps(content))
         except JobError as error:
-            found = error.problems
-        assert not found or any(f": {place[0]}" in problem for problem in found), found
+            result = error.problems
+        assert not result or any(f": {place[0]}" in problem for problem in result), result
 
 
 def test_stated_materials_are_checked(tmp_path: Path) -> None:
     text = re.sub("(?m)^body = .*", 'body = { law = "yoeh", C10 = "0.1 MPa" }', SMALL)
     text = re.sub("(?m)^base = .*", 'base = { law = "yeoh", C10 = "-0.1 MPa", C20 = "0 MPa", C03 = "1 MPa" }', text)
     text += "\n[materials.tip]\nlaw = 'hooke'\nE = '1 GPa'\nnu = 0.6\nthickness = '1 mm'\n"
-    found = problems(tmp_path, text)
-    assert any_states(found[:1], ["small.toml:11: materials.body.law:", "'yoeh'", "'yeoh'"])
-    assert any_states(found[1:2], ["small.toml:12: materials.base.C03:", "'C03'", "'C30'"])
-    assert any_states(found[2:3], ["small.toml:27: materials.tip.nu:", "0.6", "-1 and 0.5"])
+    result = problems(tmp_path, text)
+    assert any_states(result[:1], ["small.toml:11: materials.body.law:", "'yoeh'", "'yeoh'"])
+    assert any_states(result[1:2], ["small.toml:12: materials.base.C03:", "'C03'", "'C30'"])
+    assert any_states(result[2:3], ["small.toml:27: materials.tip.nu:", "0.6", "-1 and 0.5"])
     text = text.replace('C03 = "1 MPa"', "stretch_range = [2, 1]").replace("yoeh", "yeoh")
-    found = problems(tmp_path, text)
-    assert any_states(found[:1], ["small.toml:11: materials.body.C20:", "'C20'", "missing"])
-    assert any_states(found[1:2], ["small.toml:12: materials.base.stretch_range:", "[2.0, 1.0]", "[smallest, largest]"])
-    found = problems(tmp_path, text.replace("stretch_range = [2, 1]", 'bulk_modulus = "-1 MPa"'))
-    assert any_states(found[1:2], ["small.toml:12: materials.base:", "Yeoh", "-200000 Pa"])
+    result = problems(tmp_path, text)
+    assert any_states(result[:1], ["small.toml:11: materials.body.C20:", "'C20'", "missing"])
+    assert any_states(
+        result[1:2], ["small.toml:12: materials.base.stretch_range:", "[2.0, 1.0]", "[smallest, largest]"]
+    )
+    result = problems(tmp_path, text.replace("stretch_range = [2, 1]", 'bulk_modulus = "-1 MPa"'))
+    assert any_states(result[1:2], ["small.toml:12: materials.base:", "Yeoh", "-200000 Pa"])
 
 
 def test_a_linear_elastic_region_and_a_rubber_sheet_are_refused(tmp_path: Path) -> None:
@@ -429,9 +431,9 @@ def test_a_new_family_needs_no_schema_code(tmp_path: Path, monkeypatch: pytest.M
     assert set(dataclass_table(Tilted).model_fields) == {"type", *(item.name for item in fields(Tilted))}
     content = tomllib.loads(lock(job))["actuator"]
     assert (content["type"], content["tilt"], content["ratio"]) == ("tilted", "30 deg", 0.25)
-    found = problems(tmp_path, SMALL.replace('"fast_pneunet"', '"tilted"\ntilt = "30 mm"\nratio = "1 mm"'))
-    assert any_states(found[:1], ["'30 mm'", "an angle"])
-    assert any_states(found[1:2], ["'1 mm'", "a number"])
+    result = problems(tmp_path, SMALL.replace('"fast_pneunet"', '"tilted"\ntilt = "30 mm"\nratio = "1 mm"'))
+    assert any_states(result[:1], ["'30 mm'", "an angle"])
+    assert any_states(result[1:2], ["'1 mm'", "a number"])
 
 
 # --- line numbers ------------------------------------------------------------------------------------------------

@@ -117,13 +117,13 @@ def test_the_lock_file_gives_an_equal_job(folder, tmp_path_factory):
     ],
 )  # fmt: skip
 def test_a_mistake_is_told_with_its_key(folder, old, new, facts):
-    found = problems(folder, old, new)
-    assert any_states(found, facts), "\n".join(found)
+    result = problems(folder, old, new)
+    assert any_states(result, facts), "\n".join(result)
 
 
 def test_the_job_solves_and_bends_towards_its_stiffer_bottom(folder):
     model, findings = prepare(read(folder))
-    assert {found.code for found in findings} >= {"D01", "D02"}
+    assert {finding.code for finding in findings} >= {"D01", "D02"}
     solution = tg.solve(model, tg.Static())
     response = tg.measure(solution, tg.bending_angle, tg.cavity_volume)
     assert response.column("pressure")[-1] == pytest.approx(2 * kPa)

@@ -215,8 +215,8 @@ BAD_STL = [
 def test_each_mistake_with_a_file_is_one_clear_sentence(tmp_path, stated, facts):
     block(tmp_path / "block.stl")
     (tmp_path / "open.stl").write_bytes(stl_bytes(np.eye(3), np.array([[0, 1, 2]])))
-    (found,) = problems(tmp_path, f"{BARE}[obstacles.block]\n{stated}\n")
-    assert any_states([found], facts), found
+    (result,) = problems(tmp_path, f"{BARE}[obstacles.block]\n{stated}\n")
+    assert any_states([result], facts), result
 
 
 PLATE = FINGER[FINGER.index("[obstacles") :]
@@ -271,15 +271,15 @@ MISTAKES = [
 @pytest.mark.parametrize(("old", "new", "facts"), MISTAKES, ids=[f"{new}"[:40] for _, new, _ in MISTAKES])
 def test_each_mistake_is_one_clear_sentence(tmp_path, old, new, facts):
     assert old in FINGER
-    found = problems(tmp_path, FINGER.replace(old, new, 1))
-    assert any_states(found, facts), "\n".join(found)
-    assert all(line.endswith((".", "?")) and "\n" not in line for line in found)
+    result = problems(tmp_path, FINGER.replace(old, new, 1))
+    assert any_states(result, facts), "\n".join(result)
+    assert all(line.endswith((".", "?")) and "\n" not in line for line in result)
 
 
 def test_what_is_no_table(tmp_path):
-    found = problems(tmp_path, f"contact = 3\nobstacles = 4\n{BARE}")
-    assert any_states(found[:1], ["finger.toml:1: contact:", "3", "[contact]"])
-    assert any_states(found[1:], ["finger.toml:2: obstacles:", "4", "[obstacles.plate]"])
+    result = problems(tmp_path, f"contact = 3\nobstacles = 4\n{BARE}")
+    assert any_states(result[:1], ["finger.toml:1: contact:", "3", "[contact]"])
+    assert any_states(result[1:], ["finger.toml:2: obstacles:", "4", "[obstacles.plate]"])
 
 
 def test_moved_obstacle_drives_without_loads(tmp_path):

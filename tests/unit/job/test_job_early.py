@@ -51,9 +51,14 @@ def file(tmp_path, monkeypatch):
 def test_findings_come_before_the_solve_and_once(file):
     said = []
     outcome = run_job(read_job(file), notify=said.append, report=said.append)
-    found = [each for each in said if not isinstance(each, str)]
-    assert said.index("solving") > max(said.index(each) for each in found)
-    assert [each.code for each in found] == ["G01", "M06", "M06", "P01"]  # laws that differ in density are told apart
+    findings = [each for each in said if not isinstance(each, str)]
+    assert said.index("solving") > max(said.index(each) for each in findings)
+    assert [each.code for each in findings] == [
+        "G01",
+        "M06",
+        "M06",
+        "P01",
+    ]  # laws that differ in density are told apart
     assert [each.code for each in outcome.findings] == ["G01", "M06", "M06", "P01"]
     assert len(set(outcome.findings)) == len(outcome.findings)
     log = (file.parent / "finger-results" / "run.log").read_text()

@@ -178,14 +178,14 @@ MISTAKES = [
 @pytest.mark.parametrize(("old", "new", "facts"), MISTAKES, ids=[f"{new}"[:40] for _, new, _ in MISTAKES])
 def test_each_mistake_is_one_clear_sentence(tmp_path, old, new, facts):
     assert old in TUBE
-    found = problems(tmp_path, TUBE.replace(old, new))
-    assert any_states(found, facts), "\n".join(found)
-    assert all(line.endswith((".", "?")) and "\n" not in line for line in found)
+    result = problems(tmp_path, TUBE.replace(old, new))
+    assert any_states(result, facts), "\n".join(result)
+    assert all(line.endswith((".", "?")) and "\n" not in line for line in result)
 
 
 def test_an_unknown_hand_is_told_once(tmp_path):
-    (found,) = problems(tmp_path, TUBE.replace('hand = "both"', 'hand = "Both"'))
-    assert any_states([found], ["'Both'", "'both'"])
+    (result,) = problems(tmp_path, TUBE.replace('hand = "both"', 'hand = "Both"'))
+    assert any_states([result], ["'Both'", "'both'"])
 
 
 def test_windings_that_do_not_fit_the_face_are_found_before_solving(tmp_path):
@@ -324,8 +324,8 @@ FORMS = [
 
 @pytest.mark.parametrize(("text", "facts"), FORMS, ids=range(len(FORMS)))
 def test_mistakes_with_forms(tmp_path, text, facts):
-    found = problems(tmp_path, text)
-    assert any_states(found, facts), "\n".join(found)
+    result = problems(tmp_path, text)
+    assert any_states(result, facts), "\n".join(result)
 
 
 def test_what_inp_files_cannot_say_is_refused(tmp_path):

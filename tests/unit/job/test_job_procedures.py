@@ -139,8 +139,8 @@ def test_the_lock_file_repeats_them(tmp_path: Path, text: str) -> None:
 )
 def test_every_mistake_has_its_sentence(tmp_path: Path, text: str, old: str, new: str, facts: list[str]) -> None:
     assert text.count(old) == 1
-    found = problems(tmp_path, text.replace(old, new))
-    assert any_states(found, facts), "\n".join(found)
+    result = problems(tmp_path, text.replace(old, new))
+    assert any_states(result, facts), "\n".join(result)
 
 
 TUBE = """\

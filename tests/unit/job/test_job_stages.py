@@ -203,8 +203,8 @@ def test_histories_go_over_the_time_of_their_stage(tmp_path: Path) -> None:
 def test_every_mistake_has_its_sentence(tmp_path: Path, old: str, new: str, facts: list[str]) -> None:
     text = HEAD + STAGED
     assert old in text
-    found = problems(tmp_path, text.replace(old, new, 1))
-    assert any_states(found, facts), "\n".join(found)
+    result = problems(tmp_path, text.replace(old, new, 1))
+    assert any_states(result, facts), "\n".join(result)
 
 
 @pytest.mark.parametrize(
@@ -226,8 +226,8 @@ def test_every_mistake_has_its_sentence(tmp_path: Path, old: str, new: str, fact
     ],
 )
 def test_a_list_that_is_none_is_refused(tmp_path: Path, text: str, facts: list[str]) -> None:
-    found = problems(tmp_path, f"{text}\n{HEAD}")
-    assert any_states(found, facts), "\n".join(found)
+    result = problems(tmp_path, f"{text}\n{HEAD}")
+    assert any_states(result, facts), "\n".join(result)
 
 
 def test_lines_of_arrays_of_tables_are_numbered() -> None:

@@ -56,7 +56,7 @@ def test_keys_that_are_left_out_have_the_values_that_the_comments_show(name, tmp
 @pytest.mark.parametrize("name", ["slow_pneunet", "twisting_tube"])
 def test_starter_passes_the_check(name, tmp_path):
     _, findings = prepare(read_job(written(name, tmp_path)))
-    assert [found for found in findings if found.severity == "error"] == []
+    assert [finding for finding in findings if finding.severity == "error"] == []
 
 
 def test_a_family_without_an_example_gets_a_plain_job(tmp_path, monkeypatch):

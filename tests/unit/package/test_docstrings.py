@@ -65,21 +65,21 @@ def mistakes(text, classes=CLASSES):
 
     Where a class extends another one, it describes its own fields, or in any order those it inherits as well.
     """
-    found = []
+    results = []
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
             names, more = described(node), inherited(node, classes)
             takes = list(dict.fromkeys([*more, *accepted(node)]))
             same = names in (takes, accepted(node)) or (bool(more) and sorted(names or []) == sorted(takes))
             if names is not None and not same:
-                found.append(f"{node.name} describes {', '.join(names)}; it takes {', '.join(takes)}")
-    return found
+                results.append(f"{node.name} describes {', '.join(names)}; it takes {', '.join(takes)}")
+    return results
 
 
 def test_described_parameters_are_the_parameters():
-    found = {path.relative_to(ROOT).as_posix(): mistakes(path.read_text(encoding="utf-8")) for path in FILES}
-    assert len(found) > 1000
-    assert {name: lines for name, lines in found.items() if lines} == {}
+    results = {path.relative_to(ROOT).as_posix(): mistakes(path.read_text(encoding="utf-8")) for path in FILES}
+    assert len(results) > 1000
+    assert {name: lines for name, lines in results.items() if lines} == {}
 
 
 @pytest.mark.parametrize("names", ["a", "a, c", "b, a", "a, b, c"])

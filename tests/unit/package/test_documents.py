@@ -108,8 +108,8 @@ def test_page_on_the_command_line_names_every_command_result_and_exit_code():
     page = read("docs/reference/command-line.md")
     assert set(re.findall(r"`turgor (\w+) ", page)) >= set(COMMANDS) - {"materials"}
     for module in (each.name for each in pkgutil.iter_modules(answers.__path__) if each.name != "document"):
-        found = import_module(f"{answers.__name__}.{module}")
-        kinds = {name for name, kind in vars(found).items() if is_dataclass(kind)}
+        result = import_module(f"{answers.__name__}.{module}")
+        kinds = {name for name, kind in vars(result).items() if is_dataclass(kind)}
         members = page.partition(f"answers.{module}\n   :members:")[2].partition(":no-index:")[0]
         assert set(re.findall(r"\w+", members)) == kinds, module
     codes = (DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED, ENDED + signal.SIGINT, ENDED + signal.SIGTERM)

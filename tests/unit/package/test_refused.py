@@ -33,8 +33,8 @@ def test_a_missing_fact_and_a_sentence_are_noticed():
 def test_no_test_pins_a_sentence_of_an_error():
     files = [path for folder in ("tests", "guidelines/tests") for path in sorted((ROOT / folder).rglob("*.py"))]
     pinned = [
-        f"{path.relative_to(ROOT)}: {found.group()}"
+        f"{path.relative_to(ROOT)}: {result.group()}"
         for path in files
-        for found in re.finditer(r"\braises\([^()]*\bmatch=", path.read_text(encoding="utf-8"))
+        for result in re.finditer(r"\braises\([^()]*\bmatch=", path.read_text(encoding="utf-8"))
     ]
     assert not pinned, "expect the facts with `refused`, for sentences are free to improve"

@@ -33,13 +33,13 @@ def name_of(path):
 
 def open_keywords(node):
     """List the functions and methods that take ``**``: those without a leading underscore, and ``__init__``."""
-    found = []
+    results = []
     for item in node.body:
         if isinstance(item, ast.ClassDef) and not item.name.startswith("_"):
-            found += [f"{item.name}.{name}" for name in open_keywords(item)]
+            results += [f"{item.name}.{name}" for name in open_keywords(item)]
         if isinstance(item, ast.FunctionDef | ast.AsyncFunctionDef) and item.args.kwarg is not None:
-            found += [item.name] * (item.name == "__init__" or not item.name.startswith("_"))
-    return found
+            results += [item.name] * (item.name == "__init__" or not item.name.startswith("_"))
+    return results
 
 
 def large_folders(paths):
@@ -64,8 +64,10 @@ def test_no_file_is_too_long():
 
 
 def test_public_functions_name_their_keywords():
-    found = [f"{name_of(path)}: {name}" for path in FILES for name in open_keywords(ast.parse(path.read_text("utf-8")))]
-    assert sorted(found) == sorted(OPEN_KEYWORDS)
+    results = [
+        f"{name_of(path)}: {name}" for path in FILES for name in open_keywords(ast.parse(path.read_text("utf-8")))
+    ]
+    assert sorted(results) == sorted(OPEN_KEYWORDS)
 
 
 @pytest.mark.parametrize(

@@ -108,9 +108,9 @@ def test_a_file_is_renewed_when_all_of_it_has_passed(tmp_path):
     renewal.pytest_runtest_logreport(report("beams/test_flexure.py", True, 3, "| first |"))
     renewal.pytest_runtest_logreport(report("inflation/test_tube.py", False, 3, "| wrong |"))
     renewal.pytest_sessionfinish()
-    found = written(path.read_text(encoding="utf-8"))
-    assert found["beams/test_flexure.py"].lines == ("| first |", "| second |")
-    assert found["inflation/test_tube.py"] == kept["inflation/test_tube.py"]
+    result = written(path.read_text(encoding="utf-8"))
+    assert result["beams/test_flexure.py"].lines == ("| first |", "| second |")
+    assert result["inflation/test_tube.py"] == kept["inflation/test_tube.py"]
 
 
 @pytest.mark.parametrize("file", FILES)

@@ -94,9 +94,9 @@ def bends(chambers: int, top_kPa: float, past: float, how: dict[str, Any]) -> Co
               "tip_middle": (length, 0.0, height / 2), "tip_top": (length, 0.0, height)}  # fmt: skip
     markers = [each for name, place in points.items() for each in tg.measures.marker(name, place)]
     others = (tg.bending_angle, tg.cavity_volume, tg.measures.principal_stretch_p99)
-    found = tg.measure(solution, *others, *markers, mesh_error=False)
+    result = tg.measure(solution, *others, *markers, mesh_error=False)
     kept = ["pressure", *(each.name for each in others), *(each.name for each in markers if each.name[-1] != "y")]
-    response = tg.Response(columns=tuple(map(found.find, kept)), source=SOURCE, message=solution.message)
+    response = tg.Response(columns=tuple(map(result.find, kept)), source=SOURCE, message=solution.message)
     return Computed(response=response, picture=_drawn(solution, given))
 
 

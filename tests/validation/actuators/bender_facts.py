@@ -26,11 +26,11 @@ SAME_TESTS = ("neo-Hooke", "Gent", "Ogden, two terms")
 def moduli() -> dict[str, float]:
     """Shear modulus that each test asks for at one stretch, as neo-Hookean rubber [kPa]."""
     planar = np.mean([np.interp(COMPARED, test.stretch, test.nominal_stress) for test in ecoflex_planar()])
-    found = {"mu_planar": planar / (COMPARED - COMPARED**-3)}
+    results = {"mu_planar": planar / (COMPARED - COMPARED**-3)}
     for zero in ("authors", "grips"):
         test = dumbbell(zero)
-        found[f"mu_{zero}"] = np.interp(COMPARED, test.stretch, test.nominal_stress) / (COMPARED - COMPARED**-2)
-    return {name: float(value / kPa) for name, value in found.items()}
+        results[f"mu_{zero}"] = np.interp(COMPARED, test.stretch, test.nominal_stress) / (COMPARED - COMPARED**-2)
+    return {name: float(value / kPa) for name, value in results.items()}
 
 
 def _measured(chambers: int) -> Curve:

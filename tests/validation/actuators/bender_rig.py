@@ -67,9 +67,9 @@ def blocked_at(chambers: int, wall_mm: float, pressure: float) -> float:
 def _computed(model: tg.Model, top_kPa: float, others: tuple[str | Measure, ...]) -> Computed:
     at = tuple(each / top_kPa for each in READ if each < top_kPa)
     solution = solved(model, tg.Pressure("cavity", top_kPa * kPa), tg.Static(at=at), "none")
-    found = tg.measure(solution, "blocked_force", *others, mesh_error=False)
+    result = tg.measure(solution, "blocked_force", *others, mesh_error=False)
     names = ("pressure", "blocked_force", *(each if isinstance(each, str) else each.name for each in others))
-    columns = tuple(map(found.find, names))
+    columns = tuple(map(result.find, names))
     return Computed(response=tg.Response(columns=columns, source=SOURCE, message=solution.message))
 
 

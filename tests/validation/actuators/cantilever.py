@@ -33,10 +33,10 @@ SOURCE = Source(text="turgor, clamped block of 27-node hexahedra")
 
 def rubber(record: str, modulus_kPa: float) -> tg.Material:
     """A record of the library, or neo-Hookean rubber of a Young's modulus: a calibrated one, or that of Hooke's law."""
-    found = None if record == "calibrated" else tg.from_library("dragon-skin-10", record=record)
-    if found is not None and not isinstance(found.law, tg.laws.Hooke):
-        return found
-    modulus = modulus_kPa * kPa if found is None else found.law.E
+    result = None if record == "calibrated" else tg.from_library("dragon-skin-10", record=record)
+    if result is not None and not isinstance(result.law, tg.laws.Hooke):
+        return result
+    modulus = modulus_kPa * kPa if result is None else result.law.E
     return tg.Material(name=record, law=tg.laws.NeoHooke(C10=modulus / 6), density=DENSITY)
 
 
@@ -72,9 +72,9 @@ def calibrated(of_clamp: bool) -> Computed:
         return sinks(hangs("calibrated", float(np.exp(log_modulus[0]))).response)[0] - aim
 
     modulus = float(np.exp(least_squares(off, [np.log(250.0)], diff_step=0.01, xtol=1e-4).x[0]))
-    found = hangs("calibrated", modulus).response
+    result = hangs("calibrated", modulus).response
     column = Column("modulus", "kPa", np.full(3, modulus * kPa))
-    return Computed(response=tg.Response(columns=(*found.columns, column), source=SOURCE))
+    return Computed(response=tg.Response(columns=(*result.columns, column), source=SOURCE))
 
 
 def runs() -> list[Run]:
@@ -93,14 +93,14 @@ def measured(*, of_clamp: bool) -> dict[str, np.ndarray]:
     With ``of_clamp`` the rigid motion of the three markers on the clamp is taken out.
     """
     rows = table(FOLDER / "static_marker_displacements.csv")
-    found = {}
+    results = {}
     for recording in dict.fromkeys(row["recording"] for row in rows):
         points = {row["marker"]: _track(row) for row in rows if row["recording"] == recording}
         tracks = tg.experiments.Tracks(drive=Column("frame", "", np.arange(2.0)), points=points, source=SOURCE)
         tracks = tracks.relative_to(*CLAMP) if of_clamp else tracks
         moved = np.array([tracks.of(name)[1] - tracks.of(name)[0] for name in MARKERS]) / mm
-        found[recording] = np.column_stack([moved[:, 2], moved[:, 1], moved[:, 0]])
-    return found
+        results[recording] = np.column_stack([moved[:, 2], moved[:, 1], moved[:, 0]])
+    return results
 
 
 def lifted(*, of_clamp: bool) -> np.ndarray:
@@ -109,7 +109,7 @@ def lifted(*, of_clamp: bool) -> np.ndarray:
     The start, held by hand, does not enter. The camera's frame is that of the clamp at the end of the first recording.
     """
     rows = table(FOLDER / "static_marker_displacements.csv")
-    found = []
+    results = []
     for letter in "ab":
         pairs = {}
         for row in rows:
@@ -118,8 +118,8 @@ def lifted(*, of_clamp: bool) -> np.ndarray:
         points = {name: np.array(track) for name, track in pairs.items()}
         tracks = tg.experiments.Tracks(drive=Column("frame", "", np.arange(2.0)), points=points, source=SOURCE)
         tracks = tracks.relative_to(*CLAMP) if of_clamp else tracks
-        found.append([(tracks.of(name)[1, 0] - tracks.of(name)[0, 0]) / mm for name in MARKERS])
-    return np.array(found)
+        results.append([(tracks.of(name)[1, 0] - tracks.of(name)[0, 0]) / mm for name in MARKERS])
+    return np.array(results)
 
 
 def _track(row: dict[str, Any]) -> np.ndarray:

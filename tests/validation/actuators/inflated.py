@@ -39,20 +39,20 @@ def dimensions(membrane: str) -> dict[str, float]:
 
 def _disc(outer: float, low: float, high: float, inner: float = 0.0) -> Any:
     """Ring around x between two heights [mm]."""
-    found = Cylinder(Pnt(low, 0, 0), X, outer, high - low)
-    return found - Cylinder(Pnt(low - 1, 0, 0), X, inner, high - low + 2) if inner else found
+    result = Cylinder(Pnt(low, 0, 0), X, outer, high - low)
+    return result - Cylinder(Pnt(low - 1, 0, 0), X, inner, high - low + 2) if inner else result
 
 
 def bands(membrane: str, plate_mm: float | None = None) -> list[tuple[str, float, float]]:
     """Name, inner and outer radius [mm] of the bands of a membrane, from the middle on."""
     sizes = dimensions(membrane)
-    found = [("plate", 0.0, plate_mm or sizes["contact_radius_mm"])]
+    results = [("plate", 0.0, plate_mm or sizes["contact_radius_mm"])]
     for ring in ("ring1", "ring2"):
         middle, width = sizes[f"{ring}_radius_mm"], sizes[f"{ring}_width_mm"]
         if np.isfinite(middle):
             low, high = middle - width / 2, min(middle + width / 2, RADIUS - 0.2)
-            found += [(f"before_{ring}", found[-1][2], low), (ring, low, high)]
-    return [*found, ("outer", found[-1][2], RADIUS)]
+            results += [(f"before_{ring}", results[-1][2], low), (ring, low, high)]
+    return [*results, ("outer", results[-1][2], RADIUS)]
 
 
 def geometry(membrane: str, thickness: float = THICKNESS, plate_mm: float | None = None) -> tg.Geometry:
@@ -91,12 +91,12 @@ def lifts(
     rests = tg.Stage("weight", tg.Sealed(), loads=[tg.loads.Force("tip", (-weight, 0, 0))])
     fills = tg.Stage("fill", tg.VolumeControl(volume=volume_mL * mL, max_step=0.05))
     solution = tg.solve(model, tg.Stages([rests, fills]), throw=False)
-    found = tg.measure(solution, tg.measures.tip_displacement_x, tg.measures.principal_stretch_p99, mesh_error=False)
+    result = tg.measure(solution, tg.measures.tip_displacement_x, tg.measures.principal_stretch_p99, mesh_error=False)
     filled = np.array([state.stage == "fill" for state in solution.states])
     columns = (
-        Column("height", "mm", found.column("tip_displacement_x")[filled]),
-        Column("pressure", "kPa", found.column("pressure")[filled]),
-        Column("stretch_p99", "", found.column("outer_principal_stretch_p99")[filled]),
+        Column("height", "mm", result.column("tip_displacement_x")[filled]),
+        Column("pressure", "kPa", result.column("pressure")[filled]),
+        Column("stretch_p99", "", result.column("outer_principal_stretch_p99")[filled]),
     )
     return Computed(response=tg.Response(columns=columns, source=SOURCE, message=solution.message))
 
@@ -119,16 +119,16 @@ def pressures_at(response: tg.Response, heights: np.ndarray) -> np.ndarray:
 
 def off(response: tg.Response, membrane: str, weight: float) -> np.ndarray:
     """Relative differences of the pressure [-], computed over measured minus one."""
-    found = measured(membrane, weight)
-    return pressures_at(response, found["height"]) / found["pressure"] - 1
+    result = measured(membrane, weight)
+    return pressures_at(response, result["height"]) / result["pressure"] - 1
 
 
 def calibrated(law: str) -> Computed:
     """Factor on all stresses with which the plain membrane fits at the middle weight: one step of the secant method."""
 
     def mean_off(factor: float) -> float:
-        found = lifts("membrane_01", WEIGHTS[1], law, factor=factor).response
-        return float(np.nanmean(off(found, "membrane_01", WEIGHTS[1])))
+        result = lifts("membrane_01", WEIGHTS[1], law, factor=factor).response
+        return float(np.nanmean(off(result, "membrane_01", WEIGHTS[1])))
 
     before = mean_off(1.0)
     tried = 1 - before

@@ -82,8 +82,8 @@ def whole() -> Run:
 
 def bender_runs() -> list[Run]:
     """All runs of the bending actuators."""
-    found = [free(5, name) for name in VARIATIONS] + [free(7, name) for name in BLIND_BENDERS[7]]
-    return [*found, whole()]
+    result = [free(5, name) for name in VARIATIONS] + [free(7, name) for name in BLIND_BENDERS[7]]
+    return [*result, whole()]
 
 
 def blocked_runs() -> list[Run]:
@@ -95,8 +95,8 @@ def blocked_runs() -> list[Run]:
 
 def fitted_runs(springs: dict[str, float]) -> list[Run]:
     """All runs on the springs that were fitted with each law to the actuator with walls of 10 mm."""
-    found = [held(name, law, springs[law]) for name in PRESSED for law in PRESSED_BY]
-    return [*found, *(held_varied(name, springs[MEETS]) for name in HELD)]
+    results = [held(name, law, springs[law]) for name in PRESSED for law in PRESSED_BY]
+    return [*results, *(held_varied(name, springs[MEETS]) for name in HELD)]
 
 
 def plate(chambers: int, name: str) -> Run:

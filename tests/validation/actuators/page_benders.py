@@ -161,7 +161,7 @@ def _change(new: float, old: float) -> str:
 
 def _angles(page: Page) -> str:
     """The same path read in other ways; 5 chambers as stated."""
-    found = page.of(free(5, "as stated"))
+    result = page.of(free(5, "as stated"))
     readings = {
         "as stated: line from the lower edge of the base to that of the tip, zero at 10 kPa": (LINE, 10.0, 0.0),
         "line to the upper edge of the tip": ("base_bottom tip_top", 10.0, 0.0),
@@ -173,7 +173,7 @@ def _angles(page: Page) -> str:
     }
     rows, base = [], None
     for said, (line, zero, shift) in readings.items():
-        pressure, angle = from_zero(found, line=line, zero=zero + shift)
+        pressure, angle = from_zero(result, line=line, zero=zero + shift)
         values = [angle_at(pressure, angle, each + shift) for each in AT]
         turn = pressure_at(pressure, angle, TURN[5]) - shift
         base = base or [*values, turn]

@@ -48,12 +48,12 @@ def _fitted(page: Page, name: str, law: str) -> float:
 def _curves(page: Page, name: str) -> dict[str, Run]:
     """How the tip of an actuator is stopped, in words, and the run."""
     chambers, wall = PRESSED[name]
-    found = {} if wall != STATED["wall_mm"] else {"blind, Yeoh, on a plate": plate(chambers, LEVEL)}
-    found["blind, Yeoh, on a hinge"] = held(name, "Yeoh", 0.0)
-    found["blind, Yeoh, cannot turn"] = held(name, "Yeoh", STIFF)
+    result = {} if wall != STATED["wall_mm"] else {"blind, Yeoh, on a plate": plate(chambers, LEVEL)}
+    result["blind, Yeoh, on a hinge"] = held(name, "Yeoh", 0.0)
+    result["blind, Yeoh, cannot turn"] = held(name, "Yeoh", STIFF)
     for law, stiffness in springs(page).items():
-        found[f"on a spring, {law}"] = held(name, law, stiffness)
-    return found
+        result[f"on a spring, {law}"] = held(name, law, stiffness)
+    return result
 
 
 def _figure(page: Page) -> str:
@@ -139,23 +139,23 @@ def _spring_facts(page: Page) -> dict[str, float]:
 
 def _plate_facts(page: Page) -> dict[str, float]:
     """Numbers of the tip before a plate."""
-    found = {}
+    results = {}
     for chambers in (5, 7):
         level = page.of(plate(chambers, LEVEL))
-        found[f"plate{chambers}"] = _at(level)
-        found[f"nose{chambers}"] = _at(level, "tip_gap") / mm
-        found[f"bears{chambers}"] = _at(level, "bearing_distance") / mm
-        found[f"gap{chambers}"] = _at(page.of(plate(chambers, GAP)))
-    return found
+        results[f"plate{chambers}"] = _at(level)
+        results[f"nose{chambers}"] = _at(level, "tip_gap") / mm
+        results[f"bears{chambers}"] = _at(level, "bearing_distance") / mm
+        results[f"gap{chambers}"] = _at(page.of(plate(chambers, GAP)))
+    return results
 
 
 def _rest_facts() -> dict[str, float]:
     """The force at rest, and 3/8 of the weight, as a beam whose tip alone is supported [N]."""
-    found = {}
+    results = {}
     for name, (chambers, wall) in PRESSED.items():
         which = {"5 chambers": "5", "7 chambers": "7"}.get(name, "10")
-        found[f"rest{which}"] = measured_rest_force(chambers, wall)
+        results[f"rest{which}"] = measured_rest_force(chambers, wall)
         built = actuator(chambers, {**STATED, "wall_mm": wall})
         volume = built.length * built.width * built.height - 2 * built.cavity_volumes["cavity"]
-        found[f"weight{which}"] = 3 / 8 * DENSITY * GRAVITY * volume
-    return found
+        results[f"weight{which}"] = 3 / 8 * DENSITY * GRAVITY * volume
+    return results

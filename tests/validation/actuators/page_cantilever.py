@@ -17,7 +17,7 @@ def _row(name: str, values: np.ndarray, *more: str) -> list[str]:
 
 def _tilt(recordings: tuple[str, ...]) -> float:
     """Tilt of the line from the lower to the upper tip marker in the first frame, mean of the recordings [deg]."""
-    found = []
+    results = []
     for row in recordings:
         start = {
             each["marker"]: [float(each[f"start_{axis}_mm"]) for axis in "xz"]
@@ -25,8 +25,8 @@ def _tilt(recordings: tuple[str, ...]) -> float:
             if each["recording"] == row
         }
         up, along = np.subtract(start["tip1"], start["tip3"])
-        found.append(np.degrees(np.arctan2(along, up)))
-    return float(np.mean(found))
+        results.append(np.degrees(np.arctan2(along, up)))
+    return float(np.mean(results))
 
 
 def part(page: Page) -> str:

@@ -47,9 +47,9 @@ class Page:
 
     def picture(self, run: Run, name: str) -> str:
         """Write the picture of a run and return its place on the page."""
-        found = self.ended[run.key].result
+        result = self.ended[run.key].result
         IMAGES.mkdir(parents=True, exist_ok=True)
-        with Image.open(BytesIO(found.picture if found else b"")) as drawn:
+        with Image.open(BytesIO(result.picture if result else b"")) as drawn:
             drawn.convert("RGB").quantize(128).save(IMAGES / name, optimize=True)
         return f"images/measured/{name}"
 

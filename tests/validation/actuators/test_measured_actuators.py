@@ -57,16 +57,16 @@ def test_cantilever_is_as_far_off_as_recorded():
         np.mean([tracks[f"beam_{name}_V2_{letter}"][:, 2] for letter in "ab"], axis=0) for name in ("gravity", "load52")
     ]
     run = cantilever_runs()[0]
-    found = distance(sinks(run.function(**run.values).response), np.array(means))
-    assert found == pytest.approx(recorded("cantilever", f"blind, {RECORDS[0]}"), abs=0.002)
+    result = distance(sinks(run.function(**run.values).response), np.array(means))
+    assert result == pytest.approx(recorded("cantilever", f"blind, {RECORDS[0]}"), abs=0.002)
 
 
 def test_tables_of_the_benders():
     assert measured_free(5)["angle"][-1] == pytest.approx(68.4, abs=0.3)
     assert measured_free(7)["angle"].max() == pytest.approx(110.5, abs=0.3)
-    found = measured_blocked(5)
-    assert found["pressure"][0] == 10
-    assert found["force"][0] == pytest.approx(0.0727 - 0.0602, abs=2e-3), "less the force at rest before it"
+    result = measured_blocked(5)
+    assert result["pressure"][0] == 10
+    assert result["force"][0] == pytest.approx(0.0727 - 0.0602, abs=2e-3), "less the force at rest before it"
 
 
 def test_dimensions_of_the_benders():
@@ -100,8 +100,8 @@ def test_forces_at_rest_are_not_the_weight():
 
 
 def test_the_third_actuator():
-    found = measured_blocked(5, 10.0)
-    assert found["pressure"][[0, -1]] == pytest.approx([10, 65])
+    result = measured_blocked(5, 10.0)
+    assert result["pressure"][[0, -1]] == pytest.approx([10, 65])
     assert blocked_at(5, 10.0, 30.0) == pytest.approx(0.07631 - 0.04097, abs=1e-5)
 
 
@@ -118,10 +118,10 @@ def test_tables_touch_the_actuator_at_rest():
     points = np.array([[0, 0, 0], [52, 0, 0], [0, 11, 0], [0, 0, 15.5]]) * mm
     assert table_under("none", points) == []
     for under, place, side in (("film", 0.0, 1.0), ("top", 15.5 * mm, -1.0)):
-        (found,) = table_under(under, points)
-        assert found.shape.normal == (0.0, 0.0, side)
-        assert found.shape.point == (0.0, 0.0, pytest.approx(place))
-        assert found.friction == 0
+        (result,) = table_under(under, points)
+        assert result.shape.normal == (0.0, 0.0, side)
+        assert result.shape.point == (0.0, 0.0, pytest.approx(place))
+        assert result.friction == 0
 
 
 def test_membranes_and_their_rings():
@@ -159,8 +159,8 @@ def test_page_states_the_recorded_distances():
 def test_membrane_is_as_far_off_as_recorded():
     run = membrane_run("membrane_01", WEIGHTS[1], "authors")
     data = measured_membrane("membrane_01", WEIGHTS[1])
-    found = distance(pressures_at(run.function(**run.values).response, data["height"]), data["pressure"])
-    assert found == pytest.approx(
+    result = distance(pressures_at(run.function(**run.values).response, data["height"]), data["pressure"])
+    assert result == pytest.approx(
         recorded(f"membrane, {WEIGHTS[1]:.1f} N", "plain, blind: the authors' Gent"), abs=DRIFT
     )
 
@@ -172,16 +172,16 @@ def test_membrane_is_as_far_off_as_recorded():
 )
 def test_bender_is_as_far_off_as_recorded(chambers, name, said):
     run = free(chambers, name)
-    found = soft_distance(from_zero(run.function(**run.values).response), chambers)
-    assert found == pytest.approx(recorded(f"free bending, {chambers} chambers", said), abs=DRIFT)
+    result = soft_distance(from_zero(run.function(**run.values).response), chambers)
+    assert result == pytest.approx(recorded(f"free bending, {chambers} chambers", said), abs=DRIFT)
 
 
 @pytest.mark.slow
 def test_blocked_force_is_as_far_off_as_recorded():
     """On the spring that the page states: fitted to walls of 10 mm, it predicts 7 chambers."""
     run = held("7 chambers", MEETS, 0.69)
-    found, _ = blocked_distance(forces(run.function(**run.values).response), 7, upto=PRESSED_TO)
-    assert found == pytest.approx(recorded("blocked force, 7 chambers", f"on a spring, {MEETS}"), abs=DRIFT)
+    result, _ = blocked_distance(forces(run.function(**run.values).response), 7, upto=PRESSED_TO)
+    assert result == pytest.approx(recorded("blocked force, 7 chambers", f"on a spring, {MEETS}"), abs=DRIFT)
 
 
 @pytest.mark.slow

@@ -30,8 +30,8 @@ def test_jones_and_treloar_differences_and_nominal_stresses_go_together():
     """One column is a Cauchy difference, the other nominal: one law follows both only if each is read as what it is."""
     folder = DATA / "jones-treloar-1975-rubber"
     tests = [read_test(folder / f"{name}.csv") for name in ("biaxial_fixed_lambda2", "uniaxial")]
-    found = fit("ogden-3", tests, weights="absolute")
-    assert min(test.r2 for test in found.quality) > 0.995
+    result = fit("ogden-3", tests, weights="absolute")
+    assert min(test.r2 for test in result.quality) > 0.995
     # the difference vanishes where both stretches are equal
     assert np.interp(1.0, *_series(tests[0], 1.0)) == pytest.approx(0.0, abs=0.02e6)
 

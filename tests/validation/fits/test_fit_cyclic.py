@@ -23,12 +23,12 @@ SECTION = 150 * mm**2
 
 @pytest.fixture(scope="module")
 def tests():
-    found = {}
+    results = {}
     for name in ("4A", "4B", "5A", "5B"):
         file = DATA / "epfl-ecoflex30-actuators" / "planar" / f"planar{name}.csv"
         test = read_test(file, specimen=Specimen(length=9 * mm, area=SECTION), cyclic=True)
-        found[name] = rest_below(test, 0.1 * N / SECTION)
-    return found
+        results[name] = rest_below(test, 0.1 * N / SECTION)
+    return results
 
 
 @pytest.fixture(scope="module")
@@ -46,17 +46,17 @@ def test_time_and_rest_are_read(tests):
 def test_softening_and_one_term_explain_the_cycles(tests, law):
     """The law of first loading alone explains 98.6 % of the variance; with both it is 99.95 %."""
     bare = quality_of(Material(name="law", law=law), [tests["4B"]])[0]
-    found = fit_history(law, tests["4B"], terms=1, stress_softening=True)
+    result = fit_history(law, tests["4B"], terms=1, stress_softening=True)
     assert bare.r2 == pytest.approx(0.986, abs=0.001)
-    assert found.quality[0].r2 == pytest.approx(0.9995, abs=0.0002)
-    assert found.material.viscoelasticity.g[0] == pytest.approx(0.015, abs=0.004)
-    assert found.largest_softening == pytest.approx(0.079, abs=0.015)
-    assert found.values["scale"] == pytest.approx(1.0, abs=0.01)
+    assert result.quality[0].r2 == pytest.approx(0.9995, abs=0.0002)
+    assert result.material.viscoelasticity.g[0] == pytest.approx(0.015, abs=0.004)
+    assert result.largest_softening == pytest.approx(0.079, abs=0.015)
+    assert result.values["scale"] == pytest.approx(1.0, abs=0.01)
 
 
 def test_it_foretells_the_other_specimen(tests, law):
-    found = fit_history(law, tests["4B"], terms=1, stress_softening=True)
-    assert found.predict(tests["5B"])[0].r2 == pytest.approx(0.998, abs=0.001)
+    result = fit_history(law, tests["4B"], terms=1, stress_softening=True)
+    assert result.predict(tests["5B"])[0].r2 == pytest.approx(0.998, abs=0.001)
 
 
 def test_softening_is_more_than_relaxation_to_larger_stretch(tests, law):

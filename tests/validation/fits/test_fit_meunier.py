@@ -47,8 +47,8 @@ def test_yeoh_from_uniaxial_alone_predicts_pure_shear(tests):
 
 
 def test_all_three_together_fit_well(tests):
-    found = fit("ogden-3", list(tests.values()), stretch=(1.0, 2.2))
-    assert {test.mode: round(test.r2, 2) for test in found.quality} == {
+    result = fit("ogden-3", list(tests.values()), stretch=(1.0, 2.2))
+    assert {test.mode: round(test.r2, 2) for test in result.quality} == {
         "uniaxial": 1.00,
         "planar": 0.99,
         "equibiaxial": 1.00,

@@ -37,8 +37,8 @@ def test_prediction_of_other_modes_from_uniaxial_tension(law):
         tests = [read_test(DATA / rubber / f"{mode}.csv") for mode in ("uniaxial", "equibiaxial", "pure_shear")]
         for limit in limits:
             uniaxial, *others = (crop(test, 1.0, limit) for test in tests)
-            found = fit(law, uniaxial, stretch=(1.0, limit))
-            errors.append([each.relative for each in found.predict(others)])
+            result = fit(law, uniaxial, stretch=(1.0, limit))
+            errors.append([each.relative for each in result.predict(others)])
     got = [(min(each), max(each)) for each in zip(*errors, strict=True)]
     assert got == [pytest.approx(recorded, abs=0.006) for recorded in RECORDED[law]]
 

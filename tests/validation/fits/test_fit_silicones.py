@@ -37,12 +37,12 @@ def test_one_command_makes_a_table_of_all(output):
         file.stem: next(line for line in table.splitlines() if line.startswith(f"{file.stem}  ")) for file in SILICONES
     }
     errors = {name: [float(cell.rstrip("*")) for cell in row.split()[-5:]] for name, row in rows.items()}
-    for name, found in errors.items():
-        assert found == pytest.approx(recorded()[name], abs=0.3), name
-        neo_hooke, mooney_rivlin, yeoh, ogden, gent = found
+    for name, result in errors.items():
+        assert result == pytest.approx(recorded()[name], abs=0.3), name
+        neo_hooke, mooney_rivlin, yeoh, ogden, gent = result
         # neo-Hooke is the special case of each, and Ogden's six parameters follow any of these curves
         assert neo_hooke >= max(mooney_rivlin, yeoh, ogden, gent), name
-        assert ogden == min(found) or ogden < 3, name
+        assert ogden == min(result) or ogden < 3, name
 
 
 def test_the_words_say_what_the_review_says(output):
@@ -54,8 +54,8 @@ def test_the_words_say_what_the_review_says(output):
 def test_yeoh_is_soft_where_the_supplier_is_stiffer():
     """SOURCE.md: the strain is the crosshead's, so that the stress at stretch 2 is 0.030 MPa against 0.069 MPa."""
     file = next(file for file in SILICONES if file.stem == "Ecoflex 00-30")
-    found = fit("yeoh", silicone(file, upto=4.0))
-    assert found.law.shear_modulus == pytest.approx(14.9e3, rel=0.02)
+    result = fit("yeoh", silicone(file, upto=4.0))
+    assert result.law.shear_modulus == pytest.approx(14.9e3, rel=0.02)
     test = silicone(file, upto=4.0)
-    at_two = float(test.predicted(found.law)[abs(test.stretch - 2).argmin()])
+    at_two = float(test.predicted(result.law)[abs(test.stretch - 2).argmin()])
     assert at_two == pytest.approx(0.030e6, rel=0.05)

@@ -38,20 +38,20 @@ def synthetic(name, random=None):
         blank = MaterialTest(mode=mode, stretch=stretch, nominal_stress=stretch, name=mode)
         exact.append(blank.predicted(law_of(name)))
     size = NOISE * max(np.abs(stress).max() for stress in exact) if random is not None else 0.0
-    found = []
+    results = []
     for (mode, upto), stress in zip((("uniaxial", 5.0), ("equibiaxial", 3.5), ("planar", 4.0)), exact, strict=True):
         noise = random.normal(0.0, size, len(stress)) if random is not None else 0.0
         stretch = np.linspace(1.05, upto, 40)
-        found.append(MaterialTest(mode=mode, stretch=stretch, nominal_stress=stress + noise, name=mode))
-    return found
+        results.append(MaterialTest(mode=mode, stretch=stretch, nominal_stress=stress + noise, name=mode))
+    return results
 
 
 @pytest.mark.parametrize("name", KNOWN)
 def test_exact_data_return_the_constants(name):
-    found = fit(name, synthetic(name))
-    assert list(found.values.values()) == pytest.approx(KNOWN[name], rel=1e-8)
-    assert found.bounds_hit == ()
-    assert found.relative < 1e-8
+    result = fit(name, synthetic(name))
+    assert list(result.values.values()) == pytest.approx(KNOWN[name], rel=1e-8)
+    assert result.bounds_hit == ()
+    assert result.relative < 1e-8
 
 
 @pytest.mark.parametrize("name", KNOWN)
@@ -59,8 +59,8 @@ def test_noisy_data_return_them_within_the_stated_error(name):
     """Eight draws: every constant within 3.5 standard errors, and the errors neither boasted nor hidden."""
     deviations = []
     for seed in range(REPEATS):
-        found = fit(name, synthetic(name, np.random.default_rng(seed)), weights="absolute", starts=8)
-        off = np.array(list(found.values.values())) - KNOWN[name]
-        deviations.append(off / np.array(list(found.errors.values())))
+        result = fit(name, synthetic(name, np.random.default_rng(seed)), weights="absolute", starts=8)
+        off = np.array(list(result.values.values())) - KNOWN[name]
+        deviations.append(off / np.array(list(result.errors.values())))
     assert np.abs(deviations).max() < 3.5
     assert 0.4 < np.sqrt(np.mean(np.square(deviations))) < 1.6

@@ -37,11 +37,11 @@ def test_ogden_ranks_first_and_laws_without_an_upturn_last(ranking):
 
 
 def test_ogden_finds_ogdens_constants(ranking):
-    found = of(ranking, "ogden-3").values
-    assert [found[f"alpha{i}"] for i in (1, 2, 3)] == pytest.approx([-2.0, 1.3, 5.0], rel=0.05)
-    assert found["mu2"] == pytest.approx(0.63e6, rel=0.05)
-    assert found["mu1"] == pytest.approx(-0.01e6, rel=0.10)
-    assert found["mu3"] == pytest.approx(0.0012e6, rel=0.30)
+    result = of(ranking, "ogden-3").values
+    assert [result[f"alpha{i}"] for i in (1, 2, 3)] == pytest.approx([-2.0, 1.3, 5.0], rel=0.05)
+    assert result["mu2"] == pytest.approx(0.63e6, rel=0.05)
+    assert result["mu1"] == pytest.approx(-0.01e6, rel=0.10)
+    assert result["mu3"] == pytest.approx(0.0012e6, rel=0.30)
 
 
 def test_ogden_fits_better_than_the_published_constants(ranking):
@@ -91,6 +91,6 @@ def test_the_file_as_published_reads_to_the_same():
 
 def test_gent_finds_the_limit_of_the_chains():
     """Ogden, Saccomandi and Sgura (2004, Comput. Mech. 34, 484): Jm = 77.9, μ = 0.238 MPa from the uniaxial test."""
-    found = fit("gent", treloar()[:1], weights="absolute").values
-    assert found["Jm"] == pytest.approx(77.93, rel=0.02)
-    assert found["mu"] == pytest.approx(0.2382e6, rel=0.08)
+    result = fit("gent", treloar()[:1], weights="absolute").values
+    assert result["Jm"] == pytest.approx(77.93, rel=0.02)
+    assert result["mu"] == pytest.approx(0.2382e6, rel=0.08)

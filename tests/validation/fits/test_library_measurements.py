@@ -71,12 +71,12 @@ def ratio(library: str, record, stretch: float) -> float:
 
 def test_ratios_to_the_measured_stress() -> None:
     """The ratios are recorded values: a change of a constant or of a conversion shows."""
-    found = {
+    results = {
         (library, record.name): ratio(library, record, 2.0)
         for library in MEASURED
         for record in rubber_records(library)
     }
-    assert found == pytest.approx(RATIOS, rel=5e-3)
+    assert results == pytest.approx(RATIOS, rel=5e-3)
 
 
 @pytest.mark.parametrize("library", MEASURED)

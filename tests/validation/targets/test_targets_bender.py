@@ -27,15 +27,15 @@ def test_hoops_make_it_bend(record_validation):
     pressures = [p * kPa for p in PRESSURES]
     bare = semicircular.bend(semicircular.base(), pressures)
     hooped = semicircular.bend([*semicircular.base(), semicircular.hoops()], pressures)
-    for name, found, expected in (("without hoops", bare, BARE), ("with hoops", hooped, HOOPED)):
+    for name, result, expected in (("without hoops", bare, BARE), ("with hoops", hooped, HOOPED)):
         record_validation(
             claim=f"bending angle of 160 mm of a semicircular bender {name}, 10, 20, 30, 40 kPa [°]",
             source="review 7.2-2, 7.2-5; converged section",
             expected=expected,
-            got=angles(found),
+            got=angles(result),
             tolerance="2 % or the last digit",
         )
-        assert angles(found) == pytest.approx(expected, rel=0.02, abs=0.01)
+        assert angles(result) == pytest.approx(expected, rel=0.02, abs=0.01)
     volumes = [each[2].volume / mm**2 for each in (bare, hooped)]
     factor = angles(hooped)[1] / angles(bare)[1]
     record_validation(

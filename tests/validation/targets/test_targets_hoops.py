@@ -57,12 +57,12 @@ def test_without_hoops_it_balloons(record_validation):
 def test_denser_hoops_extend_more_and_bulge_less(record_validation):
     shares = np.array([0.01, 0.03, 0.1, 0.3, 1.0])
     pitches = np.array([8, 4, 2, 1]) * mm
-    found, near = [], []
+    result, near = [], []
     for stiffness in (*(shares * KEVLAR), *(THREAD / pitches)):
         near.append(twin((stiffness, 0.0))(50 * kPa))
-        found += slices.free(tube(slices.family(stiffness, 0.0)), [(50 * kPa, near[-1])])
-    radius = [each.outer / OUTER for each in found]
-    stretch = [each.stretch for each in found]
+        result += slices.free(tube(slices.family(stiffness, 0.0)), [(50 * kPa, near[-1])])
+    radius = [each.outer / OUTER for each in result]
+    stretch = [each.stretch for each in result]
     record_validation(
         claim="hoops of 1, 3, 10, 30, 100 % of the stiffness, then every 8, 4, 2, 1 mm, 50 kPa: λz rises",
         source="review 7.2-4, 7.2-5; semi-analytic",

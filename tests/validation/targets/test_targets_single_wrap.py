@@ -75,7 +75,7 @@ def sweep(mesh, angles, record):
     first, last = zip(*(inflate(mesh, angle) for angle in angles), strict=True)
     known = [i for i, angle in enumerate(angles) if angle in V20]
     expected = np.array([V20[angles[i]] for i in known])
-    found = np.array(first)[known, :2]
+    result = np.array(first)[known, :2]
     stretch, twist, radius = np.array(last).T
     for what, column in (("λz", 0), ("twist [°/mm]", 1)):
         at = ", ".join(str(angles[i]) for i in known)
@@ -83,7 +83,7 @@ def sweep(mesh, angles, record):
             claim=f"one helix at {at}° from the circumference, 30 kPa: {what}",
             source="review 7.2-6; V20",
             expected=expected[:, column],
-            got=found[:, column],
+            got=result[:, column],
             tolerance="1 % of λz − 1 and of the twist, at least 1e-4",
         )
     for what, values in (("λz", stretch), ("twist [°/mm]", twist), ("b/B", radius)):
@@ -95,7 +95,7 @@ def sweep(mesh, angles, record):
             tolerance="most extension at 0°, most expansion and no extension at 90°, most twist at 20° to 40°",
         )
     close = np.maximum(0.01 * np.abs(expected - [1, 0]), 1e-4)
-    assert (np.abs(found - expected) <= close).all()
+    assert (np.abs(result - expected) <= close).all()
     assert angles[int(stretch.argmax())] == 0
     assert radius.max() <= 1.002 * radius[angles.index(90)]
     assert abs(stretch[angles.index(90)] - 1) < 3e-3

@@ -33,19 +33,19 @@ def inflate(size: float) -> tg.Solution:
 
 def test_three_meshes_extrapolate_to_the_exact_volume(record_verification):
     study = convergence(inflate, (2 * problems.MM, 1 * problems.MM, 0.5 * problems.MM), measure="cavity_volume")
-    found, volume = study.extrapolation, 4 / 3 * np.pi * (STRETCH * INNER) ** 3
+    result, volume = study.extrapolation, 4 / 3 * np.pi * (STRETCH * INNER) ** 3
     true_error = abs(study.values[-1] - volume)
     record_verification(
         claim="thick sphere, neo-Hookean, inner stretch 1.3: volume [mL] extrapolated from 1, 2, 4 elements through it",
         source="V04, exact",
         expected=volume * 1e6,
-        got=found.value * 1e6,
+        got=result.value * 1e6,
         tolerance="a tenth of the error of the finest mesh",
     )
     assert study.cells[1] / study.cells[0] == study.cells[2] / study.cells[1] == 8
     assert study.effective_sizes == pytest.approx(study.sizes)  # structured: sizes are what was aimed at
-    assert found.trust == "converging"
-    assert found.order == pytest.approx(4, abs=0.7)
-    assert abs(found.value - volume) < true_error / 10
-    assert true_error < found.error < 4 * true_error
+    assert result.trust == "converging"
+    assert result.order == pytest.approx(4, abs=0.7)
+    assert abs(result.value - volume) < true_error / 10
+    assert true_error < result.error < 4 * true_error
     assert study.measure is cavity_volume

@@ -64,14 +64,14 @@ def weighted_residuals(solution):
     there = state_of(system, at, None)
     base = Equilibrium(there, solution.procedure, system, border, constraint, at, np.zeros(0), Systems())
     facts = MeshFacts(refinement.mesh)
-    found = adjoint_of(base, MEASURES, facts).slopes(np.where(system.prescribed, 0.0, at.residual), np.zeros(0))
-    return found, np.array([each(StateFields(there, facts)) for each in MEASURES])
+    result = adjoint_of(base, MEASURES, facts).slopes(np.where(system.prescribed, 0.0, at.residual), np.zeros(0))
+    return result, np.array([each(StateFields(there, facts)) for each in MEASURES])
 
 
 def test_one_linear_solve_is_the_adjoint_weighted_residual(solution, record_verification):
     expected, before = weighted_residuals(solution)
-    found = find_again(solution, OPTIONS, linear=True)
-    (state,) = found.pairs.values()
+    result = find_again(solution, OPTIONS, linear=True)
+    (state,) = result.pairs.values()
     got = np.array([each(state) for each in MEASURES]) - before
     record_verification(
         claim="change of the tip and of the bending angle by one linear solve on the second mesh",

@@ -67,15 +67,15 @@ def test_tip_and_volume_of_all_steps(record_verification):
     factors = tuple(pressures / pressures[-1])
     solution = problems.solve(model, tg.Static(first_step=0.05, max_step=0.1, at=factors, tolerance=1e-8))
     states = [problems.state_at(solution, factor) for factor in factors]
-    found = np.array([state.displacement[tip] / MM for state in states])
+    result = np.array([state.displacement[tip] / MM for state in states])
     volume = np.array([-enclosed_volume(problems.current(state), mesh.face("cavity")) / MM**3 for state in states])
-    tip_error = np.linalg.norm(found - tip_reference, axis=1) / np.linalg.norm(tip_reference, axis=1)
+    tip_error = np.linalg.norm(result - tip_reference, axis=1) / np.linalg.norm(tip_reference, axis=1)
     volume_error = np.abs(volume / volume_reference - 1)
     record_verification(
         claim="reference bender at 100 kPa: tip displacement x, y, z [mm]",
         source="FEniCSx (dolfinx 0.5.2), same mesh",
         expected=tip_reference[-1],
-        got=found[-1],
+        got=result[-1],
         tolerance="1e-5 of its length, at all 20 steps",
     )
     record_verification(

@@ -98,15 +98,15 @@ def _errors(found, table):
 @pytest.mark.parametrize("name", CASES)
 def test_slender_strip(name, record_verification):
     bend, table = CASES[name]
-    found = bend(40)
+    result = bend(40)
     record_verification(
         claim=f"slender strip, {name}, {', '.join(str(row[0]) for row in table)}: tip (x, y) over the length",
         source="V12, exact",
         expected=[row[1:] for row in table],
-        got=found,
+        got=result,
         tolerance="1 % of its length",
     )
-    assert _errors(found, table).max() < 0.01
+    assert _errors(result, table).max() < 0.01
 
 
 def test_moment_closes_the_circle(record_verification):

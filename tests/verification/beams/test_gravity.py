@@ -28,15 +28,15 @@ def test_strip_under_its_weight(record_verification):
     supports = [tg.Fixed("x0"), *problems.PLANE_STRAIN]
     model = tg.Model(mesh, {"body": RUBBER}, supports, [tg.Gravity((0, -1, 0), 9.81)])
     state = problems.solve(model).states[-1]
-    found = state.displacement[meshes.node_at(mesh, (60 * MM, 0, 0)), :2] / MM
+    result = state.displacement[meshes.node_at(mesh, (60 * MM, 0, 0)), :2] / MM
     record_verification(
         claim="strip under its weight: displacement of the tip [mm]",
         source="V14, converged reference",
         expected=(-3.321, -18.99),
-        got=found,
+        got=result,
         tolerance="0.7 %",
     )
-    assert found == pytest.approx([-3.321, -18.99], rel=7e-3)
+    assert result == pytest.approx([-3.321, -18.99], rel=7e-3)
     weight = 60e-3 * 10e-3 * 2.5e-3 * 1070 * 9.81
     assert problems.reaction(state, "x0")[1] == pytest.approx(weight, rel=1e-6)
 

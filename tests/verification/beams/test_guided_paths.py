@@ -47,8 +47,8 @@ def similar() -> tg.Solution:
 
 def moves(solution: tg.Solution) -> np.ndarray:
     """Displacements at the load factors asked for."""
-    found = {state.load_factor: state.displacement for state in solution.states}
-    return np.stack([found[factor] for factor in (*AT, 1.0)])
+    results = {state.load_factor: state.displacement for state in solution.states}
+    return np.stack([results[factor] for factor in (*AT, 1.0)])
 
 
 def test_a_guided_path_has_the_requested_states_in_fewer_iterations(
@@ -85,9 +85,9 @@ def test_a_guide_that_leads_astray_is_left_and_the_message_says_where(similar: t
     """The guide bends the other way, and few iterations do not lead back."""
     turned = tuple(replace(state, displacement=-8.0 * state.displacement) for state in similar.states)
     model = cantilever(10 * mm)
-    found = tg.solve(model, tg.Static(at=AT, max_step=1.0, max_iterations=4), guide=replace(similar, states=turned))
-    assert "the guide predicted wrongly; steps went on without it" in found.message
-    assert np.abs(moves(found) - moves(tg.solve(model, tg.Static(at=AT)))).max() < 1e-6
+    result = tg.solve(model, tg.Static(at=AT, max_step=1.0, max_iterations=4), guide=replace(similar, states=turned))
+    assert "the guide predicted wrongly; steps went on without it" in result.message
+    assert np.abs(moves(result) - moves(tg.solve(model, tg.Static(at=AT)))).max() < 1e-6
     assert "astray" not in tg.solve(model, ASKED, guide=similar).message
 
 

@@ -31,21 +31,21 @@ def _strip(load):
 
 
 def test_tip_under_follower_pressure(record_verification):
-    found = _strip(tg.Pressure("y0", PRESSURES[-1] * MPA))
+    result = _strip(tg.Pressure("y0", PRESSURES[-1] * MPA))
     record_verification(
         claim="strip under follower pressure of 0.2, 0.5, 1, 1.5 kPa: displacement of the tip (x, y) [mm]",
         source="V13, converged reference",
         expected=TIP,
-        got=found,
+        got=result,
         tolerance="1 % of its length",
     )
-    for got, expected in zip(found, TIP, strict=True):
+    for got, expected in zip(result, TIP, strict=True):
         assert np.linalg.norm(got - expected) < 0.01 * np.linalg.norm(expected)
 
 
 def test_dead_load_is_something_else():
-    found = _strip(tg.Traction("y0", (0.0, PRESSURES[-1] * MPA, 0.0)))
-    assert np.linalg.norm(found[-1] - TIP[-1]) > 0.2 * np.linalg.norm(TIP[-1])
+    result = _strip(tg.Traction("y0", (0.0, PRESSURES[-1] * MPA, 0.0)))
+    assert np.linalg.norm(result[-1] - TIP[-1]) > 0.2 * np.linalg.norm(TIP[-1])
 
 
 def test_tangent_is_not_symmetric():

@@ -53,8 +53,8 @@ def test_torque_and_axial_force(name, bar, record_verification):
     law, torques, forces = TABLE[name]
     model = problems.one_material(bar, law, supports=[tg.Displacement("ends", _turned)])
     solution = problems.solve(model, tg.Static(at=TWISTS[:-1], tolerance=1e-8))
-    found = [_torque_and_force(problems.state_at(solution, twist)) for twist in TWISTS]
-    torque, force = zip(*found, strict=True)
+    results = [_torque_and_force(problems.state_at(solution, twist)) for twist in TWISTS]
+    torque, force = zip(*results, strict=True)
     what = f"round bar twisted to τA = 0.2, 0.5, 1, {name}"
     record_verification(f"{what}: torque [N mm]", "V09, exact", torques, torque, "0.2 %")
     record_verification(f"{what}: axial force [N]", "V09, exact", forces, force, "1 %")

@@ -30,12 +30,12 @@ def line(parameters=(HEIGHT, SLOPE), seed=0, **options):
 
 
 def test_a_line_has_the_covariance_of_linear_least_squares(record_verification):
-    found, table, force = line(spread=NOISE, seed=4)
+    result, table, force = line(spread=NOISE, seed=4)
     covariance = NOISE**2 * np.linalg.inv(table.T @ table)
     exact = np.linalg.lstsq(table, force, rcond=None)[0]
     errors = np.sqrt(np.diag(covariance))
     scatter = max(np.sqrt(np.sum((table @ exact - force) ** 2) / 18) / NOISE, 1.0)
-    got = [*found.values.values(), *found.errors.values(), found.correlation[0, 1]]
+    got = [*result.values.values(), *result.errors.values(), result.correlation[0, 1]]
     expected = [*exact, *(scatter * errors), covariance[0, 1] / errors.prod()]
     record_verification(
         claim="calibration of a straight line: height and slope, their standard errors [N], and their correlation",
@@ -48,23 +48,23 @@ def test_a_line_has_the_covariance_of_linear_least_squares(record_verification):
 
 
 def test_an_unknown_spread_is_that_of_the_differences():
-    found, table, force = line(seed=2)
+    result, table, force = line(seed=2)
     exact = np.linalg.lstsq(table, force, rcond=None)[0]
     scatter = np.sqrt(np.sum((table @ exact - force) ** 2) / 18)
     expected = scatter * np.sqrt(np.diag(np.linalg.inv(table.T @ table)))
-    assert list(found.errors.values()) == pytest.approx(expected, rel=1e-4)
-    low, high = found.intervals["slope"]
+    assert list(result.errors.values()) == pytest.approx(expected, rel=1e-4)
+    low, high = result.intervals["slope"]
     assert (high - low) / 2 / expected[1] == pytest.approx(2.1009, rel=1e-3)  # Student's t, 18 degrees of freedom
 
 
 def test_a_prior_is_a_measurement_more():
     prior = Parameter(name="slope", start=0.0, lower=-4.0, upper=4.0, prior=(1.5, 0.04))
-    found, table, force = line((HEIGHT, prior), spread=NOISE, seed=1)
+    result, table, force = line((HEIGHT, prior), spread=NOISE, seed=1)
     normal = table.T @ table / NOISE**2 + np.diag([0.0, 1 / 0.04**2])
     exact = np.linalg.solve(normal, table.T @ force / NOISE**2 + np.array([0.0, 1.5 / 0.04**2]))
-    assert list(found.values.values()) == pytest.approx(exact, rel=1e-4)  # the search ends a little before
-    scatter = max(found.estimate.scatter, 1.0)
-    assert list(found.errors.values()) == pytest.approx(scatter * np.sqrt(np.diag(np.linalg.inv(normal))), rel=1e-3)
+    assert list(result.values.values()) == pytest.approx(exact, rel=1e-4)  # the search ends a little before
+    scatter = max(result.estimate.scatter, 1.0)
+    assert list(result.errors.values()) == pytest.approx(scatter * np.sqrt(np.diag(np.linalg.inv(normal))), rel=1e-3)
 
 
 @pytest.mark.slow
@@ -73,11 +73,11 @@ def test_intervals_hold_the_true_values(record_verification):
     within, values, errors = [], [], []
     for seed in range(DRAWS):
         measured = cases.measured_sphere(noise=1e-3, seed=seed, most=8.5e3)  # far from its limit point
-        found = calibrate(Trial(measured=measured, function=cases.thin_sphere, values={"up_to": 1.35}), free)
-        assert found.converged
-        within.append([low <= cases.TRUE[name] <= high for name, (low, high) in found.intervals.items()])
-        values.append([*found.values.values()])
-        errors.append([*found.errors.values()])
+        result = calibrate(Trial(measured=measured, function=cases.thin_sphere, values={"up_to": 1.35}), free)
+        assert result.converged
+        within.append([low <= cases.TRUE[name] <= high for name, (low, high) in result.intervals.items()])
+        values.append([*result.values.values()])
+        errors.append([*result.errors.values()])
     shares = np.mean(within, axis=0)
     ratios = np.std(values, axis=0) / np.mean(errors, axis=0)
     record_verification(

@@ -167,15 +167,15 @@ def test_floor_carries_the_weight(record_verification):
     """With friction in the air, proportional to the mass, it comes to rest; longer steps keep it ringing."""
     last = _falling(0.1, mass_damping=1000.0, accuracy=1e-5).states[-1]
     weight = 1070.0 * 9.81 * 10 * 10 * 5 * MM**3
-    found = float(contact_cases.push(last.touches["plate"])[2])
+    result = float(contact_cases.push(last.touches["plate"])[2])
     record_verification(
         claim="block that has come to rest on a floor: force on it [N]",
         source="balance",
         expected=weight,
-        got=found,
+        got=result,
         tolerance="0.1 %",
     )
-    assert found == pytest.approx(weight, rel=0.001)
+    assert result == pytest.approx(weight, rel=0.001)
 
 
 @pytest.mark.parametrize("procedure", [tg.Stabilized(), tg.Dynamic(duration=1.0, stiffness_damping=5e-3)])

@@ -92,9 +92,9 @@ def _error(system, unknowns, record, name, history=None, h=1e-6):
 
 def _points_inside(system, unknowns):
     """How many points press, none of them deeper than 1 mm."""
-    found = system.evaluate(unknowns, 1.0).contacts.gaps
-    assert all(one.gap.min() * system.length > -1 * MM for one in found)
-    return sum(len(one.touching) for one in found)
+    result = system.evaluate(unknowns, 1.0).contacts.gaps
+    assert all(one.gap.min() * system.length > -1 * MM for one in result)
+    return sum(len(one.touching) for one in result)
 
 
 @pytest.mark.parametrize("kind", [HEXAHEDRON, TETRAHEDRON], ids=lambda kind: kind.name)

@@ -161,11 +161,11 @@ def _fallen(system, unknowns, history=None):
 
 def test_inertia_correction_ends_stable_and_leaves_friction_as_it_was():
     system, unknowns, history = _rubbing()
-    found = _fallen(system, unknowns, history)
-    assert found.converged
-    assert found.unstable_modes == 0
-    assert [each.friction for each in found.evaluation.contacts.gaps] == list(history.friction)
-    assert found.evaluation.history is history
+    result = _fallen(system, unknowns, history)
+    assert result.converged
+    assert result.unstable_modes == 0
+    assert [each.friction for each in result.evaluation.contacts.gaps] == list(history.friction)
+    assert result.evaluation.history is history
 
 
 def test_inertia_correction_needs_contact_and_stays_near():

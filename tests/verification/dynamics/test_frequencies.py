@@ -91,15 +91,15 @@ def test_sphere_under_pressure(pressure, record_verification):
     a = stretch * inner
     b = (outer**3 + a**3 - inner**3) ** (1 / 3)
     expected = np.sqrt(slope / (density * a * (1 - a / b))) / (2 * np.pi)
-    found = _breathing(model, state)
+    result = _breathing(model, state)
     record_verification(
         claim=f"sphere under {pressure / 1e3:g} kPa: frequency of the breathing mode [Hz]",
         source="V15, closed form",
         expected=expected,
-        got=found,
+        got=result,
         tolerance="0.5 %",
     )
-    assert found == pytest.approx(expected, rel=5e-3)
+    assert result == pytest.approx(expected, rel=5e-3)
 
 
 def test_pressure_that_a_volume_brings_about(record_verification):
@@ -111,11 +111,11 @@ def test_pressure_that_a_volume_brings_about(record_verification):
     state = problems.solve(pressed).states[-1]
     assert filled.pressures["cavity"] > 50e3
     assert state.displacement == pytest.approx(filled.displacement, abs=1e-5 * np.abs(state.displacement).max())
-    found = natural_frequencies(filled.model, filled, count=3, options=problems.OPTIONS)
+    result = natural_frequencies(filled.model, filled, count=3, options=problems.OPTIONS)
     expected = natural_frequencies(pressed, state, count=3, options=problems.OPTIONS)
     claim = "sphere filled to a volume against one under the pressure of that volume: lowest frequencies [Hz]"
-    record_verification(claim, "V15, two procedures", expected.frequencies, found.frequencies, "1e-5")
-    assert found.frequencies == pytest.approx(expected.frequencies, rel=1e-5)
+    record_verification(claim, "V15, two procedures", expected.frequencies, result.frequencies, "1e-5")
+    assert result.frequencies == pytest.approx(expected.frequencies, rel=1e-5)
 
 
 def test_an_unstable_state_has_a_mode_that_grows(record_verification):

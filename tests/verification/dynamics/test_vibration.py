@@ -33,7 +33,7 @@ def test_decrement(record_verification):
     curve = CubicSpline(times, [state.displacement[vibrations.tip(model), 1] for state in solution.states])
     turns = curve.derivative().roots(extrapolate=False)
     peaks = np.abs(curve(turns[turns > 0]))
-    found = 2 * float(np.log(peaks[0] / peaks[-1])) / (len(peaks) - 1)
+    result = 2 * float(np.log(peaks[0] / peaks[-1])) / (len(peaks) - 1)
     omega = 2 * np.pi * frequency
     damping = 1.0 / (2 * omega) + 1e-3 * omega / 2
     expected = 2 * np.pi * damping / np.sqrt(1 - damping**2)
@@ -41,12 +41,12 @@ def test_decrement(record_verification):
         claim="plucked strip with Rayleigh damping: logarithmic decrement",
         source="V15, exact",
         expected=expected,
-        got=found,
+        got=result,
         tolerance="1 %",
     )
     assert len(peaks) == 5
-    assert found == pytest.approx(expected, rel=0.01)
-    assert found == pytest.approx(0.19895, rel=0.01)
+    assert result == pytest.approx(expected, rel=0.01)
+    assert result == pytest.approx(0.19895, rel=0.01)
     assert imbalance(solution.states) < 1e-3
     assert solution.states[-1].energies.dissipated > 0.4 * solution.states[0].energies.kinetic
 
@@ -88,17 +88,17 @@ def test_order(radius, record_verification):
         errors = [np.abs(of(end) - of(ends[-1])).max() for end in ends[:-1]]
         return float(np.log2(errors[0] / errors[1]))
 
-    found = [order(lambda s: s.displacement), order(lambda s: s.velocity), order(lambda s: s.mean_stress)]
+    results = [order(lambda s: s.displacement), order(lambda s: s.velocity), order(lambda s: s.mean_stress)]
     record_verification(
         claim=f"order of the time integration, spectral radius {radius:g}: displacement, velocity, mean stress",
         source="V15, theory",
         expected=[2.0, 2.0, 2.0],
-        got=found,
+        got=results,
         tolerance="0.1 for the displacement, 0.3",
     )
     assert np.abs(ends[-1].displacement).max() > vibrations.LENGTH / 10
-    assert found[0] == pytest.approx(2.0, abs=0.1)
-    assert found[1:] == pytest.approx([2.0, 2.0], abs=0.3)
+    assert results[0] == pytest.approx(2.0, abs=0.1)
+    assert results[1:] == pytest.approx([2.0, 2.0], abs=0.3)
 
 
 def test_slow_ramp_is_static(record_verification):

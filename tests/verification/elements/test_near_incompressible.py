@@ -40,15 +40,15 @@ def _stretch(body, ratio, through):
 
 @pytest.mark.parametrize("body", STRETCH)
 def test_radius_at_any_bulk_modulus(body, record_verification):
-    found = [_stretch(body, ratio, 3 if body == "tube" else 4) for ratio in RATIOS]
+    results = [_stretch(body, ratio, 3 if body == "tube" else 4) for ratio in RATIOS]
     record_verification(
         claim=f"{body}, κ/μ = 20, 24.67, 50, 100, 500, 1000, 5000, ∞: inner stretch",
         source="V10, exact",
         expected=STRETCH[body],
-        got=found,
+        got=results,
         tolerance="0.02 %",
     )
-    assert found == pytest.approx(STRETCH[body], rel=2e-4)
+    assert results == pytest.approx(STRETCH[body], rel=2e-4)
 
 
 @pytest.mark.parametrize("body", STRETCH)

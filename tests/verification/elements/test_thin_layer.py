@@ -69,14 +69,14 @@ def loaded(kind, through, load, formulation="mixed"):
     x, _, z = mesh.points[mesh.cells[cells][:, : kind.corners]].reshape(-1, 3).T
     p = state.mean_stress[element_of(model).mean[cells]].ravel()
     places = np.linspace(END, LENGTH - END, 13)
-    found = [[p[np.hypot(x - at, z - level) < 1e-9].mean() for at in places] for level in LEVELS[1:3]]
-    return np.array(found), float(state.displacement[mesh.face_nodes(side), axis].mean())
+    results = [[p[np.hypot(x - at, z - level) < 1e-9].mean() for at in places] for level in LEVELS[1:3]]
+    return np.array(results), float(state.displacement[mesh.face_nodes(side), axis].mean())
 
 
 def apart(kind, load, formulation="mixed"):
     """Largest difference of the mean stress over the shear modulus, difference of the displacement, relative."""
-    (found, moved), (expected, far) = loaded(kind, 1, load, formulation), loaded(HEXAHEDRON, 2, load)
-    return float(np.abs(found - expected).max()) / SOFT.shear_modulus, abs(moved / far - 1)
+    (result, moved), (expected, far) = loaded(kind, 1, load, formulation), loaded(HEXAHEDRON, 2, load)
+    return float(np.abs(result - expected).max()) / SOFT.shear_modulus, abs(moved / far - 1)
 
 
 @pytest.mark.parametrize("kind", [HEXAHEDRON, TETRAHEDRON], ids=["hex", "tet"])

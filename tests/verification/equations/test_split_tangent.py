@@ -105,9 +105,9 @@ def test_extrapolated_stress_is_linear_in_the_update(kind, bulk, record_verifica
     way = 1e-3 * np.where(system.prescribed, 0.0, np.random.default_rng(5).normal(size=system.size))
     at, errors = system.evaluate(x, 1.0), []
     for share in (1.0, 0.5):
-        found = system.stresses(at, share * way).cells
+        result = system.stresses(at, share * way).cells
         there = system.stresses(system.evaluate(x + share * way, 1.0)).cells
-        errors.append(float(np.abs(found - there).max()))
+        errors.append(float(np.abs(result - there).max()))
     record_verification(
         claim=f"stress extrapolated along an update, two rubbers, {kind}, {bulk}: error over that of half the update",
         source="V24",

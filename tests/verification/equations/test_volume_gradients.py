@@ -43,9 +43,9 @@ def case(request):
 
 def test_volumes_are_those_of_the_whole_actuator(case, record_verification):
     name, system, chambers, volumes = case
-    found = chambers.volumes(np.zeros(system.size)) * system.length**3
-    record_verification(f"{name}: volumes of the cavities at rest [m³]", "V24, exact", volumes, found, "1e-3")
-    assert found == pytest.approx(volumes, rel=1e-3)
+    result = chambers.volumes(np.zeros(system.size)) * system.length**3
+    record_verification(f"{name}: volumes of the cavities at rest [m³]", "V24, exact", volumes, result, "1e-3")
+    assert result == pytest.approx(volumes, rel=1e-3)
 
 
 def test_gradients_are_the_slopes_of_the_volumes(case, record_verification):

@@ -38,9 +38,9 @@ def test_exact_curve_reproduces_the_table():
 @pytest.mark.parametrize("name", PRESSURE)
 def test_elongation(name, way, record_verification):
     near = [(p * problems.MPA, stretch) for p, stretch in zip(PRESSURE[name], STRETCH, strict=True)]
-    found = slices.free(model_of(name, way), near)
-    got = [each.stretch for each in found]
-    radius = [each.inner / problems.MM for each in found]
+    result = slices.free(model_of(name, way), near)
+    got = [each.stretch for each in result]
+    radius = [each.inner / problems.MM for each in result]
     record_verification(
         claim=f"extender, {name}, outer radius {'held' if way == 'held' else 'kept by smeared hoops'}: λz",
         source="V07, exact",

@@ -46,10 +46,10 @@ def contract(angle, stop, shear_modulus, stiffness):
     """Blocked force, force at ε = 0.1, contraction without force, angle there [deg]; the first two of the twin."""
     model, twin = muscle(angle * deg, shear_modulus, stiffness)
     shortened = (0.0, 0.1, stop - 0.008, stop + 0.004)
-    found = slices.follow(model, [(PRESSURE, 1 - each) for each in shortened])
-    end = slices.unforced(*found[2:])
+    result = slices.follow(model, [(PRESSURE, 1 - each) for each in shortened])
+    end = slices.unforced(*result[2:])
     turned = np.degrees(np.arctan(np.tan(angle * deg) * end.outer / RADIUS / end.stretch))
-    pulls = [each.pull / UNIT for each in found[:2]]
+    pulls = [each.pull / UNIT for each in result[:2]]
     return [*pulls, 1 - end.stretch, turned], [twin.inflated(PRESSURE, 1 - each)[1] / UNIT for each in (0.0, 0.1)]
 
 

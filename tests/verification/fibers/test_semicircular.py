@@ -29,9 +29,9 @@ GROWING = (2, 3, 5, 9, 15, 25, 35, 45, 60)
 
 
 def test_section(record_verification):
-    found = semicircular.bend([*semicircular.base(), semicircular.hoops()], [p * kPa for p in PRESSURES])
-    curvature = [each.curvature * mm for each in found]
-    volume = [each.volume / mm**2 for each in found]
+    result = semicircular.bend([*semicircular.base(), semicircular.hoops()], [p * kPa for p in PRESSURES])
+    curvature = [each.curvature * mm for each in result]
+    volume = [each.volume / mm**2 for each in result]
     record_verification(
         claim="semicircular bender, section: κ at 2, 5, 10, 20, 50, 100 kPa [rad/mm]",
         source="V21, converged",

@@ -163,18 +163,18 @@ def mirrored(body):
 def test_single_helix_at_both_pressures(form, angle, record_verification):
     bodies = (None, tube(angle in (0.0, 90.0), LONGEST if angle == 90.0 else LONG))
     for pressure, exact, body in zip(PRESSURES, SINGLE[angle], bodies, strict=True):
-        found = inflate(form, angle, "right", pressure, body)
-        _record(record_verification, f"one helix, {angle:g}°, {pressure / kPa:g} kPa", found, exact, form)
-        check(found, exact, form)
+        result = inflate(form, angle, "right", pressure, body)
+        _record(record_verification, f"one helix, {angle:g}°, {pressure / kPa:g} kPa", result, exact, form)
+        check(result, exact, form)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("angle", DOUBLE)
 @pytest.mark.parametrize("form", FORMS)
 def test_double_helix_at_every_angle(form, angle, record_verification):
-    found = inflate(form, angle, "both")
-    _record(record_verification, f"both hands, {angle:g}°, 30 kPa", found, (*DOUBLE[angle], 0.0), form)
-    check(found, (*DOUBLE[angle], 0.0), form)
+    result = inflate(form, angle, "both")
+    _record(record_verification, f"both hands, {angle:g}°, 30 kPa", result, (*DOUBLE[angle], 0.0), form)
+    check(result, (*DOUBLE[angle], 0.0), form)
 
 
 def _record(record, what, found, exact, form):

@@ -38,16 +38,16 @@ def test_a_step_gives_back_the_first_mode(record_verification):
     x = np.array([state.displacement[tip, 1] for state in solution.states])
     columns = (Column("time", "s", t), Column("tip_displacement_y", "mm", x))
     record = tg.Response(columns=columns, source=tg.laws.Source(text="dynamic solve"))
-    found = tg.formulas.identify_step(record, "tip_displacement_y", drive=1e-3)
+    result = tg.formulas.identify_step(record, "tip_displacement_y", drive=1e-3)
     zeta = DAMPING * 2 * np.pi * frequency / 2
     record_verification(
         claim="strip under a sudden weight, dynamic solve: first frequency [Hz] and damping ratio, identified",
         source="natural frequency of the mesh, βω/2",
         expected=[frequency, zeta],
-        got=[found.natural_frequency, found.damping_ratio],
+        got=[result.natural_frequency, result.damping_ratio],
         tolerance="0.5 %, 5 %",
     )
-    assert found.natural_frequency == pytest.approx(frequency, rel=5e-3)
-    assert found.damping_ratio == pytest.approx(zeta, rel=0.05)
-    assert found.findings == ()
-    assert found.unexplained < 0.02
+    assert result.natural_frequency == pytest.approx(frequency, rel=5e-3)
+    assert result.damping_ratio == pytest.approx(zeta, rel=0.05)
+    assert result.findings == ()
+    assert result.unexplained < 0.02

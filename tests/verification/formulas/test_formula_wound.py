@@ -40,8 +40,8 @@ def threads(angle, hand="right", stiffness=None):
 
 @pytest.mark.parametrize("angle", SINGLE)
 def test_one_helix(angle, record_verification):
-    found = F.wound_tube(TUBE, RUBBER, threads(angle), [30 * kPa, 62.5 * kPa])
-    got = [found["inner_stretch"][-1], found["axial_stretch"][-1], found["twist_angle_deg"][-1] / 1000]
+    result = F.wound_tube(TUBE, RUBBER, threads(angle), [30 * kPa, 62.5 * kPa])
+    got = [result["inner_stretch"][-1], result["axial_stretch"][-1], result["twist_angle_deg"][-1] / 1000]
     record_verification(
         claim=f"wound tube by formula, one helix {angle}° from the circumference: a/A, λz, twist [°/mm] at 62.5 kPa",
         source="V20, exact",
@@ -67,11 +67,11 @@ def test_both_hands(record_verification):
 def test_the_magic_angle_comes_like_one_over_the_pressure(record_verification):
     off, ends = [], []
     for angle in (30, 45, 60):
-        found = F.wound_tube(TUBE, RUBBER, threads(angle, "both"), [1e6, 8e6, 16e6], wall="thin", inextensible=True)
-        ends.append(found["fiber_angle_deg"][-1])
-        off.append(np.abs(found["fiber_angle_deg"][1:] - MAGIC))
-        assert found["axial_stretch"][-1] ** 2 * np.sin(angle * deg) ** 2 + (
-            np.sin(found["fiber_angle"][-1]) ** 2
+        result = F.wound_tube(TUBE, RUBBER, threads(angle, "both"), [1e6, 8e6, 16e6], wall="thin", inextensible=True)
+        ends.append(result["fiber_angle_deg"][-1])
+        off.append(np.abs(result["fiber_angle_deg"][1:] - MAGIC))
+        assert result["axial_stretch"][-1] ** 2 * np.sin(angle * deg) ** 2 + (
+            np.sin(result["fiber_angle"][-1]) ** 2
         ) == pytest.approx(1.0, abs=1e-9)  # the threads have kept their length
     rates = [float(np.log2(a / b)) for a, b in off]
     record_verification(

@@ -24,8 +24,8 @@ def gradient(cells, size):
 
     solution = problems.solve(model_of(VALUES))
     measures = ("cavity_volume", "tip_displacement")
-    found = tg.gradient(solution, measures, tg.studies.Variation(model_of, VALUES), options=problems.OPTIONS)
-    return found.values * np.array(list(VALUES.values()))
+    result = tg.gradient(solution, measures, tg.studies.Variation(model_of, VALUES), options=problems.OPTIONS)
+    return result.values * np.array(list(VALUES.values()))
 
 
 def test_tetrahedra_have_the_derivatives_of_hexahedra(record_verification):

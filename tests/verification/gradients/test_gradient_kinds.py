@@ -25,11 +25,11 @@ LINEAR = 1e-6
 
 def differences(case, solution):
     """Derivatives of the measures by each number, from two solves each."""
-    found = []
+    results = []
     for name, value in case.values.items():
         ends = [case.measured({**case.values, name: value * (1 + way * STEP)}, solution) for way in (1, -1)]
-        found.append((ends[0] - ends[1]) / (2 * STEP * value))
-    return np.array(found).T
+        results.append((ends[0] - ends[1]) / (2 * STEP * value))
+    return np.array(results).T
 
 
 def remainder_rates(case, solution, slopes):

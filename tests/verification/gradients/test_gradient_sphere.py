@@ -40,7 +40,7 @@ def test_pressure_at_a_given_volume(mesh, record_verification):
     variation = tg.studies.Variation(MODELS[mesh], VALUES, procedure=procedure)
     solution = problems.solve(variation.model(VALUES), procedure(VALUES))
     gradient = tg.gradient(solution, "pressure", variation, options=problems.OPTIONS)
-    found = gradient.by("pressure")
+    result = gradient.by("pressure")
     slopes = {}
     for name, value in VALUES.items():
         ends = [exact_pressure({**VALUES, name: value * (1 + way * 1e-4)}) for way in (1, -1)]
@@ -49,11 +49,11 @@ def test_pressure_at_a_given_volume(mesh, record_verification):
         claim=f"thick sphere, {mesh}, at a given volume: derivative of its pressure by {', '.join(VALUES)} [SI]",
         source="V04, exact",
         expected=list(slopes.values()),
-        got=list(found.values()),
+        got=list(result.values()),
         tolerance="0.2 %",
     )
-    assert found == pytest.approx(slopes, rel=2e-3)
+    assert result == pytest.approx(slopes, rel=2e-3)
     pressure = gradient.value("pressure")
-    assert found["C10"] * VALUES["C10"] == pytest.approx(pressure, rel=1e-6)
-    lengths = found["inner"] * VALUES["inner"] + found["outer"] * VALUES["outer"] + 3 * found["injected"] * 3e-6
+    assert result["C10"] * VALUES["C10"] == pytest.approx(pressure, rel=1e-6)
+    lengths = result["inner"] * VALUES["inner"] + result["outer"] * VALUES["outer"] + 3 * result["injected"] * 3e-6
     assert lengths == pytest.approx(0, abs=1e-6 * pressure)

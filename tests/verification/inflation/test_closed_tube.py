@@ -93,7 +93,7 @@ def test_volume_control_follows_the_whole_table(name, record_verification):
     states = [problems.state_at(solution, factor) for factor in factors]
     got = [state.pressures["cavity"] / problems.MPA for state in states]
     radius = [problems.mean_radius(state, "cavity", (0, 1)) / INNER for state in states]
-    found = [tg.cavity_volume(state) / tg.cavity_volume(solution.states[0]) for state in states]
+    results = [tg.cavity_volume(state) / tg.cavity_volume(solution.states[0]) for state in states]
     section = np.pi * (OUTER**2 - INNER**2)
     cost = 3 * law.shear_modulus * section * (np.array(axial) - 1)
     left = np.array([over_force(state) for state in states]) / cost
@@ -120,7 +120,7 @@ def test_volume_control_follows_the_whole_table(name, record_verification):
     )
     assert got == pytest.approx(pressures, rel=2e-3)
     assert radius == pytest.approx(STRETCHES, rel=2e-3)
-    assert found == pytest.approx(volumes, rel=1e-3)
+    assert results == pytest.approx(volumes, rel=1e-3)
     assert np.abs(left[1:]).max() < 0.05
 
 

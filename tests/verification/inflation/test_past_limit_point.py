@@ -53,9 +53,9 @@ def check_curve(name, solution):
 
 
 def check_limit_points(name, solution):
-    found = [(limit.kind, limit.pressure, limit.state) for limit in solution.limit_points]
-    assert [kind for kind, *_ in found] == [kind for kind, *_ in LIMITS[name]]
-    for (_, pressure, number), (_, expected, stretch) in zip(found, LIMITS[name], strict=True):
+    results = [(limit.kind, limit.pressure, limit.state) for limit in solution.limit_points]
+    assert [kind for kind, *_ in results] == [kind for kind, *_ in LIMITS[name]]
+    for (_, pressure, number), (_, expected, stretch) in zip(results, LIMITS[name], strict=True):
         state = solution.states[number]
         assert pressure == pytest.approx(expected * problems.MPA, rel=2e-4)
         assert pressures_of(state)["cavity"] == pytest.approx(pressure, rel=1e-12)
@@ -101,9 +101,9 @@ def test_a_maximum_and_a_minimum_within_one_step_are_both_found(record_verificat
     factors = [state.load_factor for state in solution.states]
     assert 0.47 in [step.load_factor for step in solution.steps if step.increment > 0.13]  # from 0.33 in one step
     expected = [pressure for _, pressure, _ in LIMITS["Mooney-Rivlin"]]
-    found = [limit.pressure / problems.MPA for limit in solution.limit_points]
+    results = [limit.pressure / problems.MPA for limit in solution.limit_points]
     claim = "thick sphere, Mooney-Rivlin: maximum and minimum within one step of the volume [MPa]"
-    record_verification(claim, "V04, exact", expected, found, "0.02 %, stretch there 0.001")
+    record_verification(claim, "V04, exact", expected, results, "0.02 %, stretch there 0.001")
     assert factors == sorted(factors)
     check_limit_points("Mooney-Rivlin", solution)
 
@@ -130,15 +130,15 @@ def test_procedures_agree_on_the_falling_branch(record_verification):
     assert 3.0 <= (end - rest) / (turn - rest) < 4.5  # as far past it as asked, and a step at most
     at = tuple(volume / max(injected) for volume in injected if volume < max(injected))
     volume = problems.solve(sphere("neo-Hookean"), VolumeControl(volume=max(injected), at=at, tolerance=1e-8))
-    found = [problems.state_at(volume, v / max(injected)).pressures["cavity"] for v in injected]
+    results = [problems.state_at(volume, v / max(injected)).pressures["cavity"] for v in injected]
     record_verification(
         claim="thick sphere, neo-Hookean, falling branch: pressures by arc length and Auto, and by volume [MPa]",
         source="V04, three procedures",
         expected=[pressure / problems.MPA for pressure in expected],
-        got=[pressure / problems.MPA for pressure in found],
+        got=[pressure / problems.MPA for pressure in results],
         tolerance="1e-7",
     )
-    assert found == pytest.approx(expected, rel=1e-7)
+    assert results == pytest.approx(expected, rel=1e-7)
 
 
 def test_auto_comes_back_to_the_pressure_on_the_far_branch(record_verification):

@@ -83,11 +83,11 @@ def test_a_closed_tube_by_volume(kind, record_verification):
     solution = problems.solve(cut_tube(kind), asked)
     states = [problems.state_at(solution, (x - 1) / end) for x in ratio]
     got = [stretch_of(state) for state in states]
-    found = [state.pressures["cavity"] / (0.01 * MPA) for state in states]
+    results = [state.pressures["cavity"] / (0.01 * MPA) for state in states]
     claim = f"closed tube, plane section, {kind.name}: λz at the tabulated volumes"
     record_verification(claim, "V06, exact", list(axial), got, "0.05 %")
     assert got == pytest.approx(axial, rel=5e-4)
-    assert found == pytest.approx(pressures, rel=5e-4)
+    assert results == pytest.approx(pressures, rel=5e-4)
     assert got[1] - 1 == pytest.approx(axial[1] - 1, rel=0.02)  # the thrust is not only there, but right
 
 
@@ -193,6 +193,6 @@ def test_the_tangent_where_a_plate_presses_on_the_section(more):
     unknowns = np.where(free, 0.004 * np.random.default_rng(6).standard_normal(system.size), 0.0)
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     expected = difference(system, unknowns, 1e-6)[np.ix_(free, free)]
-    (found,) = [each for each in system.evaluate(unknowns, 1.0).contacts.gaps if (each.gap < 0).any()]
-    assert (found.x[found.gap < 0][:, 2] > 0.8 * HEIGHT / system.length).any()  # beside the section
+    (result,) = [each for each in system.evaluate(unknowns, 1.0).contacts.gaps if (each.gap < 0).any()]
+    assert (result.x[result.gap < 0][:, 2] > 0.8 * HEIGHT / system.length).any()  # beside the section
     assert np.abs(tangent - expected).max() < 1e-6 * np.abs(expected).max()

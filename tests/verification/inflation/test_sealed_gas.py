@@ -53,16 +53,16 @@ def answers(state):
 def test_mass_of_gas(record_verification):
     at = tuple((ratio - 1) / 4 for ratio, *_ in TABLE[:-1])
     solution = fill(mass_ratio=5.0, at=at)
-    found = [answers(problems.state_at(solution, factor)) for factor in (*at, 1.0)]
+    results = [answers(problems.state_at(solution, factor)) for factor in (*at, 1.0)]
     for name, column in (("inner stretch", 0), ("gauge pressure [MPa]", 1)):
         record_verification(
             claim=f"thick sphere with 1.25 to 5 times the air: {name}",
             source="V18, exact",
             expected=[row[column + 1] for row in TABLE],
-            got=[row[column] for row in found],
+            got=[row[column] for row in results],
             tolerance="0.2 %",
         )
-    for (ratio, stretch, pressure), got in zip(TABLE, found, strict=True):
+    for (ratio, stretch, pressure), got in zip(TABLE, results, strict=True):
         assert exact_stretch(ratio) == pytest.approx(stretch, abs=1e-6)
         assert got == pytest.approx((stretch, pressure), rel=2e-3)
     ratios = tg.measure(solution, tg.cavity_volume, mesh_error=False).column("gas_mass_ratio")

@@ -34,10 +34,10 @@ def inflate(law, pressures, around, through):
 
 def _errors(name, pressures, around, through):
     states = inflate(LAWS[name], [p * problems.MPA for p in pressures], around, through)
-    found = [problems.mean_radius(state, "cavity", (0, 1, 2)) / INNER for state in states]
-    return found, [
+    results = [problems.mean_radius(state, "cavity", (0, 1, 2)) / INNER for state in states]
+    return results, [
         p * problems.MPA / exact.sphere_pressure(LAWS[name], x, INNER, OUTER) - 1
-        for p, x in zip(pressures, found, strict=True)
+        for p, x in zip(pressures, results, strict=True)
     ]
 
 
@@ -50,12 +50,12 @@ def test_exact_curve_reproduces_the_table(name):
 
 @pytest.mark.parametrize("name", LAWS)
 def test_pressure_at_the_radius_found(name, record_verification):
-    found, errors = _errors(name, PRESSURES[name][: RISING[name]], 2, 4)
+    result, errors = _errors(name, PRESSURES[name][: RISING[name]], 2, 4)
     record_verification(
         claim=f"thick sphere, {name}, 4 elements through the wall: inner stretch at the tabulated pressures",
         source="V04, exact",
-        expected=list(STRETCHES[: len(found)]),
-        got=found,
+        expected=list(STRETCHES[: len(result)]),
+        got=result,
         tolerance="0.2 % of the pressure at the radius found",
     )
     assert np.abs(errors).max() < 2e-3
@@ -63,12 +63,12 @@ def test_pressure_at_the_radius_found(name, record_verification):
 
 def test_next_refinement_is_within_a_quarter(record_verification):
     pressures = PRESSURES["neo-Hookean"][4:5]
-    found, errors = _errors("neo-Hookean", pressures, 3, 8)
+    result, errors = _errors("neo-Hookean", pressures, 3, 8)
     record_verification(
         claim="thick sphere, neo-Hookean, 8 elements through the wall: inner stretch at 0.1171621 MPa",
         source="V04, exact",
         expected=1.5,
-        got=found[0],
+        got=result[0],
         tolerance="0.05 % of the pressure at the radius found",
     )
     assert abs(errors[0]) < 5e-4

@@ -34,16 +34,16 @@ def _sphere(law, pressure):
 def test_over_the_limit_point(name, law, pressure, between, record_verification):
     solution = problems.solve(_sphere(law, pressure), Stabilized())
     last = solution.states[-1]
-    found = problems.mean_radius(last, "cavity", (0, 1, 2)) / INNER
+    result = problems.mean_radius(last, "cavity", (0, 1, 2)) / INNER
     expected = brentq(lambda s: exact.sphere_pressure(law, s, INNER, OUTER) - pressure, *between)
     record_verification(
         claim=f"{name} sphere blown over its limit point to {pressure / 1e3:g} kPa: inner stretch",
         source="V04, exact",
         expected=expected,
-        got=found,
+        got=result,
         tolerance="0.1 %",
     )
-    assert found == pytest.approx(expected, rel=1e-3)
+    assert result == pytest.approx(expected, rel=1e-3)
     assert last.unstable_modes == 0
     energies = last.energies
     assert abs(energies.missing) < 5e-3 * energies.strain

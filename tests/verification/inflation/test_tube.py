@@ -110,13 +110,13 @@ def test_volume_control_finds_the_pressures(record_verification):
     mesh = meshes.tube_sector(INNER, OUTER, 1 * problems.MM, (3, 6, 1))
     model = problems.one_material(mesh, law, supports=problems.PLANE_STRAIN)
     solution = problems.solve(model, VolumeControl(volume=volumes[-1], at=at, tolerance=1e-8))
-    found = [problems.state_at(solution, factor).pressures["cavity"] / problems.MPA for factor in (*at, 1.0)]
+    results = [problems.state_at(solution, factor).pressures["cavity"] / problems.MPA for factor in (*at, 1.0)]
     record_verification(
         claim="thick tube, neo-Hookean, volume control: pressures at the tabulated stretches [MPa]",
         source="V05, exact",
         expected=pressures,
-        got=found,
+        got=results,
         tolerance="0.1 %",
     )
-    assert found == pytest.approx(pressures, rel=1e-3)
+    assert results == pytest.approx(pressures, rel=1e-3)
     assert not solution.limit_points

@@ -42,10 +42,10 @@ def hencky(nu: float) -> float:
 
     r = np.linspace(1e-4, 1, 400)
     guess = np.vstack([0.43 - 0.1 * r**2, -0.2 * r])
-    found = solve_bvp(equations, ends, r, guess, tol=1e-8)
-    assert found.success
+    result = solve_bvp(equations, ends, r, guess, tol=1e-8)
+    assert result.success
     fine = np.linspace(1e-4, 1, 4000)
-    return float(np.trapezoid(fine / (2 * found.sol(fine)[0]), fine))
+    return float(np.trapezoid(fine / (2 * result.sol(fine)[0]), fine))
 
 
 def test_circular_film_under_pressure(record_verification):

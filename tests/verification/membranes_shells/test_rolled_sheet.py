@@ -34,9 +34,9 @@ def _rolled(cells, kind=TETRAHEDRON):
     model = tg.Model(mesh, materials, [tg.Fixed("x0"), *plate], [], contact=alone)
     state = problems.solve(model, tg.Static(first_step=0.05)).states[-1]
     radius, at = L / TURN, problems.current(state)[mesh.face_nodes("y0")]
-    found = np.linalg.norm(at[:, :2] - (0, radius), axis=1) / radius
+    result = np.linalg.norm(at[:, :2] - (0, radius), axis=1) / radius
     moment = state.points["plate"].moment[2] / (D * TURN / L * width)
-    return moment, problems.energy(state) / (0.5 * D * TURN**2 / L * width), found.min(), found.max()
+    return moment, problems.energy(state) / (0.5 * D * TURN**2 / L * width), result.min(), result.max()
 
 
 def test_a_sheet_is_rolled_to_a_circle(record_verification):

@@ -20,11 +20,11 @@ BEGIN = {"a": -0.5, "b": -0.5}
 
 
 def test_the_bottom_of_a_bowl_is_found(record_verification):
-    found = tg.optimize(
+    result = tg.optimize(
         cases.bowl, cases.factors("a", "b"), [studies.Minimize("height")], start=BEGIN,
         search=studies.Search(most_solves=40),
     )  # fmt: skip
-    got = [*found.values.values(), found.reads()[0].value]
+    got = [*result.values.values(), result.reads()[0].value]
     record_verification(
         claim="optimization: bottom of a quadratic bowl, its place and height",
         source="closed form",
@@ -32,16 +32,16 @@ def test_the_bottom_of_a_bowl_is_found(record_verification):
         got=np.round(got, 4),
         tolerance="1 % of the range; 10⁻⁴ of the height",
     )
-    assert found.converged
+    assert result.converged
     assert got[:2] == pytest.approx([0.3, 0.6], abs=0.02)
     assert got[2] == pytest.approx(3.0, rel=1e-4)
 
 
 def test_a_limit_holds_the_bottom_back(record_verification):
     goals = [studies.Minimize("height"), studies.Limit("total", most=0.5)]
-    found = tg.optimize(cases.bowl, cases.factors("a", "b"), goals, start=BEGIN, search=studies.Search(most_solves=40))
+    result = tg.optimize(cases.bowl, cases.factors("a", "b"), goals, start=BEGIN, search=studies.Search(most_solves=40))
     exact = [0.3 - 0.8 / 3, 0.6 - 0.4 / 3]
-    got = list(found.values.values())
+    got = list(result.values.values())
     record_verification(
         claim="optimization: lowest point of a quadratic bowl under a + b ≤ 0.5",
         source="Lagrange conditions",
@@ -49,9 +49,9 @@ def test_a_limit_holds_the_bottom_back(record_verification):
         got=np.round(got, 4),
         tolerance="1 % of the range",
     )
-    assert found.converged
+    assert result.converged
     assert got == pytest.approx(exact, abs=0.02)
-    assert found.study.column("total")[found.best] <= 0.5 * 1.002
+    assert result.study.column("total")[result.best] <= 0.5 * 1.002
 
 
 def test_radius_and_wall_of_a_sphere_are_found_from_its_curve(record_verification):
@@ -60,8 +60,8 @@ def test_radius_and_wall_of_a_sphere_are_found_from_its_curve(record_verificatio
         studies.Target(name, float(np.interp(at, true["pressure"], true[name])), at=("pressure", at), tolerance=1e-3)
         for name, at in (("inner_stretch", 6 * kPa), ("inner_stretch", 12 * kPa), ("cavity_volume", 6 * kPa))
     ]
-    found = tg.optimize(cases.sphere, [cases.RADIUS, cases.WALL], goals)
-    got = np.array(list(found.values.values())) / mm
+    result = tg.optimize(cases.sphere, [cases.RADIUS, cases.WALL], goals)
+    got = np.array(list(result.values.values())) / mm
     record_verification(
         claim="optimization: radius and wall of a sphere from three points of its curve [mm]",
         source="closed form inverted",
@@ -69,7 +69,7 @@ def test_radius_and_wall_of_a_sphere_are_found_from_its_curve(record_verificatio
         got=np.round(got, 3),
         tolerance="1 %",
     )
-    assert found.converged and found.solves <= 25
+    assert result.converged and result.solves <= 25
     assert got == pytest.approx([12.0, 1.6], rel=0.01)
 
 
@@ -84,8 +84,8 @@ def check_front(found, most):
 def test_the_front_of_two_distances(record_verification):
     goals = [studies.Minimize("left"), studies.Minimize("right")]
     ranges = cases.factors("x", "y", low=-1.5, high=1.5)
-    found = tg.optimize(cases.two_hills, ranges, goals, search=studies.Search(most_solves=40))
-    left, right = check_front(found, 0.02)
+    result = tg.optimize(cases.two_hills, ranges, goals, search=studies.Search(most_solves=40))
+    left, right = check_front(result, 0.02)
     record_verification(
         claim="optimization: front of two squared distances, largest distance of f₂ from (1 − √f₁)²",
         source="closed form",
@@ -93,13 +93,13 @@ def test_the_front_of_two_distances(record_verification):
         got=round(float(np.max(np.abs(right - (1 - np.sqrt(left)) ** 2))), 5),
         tolerance="2 %",
     )
-    assert found.ending is studies.Ending.CONVERGED
-    assert 0.3 < found.values["x"] < 0.7, "the best one lies between the ends"
+    assert result.ending is studies.Ending.CONVERGED
+    assert 0.3 < result.values["x"] < 0.7, "the best one lies between the ends"
 
 
 def test_the_front_of_a_cheap_function_by_evolution():
     goals = [studies.Minimize("left"), studies.Minimize("right")]
     ranges = cases.factors("x", "y", low=-1.5, high=1.5)
     search = studies.Search(most_solves=600, method="evolution")
-    found = tg.optimize(cases.two_hills, ranges, goals, search=search)
-    check_front(found, 0.05)
+    result = tg.optimize(cases.two_hills, ranges, goals, search=search)
+    check_front(result, 0.05)

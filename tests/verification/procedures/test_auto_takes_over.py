@@ -98,8 +98,8 @@ def test_a_bifurcation_is_passed_by_tiny_arcs_too(record_verification):
     bound = 0.507 * 2 * EULER / (YOUNG * 1e-6) * 0.1
     solution = solve(column(cells=16), ArcLength(first_step=0.5, max_step=1e-3, max_displacement=bound))
     assert solution.status is tg.Status.FOLLOWED, solution.message
-    (found,) = re.findall(r"Bifurcation: at load factor ([\d.]+)", solution.message)
-    over_euler = 2 * float(found)
+    (result,) = re.findall(r"Bifurcation: at load factor ([\d.]+)", solution.message)
+    over_euler = 2 * float(result)
     record_verification("column pressed endwise: bifurcation over Euler's load", "Euler", 1.0, over_euler, "1 %")
     assert over_euler == pytest.approx(1.0, rel=0.01)
     assert {state.unstable_modes for state in solution.states[-2:]} == {2}

@@ -196,9 +196,9 @@ def test_what_is_on_disk_is_the_path_so_far(tmp_path: Path) -> None:
     whole = tg.solve(model, procedure, options=OPTIONS)
     with pytest.raises(Killed):
         tg.solve(model, procedure, options=OPTIONS, folder=tmp_path / "run", progress=Cut(12))
-    found = tg.load(tmp_path / "run")
-    assert found.status is tg.Status.INTERRUPTED and "--resume" in found.advice
-    assert 1 < len(found.states) < len(whole.states)
-    for state, expected in zip(found.states, whole.states, strict=False):
+    result = tg.load(tmp_path / "run")
+    assert result.status is tg.Status.INTERRUPTED and "--resume" in result.advice
+    assert 1 < len(result.states) < len(whole.states)
+    for state, expected in zip(result.states, whole.states, strict=False):
         assert np.array_equal(state.displacement, expected.displacement)
-        assert state.model is found.model and state.pressures == expected.pressures
+        assert state.model is result.model and state.pressures == expected.pressures

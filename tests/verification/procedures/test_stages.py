@@ -171,15 +171,15 @@ def test_sealed_gas_after_a_static_stage(record_verification):
     start, states = named(solution, "inflate")[-1], named(solution, "up the mountain")
     amount = (20 * KPA + 101_325.0) * volume(start)
     outside = [101_325.0 + s.load_factor * (60e3 - 101_325.0) for s in states]
-    found = [(s.pressures["cavity"] + p) * volume(s) / amount for s, p in zip(states, outside, strict=True)]
+    results = [(s.pressures["cavity"] + p) * volume(s) / amount for s, p in zip(states, outside, strict=True)]
     record_verification(
         claim="p V of air that was sealed at 20 kPa, while the pressure around falls to 60 kPa",
         source="ideal gas",
-        expected=[1.0] * len(found),
-        got=found,
+        expected=[1.0] * len(results),
+        got=results,
         tolerance="1e-6",
     )
-    np.testing.assert_allclose(found, 1.0, rtol=1e-6)
+    np.testing.assert_allclose(results, 1.0, rtol=1e-6)
     within = tg.GasMass(mass_ratio=1.0, outside=60e3, pressure=20 * KPA, **STEPS)
     alone = problems.solve(box(), within).states[-1]
     assert contact_cases.apart(solution.states[-1].displacement, alone.displacement) < 1e-6

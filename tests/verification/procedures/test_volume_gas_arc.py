@@ -50,10 +50,10 @@ def test_each_cavity_gets_its_volume_and_has_its_pressure(record_verification):
     # the same pressures as loads bring back the same volumes
     pressures = pressures_of(solution.states[-1])
     again = solve(bar(*(tg.Pressure(name, pressure) for name, pressure in pressures.items())), tg.Static())
-    found, expected = tg.cavity_volume(again.states[-1]) / mL, last.sum() / mL
+    result, expected = tg.cavity_volume(again.states[-1]) / mL, last.sum() / mL
     claim = "two cavities under the pressures that two given volumes took: volume of both [mL]"
-    record_verification(claim, "V04, two procedures", expected, found, "1e-6")
-    assert found == pytest.approx(expected, rel=1e-6)
+    record_verification(claim, "V04, two procedures", expected, result, "1e-6")
+    assert result == pytest.approx(expected, rel=1e-6)
 
 
 def test_another_cavity_may_have_a_pressure_that_is_stated():
@@ -237,8 +237,8 @@ def test_walls_that_meet_where_the_load_falls_are_found():
                 nodal_force=np.zeros_like(down),
             )
         )
-    (found,) = [finding for finding in meeting_walls(model, states) if "cavity_1" in finding.message]
-    (pressure,) = re.findall(r"met at (-[\d.]+) kPa", found.message)
+    (result,) = [finding for finding in meeting_walls(model, states) if "cavity_1" in finding.message]
+    (pressure,) = re.findall(r"met at (-[\d.]+) kPa", result.message)
     assert -2 * 0.5 < float(pressure) < -2 * 0.4
 
 

@@ -33,12 +33,12 @@ def test_a_plate_vibrates_on_a_bar(coupling, record_verification):
     along = 1e-4 / moved(Force("plate", (1e-4, 0.0, 0.0))).displacement[0]
     about = 1e-6 / moved(Moment("plate", (1e-6, 0.0, 0.0))).rotation[2, 1]
     expected = sorted([np.sqrt(along / MASS) / 2 / np.pi, np.sqrt(about / INERTIA) / 2 / np.pi])
-    found = tg.natural_frequencies(rig.rig(plate, **SMALL), count=4, options=problems.OPTIONS).frequencies[2:]
+    result = tg.natural_frequencies(rig.rig(plate, **SMALL), count=4, options=problems.OPTIONS).frequencies[2:]
     record_verification(
         f"plate on a bar, {coupling}: frequencies about and along the axis [Hz]", "mass on a spring", expected,
-        found.tolist(), "1e-4",
+        result.tolist(), "1e-4",
     )  # fmt: skip
-    assert found == pytest.approx(expected, rel=1e-4)
+    assert result == pytest.approx(expected, rel=1e-4)
 
 
 @pytest.mark.parametrize("coupling", ["rigid", "averaging"])

@@ -41,8 +41,8 @@ def _solved(bar, supports, loads=()):
 
 
 def test_a_prescribed_rotation_needs_the_torque(bar, record_verification):
-    found = _solved(bar, [tg.Fixed("plate"), Rotation("plate", 1.0)])
-    torque, force = [point.moment[0] / (1e-3) for point in found], [point.force[0] for point in found]
+    result = _solved(bar, [tg.Fixed("plate"), Rotation("plate", 1.0)])
+    torque, force = [point.moment[0] / (1e-3) for point in result], [point.force[0] for point in result]
     what = "round bar twisted through a point to 0.2, 0.5, 1 rad"
     record_verification(f"{what}: torque [N mm]", "V09, exact", TORQUES, torque, "0.2 %")
     record_verification(f"{what}: axial force [N]", "V09, exact", FORCES, force, "1 %")
@@ -54,9 +54,9 @@ def test_a_prescribed_rotation_needs_the_torque(bar, record_verification):
 def test_the_torque_twists_it_as_far(bar, follower, record_verification):
     history = [(0.0, 0.0), *((angle, torque / TORQUES[-1]) for angle, torque in zip(ANGLES, TORQUES, strict=True))]
     moment = Moment("plate", (TORQUES[-1] * 1e-3, 0.0, 0.0), history=history, follower=follower)
-    found = _solved(bar, [tg.Fixed("plate")], [moment])
-    angles = [float(np.arctan2(point.rotation[2, 1], point.rotation[1, 1])) for point in found]
+    result = _solved(bar, [tg.Fixed("plate")], [moment])
+    angles = [float(np.arctan2(point.rotation[2, 1], point.rotation[1, 1])) for point in result]
     kind = "that follows" if follower else "with a fixed axis"
     record_verification(f"round bar twisted by a moment {kind}: angle [rad]", "V09, exact", ANGLES, angles, "0.2 %")
     assert angles == pytest.approx(ANGLES, rel=2e-3)
-    assert [point.rotation[0, 0] for point in found] == pytest.approx([1.0] * 3, abs=1e-4)  # it did not tilt
+    assert [point.rotation[0, 0] for point in result] == pytest.approx([1.0] * 3, abs=1e-4)  # it did not tilt

@@ -92,7 +92,7 @@ def test_helix(record_verification):
 
 def test_rigid_rotation_changes_nothing(record_verification):
     """A deformed rod is turned by 2.5 rad with its loads and its plate: forces and strains stay."""
-    found = []
+    results = []
     for turn in (np.zeros(3), 2.5 * np.array([1.0, -2.0, 2.0]) / 3):
         R = Rotation.from_rotvec(turn).as_matrix()
         rod = Rod(section=RodSection.from_moduli(EA=200, GA=80, EI=[1.0, 2.0], GJ=0.8), length=1.0)
@@ -100,8 +100,8 @@ def test_rigid_rotation_changes_nothing(record_verification):
         plate = Plate(name="base", support="fixed", place=Place(position=(0.3, 0.1, -2), turn=turn))
         solution = static(RodModel(rods=[rod], loads=loads, plates=[plate]))
         shape = solution.shape()
-        found.append((shape.strain, shape.force, (shape.position[-1] - shape.position[0]) @ R))
-    change = max(float(np.abs(a - b).max()) for a, b in zip(*found, strict=True))
+        results.append((shape.strain, shape.force, (shape.position[-1] - shape.position[0]) @ R))
+    change = max(float(np.abs(a - b).max()) for a, b in zip(*results, strict=True))
     record_verification("turned by 2.5 rad with its loads: change of strains and forces", "exact", 0.0, change, "1e-9")
     assert change < 1e-9
 

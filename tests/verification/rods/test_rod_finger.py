@@ -43,12 +43,12 @@ def test_solid_finger(record_verification):
     rod = static(RodModel(rods=[Rod(section=section, length=BAR)], loads=[PlateForce(force=(0, 0, -force))]), at=at)
     mesh = meshes.box((BAR, SIDE, SIDE), (20, 2, 2), lambda X: X - [0, SIDE / 2, SIDE / 2], kind=HEXAHEDRON)
     solid = _solved(mesh, force, SIDE**2, at=at)
-    found = rod.tip[1:] - [BAR, 0, 0]
+    result = rod.tip[1:] - [BAR, 0, 0]
     record_verification(
         "solid bar, F L²/EI = 0.5, 1, 2, 4: tip (x, z) over the length", "finite elements",
-        solid[:, [0, 2]] / BAR, found[:, [0, 2]] / BAR, "2 % of its displacement",
+        solid[:, [0, 2]] / BAR, result[:, [0, 2]] / BAR, "2 % of its displacement",
     )  # fmt: skip
-    assert _distance(found, solid).max() < 0.02
+    assert _distance(result, solid).max() < 0.02
     assert np.linalg.norm(solid[-1]) > 0.7 * BAR
 
 
@@ -83,12 +83,12 @@ def test_hollow_finger_under_pressure(record_verification):
     section = RodSection.from_moduli(EA=YOUNG * area, GA=0.5 * YOUNG / 3 * area, EI=bending, GJ=bending)
     force = 2 * bending / TUBE**2
     rod = static(RodModel(rods=[Rod(section=section, length=TUBE)], loads=[PlateForce(force=(0, 0, -force))]))
-    found = rod.tip[-1] - [TUBE, 0, 0]
+    result = rod.tip[-1] - [TUBE, 0, 0]
     solid = []
     for pressure in (0.0, 40e3):
         loads = [tg.Pressure("cavity", pressure, history=((0, 0), (0.5, 1), (1, 1)))] if pressure else []
         solid.append(_solved(mesh, force, OUTSIDE**2, loads, ((0, 0), (0.5, 0), (1, 1)), at=(0.5, 1.0))[-1])
-    distances = _distance(found, np.array(solid))
+    distances = _distance(result, np.array(solid))
     record_verification(
         "hollow finger at 0 and 40 kPa, F L²/EI = 2: distance of the tip over its displacement", "finite elements",
         0.0, distances, "2 %, 9 %",

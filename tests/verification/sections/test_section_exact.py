@@ -64,21 +64,21 @@ def test_torsion(record_verification):
     """T = π τ A⁴ (C10 + C01), N = −½ π A⁴ τ² (C10 + 2 C01) at constant length."""
     A, twist = 10 * mm, 50.0
     bar = tg.sections.Sketch(areas={"body": tg.sections.disc(A)})
-    found, expected = [], []
+    result, expected = [], []
     for law in LAWS.values():
         C10, C01 = law.C10, getattr(law, "C01", 0.0)
         section = tg.Section(bar, {"body": problems.rubber(law)}, size=2 * mm)
         response = section.solve(prescribed={"twist": twist, "stretch": 1.0}).response
-        found += [response["torque"][0] * 1e3, response["axial_force"][0]]
+        result += [response["torque"][0] * 1e3, response["axial_force"][0]]
         expected += [np.pi * twist * A**4 * (C10 + C01) * 1e3, -0.5 * np.pi * A**4 * twist**2 * (C10 + 2 * C01)]
     record_verification(
         claim="section of a round bar twisted by 0.5/A: torque [N mm], force [N]; neo-Hooke, Mooney–Rivlin",
         source="V09, exact",
         expected=expected,
-        got=found,
+        got=result,
         tolerance="2e-5",
     )
-    assert found == pytest.approx(expected, rel=2e-5)
+    assert result == pytest.approx(expected, rel=2e-5)
 
 
 #: Angle from the circumference [°]: a/A, b/B, stretch, twist [° per mm] at 30 and at 62.5 kPa.

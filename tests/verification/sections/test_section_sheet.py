@@ -45,13 +45,13 @@ def test_half_round_on_paper(bending, record_verification):
     volume = tg.measures.cavity_volume(state) / model.mesh.symmetry_factor * 2 / long
     got = section.solve(PRESSURE, prescribed={"curvature_y": 0.0}).response
     stretch = 1 + state.displacement[model.mesh.face_nodes("end"), 0].max() / long
-    expected, found = [stretch, volume / mm**2], [got["stretch"][0], got["cavity_volume_per_length"][0] / mm**2]
+    expected, result = [stretch, volume / mm**2], [got["stretch"][0], got["cavity_volume_per_length"][0] / mm**2]
     kind = "shell" if bending else "membrane"
     record_verification(
         claim=f"half round on paper ({kind}), kept straight at 50 kPa: stretch, volume of the cavity [mm³/mm]",
         source="a slice of hexahedra",
         expected=expected,
-        got=found,
+        got=result,
         tolerance="1e-6",
     )
-    assert found == pytest.approx(expected, rel=1e-6)
+    assert result == pytest.approx(expected, rel=1e-6)

@@ -31,7 +31,7 @@ def g_function(points):
 
 def test_ishigami(record_verification):
     factors = [Factor(name=name, low=-pi, high=pi) for name in "xyz"]
-    (found,) = sobol_indices(cases.Formula(ishigami, factors), samples=4096)
+    (result,) = sobol_indices(cases.Formula(ishigami, factors), samples=4096)
     a, b = 7.0, 0.1
     alone_x, alone_y, x_and_z = (1 + b * pi**4 / 5) ** 2 / 2, a**2 / 8, 8 * b**2 * pi**8 / 225
     variance = a**2 / 8 + b * pi**4 / 5 + b**2 * pi**8 / 18 + 1 / 2
@@ -41,20 +41,20 @@ def test_ishigami(record_verification):
         claim="Sobol indices of the Ishigami function: first x, y, z; total x, y, z",
         source="closed form, Ishigami and Homma 1990",
         expected=np.round([*first, *total], 4),
-        got=np.round([*found.first, *found.total], 4),
+        got=np.round([*result.first, *result.total], 4),
         tolerance="0.02",
     )
-    assert found.first == pytest.approx(first, abs=0.02)
-    assert found.total == pytest.approx(total, abs=0.02)
-    assert found.deviation == pytest.approx(np.sqrt(variance), rel=0.01)
-    low, high = found.interval("total")
+    assert result.first == pytest.approx(first, abs=0.02)
+    assert result.total == pytest.approx(total, abs=0.02)
+    assert result.deviation == pytest.approx(np.sqrt(variance), rel=0.01)
+    low, high = result.interval("total")
     assert (low <= total + 0.005).all()
     assert (total <= high + 0.005).all()
 
 
 def test_g_function(record_verification):
     factors = [Factor(name=f"x{n}", low=0.0, high=1.0) for n in range(4)]
-    (found,) = sobol_indices(cases.Formula(g_function, factors), samples=4096)
+    (result,) = sobol_indices(cases.Formula(g_function, factors), samples=4096)
     parts = 1 / (3 * (1 + A) ** 2)
     variance = np.prod(1 + parts) - 1
     total = parts * np.prod(1 + parts) / (1 + parts) / variance
@@ -62,10 +62,10 @@ def test_g_function(record_verification):
         claim="Sobol indices of the g-function with a = 0, 1, 4.5, 9: total",
         source="closed form, Sobol 1993",
         expected=np.round(total, 4),
-        got=np.round(found.total, 4),
+        got=np.round(result.total, 4),
         tolerance="0.02",
     )
-    assert found.first == pytest.approx(parts / variance, abs=0.02)
-    assert found.total == pytest.approx(total, abs=0.02)
+    assert result.first == pytest.approx(parts / variance, abs=0.02)
+    assert result.total == pytest.approx(total, abs=0.02)
     (screened,) = screening(cases.Formula(g_function, factors), trajectories=50)
-    assert screened.ranking == found.ranking == ("x0", "x1", "x2", "x3")
+    assert screened.ranking == result.ranking == ("x0", "x1", "x2", "x3")

@@ -64,9 +64,9 @@ def test_mean_and_deviation_are_those_of_the_textbook(smooth):
     variance = (0.02 / y.std()) ** 2 + 0.05**2
     other = GaussianProcessRegressor(ConstantKernel(1.3**2) * shape, alpha=variance, optimizer=None)
     mean, deviation = other.fit(points, (y - y.mean()) / y.std()).predict(at, return_std=True)
-    found = model.spread(at)
-    assert found[0][:, 0] == pytest.approx(y.mean() + y.std() * mean, abs=1e-9)
-    assert found[1][:, 0] == pytest.approx(y.std() * np.hypot(deviation, 0.05), rel=1e-6)
+    result = model.spread(at)
+    assert result[0][:, 0] == pytest.approx(y.mean() + y.std() * mean, abs=1e-9)
+    assert result[1][:, 0] == pytest.approx(y.std() * np.hypot(deviation, 0.05), rel=1e-6)
     assert np.sqrt(np.diag(model.covariance(at)[0])) == pytest.approx(y.std() * deviation, rel=1e-6)
     step = 1e-6
     slope = [(model.mean(at[:1] + step * e) - model.mean(at[:1] - step * e))[0, 0] / (2 * step) for e in np.eye(2)]

@@ -26,12 +26,12 @@ def test_pressures_of_a_shape(record_verification):
     worst = spread = 0.0
     for first, second in 40 * kPa * (0.02 + 0.96 * qmc.Sobol(2, seed=7).random(16)):
         tip = cases.two_chambers(first, second)
-        found = invert(fitted, {name: float(tip[name][0]) for name in ("tip_y", "tip_z")})
-        assert found.reached
-        assert found.others == ()
-        off = np.array([found.values["first"] - first, found.values["second"] - second])
+        result = invert(fitted, {name: float(tip[name][0]) for name in ("tip_y", "tip_z")})
+        assert result.reached
+        assert result.others == ()
+        off = np.array([result.values["first"] - first, result.values["second"] - second])
         worst = max(worst, float(np.abs(off).max()))
-        spread = max(spread, *found.deviations.values())
+        spread = max(spread, *result.deviations.values())
     record_verification(
         claim="inverse of a surrogate, 16 shapes of two pressures: largest error of a pressure [kPa]",
         source="the pressures that the shapes were computed with",

@@ -51,16 +51,16 @@ def test_a_sphere_is_filled_in_a_known_time(duration, record_verification):
     solution = tg.solve(sphere(), tg.VolumeControl(volume=VOLUME, duration=duration, **STEPS))
     time = np.array([state.time for state in solution.states])
     assert time == pytest.approx([duration * state.load_factor for state in solution.states])
-    found = np.array([state.pressures["cavity"] for state in solution.states])
+    result = np.array([state.pressures["cavity"] for state in solution.states])
     expected = pressure_at(time, lambda s: VOLUME * s / duration)
     record_verification(
         claim=f"largest and last pressure of a viscoelastic sphere that is filled within {duration:g} s [kPa]",
         source="hereditary integral",
         expected=[expected.max() / 1e3, expected[-1] / 1e3],
-        got=[found.max() / 1e3, found[-1] / 1e3],
+        got=[result.max() / 1e3, result[-1] / 1e3],
         tolerance="0.2 %",
     )
-    assert found[1:] == pytest.approx(expected[1:], rel=2e-3)
+    assert result[1:] == pytest.approx(expected[1:], rel=2e-3)
 
 
 def test_a_sealed_sphere_relaxes(record_verification):
@@ -74,17 +74,17 @@ def test_a_sealed_sphere_relaxes(record_verification):
     time = np.array([state.time for state in states])
     assert time[-1] == pytest.approx(22.0)
     assert tg.measure(solution, tg.cavity_volume, mesh_error=False).column("time")[-1] == pytest.approx(22.0)
-    found = np.array([state.pressures["cavity"] for state in states])
+    result = np.array([state.pressures["cavity"] for state in states])
     expected = pressure_at(time, lambda s: VOLUME * np.minimum(s / 2, 1))
     record_verification(
         claim="pressure of a sealed viscoelastic sphere 0.4 s and 20 s after it was filled [kPa]",
         source="hereditary integral",
         expected=[expected[0] / 1e3, expected[-1] / 1e3],
-        got=[found[0] / 1e3, found[-1] / 1e3],
+        got=[result[0] / 1e3, result[-1] / 1e3],
         tolerance="0.2 %",
     )
-    assert found == pytest.approx(expected, rel=2e-3)
-    assert found[-1] < 0.8 * found[0]
+    assert result == pytest.approx(expected, rel=2e-3)
+    assert result[-1] < 0.8 * result[0]
     assert solution.limit_points == ()
 
 
@@ -111,7 +111,7 @@ def test_the_maximum_of_the_pressure_is_that_of_the_relaxing_rubber(record_verif
 
 def test_steps_that_are_long_for_the_rubber_are_said():
     findings = tg.solve(sphere(), tg.VolumeControl(volume=VOLUME, duration=2.0, max_step=0.5, first_step=0.4)).findings
-    assert [found.code for found in findings] == ["L07"]
+    assert [finding.code for finding in findings] == ["L07"]
     assert tg.solve(sphere(), tg.VolumeControl(volume=VOLUME, max_step=0.5, first_step=0.4)).findings == ()
 
 
@@ -127,9 +127,9 @@ def test_gas_takes_its_time_too():
     rest = tg.cavity_volume(pumped.states[0])
     grown = np.array([tg.cavity_volume(state) - rest for state in pumped.states])
     time = np.array([state.time for state in pumped.states])
-    found = np.array([state.pressures["cavity"] for state in pumped.states])
+    result = np.array([state.pressures["cavity"] for state in pumped.states])
     expected = pressure_at(time[1:], lambda s: np.interp(s, time, grown))
-    assert found[1:] == pytest.approx(expected, rel=3e-3)
+    assert result[1:] == pytest.approx(expected, rel=3e-3)
 
 
 @pytest.mark.parametrize("make", [lambda **k: tg.VolumeControl(volume=1e-6, **k), lambda **k: tg.Sealed(**k),

@@ -59,15 +59,15 @@ def test_relaxation_after_a_sudden_stretch(record_verification):
     procedure = Static(duration=100.0, at=(1e-6, *(TIMES / 100)), max_step=1.0, first_step=1.0)
     solution = problems.solve(model, procedure)
     assert [state.time for state in solution.states] == pytest.approx([0, 1e-4, *TIMES])
-    found = pulls(solution)[2:] / 1e6
+    result = pulls(solution)[2:] / 1e6
     record_verification(
         claim="cube stretched to 1.5 at once: pull at 0.5, 1, 2, 5, 10, 20, 50, 100 s [MPa]",
         source="V17, exact",
         expected=TABLE,
-        got=found,
+        got=result,
         tolerance="1e-4",
     )
-    assert found == pytest.approx(TABLE, rel=1e-4)
+    assert result == pytest.approx(TABLE, rel=1e-4)
     # the fields know what the state remembers
     cauchy = problems.fields(solution.states[-1]).cauchy
     assert cauchy[..., 0, 0] == pytest.approx(1.5e6 * TABLE[-1], rel=1e-4)
@@ -95,8 +95,8 @@ def test_cycles_follow_the_material(case, record_verification):
     solution = problems.solve(cube(material, cycles), Static(duration=8.0, at=at, max_step=0.05, tolerance=1e-10))
     time = np.array([state.time for state in solution.states])
     exact = stress_history(material, "uniaxial", time, cycles(time / 8.0)).nominal_stress
-    found = pulls(solution)
-    worst = np.abs(found - exact).max() / exact.max()
+    result = pulls(solution)
+    worst = np.abs(result - exact).max() / exact.max()
     record_verification(
         claim=f"cube in three cycles, {case}: pull against the material's own history, of the largest",
         source="stress_history",
@@ -106,9 +106,9 @@ def test_cycles_follow_the_material(case, record_verification):
     )
     assert worst < 1e-6
     if material.viscoelasticity is None:  # reloading to the same stretch follows the unloading
-        down, up = found[4:9][::-1], found[8:13]
+        down, up = result[4:9][::-1], result[8:13]
         assert up == pytest.approx(down, rel=1e-6)
-        assert up[2] < 0.9 * found[2]
+        assert up[2] < 0.9 * result[2]
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -144,8 +144,8 @@ def test_newton_needs_no_more_iterations(case):
     law, series, mullins = CASES[case]
     procedure = Static(duration=8.0, at=tuple(np.linspace(0.05, 1.0, 20).round(3)), max_step=0.05)
     plain = problems.solve(cube(problems.rubber(law), cycles), procedure)
-    found = problems.solve(cube(remembering(law, series, mullins), cycles), procedure)
-    assert found.iterations <= plain.iterations + len(plain.steps) // 2
+    result = problems.solve(cube(remembering(law, series, mullins), cycles), procedure)
+    assert result.iterations <= plain.iterations + len(plain.steps) // 2
 
 
 def test_without_a_duration_everything_has_relaxed(record_verification):

@@ -26,24 +26,24 @@ RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=C10), viscoelastici
 
 
 def test_relaxation_after_a_sudden_stretch(record_verification):
-    found = stress_history(RUBBER, "uniaxial", TIMES, np.full(len(TIMES), 1.5)).nominal_stress / MPA
+    result = stress_history(RUBBER, "uniaxial", TIMES, np.full(len(TIMES), 1.5)).nominal_stress / MPA
     record_verification(
         claim="nominal stress at 0, 0.5, 1, 2, 5, 10, 20, 50, 100 s and at last after a step to stretch 1.5 [MPa]",
         source="V17, exact",
         expected=TABLE,
-        got=found,
+        got=result,
         tolerance="6e-8 MPa",
     )
-    assert found == pytest.approx(TABLE, abs=6e-8)
+    assert result == pytest.approx(TABLE, abs=6e-8)
 
 
 def test_constants_of_a_slow_test_give_the_same_rubber(record_verification):
     """The long-term law has 0.7 of the stiffness; told so, the answer is the same."""
     law = tg.laws.NeoHooke(C10=0.7 * C10)
     slow = tg.Material(name="rubber", law=law, viscoelasticity=Prony(g=(0.2, 0.1), tau=(1.0, 10.0), moduli="long_term"))
-    found = stress_history(slow, "uniaxial", TIMES, np.full(len(TIMES), 1.5)).nominal_stress / MPA
-    record_verification("the same by constants of a slow test [MPa]", "V17, exact", TABLE, found, "6e-8 MPa")
-    assert found == pytest.approx(TABLE, abs=6e-8)
+    result = stress_history(slow, "uniaxial", TIMES, np.full(len(TIMES), 1.5)).nominal_stress / MPA
+    record_verification("the same by constants of a slow test [MPa]", "V17, exact", TABLE, result, "6e-8 MPa")
+    assert result == pytest.approx(TABLE, abs=6e-8)
 
 
 def loaded(steps):

@@ -70,7 +70,7 @@ def _counts(runs: Runs, kind: str) -> list[float]:
 
 
 def judge(runs: Runs) -> Judgement:
-    """Less distortion, less volume lost, and a smaller error for as many unknowns."""
+    """Less distortion, less volume lost, and a smaller error for as many degrees of freedom."""
     finest = [end(_of(runs, kind)[-1]).number for kind in KINDS]
     apart = finest[0] / finest[1] - 1
     worst = [min(spent(each, "worst_cell") for each in _of(runs, kind)) for kind in KINDS]
@@ -88,9 +88,9 @@ def judge(runs: Runs) -> Judgement:
         finding=f"error of the angle: {summary}; the finest of both differ by {abs(apart):.2%}; worst Jacobian ratio "
         f"{worst[0]:.2g} of hexahedra and {worst[1]:.2g} of tetrahedra; volume of the cavity lost at most "
         f"{lost[0]:.1e} and {lost[1]:.1e}",
-        conditions=f"Hexahedra have a smaller error than tetrahedra with as many unknowns in {sum(cheaper)} of "
-        f"{len(cheaper)} sizes. Both kinds are quadratic and curved here; linear cells are not compared, because "
-        "turgor has none.",
+        conditions="Hexahedra have a smaller error than tetrahedra with as many degrees of freedom in "
+        f"{sum(cheaper)} of {len(cheaper)} sizes. Both kinds are quadratic and curved here; linear elements are not "
+        "compared, because turgor has none.",
     )
 
 
@@ -118,7 +118,7 @@ def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
 
 GUIDELINE = Guideline(
     key="6.2-5",
-    rule="A mesh of quadratic cells, mostly hexahedra, is preferable, because hexahedra are less distorted along "
+    rule="A mesh of quadratic elements, mostly hexahedra, is preferable, because hexahedra are less distorted along "
     "curved geometry.",
     sources=("Xavier et al. 2021",),
     families=("eccentric_bender",),
@@ -128,8 +128,8 @@ GUIDELINE = Guideline(
             setup=f"Eccentric bender of {LENGTH} mm, round inside and outside, without a sheet, Elastosil M4601 (Yeoh, "
             f"0.11 and 0.02 MPa), {PRESSURE} kPa; quadratic hexahedra swept along the axis, or quadratic tetrahedra, "
             "in several sizes.",
-            expected="Hexahedra have the less distorted cells, lose less of the volume of the cavity, and have the "
-            "smaller error for as many unknowns.",
+            expected="Hexahedra have the less distorted elements, lose less of the volume of the cavity, and have the "
+            "smaller error for as many degrees of freedom.",
             runs=runs,
             judge=judge,
             panels=panels,

@@ -106,11 +106,13 @@ BENDERS = (
     "Sections of semicircular benders, 10 and 25 mm wide, wall a tenth of the width, of Elastosil M4601 (Yeoh, 0.11 "
     "and 0.02 MPa)"
 )
-EXPECTED = f"Curvature and ballooning within {GOOD:.0%} of those with cells of {FINEST:g} mm, for cells of 1 to 3 mm."
+EXPECTED = (
+    f"Curvature and ballooning within {GOOD:.0%} of those with elements of {FINEST:g} mm, for elements of 1 to 3 mm."
+)
 
 GUIDELINE = Guideline(
     key="6.2-2",
-    rule="For actuators of 10 to 25 mm width, cells of 1 to 3 mm are a good starting point.",
+    rule="For actuators of 10 to 25 mm width, elements of 1 to 3 mm are a good starting point.",
     sources=("Xavier et al. 2021",),
     families=("fiber_reinforced_bender",),
     studies=(

@@ -85,8 +85,8 @@ def judge(runs: Runs, target: float) -> Judgement:
         f"mm, from the first to the last pressure: {summary}",
         conditions=""
         if all(bad)
-        else "Here a mesh that is fine enough from the start serves to the end. The "
-        "equations refer to the cells at rest, so that a cell that is drawn long is no worse than its shape at rest.",
+        else "Here a mesh that is fine enough from the start serves to the end. The equations refer to the "
+        "elements at rest, so that an element that is drawn long is no worse than its shape at rest.",
     )
 
 
@@ -114,7 +114,7 @@ GUIDELINE = Guideline(
         GuidelineTest(
             title="Bare tube that balloons",
             setup="Section of a long tube (inner radius 6.35 mm, wall 2 mm, closed ends) of Elastosil M4601 (Yeoh, "
-            "0.11 and 0.02 MPa), inflated until its inner wall is stretched four times and a square cell there is "
+            "0.11 and 0.02 MPa), inflated until its inner wall is stretched four times and a square element there is "
             "forty times as wide as thick; extension.",
             expected=EXPECTED,
             runs=partial(runs, bends=False),

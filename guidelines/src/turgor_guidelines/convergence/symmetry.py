@@ -21,7 +21,7 @@ def runs(setting: Setting) -> tuple[Run, ...]:
 
 
 def judge(runs: Runs) -> Judgement:
-    """The same angle and the same ballooning, with about half the unknowns."""
+    """The same angle and the same ballooning, with about half the degrees of freedom."""
     half, whole = runs["half"], runs["whole"]
     apart = [change(end(half, name), end(whole, name)) for name in ("bending_angle", "ballooning")]
     share = spent(half, "unknowns") / spent(whole, "unknowns")
@@ -56,7 +56,7 @@ GUIDELINE = Guideline(
         GuidelineTest(
             title="Half and whole",
             setup=SETUP + f", {PRESSURE} kPa; hexahedra; cut at its mirror plane, or whole.",
-            expected=f"Angles within {SAME:.1%}, half the unknowns.",
+            expected=f"Angles within {SAME:.1%}, half the degrees of freedom.",
             runs=runs,
             judge=judge,
             panels=panels,

@@ -106,7 +106,7 @@ GUIDELINE = Guideline(
         GuidelineTest(
             title="Difference of the braid angles of both sides",
             setup=f"{SIDES}.",
-            expected="With one angle kept, curvature and moment rise with every step to a greater difference.",
+            expected="With one angle fixed, curvature and moment rise with every step to a greater difference.",
             runs=two_sides.runs,
             judge=two_sides.judge_difference,
             panels=two_sides.panels,

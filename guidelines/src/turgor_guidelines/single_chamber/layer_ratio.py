@@ -162,7 +162,7 @@ GUIDELINE = Guideline(
         GuidelineTest(
             title="Ratio of stiffness of two halves",
             setup=f"{TUBE}; neo-Hookean halves, C10 = 0.12 MPa above and 1 to 20 times as much below; or with the "
-            "mean of both kept at 0.12 MPa; curvature at 20 kPa.",
+            "mean of both fixed at 0.12 MPa; curvature at 20 kPa.",
             expected="The curvature is largest at a ratio between 2 and 3.",
             runs=stiffness_runs,
             judge=judge_stiffness,

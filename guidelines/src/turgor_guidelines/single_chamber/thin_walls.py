@@ -107,7 +107,7 @@ def judge_benders(runs: Runs) -> Judgement:
         + ".",
         conditions=f"It does not hold with {' and '.join(bad)}."
         if bad
-        else "It holds bare and in hoops, whether the void or the outside is kept.",
+        else "It holds bare and in hoops, whether the void or the outside stays the same.",
     )
 
 

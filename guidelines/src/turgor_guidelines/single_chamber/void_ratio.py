@@ -109,9 +109,10 @@ def judge(runs: Runs) -> Judgement:
         verdict=verdict,
         finding=f"Largest force, and the ratio of length to width: {'; '.join(parts)}. Mesh errors are at most "
         f"{max(errors):.1%} of the force at {PRESSURE:g} kPa.",
-        conditions=f"{sum(inside)} of {len(inside)} ways to ask have their best ratio between {NAMED[0]:g} and "
-        f"{NAMED[1]:g}. What is kept decides: the rule does not say whether length, area or volume is, nor whether the "
-        "pressure or what the rubber bears. The force follows from the section by beam theory, without end walls.",
+        conditions=f"{sum(inside)} of {len(inside)} ways to compare have their best ratio between {NAMED[0]:g} and "
+        f"{NAMED[1]:g}. What stays the same decides: the rule does not say whether length, area or volume is, nor "
+        "whether the pressure or what the rubber bears. The force follows from the section by beam theory, without "
+        "end walls.",
     )
 
 

@@ -139,7 +139,7 @@ def check_volume(what: str, measured: float, expected: float) -> None:
     Raises
     ------
     TurgorError
-        If they differ by more than their round-off.
+        If they differ by more than round-off and the kernel leave.
 
     Examples
     --------
@@ -148,7 +148,7 @@ def check_volume(what: str, measured: float, expected: float) -> None:
     turgor.TurgorError: the CAD volume of the cavity is 1100 mm³, but the dimensions give 1000 mm³; \
 this is a mistake in building the shape, please report it with the dimensions.
     """
-    if not abs(measured - expected) <= TOLERANCE.round_off * expected:
+    if not abs(measured - expected) <= TOLERANCE.built_volume * expected:
         raise TurgorError(
             f"the CAD volume of the {what} is {measured * 1e9:.12g} mm³, but the dimensions give "
             f"{expected * 1e9:.12g} mm³; this is a mistake in building the shape, please report it with the dimensions."

@@ -139,16 +139,16 @@ def _response(error):
 
 def test_a_wall_of_one_cell_is_reported_only_where_the_error_is_large():
     assert mesh_error_findings(_response(0.01), (G01,)) == ()
-    codes = [found.code for found in mesh_error_findings(_response(0.03), (G01,))]
+    codes = [finding.code for finding in mesh_error_findings(_response(0.03), (G01,))]
     assert codes == ["G01", "N02"]
-    assert [found.code for found in mesh_error_findings(_response(np.nan), (G01,))] == ["G01"]
+    assert [finding.code for finding in mesh_error_findings(_response(np.nan), (G01,))] == ["G01"]
 
 
 @pytest.mark.parametrize(("error", "severity"), [(0.03, Severity.NOTE), (0.06, Severity.WARNING)])
 def test_a_large_mesh_error_is_noted_and_a_larger_one_doubted(error, severity):
-    (found,) = mesh_error_findings(_response(error), ())
-    assert found.severity is severity
-    assert f"({100 * error:.2g} %)" in found.message
+    (finding,) = mesh_error_findings(_response(error), ())
+    assert finding.severity is severity
+    assert f"({100 * error:.2g} %)" in finding.message
 
 
 def test_a_mesh_is_refined_until_the_target_is_met(bent):
@@ -156,25 +156,25 @@ def test_a_mesh_is_refined_until_the_target_is_met(bent):
         pytest.skip("whole sheets grow fast: a minute, for the same lines")
     first = tg.measure(bent, tg.bending_angle)
     before = first.mesh_error("bending_angle")[-1] / first.column("bending_angle")[-1]
-    found = tg.mesh_to(bent.model, tg.bending_angle, 0.5 * before)
-    assert found.reached
-    assert found.rounds[0].relative == pytest.approx(before, rel=1e-6)
-    assert found.rounds[-1].relative <= 0.5 * before
-    assert found.rounds[-1].unknowns > found.rounds[0].unknowns
-    assert len(found.solution.states) == len(bent.states)
-    assert found.finding.code == "N04"
-    assert "body" in found.finding.message
-    anew = tg.solve(found.solution.model)
+    result = tg.mesh_to(bent.model, tg.bending_angle, 0.5 * before)
+    assert result.reached
+    assert result.rounds[0].relative == pytest.approx(before, rel=1e-6)
+    assert result.rounds[-1].relative <= 0.5 * before
+    assert result.rounds[-1].unknowns > result.rounds[0].unknowns
+    assert len(result.solution.states) == len(bent.states)
+    assert result.finding.code == "N04"
+    assert "body" in result.finding.message
+    anew = tg.solve(result.solution.model)
     value = tg.measure(anew, tg.bending_angle, mesh_error=False).column("bending_angle")[-1]
-    assert found.rounds[-1].value == pytest.approx(value, rel=1e-5)
+    assert result.rounds[-1].value == pytest.approx(value, rel=1e-5)
 
 
 def test_refinement_stops_at_the_limit_and_says_so(bent):
-    found = tg.mesh_to(bent.model, tg.bending_angle, 1e-4, most_unknowns=bent.model.mesh.unknown_count + 1)
-    assert not found.reached
-    assert found.finding.severity is Severity.WARNING
-    assert "unknowns" in found.finding.message
-    assert "most_unknowns" in found.finding.advice
+    result = tg.mesh_to(bent.model, tg.bending_angle, 1e-4, most_unknowns=bent.model.mesh.unknown_count + 1)
+    assert not result.reached
+    assert result.finding.severity is Severity.WARNING
+    assert "unknowns" in result.finding.message
+    assert "most_unknowns" in result.finding.advice
 
 
 @pytest.mark.parametrize("target", [0.0, 2.0, -0.1, float("nan")])
@@ -214,7 +214,7 @@ def test_a_job_states_errors_everywhere_and_repeats_its_target(tmp_path):
     job = tg.jobs.read_job(_job(tmp_path, 'target = "4 %"'))
     outcome = tg.jobs.run_job(job, tmp_path / "out")
     assert outcome.response.mesh_error("bending_angle")[-1] <= 0.04 * outcome.response.column("bending_angle")[-1]
-    assert "N04" in [found.code for found in outcome.findings]
+    assert "N04" in [finding.code for finding in outcome.findings]
     assert "±" in (tmp_path / "out" / "report.html").read_text()
     assert "bending_angle_mesh_error_deg" in (tmp_path / "out" / "response.csv").read_text()
     again = tg.jobs.read_job(tmp_path / "out" / "job.lock.toml")

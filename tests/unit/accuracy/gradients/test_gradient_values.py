@@ -43,13 +43,13 @@ def gradient(solution):
 def test_numbers_of_a_model_are_keys_and_values():
     sheet = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=1e6, nu=0.3)), 1e-4)
     model = replace(solver_cases.model(), materials={"body": RUBBER, "top": sheet})
-    found = tg.studies.model_numbers(model)
-    assert found["materials.body.C10"] == 0.1e6
-    assert found["materials.top.thickness"] == 1e-4
-    assert found["loads.top.vector.3"] == 1e3
-    for key, value in found.items():
+    result = tg.studies.model_numbers(model)
+    assert result["materials.body.C10"] == 0.1e6
+    assert result["materials.top.thickness"] == 1e-4
+    assert result["loads.top.vector.3"] == 1e3
+    for key, value in result.items():
         again = tg.studies.model_numbers(tg.studies.with_number(model, key, value * 0.8))
-        assert again == {**found, key: pytest.approx(value * 0.8)}
+        assert again == {**result, key: pytest.approx(value * 0.8)}
 
 
 def test_one_key_for_all_pressures():

@@ -43,11 +43,11 @@ def test_the_three_angles_of_an_arc(finger: Tracks) -> None:
 def test_more_than_half_a_turn_is_followed() -> None:
     turn = np.radians(np.linspace(0, 400, 41))
     pin = np.column_stack([np.cos(turn), np.sin(turn)])
-    found = Tracks(
+    result = Tracks(
         drive=Column("time", "s", np.arange(41.0)), source=Source(text="a camera"),
         points={"a": np.zeros((41, 2)), "b": pin},
     ).angle("tangent", "a", "b")  # fmt: skip
-    np.testing.assert_allclose(found["bending_angle"], turn, atol=1e-9)
+    np.testing.assert_allclose(result["bending_angle"], turn, atol=1e-9)
 
 
 def test_the_motion_of_the_clamp_is_taken_out(finger: Tracks) -> None:
@@ -62,15 +62,15 @@ def test_the_motion_of_the_clamp_is_taken_out(finger: Tracks) -> None:
         first = np.eye(3) if n == 0 else turn
         for name, track in still.items():
             turned[name][n] = first @ track[n] + (shift if n else 0)
-    found = tracks(turned).relative_to("foot0", "foot1", "foot2")
-    np.testing.assert_allclose(found.of("tip"), still["tip"], atol=1e-12)
+    result = tracks(turned).relative_to("foot0", "foot1", "foot2")
+    np.testing.assert_allclose(result.of("tip"), still["tip"], atol=1e-12)
     with refused("relative_to", 3, 2):
         tracks(turned).relative_to("foot0", "foot1")
 
 
 def test_displacement(finger: Tracks) -> None:
-    found = finger.displacement("tip")["tip_displacement"]
-    assert found[-1] == pytest.approx(np.linalg.norm(arc(1.0)[-1] - arc(1.0)[0]))
+    result = finger.displacement("tip")["tip_displacement"]
+    assert result[-1] == pytest.approx(np.linalg.norm(arc(1.0)[-1] - arc(1.0)[0]))
 
 
 def test_bad_questions(finger: Tracks) -> None:
@@ -85,10 +85,10 @@ def test_bad_questions(finger: Tracks) -> None:
 def test_reading(tmp_path) -> None:
     file = tmp_path / "video.csv"
     file.write_text("frame,tip_x (mm),tip_y (mm),base_x (mm),base_y (mm)\n0,100,0,0,0\n1,98,5,0,0\n", encoding="utf-8")
-    found = read_tracks(file)
-    assert list(found.points) == ["tip", "base"]
-    np.testing.assert_allclose(found.of("tip")[1], [0.098, 0.005])
-    assert found.drive.name == "frame"
+    result = read_tracks(file)
+    assert list(result.points) == ["tip", "base"]
+    np.testing.assert_allclose(result.of("tip")[1], [0.098, 0.005])
+    assert result.drive.name == "frame"
     file.write_text("frame,tip_x,tip_y\n0,100,0\n1,98,5\n", encoding="utf-8")
     with refused(file.name, "'tip'", "tip_x (mm)"):
         read_tracks(file)

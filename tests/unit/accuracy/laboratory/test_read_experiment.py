@@ -38,9 +38,9 @@ def test_header_with_unknown_unit_names_the_near_match() -> None:
 def test_units_in_a_second_line(tmp_path) -> None:
     file = tmp_path / "finger.txt"
     file.write_text("Pressure\tBending Angle\n(kPa)\t(°)\n0\t0\n10\t45\n", encoding="utf-8")
-    found = read_experiment(file)
-    assert found.names == ("pressure", "bending_angle")
-    np.testing.assert_allclose(found["bending_angle"], [0.0, np.pi / 4])
+    result = read_experiment(file)
+    assert result.names == ("pressure", "bending_angle")
+    np.testing.assert_allclose(result["bending_angle"], [0.0, np.pi / 4])
 
 
 def test_units_that_are_given_and_decimal_commas(tmp_path) -> None:
@@ -49,8 +49,8 @@ def test_units_that_are_given_and_decimal_commas(tmp_path) -> None:
     with refused(file.name, "column 'Pressure'", "units={'pressure': 'kPa'}") as error:
         read_experiment(file)
     assert "--unit pressure=kPa" in error.value.on_command_line
-    found = read_experiment(file, units={"pressure": "kPa", "angle": "deg"})
-    np.testing.assert_allclose(found["pressure"], [0.0, 10500.0])
+    result = read_experiment(file, units={"pressure": "kPa", "angle": "deg"})
+    np.testing.assert_allclose(result["pressure"], [0.0, 10500.0])
     with refused(file.name, "units", "'presure'", "'pressure'"):
         read_experiment(file, units={"presure": "kPa", "angle": "deg"})
 
@@ -58,9 +58,9 @@ def test_units_that_are_given_and_decimal_commas(tmp_path) -> None:
 def test_missing_numbers_and_words(tmp_path) -> None:
     file = tmp_path / "finger.csv"
     file.write_text("pressure_kPa,angle_deg,remark\n0,0,start\n10,,\n20,9,end\n", encoding="utf-8")
-    found = read_experiment(file)
-    assert found.names == ("pressure", "angle")
-    assert np.isnan(found["angle"][1])
+    result = read_experiment(file)
+    assert result.names == ("pressure", "angle")
+    assert np.isnan(result["angle"][1])
     file.write_text("pressure_kPa,angle_deg\n0,0\n10,oops\n20,9\n", encoding="utf-8")
     with refused(file.name, "line 3", "column 'angle_deg'", "'oops'"):
         read_experiment(file)
@@ -69,8 +69,8 @@ def test_missing_numbers_and_words(tmp_path) -> None:
 def test_renamed_columns(tmp_path) -> None:
     file = tmp_path / "finger.csv"
     file.write_text("Gauge (kPa),Angle of tip (°)\n0,0\n10,5\n", encoding="utf-8")
-    found = read_experiment(file, columns={"Gauge (kPa)": "pressure", "Angle of tip (°)": "bending_angle"})
-    assert found.names == ("pressure", "bending_angle")
+    result = read_experiment(file, columns={"Gauge (kPa)": "pressure", "Angle of tip (°)": "bending_angle"})
+    assert result.names == ("pressure", "bending_angle")
     with refused(file.name, "'Gage (kPa)'", "'Gauge (kPa)'"):
         read_experiment(file, columns={"Gage (kPa)": "pressure"})
 

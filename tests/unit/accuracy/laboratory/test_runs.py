@@ -16,9 +16,9 @@ def run(pressure, angle, text: str = "a test") -> Response:
 def test_noise_makes_no_branch() -> None:
     time = np.linspace(0, 1, 400)
     drive = 1 - np.abs(2 * time - 1) + 0.01 * np.random.default_rng(3).standard_normal(400)
-    found = branches(drive)
-    assert len(found) == 2
-    assert drive[found[0][1]] == drive.max()
+    result = branches(drive)
+    assert len(result) == 2
+    assert drive[result[0][1]] == drive.max()
 
 
 def test_loading_and_unloading_share_no_row_but_the_turn() -> None:
@@ -53,6 +53,6 @@ def test_runs_that_cannot_be_averaged() -> None:
 
 
 def test_equal_readings_of_the_drive_are_averaged() -> None:
-    found = interpolated(run([0, 1, 1, 2], [0, 1, 3, 4]), "pressure", "angle", np.array([0.5, 1.0, 3.0]))
-    np.testing.assert_allclose(found[:2], [1.0, 2.0])
-    assert np.isnan(found[2])
+    result = interpolated(run([0, 1, 1, 2], [0, 1, 3, 4]), "pressure", "angle", np.array([0.5, 1.0, 3.0]))
+    np.testing.assert_allclose(result[:2], [1.0, 2.0])
+    assert np.isnan(result[2])

@@ -72,10 +72,10 @@ def test_development_of_a_tube_has_its_perimeter_and_finds_every_side(cells):
     side, place = face.find(points)
     assert (side >= 0).all()
     values, _ = shape_values(face.sides.shape[1], place)
-    found = np.einsum("ka,kai->ki", values, body.points[face.sides[side]])
+    result = np.einsum("ka,kai->ki", values, body.points[face.sides[side]])
     around = points[:, 0] / RADIUS  # from the top, counterclockwise around x: towards −y
     exact = np.c_[points[:, 1], -RADIUS * np.sin(around), RADIUS * np.cos(around)]
-    assert found == pytest.approx(exact, abs=0.02 * mm)
+    assert result == pytest.approx(exact, abs=0.02 * mm)
     outside = face.find(np.array([[1 * mm, -1 * mm], [1 * mm, LENGTH + 1 * mm]]))[0]
     assert (outside == -1).all()
 

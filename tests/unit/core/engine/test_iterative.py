@@ -145,8 +145,8 @@ def test_it_is_the_choice_where_factors_do_not_fit_and_that_is_said(
     monkeypatch.setattr(linear, "LINEAR_SOLVER", replace(LINEAR_SOLVER, large=1))
     for memory in (10_000, 10**12, None):
         monkeypatch.setattr(linear, "memory_of_machine", lambda memory=memory: memory)
-        found = tg.solve(model, options=EngineOptions(threads=1))
-        told[memory] = found.timing.linear_solver, [each.code for each in found.findings if each.code == "L09"]
+        result = tg.solve(model, options=EngineOptions(threads=1))
+        told[memory] = result.timing.linear_solver, [each.code for each in result.findings if each.code == "L09"]
     factored = available_solvers()[0], []
     assert told == {10_000: ("gmres, two levels", ["L09"]), 10**12: factored, None: factored}
 

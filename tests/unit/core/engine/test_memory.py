@@ -153,11 +153,11 @@ def test_a_slow_motion_is_static(finger):
 )
 def test_steps_that_are_long_for_the_rubber_are_noticed(finger, rubber, duration, max_step, codes):
     procedure = Static(duration=duration, max_step=max_step, first_step=min(0.05, max_step))
-    found = [finding for finding in solve(finger(rubber), procedure).findings if finding.code == "L07"]
-    assert [finding.code for finding in found] == codes
-    if found:
-        assert "relaxes in 0.05 s" in found[0].message
-        assert "max_step = 0.01" in found[0].advice
+    findings = [finding for finding in solve(finger(rubber), procedure).findings if finding.code == "L07"]
+    assert [finding.code for finding in findings] == codes
+    if findings:
+        assert "relaxes in 0.05 s" in findings[0].message
+        assert "max_step = 0.01" in findings[0].advice
 
 
 def test_fields_are_those_of_the_state(finger):

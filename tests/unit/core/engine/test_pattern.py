@@ -32,9 +32,9 @@ def test_pattern_has_the_pairs_of_every_row_and_the_diagonal(more: tuple[np.ndar
 def test_places_of_cells_are_those_that_a_search_finds() -> None:
     pattern = build_pattern(CELLS, SIZE, TIES)
     rows, columns = np.tril_indices(CELLS.shape[1])
-    found = locate(pattern.indptr, pattern.indices, CELLS[:, rows].ravel(), CELLS[:, columns].ravel())
-    np.testing.assert_array_equal(cell_places(pattern, CELLS).ravel(), found)
-    assert found.min() >= 0
+    result = locate(pattern.indptr, pattern.indices, CELLS[:, rows].ravel(), CELLS[:, columns].ravel())
+    np.testing.assert_array_equal(cell_places(pattern, CELLS).ravel(), result)
+    assert result.min() >= 0
 
 
 def test_a_pattern_without_ties_is_the_diagonal() -> None:

@@ -74,8 +74,8 @@ def _held(system):
     """Edges that sides of the body hold, by the midpoints of both corners in cubes."""
     hinges = [term for term in _bending(system) if isinstance(term, HingeTerm)]
     one_sided = [h for h in hinges if not h.moments[:, 1].any()]
-    found = [np.sort(h.nodes[k][np.abs(h.along[k]) > 1e-9])[:2] for h in one_sided for k in range(len(h.nodes))]
-    return sorted({tuple(np.round(system.model.mesh.points[ends].mean(axis=0) / SIDE, 6).tolist()) for ends in found})
+    results = [np.sort(h.nodes[k][np.abs(h.along[k]) > 1e-9])[:2] for h in one_sided for k in range(len(h.nodes))]
+    return sorted({tuple(np.round(system.model.mesh.points[ends].mean(axis=0) / SIDE, 6).tolist()) for ends in results})
 
 
 KINDS = (TETRAHEDRON, HEXAHEDRON)

@@ -46,11 +46,11 @@ def test_volume_of_the_hole(family, expected):
     added = with_inlet.cavity_volumes["cavity"] - plain.cavity_volumes["cavity"]
     assert added * 1e9 == pytest.approx(expected, rel=1e-8)
     assert plain.solid_volume - with_inlet.solid_volume == pytest.approx(added, rel=1e-9)
-    found, before = areas(with_inlet.build()), areas(plain.build())  # compares the volumes of CAD and dimensions
-    assert set(found) == set(before)
-    assert 0 < before["outside"] - found["outside"] < 1.1 * pi * 1.5**2
+    result, before = areas(with_inlet.build()), areas(plain.build())  # compares the volumes of CAD and dimensions
+    assert set(result) == set(before)
+    assert 0 < before["outside"] - result["outside"] < 1.1 * pi * 1.5**2
     for name in ("fixed", "tip"):
-        assert found[name] == pytest.approx(before[name])
+        assert result[name] == pytest.approx(before[name])
 
 
 @pytest.mark.parametrize("family", [ExtendingCylinder, ContractingTube, FiberReinforcedCylinder])

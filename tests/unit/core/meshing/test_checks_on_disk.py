@@ -65,9 +65,9 @@ def test_answers_are_found_with_the_mesh(made, monkeypatch):
     assert first[1:] == (True, None)
     save_family(FINGER, geometry, SETTINGS, mesh)
     forbid(monkeypatch)
-    found = mesh_on_disk(FINGER, SETTINGS)
-    assert check_results(found).by_check == check_results(mesh).by_check
-    assert (check_mesh(found), may_meet(found), overlap_at_rest(found)) == first
+    result = mesh_on_disk(FINGER, SETTINGS)
+    assert check_results(result).by_check == check_results(mesh).by_check
+    assert (check_mesh(result), may_meet(result), overlap_at_rest(result)) == first
 
 
 def test_a_job_that_asks_for_more_adds_it(made, monkeypatch):
@@ -88,10 +88,10 @@ def test_an_entry_that_holds_as_much_is_not_written_again(made, folder):
     geometry, mesh = made
     may_meet(mesh)
     save_family(FINGER, geometry, SETTINGS, mesh)
-    found = mesh_on_disk(FINGER, SETTINGS)
+    result = mesh_on_disk(FINGER, SETTINGS)
     before = {file.name: file.stat().st_mtime_ns for file in folder.iterdir()}
     assert len(before) == 3
-    save_family(FINGER, geometry, SETTINGS, found)
+    save_family(FINGER, geometry, SETTINGS, result)
     assert {file.name: file.stat().st_mtime_ns for file in folder.iterdir()} == before
 
 
@@ -102,10 +102,10 @@ def test_a_damaged_entry_is_asked_anew(made, folder):
     entries, key = family_cache._entries(FINGER), family_cache._key(FINGER, SETTINGS)
     entries.file(*key, family_cache.CHECKS).write_bytes(b"no archive")
     with pytest.warns(UserWarning, match="cache of families"):
-        found = mesh_on_disk(FINGER, SETTINGS)
-    assert check_results(found).by_check == {}
-    assert check_mesh(found) == first
-    save_family(FINGER, geometry, SETTINGS, found)
+        result = mesh_on_disk(FINGER, SETTINGS)
+    assert check_results(result).by_check == {}
+    assert check_mesh(result) == first
+    save_family(FINGER, geometry, SETTINGS, result)
     assert len(check_results(mesh_on_disk(FINGER, SETTINGS)).by_check) == 1
 
 

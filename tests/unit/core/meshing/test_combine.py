@@ -185,8 +185,8 @@ def test_checks_find_nothing_new(pair: Mesh, finger: Mesh) -> None:
 
 
 def test_findings_say_where_they_are_from(finger: Mesh) -> None:
-    found = Finding(code="G08", severity=Severity.NOTE, message="Mended.", advice="Look.")
-    noted = placed(placed(replace(finger, findings=(found,))), shift=(0, 0, 50 * mm))
+    result = Finding(code="G08", severity=Severity.NOTE, message="Mended.", advice="Look.")
+    noted = placed(placed(replace(finger, findings=(result,))), shift=(0, 0, 50 * mm))
     (said,) = together({"a": noted, "b": replace(finger, findings=())}).findings
     assert said.message == "Body 'a': Before it was moved: Mended."
 

@@ -68,11 +68,11 @@ def test_what_was_kept_is_found_with_the_same_bits(made, folder):
     assert mesh_on_disk(FINGER, SETTINGS) is None
     save_family(FINGER, geometry, SETTINGS, mesh)
     assert len(list(folder.iterdir())) == 2
-    found = geometry_on_disk(FINGER)
-    assert isinstance(found.shape, LateShape)
-    assert as_text(found) == as_text(geometry)
-    assert found.bounds == geometry.bounds
-    assert repr(found) == repr(geometry)
+    result = geometry_on_disk(FINGER)
+    assert isinstance(result.shape, LateShape)
+    assert as_text(result) == as_text(geometry)
+    assert result.bounds == geometry.bounds
+    assert repr(result) == repr(geometry)
     again = mesh_on_disk(FINGER, SETTINGS)
     assert as_text(again) == as_text(mesh)
 
@@ -82,20 +82,20 @@ def test_every_family_is_found_as_it_was_built(name, made):
     actuator = ACTUATORS[name]()
     geometry = actuator.build()
     save_family(actuator, geometry, SETTINGS, made[1])
-    found = geometry_on_disk(actuator)
-    assert as_text(found) == as_text(geometry)
-    assert size_range(found) == size_range(geometry)
-    assert repr(found) == repr(geometry)
-    assert found.shape._shape is None
+    result = geometry_on_disk(actuator)
+    assert as_text(result) == as_text(geometry)
+    assert size_range(result) == size_range(geometry)
+    assert repr(result) == repr(geometry)
+    assert result.shape._shape is None
 
 
 def test_the_shape_is_made_when_it_is_asked_for_and_gives_the_same_mesh(made, tmp_path):
     geometry, mesh = made
     save_family(FINGER, geometry, SETTINGS, mesh)
-    found = pickle.loads(pickle.dumps(geometry_on_disk(FINGER)))
-    assert found.shape._shape is None
-    assert as_text(mesh_with(found, SETTINGS)) == as_text(mesh)
-    assert found.shape._shape is not None
+    result = pickle.loads(pickle.dumps(geometry_on_disk(FINGER)))
+    assert result.shape._shape is None
+    assert as_text(mesh_with(result, SETTINGS)) == as_text(mesh)
+    assert result.shape._shape is not None
     write_step(geometry_on_disk(FINGER), tmp_path / "finger.step")
     assert (tmp_path / "finger.step").stat().st_size > 1000
 
@@ -241,8 +241,8 @@ def test_a_job_is_prepared_without_its_shape_and_without_meshing(tmp_path, folde
     meshes._mesh_of_family.cache_clear()
     for owner, name in ((meshes, "_new_mesh"), (FastPneuNet, "build")):
         monkeypatch.setattr(owner, name, refused)
-    again, found = prepare(read_job(tmp_path / "job.toml"))
-    assert found == findings
+    again, result = prepare(read_job(tmp_path / "job.toml"))
+    assert result == findings
     assert as_text(again.mesh) == as_text(model.mesh)
     meshes._mesh_of_family.cache_clear()
 
@@ -270,6 +270,6 @@ save_family(finger, geometry, settings, mesh)
 def test_two_processes_write_and_remove_at_once(made, folder):
     both = [subprocess.Popen([sys.executable, "-c", WRITER]) for _ in range(2)]
     assert [each.wait() for each in both] == [0, 0]
-    found = mesh_on_disk(FINGER, SETTINGS)
-    assert found is not None
-    assert np.array_equal(found.points, made[1].points)
+    result = mesh_on_disk(FINGER, SETTINGS)
+    assert result is not None
+    assert np.array_equal(result.points, made[1].points)

@@ -66,8 +66,8 @@ def test_volumes_and_areas_are_those_of_the_dimensions(finger: Mesh) -> None:
     cavity = -enclosed_volume(finger.points, finger.face("cavity"))  # its normals point into the cavity
     assert cavity / mm**3 == pytest.approx((20 * 16 * 10 + 2 * 3 * 3 * 2) / 2, rel=1e-9)
     assert enclosed_volume(finger.points, outer_triangles(finger)) == pytest.approx(FINGER.solid_volume, rel=1e-9)
-    found = {name: area(finger.points, triangles) / mm**2 for name, triangles in finger.faces.items()}
-    assert found == pytest.approx(
+    results = {name: area(finger.points, triangles) / mm**2 for name, triangles in finger.faces.items()}
+    assert results == pytest.approx(
         {
             "fixed": 150,
             "tip": 150,

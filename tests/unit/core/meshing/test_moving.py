@@ -86,9 +86,9 @@ def test_parts_are_matched_where_the_kernel_numbers_them_anew(tube):
         rims=tuple(frozenset(place[edge] for edge in known.rims[i]) for i in faces),
         names=tuple(known.names[i] for i in faces),
     )
-    found = matched(known, shuffled, "tube")
-    assert np.array_equal(found.vertices, known.vertices) and found.surfaces == known.surfaces
-    for one, other in zip(found.curves, known.curves, strict=True):
+    result = matched(known, shuffled, "tube")
+    assert np.array_equal(result.vertices, known.vertices) and result.surfaces == known.surfaces
+    for one, other in zip(result.curves, known.curves, strict=True):
         assert (one.low, one.high) == (other.low, other.high) and one.edge == other.edge
 
 

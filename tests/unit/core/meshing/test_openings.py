@@ -52,8 +52,8 @@ def room(low, shift=(0.0, 0.0, 0.0)):
 )
 def test_the_opening_is_capped(low, share):
     mesh, points = room(low)
-    found = -share * enclosed_volume(points, mesh.face("cavity")) / mm**3
-    assert found == pytest.approx(VOLUME, rel=2e-4)
+    result = -share * enclosed_volume(points, mesh.face("cavity")) / mm**3
+    assert result == pytest.approx(VOLUME, rel=2e-4)
     codes = [finding.code for finding in check_surface(mesh)]
     assert codes == ["D01"]
     (rim,) = find_rims(mesh, rim_edges(mesh.face("cavity")))

@@ -26,8 +26,8 @@ def test_rows_are_found_by_node_and_region():
     nodes = region_nodes(mesh)
     for number, name in enumerate(mesh.regions):
         cells = mesh.region(name)
-        found = nodes.of(mesh.cells[cells], np.full((len(cells), 10), number))
-        np.testing.assert_array_equal(found, nodes.cells[cells])
+        result = nodes.of(mesh.cells[cells], np.full((len(cells), 10), number))
+        np.testing.assert_array_equal(result, nodes.cells[cells])
 
 
 def test_one_region_has_no_doubles():

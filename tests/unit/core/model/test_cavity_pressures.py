@@ -247,17 +247,17 @@ def test_files_for_paraview_go_by_the_load_factor(driven: Solution, tmp_path: Pa
 
 
 def test_an_open_cavity_is_named(twin: Mesh) -> None:
-    assert [found.code for found in check_surface(twin) if found.code == "G02"] == []
+    assert [finding.code for finding in check_surface(twin) if finding.code == "G02"] == []
     walls = twin.face("cavity_2")  # torn across all four walls, not cut by a plane as an inlet is
     faces = {**twin.faces, "cavity_2": walls[twin.points[walls[:, :3], 0].mean(axis=1) > 11 * mm]}
-    (found,) = (f for f in check_surface(Mesh(points=twin.points, cells=twin.cells, regions=twin.regions, faces=faces))
-                if f.code == "G02")  # fmt: skip
-    assert found.message.startswith("Face 'cavity_2' is not closed: ")
+    opened = Mesh(points=twin.points, cells=twin.cells, regions=twin.regions, faces=faces)
+    (finding,) = (each for each in check_surface(opened) if each.code == "G02")
+    assert finding.message.startswith("Face 'cavity_2' is not closed: ")
 
 
 def test_a_cavity_without_pressure_is_noted(twin: Mesh) -> None:
-    (found,) = unloaded_cavities(model(twin, Pressure("cavity_1", 1 * kPa)))
-    assert str(found).startswith("B03 note: No pressure is stated for cavity_2: it stays open to the air, at 0 kPa.")
+    (result,) = unloaded_cavities(model(twin, Pressure("cavity_1", 1 * kPa)))
+    assert str(result).startswith("B03 note: No pressure is stated for cavity_2: it stays open to the air, at 0 kPa.")
     assert unloaded_cavities(model(twin)) == ()
     assert unloaded_cavities(model(twin, Pressure("cavity_1", 1 * kPa), Pressure("cavity_2", 0.0))) == ()
 
@@ -287,8 +287,8 @@ def test_walls_of_a_cavity_that_is_pressed_flat_are_found(twin: Mesh) -> None:
     states = [cases.state(model(twin, *loads), lifted(5 * mm * f), f) for f in (0.0, 0.5, 1.0)]
     assert meeting_walls(model(twin, *loads), states) == ()  # contact looks after what is pressed together
     alone = Model(twin, {"body": cases.RUBBER}, [Fixed("fixed")], loads, contact=Contact(self_contact=False))
-    (found,) = meeting_walls(alone, states)
-    assert found.message.startswith("Walls of cavity_2 met at load factor 0.8 (cavity_1 1.6 kPa, cavity_2 0.8 kPa);")
+    (result,) = meeting_walls(alone, states)
+    assert result.message.startswith("Walls of cavity_2 met at load factor 0.8 (cavity_1 1.6 kPa, cavity_2 0.8 kPa);")
     pressures = [Pressure(name, 2 * kPa) for name in _VOIDS]
     even = Model(twin, {"body": cases.RUBBER}, [Fixed("fixed")], pressures, contact=Contact(self_contact=False))
     assert meeting_walls(even, states) == ()
@@ -300,8 +300,8 @@ def test_a_law_used_beyond_its_tests_on_the_way_is_told(twin: Mesh) -> None:
     there_and_back = Pressure("cavity_1", 20 * kPa, ((0, 0), (0.5, 1), (1, 0)))
     question = Model(twin, {"body": tested}, [Fixed("fixed")], [there_and_back])
     states = [cases.state(question, cases.stretched(s), f) for s, f in ((1.0, 0.0), (1.3, 0.5), (1.0, 1.0))]
-    (found,) = laws_beyond_their_tests(question, states)
-    assert found.code == "M01"
+    (finding,) = laws_beyond_their_tests(question, states)
+    assert finding.code == "M01"
     assert laws_beyond_their_tests(question, [states[0], states[2]]) == ()
 
 

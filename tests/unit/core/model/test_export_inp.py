@@ -56,15 +56,15 @@ def test_mesh_is_read_back(tmp_path, mesh):
             np.sort(m.points[s[:, :3]].sum(axis=1), axis=0) for m, s in ((mesh, sides), (again, again.faces[name]))
         ]
         assert corners[0] == pytest.approx(corners[1], abs=1e-12), name
-    assert [found for found in again.findings if found.code == "G22"] == []
+    assert [finding for finding in again.findings if finding.code == "G22"] == []
 
 
 def test_faces_of_cells_are_those_of_the_manual(mesh):
     corners = {4: {1: (1, 2, 3), 2: (1, 4, 2), 3: (2, 4, 3), 4: (3, 4, 1)}, 8: {1: (1, 2, 3, 4), 6: (4, 8, 5, 1)}}
     table = corners[mesh.cell_type.corners]
-    found = cell_faces(mesh, "cavity")
+    result = cell_faces(mesh, "cavity")
     checked = 0
-    for (cell, face), side in zip(found, mesh.faces["cavity"], strict=True):
+    for (cell, face), side in zip(result, mesh.faces["cavity"], strict=True):
         if face in table:
             assert set(mesh.cells[cell, np.array(table[face]) - 1]) == set(side[: len(table[face])])
             checked += 1

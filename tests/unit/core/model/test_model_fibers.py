@@ -80,16 +80,16 @@ def checked(tube, *, EA=800.0, form="smeared", within=None, compression=0.0, **w
     model = tg.Model(
         tube, {"body": RUBBER}, [tg.Fixed("fixed")], [tg.Pressure("cavity", 10 * kPa)], reinforcements=(fibers,)
     )
-    return {found.code: found for found in check_fibers(model)}, model
+    return {finding.code: finding for finding in check_fibers(model)}, model
 
 
 def test_threads_that_lie_farther_apart_than_asked_are_told_with_the_angle_that_fits(tube):
     asked = {"form": "discrete", "spacing": 2 * mm}
-    found, model = checked(tube, angle_from_axis=87 * deg, **asked)
-    assert found["B21"].severity == "warning"
-    assert "Threads on outside are 2.746 mm apart instead of 2 mm: their number is whole." in str(found["B21"])
+    result, model = checked(tube, angle_from_axis=87 * deg, **asked)
+    assert result["B21"].severity == "warning"
+    assert "Threads on outside are 2.746 mm apart instead of 2 mm: their number is whole." in str(result["B21"])
     perimeter = course_of(tube, model.reinforcements[0]).perimeter
-    angle = float(str(found["B21"]).split("angle_from_axis = ")[1].split(" deg")[0])
+    angle = float(str(result["B21"]).split("angle_from_axis = ")[1].split(" deg")[0])
     assert angle == pytest.approx(acos(2 * mm / perimeter) / deg, abs=0.01)
     assert "B21" not in checked(tube, angle_from_axis=angle * deg, **asked)[0]
     assert "B21" not in checked(tube, angle_from_axis=60 * deg, **asked)[0]
@@ -121,9 +121,9 @@ def test_threads_too_stiff_to_become_slack_are_told_before_and_after_the_solve(t
     hoops = {"angle_from_axis": 90 * deg, "spacing": 2 * mm}
     assert "B23" not in checked(tube, EA=1e4, **hoops)[0]
     assert "B23" not in checked(tube, EA=1e6, compression=1.0, **hoops)[0]
-    found, model = checked(tube, EA=5e4, **hoops)
-    assert "(E A = 5e+04 N) are about 44,000 times as stiff as the wall" in str(found["B23"])
-    assert "Give them compression = 1 if they stay tight everywhere" in str(found["B23"])
+    result, model = checked(tube, EA=5e4, **hoops)
+    assert "(E A = 5e+04 N) are about 44,000 times as stiff as the wall" in str(result["B23"])
+    assert "Give them compression = 1 if they stay tight everywhere" in str(result["B23"])
     at_rest = np.zeros_like(tube.points)
     rest = State(
         model=model, load_factor=0.0, displacement=at_rest, mean_stress=np.zeros(tube.vertex_count), nodal_force=at_rest

@@ -120,9 +120,9 @@ def test_walls_that_meet_the_next_sector_are_said(tmp_path, monkeypatch):
     aside = np.array([0.0, -middle[1], middle[0]]) / np.hypot(*middle)
     wider = np.outer(mesh.points @ aside, aside)  # fins as thick as the room between them and more
     states = [SimpleNamespace(load_factor=s, displacement=2.0 * s * wider) for s in (0.0, 0.25, 0.5, 0.75, 1.0)]
-    found = meeting_walls(model(mesh), states)
-    assert [each.code for each in found] == ["B02"]
-    assert "met those of the next sector of the wedge at load factor 0." in found[0].message
+    findings = meeting_walls(model(mesh), states)
+    assert [each.code for each in findings] == ["B02"]
+    assert "met those of the next sector of the wedge at load factor 0." in findings[0].message
     assert meeting_walls(model(mesh), states[:1]) == ()
 
 

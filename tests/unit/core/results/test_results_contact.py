@@ -176,11 +176,11 @@ def test_obstacles_are_where_the_state_has_them(path):
 def test_room_of_the_actuator_and_of_the_face_that_may_touch():
     model = question(replace(GROUND, face="tip"))
     states = [StateFields(cases.state(model, place)) for place in (None, lambda x: x + [0, 0, 3 * mm])]
-    found = extents_of(states)
-    np.testing.assert_allclose(found[""], EXTENT + [[0, 0, 0], [0, 0, 3 * mm]], atol=1e-12)
-    np.testing.assert_allclose(found["tip"][:, 0], 40 * mm)
-    np.testing.assert_allclose(found["tip"][:, 1], [-10 * mm, 10 * mm])  # mirrored
-    skin = obstacle_skin(states[0], found)
+    result = extents_of(states)
+    np.testing.assert_allclose(result[""], EXTENT + [[0, 0, 0], [0, 0, 3 * mm]], atol=1e-12)
+    np.testing.assert_allclose(result["tip"][:, 0], 40 * mm)
+    np.testing.assert_allclose(result["tip"][:, 1], [-10 * mm, 10 * mm])  # mirrored
+    skin = obstacle_skin(states[0], result)
     assert np.ptp(skin.points[:, 0]) < 10 * mm  # a plate under the tip, no floor under everything
 
 

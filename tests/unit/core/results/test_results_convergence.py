@@ -23,10 +23,10 @@ def study(values, cells=CELLS, measure=cavity_volume) -> Convergence:
 
 def test_order_and_error_are_those_of_the_effective_sizes() -> None:
     h = 4 * mm * (CELLS[0] / CELLS) ** (1 / 3)  # not the 4, 2.8 and 2 mm that were aimed at
-    found = study(2 * mL + 0.01 * h**2)
-    assert found.effective_sizes == pytest.approx(h)
-    assert found.extrapolation.order == pytest.approx(2)
-    assert found.extrapolation.value == pytest.approx(2 * mL)
+    result = study(2 * mL + 0.01 * h**2)
+    assert result.effective_sizes == pytest.approx(h)
+    assert result.extrapolation.order == pytest.approx(2)
+    assert result.extrapolation.value == pytest.approx(2 * mL)
 
 
 def test_the_summary_shows_digits_down_to_the_error() -> None:
@@ -60,25 +60,25 @@ def test_the_summary_is_honest_where_nothing_can_be_extrapolated(values, words: 
 
 
 def test_the_table_comes_back_from_its_file(tmp_path: Path) -> None:
-    found = study([1.9 * mL, 2.0 * mL, 2.02 * mL])
-    found.response.to_csv(tmp_path / "convergence.csv")
+    result = study([1.9 * mL, 2.0 * mL, 2.02 * mL])
+    result.response.to_csv(tmp_path / "convergence.csv")
     table = read_response(tmp_path / "convergence.csv")
     assert table.names == ("mesh_size", "effective_size", "cells", "unknowns", "cavity_volume")
-    assert table.column("cavity_volume") == pytest.approx(found.values, rel=1e-12)
+    assert table.column("cavity_volume") == pytest.approx(result.values, rel=1e-12)
     assert list(table.column("unknowns")) == [6000, 18000, 54000]
 
 
 @pytest.mark.parametrize("values", [[1.9, 2.0, 2.02], [1.9, 2.0, 1.95]])
 def test_the_plot_marks_what_is_extrapolated(tmp_path: Path, values) -> None:
-    found = study(np.array(values) * mL)
-    axes = plot_convergence(Figure().add_subplot(), found)
+    result = study(np.array(values) * mL)
+    axes = plot_convergence(Figure().add_subplot(), result)
     labels = axes.get_legend_handles_labels()[1]
-    assert any(label.startswith("extrapolated: ") for label in labels) == found.extrapolation.reliable
+    assert any(label.startswith("extrapolated: ") for label in labels) == result.extrapolation.reliable
     assert axes.get_ylabel() == "cavity volume [mL]"
-    write_convergence_plot(tmp_path / "plot.png", found, title="small")
+    write_convergence_plot(tmp_path / "plot.png", result, title="small")
     assert (tmp_path / "plot.png").read_bytes().startswith(b"\x89PNG")
     with refused("plot.jpg", ".jpg", ".png or .svg"):
-        write_convergence_plot(tmp_path / "plot.jpg", found)
+        write_convergence_plot(tmp_path / "plot.jpg", result)
 
 
 def test_meshes_that_do_not_get_finer_are_refused() -> None:

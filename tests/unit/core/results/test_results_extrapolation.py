@@ -17,12 +17,12 @@ UNEVEN = np.array([4.0, 2.9, 2.2])
 @pytest.mark.parametrize("factor", [0.3, -0.3])
 def test_manufactured_sequences_give_their_limit_and_order(sizes, order: float, factor: float) -> None:
     h = np.array(sizes) / max(sizes)
-    found = extrapolate(h, 10 + factor * h**order)
-    assert found.trust == "converging"
-    assert found.reliable
-    assert found.order == pytest.approx(order, rel=1e-6)
-    assert found.value == pytest.approx(10, rel=1e-8)
-    assert found.error == pytest.approx(EXTRAPOLATION.safety * abs(factor) * h[-1] ** order, rel=1e-5)
+    result = extrapolate(h, 10 + factor * h**order)
+    assert result.trust == "converging"
+    assert result.reliable
+    assert result.order == pytest.approx(order, rel=1e-6)
+    assert result.value == pytest.approx(10, rel=1e-8)
+    assert result.error == pytest.approx(EXTRAPOLATION.safety * abs(factor) * h[-1] ** order, rel=1e-5)
 
 
 @given(
@@ -33,9 +33,9 @@ def test_manufactured_sequences_give_their_limit_and_order(sizes, order: float, 
 )
 def test_any_order_and_any_ratios(order: float, first: float, second: float, limit: float) -> None:
     h = np.array([1.0, 1 / first, 1 / first / second])
-    found = extrapolate(h, limit + h**order)
-    assert found.order == pytest.approx(order, rel=1e-4)
-    assert found.value == pytest.approx(limit, abs=1e-4)
+    result = extrapolate(h, limit + h**order)
+    assert result.order == pytest.approx(order, rel=1e-4)
+    assert result.value == pytest.approx(limit, abs=1e-4)
 
 
 def test_only_the_last_three_values_count() -> None:
@@ -44,32 +44,32 @@ def test_only_the_last_three_values_count() -> None:
 
 
 def test_values_that_go_up_and_down_are_not_extrapolated() -> None:
-    found = extrapolate(UNEVEN, [1.0, 3.0, 2.0])
-    assert (found.value, found.error, found.order, found.trust) == (2.0, 2.0, None, "not monotone")
-    assert not found.reliable
+    result = extrapolate(UNEVEN, [1.0, 3.0, 2.0])
+    assert (result.value, result.error, result.order, result.trust) == (2.0, 2.0, None, "not monotone")
+    assert not result.reliable
 
 
 def test_differences_that_grow_have_no_limit() -> None:
-    found = extrapolate([4, 2, 1], [1.0, 2.0, 4.0])
-    assert (found.value, found.error, found.order, found.trust) == (4.0, 3.0, None, "diverging")
+    result = extrapolate([4, 2, 1], [1.0, 2.0, 4.0])
+    assert (result.value, result.error, result.order, result.trust) == (4.0, 3.0, None, "diverging")
     assert extrapolate([4, 2, 1], [1.0, 1.0, 2.0]).trust == "diverging"
 
 
 def test_an_order_near_zero_is_no_order() -> None:
     h = np.array([4.0, 2.0, 1.0])
-    found = extrapolate(h, 10 + h**0.3)
-    assert found.trust == "slow"
-    assert found.order == pytest.approx(0.3)
-    assert found.value == 11
-    assert found.error == pytest.approx(4**0.3 - 1)
+    result = extrapolate(h, 10 + h**0.3)
+    assert result.trust == "slow"
+    assert result.order == pytest.approx(0.3)
+    assert result.value == 11
+    assert result.error == pytest.approx(4**0.3 - 1)
 
 
 def test_a_sequence_that_is_too_fast_is_not_believed() -> None:
     h = np.array([4.0, 2.0, 1.0])
-    found = extrapolate(h, 10 + h**8)
-    assert found.trust == "fast"
-    assert found.order == pytest.approx(8)
-    assert found.error >= EXTRAPOLATION.safety * abs(found.value - 11)
+    result = extrapolate(h, 10 + h**8)
+    assert result.trust == "fast"
+    assert result.order == pytest.approx(8)
+    assert result.error >= EXTRAPOLATION.safety * abs(result.value - 11)
     lucky = extrapolate(h, [1.0, 2.0, 2.0])  # the last two agree by chance: the error is not zero
     assert lucky.order is None
     assert lucky.value == 2
@@ -77,8 +77,8 @@ def test_a_sequence_that_is_too_fast_is_not_believed() -> None:
 
 
 def test_equal_values_have_no_order_and_no_error() -> None:
-    found = extrapolate(UNEVEN, [5.0, 5.0, 5.0])
-    assert (found.value, found.error, found.order, found.trust) == (5.0, 0.0, None, "equal")
+    result = extrapolate(UNEVEN, [5.0, 5.0, 5.0])
+    assert (result.value, result.error, result.order, result.trust) == (5.0, 0.0, None, "equal")
     assert extrapolate(UNEVEN, [0.0, 0.0, 0.0]).trust == "equal"
     assert extrapolate(UNEVEN, [5.0, 5.0 + 1e-8, 5.0 - 1e-8]).trust == "equal"  # rounding of a solver, not a trend
 

@@ -250,8 +250,8 @@ def test_reaction_counts_radial_supports():
     tube = meshes.glued([meshes.Block((1, 8, 1), place, names)])
     push = Traction("inside", (2 * kPa, 1 * kPa, 0.5 * kPa))
     held = [Fixed("fixed"), Radial("outside", axis=(0, 0, 1))]
-    found = solve(Model(tube, {"body": cases.RUBBER}, held, [push])).states[-1]
+    result = solve(Model(tube, {"body": cases.RUBBER}, held, [push])).states[-1]
     load = surfaces.area(tube.points, tube.face("inside")) * np.linalg.norm(push.vector)
-    assert measures.reaction(found) == pytest.approx(load, rel=1e-6)
-    free = replace(found.model, supports=held[:1])
-    assert measures.reaction(replace(found, model=free)) < 0.7 * load  # the rest is what the outside takes
+    assert measures.reaction(result) == pytest.approx(load, rel=1e-6)
+    free = replace(result.model, supports=held[:1])
+    assert measures.reaction(replace(result, model=free)) < 0.7 * load  # the rest is what the outside takes

@@ -62,8 +62,8 @@ def test_one_spoiled_cell_does_not_put_a_law_beyond_its_tests():
     spoiled = cases.state(model, lambda X: X + 1e-3 * (np.arange(len(X)) == lonely)[:, None])
     assert maximum_principal_stretch(spoiled) > 1.3
     assert laws_beyond_their_tests(model, [cases.state(model, None, 0.0), spoiled]) == ()
-    (found,) = laws_beyond_their_tests(model, [spoiled, cases.state(model, cases.stretched(STRETCH))])
-    assert found.message.startswith("The law of 'narrow' is used up to stretch 1.3,")
+    (result,) = laws_beyond_their_tests(model, [spoiled, cases.state(model, cases.stretched(STRETCH))])
+    assert result.message.startswith("The law of 'narrow' is used up to stretch 1.3,")
 
 
 def test_percentiles_of_the_regions(at):

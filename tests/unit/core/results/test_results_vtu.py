@@ -66,11 +66,11 @@ def test_vtk_sees_the_cells_as_we_do(state, grid):
     mesh = state.model.mesh
     weights = np.array([-0.125] * 4 + [0.25] * 6)
     for i in (0, 7, len(mesh.cells) - 1):
-        cell, center, found = grid.GetCell(i), [0.25] * 3, [0.0] * 3
+        cell, center, result = grid.GetCell(i), [0.25] * 3, [0.0] * 3
         cell.EvaluateLocation(
-            __import__("vtkmodules.vtkCommonCore", fromlist=["reference"]).reference(0), center, found, [0.0] * 10
+            __import__("vtkmodules.vtkCommonCore", fromlist=["reference"]).reference(0), center, result, [0.0] * 10
         )
-        assert found == pytest.approx(weights @ mesh.points[mesh.cells[i]], abs=1e-12)
+        assert result == pytest.approx(weights @ mesh.points[mesh.cells[i]], abs=1e-12)
         assert cell.IsA("vtkQuadraticTetra")
 
 

@@ -47,8 +47,8 @@ def test_compressible_rubber_takes_any_velocity() -> None:
     system = System(finger(bulk_modulus=1e6))
     at = system.evaluate(np.zeros(system.size), 0.0)
     wanted = system.joined(system.points)
-    found = Accelerations(system, at, mass_data(system)).velocity(wanted)
-    assert found[~system.prescribed] == pytest.approx(np.where(system.prescribed, 0.0, wanted)[~system.prescribed])
+    result = Accelerations(system, at, mass_data(system)).velocity(wanted)
+    assert result[~system.prescribed] == pytest.approx(np.where(system.prescribed, 0.0, wanted)[~system.prescribed])
 
 
 def test_a_moving_support_does_work() -> None:

@@ -33,8 +33,8 @@ def bar(**changes) -> Obstacle:
 
 
 def only(obstacles: tuple[Obstacle, ...], name: str) -> Obstacle:
-    (found,) = (each for each in obstacles if each.name == name)
-    return found
+    (result,) = (each for each in obstacles if each.name == name)
+    return result
 
 
 def test_without_a_setup_the_model_is_what_it_was():

@@ -49,9 +49,9 @@ def test_arc_to_a_position_is_exact():
     for arc in ARCS:
         if not 1e-3 < arc.angle < 2 * np.pi - 0.05:
             continue
-        found = arc_to(pose(arc)[:3, 3])
-        assert [found.curvature, found.length] == pytest.approx([arc.curvature, arc.length], rel=1e-9)
-        assert np.cos(found.plane - arc.plane) == pytest.approx(1.0, abs=1e-12)
+        result = arc_to(pose(arc)[:3, 3])
+        assert [result.curvature, result.length] == pytest.approx([arc.curvature, arc.length], rel=1e-9)
+        assert np.cos(result.plane - arc.plane) == pytest.approx(1.0, abs=1e-12)
     straight = arc_to([0.1, 0, 0])
     assert (straight.curvature, straight.length) == (0.0, pytest.approx(0.1))
     with refused("(-100, 0, 0) mm", "base"):
@@ -65,10 +65,10 @@ def test_several_segments_reach_what_segments_can_reach(count):
         arcs = [Arc(curvature=rng.uniform(3, 20), plane=rng.uniform(-3, 3), length=0.1) for _ in range(count)]
         tip = poses(arcs)[-1]
         look = tip[:3, 0] if count > 1 else None
-        found = reach(tip[:3, 3], [0.1] * count, direction=look)
-        end = poses(found.arcs)[-1]
+        result = reach(tip[:3, 3], [0.1] * count, direction=look)
+        end = poses(result.arcs)[-1]
         assert end[:3, 3] == pytest.approx(tip[:3, 3], abs=1e-7)
-        assert max(arc.angle for arc in found.arcs) <= np.pi + 1e-6
+        assert max(arc.angle for arc in result.arcs) <= np.pi + 1e-6
         if look is not None:
             assert end[:3, 0] == pytest.approx(look, abs=1e-6)
 
@@ -86,8 +86,8 @@ def test_lengths_of_three_chambers_and_back():
     part = tg.actuators.ThreeExtenders()
     for arc in (Arc(curvature=6.0, plane=0.9, length=0.05), Arc(curvature=0.0, plane=0.0, length=0.05)):
         lengths = tg.formulas.lengths_of_arc(part, arc)
-        found = tg.formulas.arc_of_lengths(part, lengths)
-        assert pose(found) == pytest.approx(pose(arc), abs=1e-12)
+        result = tg.formulas.arc_of_lengths(part, lengths)
+        assert pose(result) == pytest.approx(pose(arc), abs=1e-12)
     # Webster and Jones: kappa from three lengths at the distance d from the middle
     l1, l2, l3, d = 52 * mm, 50 * mm, 47 * mm, part.side / np.sqrt(3)
     root = np.sqrt(l1**2 + l2**2 + l3**2 - l1 * l2 - l1 * l3 - l2 * l3)

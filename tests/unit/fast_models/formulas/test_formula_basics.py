@@ -91,9 +91,9 @@ def test_findings_travel_with_a_saved_response(tmp_path):
 )
 def test_what_the_material_does_besides_is_said(material, words):
     more = tg.Material(name="silicone", law=RUBBER.law, **material)
-    (found,) = (each for each in F.thick_tube(tg.actuators.ExtendingCylinder(), more, 1 * kPa).findings)
-    assert found.code == "F01"
-    assert words in found.message
+    (finding,) = (each for each in F.thick_tube(tg.actuators.ExtendingCylinder(), more, 1 * kPa).findings)
+    assert finding.code == "F01"
+    assert words in finding.message
 
 
 def test_findings_where_assumptions_fail():

@@ -32,24 +32,24 @@ def test_step_solves_the_equation_of_motion(damping):
 @pytest.mark.parametrize(("frequency", "damping"), [(4.0, 0.02), (1.3, 0.2), (6.0, 0.8), (2.0, 2.0)])
 def test_exact_steps_are_identified(frequency, damping):
     t = np.linspace(-0.2, 3.0, 400)
-    found = identify_step(record(t, 0.1 + 0.4 * step_shape(t, frequency, damping)), "bending_angle", drive=DRIVE)
-    assert found.natural_frequency == pytest.approx(frequency, rel=1e-6)
-    assert found.damping_ratio == pytest.approx(damping, rel=1e-6)
-    assert found.gain * DRIVE == pytest.approx(0.4, rel=1e-6)
-    assert found.offset == pytest.approx(0.1, rel=1e-6)
-    assert found.findings == ()
-    m, c, k = found.mass, found.damping, found.stiffness
+    result = identify_step(record(t, 0.1 + 0.4 * step_shape(t, frequency, damping)), "bending_angle", drive=DRIVE)
+    assert result.natural_frequency == pytest.approx(frequency, rel=1e-6)
+    assert result.damping_ratio == pytest.approx(damping, rel=1e-6)
+    assert result.gain * DRIVE == pytest.approx(0.4, rel=1e-6)
+    assert result.offset == pytest.approx(0.1, rel=1e-6)
+    assert result.findings == ()
+    m, c, k = result.mass, result.damping, result.stiffness
     assert np.sqrt(k / m) / (2 * np.pi) == pytest.approx(frequency, rel=1e-6)
     assert c / (2 * np.sqrt(k * m)) == pytest.approx(damping, rel=1e-6)
-    again = found.step(t, DRIVE, measure=Column("bending_angle", "deg", [0.0]))
+    again = result.step(t, DRIVE, measure=Column("bending_angle", "deg", [0.0]))
     assert again["bending_angle"] == pytest.approx(0.1 + 0.4 * step_shape(t, frequency, damping), abs=1e-7)
 
 
 def test_a_delay_is_found():
     t = np.linspace(0, 3.0, 600)
-    found = identify_step(record(t, step_shape(t - 0.05, 3.0, 0.2)), "bending_angle", delayed=True)
-    assert found.delay == pytest.approx(0.05, abs=2e-3)
-    assert found.natural_frequency == pytest.approx(3.0, rel=2e-3)
+    result = identify_step(record(t, step_shape(t - 0.05, 3.0, 0.2)), "bending_angle", delayed=True)
+    assert result.delay == pytest.approx(0.05, abs=2e-3)
+    assert result.natural_frequency == pytest.approx(3.0, rel=2e-3)
 
 
 def test_uncertainties_cover_the_truth():
@@ -57,9 +57,9 @@ def test_uncertainties_cover_the_truth():
     t, rng, off = np.linspace(0, 2.0, 300), np.random.default_rng(3), []
     for _ in range(60):
         noisy = step_shape(t, 4.0, 0.1) + rng.normal(0, 0.01, len(t))
-        found = identify_step(record(t, noisy), "bending_angle")
-        off.append((found.natural_frequency - 4.0) / found.natural_frequency_uncertainty)
-        assert found.natural_frequency_uncertainty < 0.01
+        result = identify_step(record(t, noisy), "bending_angle")
+        off.append((result.natural_frequency - 4.0) / result.natural_frequency_uncertainty)
+        assert result.natural_frequency_uncertainty < 0.01
     within = [float((np.abs(off) < n).mean()) for n in (1, 3)]
     assert 0.5 < within[0] < 0.85
     assert within[1] > 0.95
@@ -69,17 +69,17 @@ def test_uncertainties_cover_the_truth():
 def test_a_sweep_with_and_without_phase(known):
     f = np.linspace(0.5, 8.0, 60)
     moved = 0.02 / (1 - (f / 3.5) ** 2 + 2j * 0.15 * f / 3.5)
-    found = identify_sweep(f, moved if known else np.abs(moved), drive=2.0)
-    assert found.natural_frequency == pytest.approx(3.5, rel=1e-6)
-    assert found.damping_ratio == pytest.approx(0.15, rel=1e-6)
-    assert found.gain == pytest.approx(0.01, rel=1e-6)
+    result = identify_sweep(f, moved if known else np.abs(moved), drive=2.0)
+    assert result.natural_frequency == pytest.approx(3.5, rel=1e-6)
+    assert result.damping_ratio == pytest.approx(0.15, rel=1e-6)
+    assert result.gain == pytest.approx(0.01, rel=1e-6)
 
 
 def test_other_motions_are_named():
     t = np.linspace(0, 3.0, 400)
     two = step_shape(t, 3.0, 0.05) + 0.4 * step_shape(t, 7.0, 0.05)
-    (found,) = identify_step(record(t, two), "bending_angle").findings
-    assert found.code == "F07"
+    (finding,) = identify_step(record(t, two), "bending_angle").findings
+    assert finding.code == "F07"
     f = np.linspace(0.5, 8, 50)
     flat = np.ones(50) + 0.5 * (f > 4)
     assert identify_sweep(f, flat).findings[0].code == "F07"

@@ -90,8 +90,8 @@ def test_banded_solver_solves():
     system = _system()
     at = system.evaluate(_relaxed(system, replace(system.start(), load_factor=0.3)))
     side = RNG.normal(size=at.residual.shape)
-    (found,) = system.band.factor(at.blocks, at.own).solve(side)
+    (result,) = system.band.factor(at.blocks, at.own).solve(side)
     order = system.band.number[system.band.of_node]
-    product = system.band.dense(at.blocks, at.own) @ found.ravel()[system.band.of_node][np.argsort(order)]
+    product = system.band.dense(at.blocks, at.own) @ result.ravel()[system.band.of_node][np.argsort(order)]
     assert product == pytest.approx(side.ravel()[system.band.of_node][np.argsort(order)], abs=1e-10)
-    assert np.abs(found[~system.layout.free]).max() == 0
+    assert np.abs(result[~system.layout.free]).max() == 0

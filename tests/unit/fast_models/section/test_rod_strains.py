@@ -50,9 +50,9 @@ def test_helix_is_found_again(curvature):
 
 
 def test_ready_made_measures_are_known_by_name():
-    found = tg.measures.middle_curvature_y
-    assert found.name == "middle_curvature_y"
-    assert "40%" in found.definition
+    result = tg.measures.middle_curvature_y
+    assert result.name == "middle_curvature_y"
+    assert "40%" in result.definition
 
 
 def test_stations_out_of_order_and_too_few_cells_are_refused():

@@ -22,10 +22,10 @@ def wound(**direction):
 def test_sketch_actuator_and_mesh_give_the_same_section():
     actuator = tg.actuators.ExtendingCylinder(inner_radius=6 * mm, wall=2 * mm, length=60 * mm, symmetric=False)
     mesh = tg.mesh(actuator.build(), size=2 * mm, cells="hexahedra")
-    found = [tg.Section(each, {"body": RUBBER}).solve(10 * kPa).response for each in (TUBE, actuator, mesh)]
-    for response in found[1:]:
-        assert response["stretch"] == pytest.approx(found[0]["stretch"], rel=1e-5)
-        assert response["cavity_ballooning"] == pytest.approx(found[0]["cavity_ballooning"], rel=1e-4)
+    results = [tg.Section(each, {"body": RUBBER}).solve(10 * kPa).response for each in (TUBE, actuator, mesh)]
+    for response in results[1:]:
+        assert response["stretch"] == pytest.approx(results[0]["stretch"], rel=1e-5)
+        assert response["cavity_ballooning"] == pytest.approx(results[0]["cavity_ballooning"], rel=1e-4)
 
 
 @pytest.mark.parametrize(
@@ -92,8 +92,8 @@ def test_stiffness_is_the_derivative_of_the_forces():
     forces = ("axial_force", "torque", "moment_y", "moment_z")
     at = dict(zip(names, (1.05, 8.0, 5.0, -3.0), strict=True))
     stiffness = section.solve(20 * kPa, prescribed=at).stiffness()
-    found = section.solve(20 * kPa, prescribed=at).response
-    assert [found[name][0] for name in forces] == pytest.approx(stiffness.forces, rel=1e-12)
+    result = section.solve(20 * kPa, prescribed=at).response
+    assert [result[name][0] for name in forces] == pytest.approx(stiffness.forces, rel=1e-12)
     for i, (name, step) in enumerate(zip(names, (1e-4, 1e-2, 1e-2, 1e-2), strict=True)):
         two = [section.solve(20 * kPa, prescribed=at | {name: at[name] + sign * step}).response for sign in (1, -1)]
         slope = [(two[0][force][0] - two[1][force][0]) / (2 * step) for force in forces]

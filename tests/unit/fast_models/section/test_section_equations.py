@@ -91,8 +91,8 @@ def test_tangent_is_the_derivative_of_the_residual(part, closed):
     kept = (made.numbers.core >= 0) | (made.numbers.border >= 0)
     direction[~kept] = 0.0
     step = 1e-6
-    found = [made.linearized(moved(made, at, direction, sign * step), question).residual for sign in (1, -1)]
-    expected = (found[0] - found[1]) / (2 * step)
+    results = [made.linearized(moved(made, at, direction, sign * step), question).residual for sign in (1, -1)]
+    expected = (results[0] - results[1]) / (2 * step)
     got = product(made, made.linearized(at, question), direction)
     # the tangent alone holds a relative compressibility of 1e-9 where the mean stress is undetermined
     assert np.abs(got - expected)[kept].max() < 1e-6 * np.abs(expected[kept]).max()
@@ -105,9 +105,9 @@ def test_radial_nodes_turn_their_directions():
     at, question = somewhere(made), PRESSED
     kept = (made.numbers.core >= 0) | (made.numbers.border >= 0)
     direction = np.where(kept, np.random.default_rng(3).normal(size=len(kept)), 0.0)
-    found = [made.linearized(moved(made, at, direction, sign * 1e-6), question).residual for sign in (1, -1)]
+    results = [made.linearized(moved(made, at, direction, sign * 1e-6), question).residual for sign in (1, -1)]
     got = product(made, made.linearized(at, question), direction)
-    assert got[kept] == pytest.approx((found[0] - found[1])[kept] / 2e-6, abs=1e-6 * np.abs(got).max())
+    assert got[kept] == pytest.approx((results[0] - results[1])[kept] / 2e-6, abs=1e-6 * np.abs(got).max())
     radius = np.linalg.norm(follow(made, [question]).points[0].unknowns.y[:, 1:], axis=1)
     assert radius.max() * made.plane.length == pytest.approx(6 * mm, rel=1e-4)
 
@@ -144,12 +144,12 @@ def test_skew_is_the_cross_product():
 def test_section_does_not_depend_on_where_it_is_drawn_or_how_it_is_turned():
     """A turned section bends about a turned axis by the same amount."""
     outer, inner = tg.sections.disc(6 * mm), tg.sections.disc(3 * mm, (0.0, 1.5 * mm))
-    found = []
+    results = []
     for angle, shift in ((0.0, 0.0), (0.6, 5 * mm)):
         areas = {"body": outer.turned(angle).moved(shift, -shift), "cavity": inner.turned(angle).moved(shift, -shift)}
         section = tg.Section(tg.sections.Sketch(areas=areas), {"body": RUBBER}, size=1.5 * mm)
-        found.append(section.solve(30 * kPa).response)
-    straight, turned = found
+        results.append(section.solve(30 * kPa).response)
+    straight, turned = results
     assert abs(straight["curvature_z"][0]) < 1e-6 * straight["curvature"][0]
     assert turned["curvature"] == pytest.approx(straight["curvature"], rel=2e-3)
     direction = np.arctan2(turned["curvature_z"][0], turned["curvature_y"][0])
@@ -174,13 +174,13 @@ def test_held_volumes_have_their_derivatives(closed):
     made = equations(closed=closed)
     at = somewhere(made)
     held = Question(pressures=np.zeros(1), volumes=np.array([0.7]), strains=FREE, forces=np.zeros(4))
-    found = made.linearized(at, held)
+    result = made.linearized(at, held)
     kept = (made.numbers.core >= 0) | (made.numbers.border >= 0)
     direction = np.where(kept, np.random.default_rng(5).normal(size=len(kept)), 0.0)
     sizes = [made.volumes(moved(made, at, direction, sign * 1e-6))[0] for sign in (1, -1)]
-    assert found.gradients[0] @ direction == pytest.approx((sizes[0] - sizes[1]) / 2e-6, rel=1e-7)
-    assert found.missed[0] == 0.7 - made.volumes(at)[0]
+    assert result.gradients[0] @ direction == pytest.approx((sizes[0] - sizes[1]) / 2e-6, rel=1e-7)
+    assert result.missed[0] == 0.7 - made.volumes(at)[0]
     pressed = [
         made.linearized(replace(at, pressures=at.pressures + sign * 1e-4), held).residual[kept] for sign in (1, -1)
     ]
-    assert found.pushed[kept, 0] == pytest.approx((pressed[0] - pressed[1]) / 2e-4, abs=1e-9)
+    assert result.pushed[kept, 0] == pytest.approx((pressed[0] - pressed[1]) / 2e-4, abs=1e-9)

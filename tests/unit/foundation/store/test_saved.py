@@ -135,10 +135,10 @@ def test_values_of_every_kind_come_back():
     }
     encoder = Encoder()
     tree = json.loads(json.dumps(encoder.encode(value), allow_nan=False))
-    found = Decoder(encoder.arrays, lambda name: None).decode(tree)
-    assert found["arrays"][0] is found["arrays"][1]
-    assert str(found["arrays"]) == str(value["arrays"])
-    assert {key: item for key, item in found.items() if key != "arrays"} == {
+    result = Decoder(encoder.arrays, lambda name: None).decode(tree)
+    assert result["arrays"][0] is result["arrays"][1]
+    assert str(result["arrays"]) == str(value["arrays"])
+    assert {key: item for key, item in result.items() if key != "arrays"} == {
         key: item for key, item in value.items() if key != "arrays"
     }
 

@@ -30,31 +30,31 @@ def sphere(measured=None, **options):
 
 
 def test_two_parameters_of_an_exact_curve_come_out_with_few_runs():
-    found = calibrate(sphere(), [C10, C20])
-    assert found.values["C10"] == pytest.approx(0.12e6, rel=2e-3)
-    assert found.values["C20"] == pytest.approx(0.004e6, rel=0.05)
-    assert found.converged
-    assert found.solves == found.computed <= 25
-    assert found.fits[0].rms < 0.01 * found.fits[0].rms_start
-    assert "C10 = 0.12 MPa ±" in found.summary()
+    result = calibrate(sphere(), [C10, C20])
+    assert result.values["C10"] == pytest.approx(0.12e6, rel=2e-3)
+    assert result.values["C20"] == pytest.approx(0.004e6, rel=0.05)
+    assert result.converged
+    assert result.solves == result.computed <= 25
+    assert result.fits[0].rms < 0.01 * result.fits[0].rms_start
+    assert "C10 = 0.12 MPa ±" in result.summary()
 
 
 def test_updates_of_the_jacobian_save_runs():
     """Without them it is 27 runs."""
-    found = calibrate(sphere(), [Parameter(name="C10", start=0.09e6), C20])
-    assert found.converged
-    assert found.solves <= 23
+    result = calibrate(sphere(), [Parameter(name="C10", start=0.09e6), C20])
+    assert result.converged
+    assert result.solves <= 23
 
 
 def test_the_bound_that_is_reached_is_named():
-    found = calibrate(
+    result = calibrate(
         sphere(cases.measured_sphere(C20=0.0)), [Parameter(name="C10", start=0.2e6, lower=0.15e6, unit="MPa")]
     )
-    assert found.status == "at_bound"
-    assert found.values["C10"] == pytest.approx(0.15e6, rel=1e-4)
-    assert isnan(found.errors["C10"])
-    assert "C10 = 0.15 MPa, its lower bound" in found.table()
-    assert "Widen the bound of C10" in found.advice
+    assert result.status == "at_bound"
+    assert result.values["C10"] == pytest.approx(0.15e6, rel=1e-4)
+    assert isnan(result.errors["C10"])
+    assert "C10 = 0.15 MPa, its lower bound" in result.table()
+    assert "Widen the bound of C10" in result.advice
 
 
 def test_an_offset_and_a_scale_of_the_gauge_cost_no_runs():
@@ -70,18 +70,18 @@ def test_an_offset_and_a_scale_of_the_gauge_cost_no_runs():
         source=Source(text="rig"),
     )
     fixed = Parameter(name="C10", start=0.12e6, lower=0.119e6, upper=0.121e6, prior=(0.12e6, 10.0))
-    found = calibrate(sphere(scaled, spread=1e-4), [fixed], rig=["pressure_scale", "stretch_offset"])
-    assert found.values["pressure_scale"] == pytest.approx(1.1, rel=0.06)
+    result = calibrate(sphere(scaled, spread=1e-4), [fixed], rig=["pressure_scale", "stretch_offset"])
+    assert result.values["pressure_scale"] == pytest.approx(1.1, rel=0.06)
 
 
 def test_what_cannot_be_told_apart_is_said():
     """Pressure of a thin sphere depends on the product of stiffness and wall alone."""
     wall = Parameter(name="wall", start=1.2 * mm, unit="mm")
-    found = calibrate(sphere(cases.measured_sphere(noise=1e-3, C20=0.0), spread=1e-3), [C10, wall])
-    (sentence,) = found.undetermined
+    result = calibrate(sphere(cases.measured_sphere(noise=1e-3, C20=0.0), spread=1e-3), [C10, wall])
+    (sentence,) = result.undetermined
     assert "C10 and wall are not determined separately: the curves tell only the product C10 · wall." in sentence
-    assert found.values["C10"] * found.values["wall"] == pytest.approx(0.12e6 * 1 * mm, rel=0.01)
-    assert found.errors["wall"] > 10 * mm
+    assert result.values["C10"] * result.values["wall"] == pytest.approx(0.12e6 * 1 * mm, rel=0.01)
+    assert result.errors["wall"] > 10 * mm
     known = calibrate(
         sphere(cases.measured_sphere(noise=1e-3, C20=0.0), spread=1e-3),
         [C10, Parameter(name="wall", start=1.2 * mm, prior=(1 * mm, 0.05 * mm), unit="mm")],
@@ -93,18 +93,18 @@ def test_what_cannot_be_told_apart_is_said():
 
 def test_a_prior_keeps_its_width_where_the_spread_is_not_known():
     wall = Parameter(name="wall", start=1.2 * mm, prior=(1 * mm, 0.05 * mm), unit="mm")
-    found = calibrate(sphere(cases.measured_sphere(noise=1e-4, C20=0.0)), [C10, wall])
-    assert found.errors["wall"] == pytest.approx(0.05 * mm, rel=0.1)
-    assert found.values["wall"] == pytest.approx(1 * mm, rel=0.01)
+    result = calibrate(sphere(cases.measured_sphere(noise=1e-4, C20=0.0)), [C10, wall])
+    assert result.errors["wall"] == pytest.approx(0.05 * mm, rel=0.1)
+    assert result.values["wall"] == pytest.approx(1 * mm, rel=0.01)
 
 
 def test_a_parameter_without_effect_is_said():
     reach = Parameter(name="up_to", start=1.4, lower=1.35, upper=1.6)
-    found = calibrate(sphere(cases.measured_sphere(noise=1e-3, C20=0.0), spread=1e-3), [C10, reach])
+    result = calibrate(sphere(cases.measured_sphere(noise=1e-3, C20=0.0), spread=1e-3), [C10, reach])
     assert any(
-        each.startswith("up_to is not determined: the curves hardly depend on it") for each in found.undetermined
+        each.startswith("up_to is not determined: the curves hardly depend on it") for each in result.undetermined
     )
-    assert found.values["C10"] == pytest.approx(0.12e6, rel=2e-3)
+    assert result.values["C10"] == pytest.approx(0.12e6, rel=2e-3)
 
 
 @pytest.mark.parametrize(("noise", "told"), [(2e-4, 0), (2e-2, 1)])
@@ -116,12 +116,12 @@ def test_noise_decides_what_is_determined(noise, told):
     measured = cases.response(at, np.repeat(exact["inner_stretch"], 4) + noise * draws)
     wall = Parameter(name="wall", start=4.5 * mm, unit="mm")
     trial = Trial(measured=measured, function=cases.thick_sphere, y="inner_stretch=stretch", spread=noise)
-    found = calibrate(trial, [Parameter(name="C10", start=0.13e6), wall])
-    assert len(found.undetermined) == told
+    result = calibrate(trial, [Parameter(name="C10", start=0.13e6), wall])
+    assert len(result.undetermined) == told
     if told:
-        assert "C10 and wall are not determined separately" in found.undetermined[0]
+        assert "C10 and wall are not determined separately" in result.undetermined[0]
     else:
-        assert found.values["wall"] == pytest.approx(5 * mm, rel=0.05)
+        assert result.values["wall"] == pytest.approx(5 * mm, rel=0.05)
 
 
 def test_two_experiments_determine_what_one_does_not():
@@ -130,49 +130,49 @@ def test_two_experiments_determine_what_one_does_not():
     known = Trial(
         measured=cases.measured_sphere(noise=1e-3, wall=2 * mm, C20=0.0), function=cases.widening, spread=1e-3
     )
-    found = calibrate([sphere(cases.measured_sphere(noise=1e-3, C20=0.0), spread=1e-3), known], [C10, wall])
-    assert found.undetermined == ()
-    assert found.values["wall"] == pytest.approx(1 * mm, rel=0.02)
-    assert len(found.fits) == 2
+    result = calibrate([sphere(cases.measured_sphere(noise=1e-3, C20=0.0), spread=1e-3), known], [C10, wall])
+    assert result.undetermined == ()
+    assert result.values["wall"] == pytest.approx(1 * mm, rel=0.02)
+    assert len(result.fits) == 2
 
 
 def test_a_trial_that_is_held_out_is_predicted():
     other = Trial(measured=cases.measured_sphere(wall=2 * mm, C20=0.0), function=cases.widening, name="thick one")
-    found = calibrate(sphere(cases.measured_sphere(C20=0.0)), [C10], hold_out=[other])
-    (held,) = found.held_out
+    result = calibrate(sphere(cases.measured_sphere(C20=0.0)), [C10], hold_out=[other])
+    (held,) = result.held_out
     assert held.rms < 2e-3 < held.rms_start
-    assert "held out: thick one: stretch differs by" in found.summary()
-    assert [len(each.to_response()) for each in (*found.fits, held)] == [25, 25]
+    assert "held out: thick one: stretch differs by" in result.summary()
+    assert [len(each.to_response()) for each in (*result.fits, held)] == [25, 25]
 
 
 def test_runs_that_fail_are_avoided_and_told():
     measured = cases.measured_sphere(C10=0.104e6, C20=0.0)
-    found = calibrate(Trial(measured=measured, function=cases.breaks_when_soft), [C10])
-    assert found.values["C10"] == pytest.approx(0.104e6, rel=2e-3)
+    result = calibrate(Trial(measured=measured, function=cases.breaks_when_soft), [C10])
+    assert result.values["C10"] == pytest.approx(0.104e6, rel=2e-3)
     lowest = Parameter(name="C10", start=0.12e6, lower=0.05e6)
-    found = calibrate(
+    result = calibrate(
         Trial(measured=cases.measured_sphere(C10=0.09e6, C20=0.0), function=cases.breaks_when_soft), [lowest]
     )
-    assert found.failures
-    assert "ended at its first step" in found.failures[0]
-    assert found.values["C10"] == pytest.approx(0.1e6, rel=0.05)
+    assert result.failures
+    assert "ended at its first step" in result.failures[0]
+    assert result.values["C10"] == pytest.approx(0.1e6, rel=0.05)
     with refused("rig: C10 90000", "path"):
         calibrate(Trial(measured=measured, function=cases.breaks_when_soft), [Parameter(name="C10", start=0.09e6)])
 
 
 def test_a_path_that_ends_below_the_measured_range_is_continued_and_told():
-    found = calibrate(Trial(measured=cases.measured_sphere(C20=0.0), function=cases.ends_early), [C10])
-    assert found.values["C10"] == pytest.approx(0.12e6, rel=0.05)
-    assert "measured rows of rig lie beyond the computed curve" in found.message
-    assert "could not rise past 12 kPa" in found.message
+    result = calibrate(Trial(measured=cases.measured_sphere(C20=0.0), function=cases.ends_early), [C10])
+    assert result.values["C10"] == pytest.approx(0.12e6, rel=0.05)
+    assert "measured rows of rig lie beyond the computed curve" in result.message
+    assert "could not rise past 12 kPa" in result.message
 
 
 def test_all_runs_used_up():
-    found = calibrate(sphere(), [Parameter(name="C10", start=1e6, unit="MPa"), C20], most_solves=5)
-    assert found.status == "not_converged"
-    assert found.solves <= 8
-    assert "Not converged after" in found.message
-    assert found.fits[0].rms <= found.fits[0].rms_start
+    result = calibrate(sphere(), [Parameter(name="C10", start=1e6, unit="MPa"), C20], most_solves=5)
+    assert result.status == "not_converged"
+    assert result.solves <= 8
+    assert "Not converged after" in result.message
+    assert result.fits[0].rms <= result.fits[0].rms_start
 
 
 def test_mistakes_are_answered():
@@ -213,8 +213,8 @@ def test_a_spread_of_repeated_runs_weighs_the_rows():
     wrong[-5:] += 0.05
     spread = np.where(np.arange(25) >= 20, 1.0, 1e-3)
     columns = (measured.columns[0], Column("stretch", "", wrong), Column("stretch_spread", "", spread))
-    found = calibrate(sphere(Response(columns=columns, source=Source(text="rig"))), [C10])
-    assert found.values["C10"] == pytest.approx(0.12e6, rel=3e-3)
+    result = calibrate(sphere(Response(columns=columns, source=Source(text="rig"))), [C10])
+    assert result.values["C10"] == pytest.approx(0.12e6, rel=3e-3)
 
 
 def test_a_computed_curve_is_smooth_and_goes_on_straight():

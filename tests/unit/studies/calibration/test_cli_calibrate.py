@@ -79,8 +79,8 @@ def test_files_and_sentences(call, folder):
     assert Image.open(folder / "one" / "calibration.png").size[0] > 400
     text = (folder / "one" / "calibrated.toml").read_text(encoding="utf-8")
     assert text.startswith("# Calibrated:\n# materials.body.C10 = 0.10")
-    found = json.loads((folder / "one" / "calibration.json").read_text(encoding="utf-8"))["parameters"][0]["value"]
-    assert pytest.approx(found) == read_job(folder / "one" / "calibrated.toml").materials["body"].law.C10
+    result = json.loads((folder / "one" / "calibration.json").read_text(encoding="utf-8"))["parameters"][0]["value"]
+    assert pytest.approx(result) == read_job(folder / "one" / "calibrated.toml").materials["body"].law.C10
     assert "pressure_offset" not in tomllib.loads(text)
 
 

@@ -72,9 +72,9 @@ def test_the_interpolation_is_differentiated_exactly():
 
     ends = [PathCurve.of(response(step), "pressure", "y").at(at) for step in (1e-6, -1e-6)]
     curve = PathCurve.of(response(0.0), "pressure", "y")
-    found = curve.slopes(at, response(0.0), ("pressure", "y"), ["p", "q"])
-    assert found[:, 0] == pytest.approx((ends[0] - ends[1]) / 2e-6, rel=1e-5, abs=1e-6)
-    assert np.isnan(found[:, 1]).all(), "by q there are none"
+    result = curve.slopes(at, response(0.0), ("pressure", "y"), ["p", "q"])
+    assert result[:, 0] == pytest.approx((ends[0] - ends[1]) / 2e-6, rel=1e-5, abs=1e-6)
+    assert np.isnan(result[:, 1]).all(), "by q there are none"
     assert curve.rise(at) == pytest.approx((curve.at(at + 1e-6) - curve.at(at - 1e-6)) / 2e-6, rel=1e-5, abs=1e-6)
 
 
@@ -86,8 +86,8 @@ def test_only_the_states_beside_the_measured_rows_need_slopes():
         slopes[lost] = np.nan
         made = {**columns, "y_slope_p": slopes}
         response = Response(columns=tuple(Column(n, "", v) for n, v in made.items()), source=Source(text="points"))
-        found = PathCurve.of(response, "pressure", "y").slopes(np.array([3.5]), response, ("pressure", "y"), ["p"])
-        known.append(bool(np.isfinite(found).all()))
+        result = PathCurve.of(response, "pressure", "y").slopes(np.array([3.5]), response, ("pressure", "y"), ["p"])
+        known.append(bool(np.isfinite(result).all()))
     assert known == [True, True, False, False, False, False, True, True]
 
 
@@ -110,13 +110,13 @@ def test_the_jacobian_is_that_of_differences(tmp_path):
     rig = [rig_parameter(name, [data]) for name in names]
     problem = Objective(parameters=(*free, *rig), models=len(free), data=(data,), evaluations=Evaluations())
     at = np.array([each.coordinate(each.start) for each in problem.parameters])
-    found = problem.known_jacobian(at)
+    result = problem.known_jacobian(at)
     for k, name in enumerate(each.name for each in problem.parameters):
         size = STEP if k < len(free) else RIG_STEP
         step = size * np.eye(len(at))[k]
         ends = [problem._weighted(to, _plain(problem, to)) for to in (at + step, at - step)]
         differences = (ends[0] - ends[1]) / (2 * size)
-        assert np.linalg.norm(found[:, k] - differences) <= 1e-5 * np.linalg.norm(differences), name
+        assert np.linalg.norm(result[:, k] - differences) <= 1e-5 * np.linalg.norm(differences), name
     assert problem.derivatives(at) == "The derivatives are exact, from each run itself."
 
 
@@ -184,31 +184,31 @@ def test_tetrahedra_have_slopes_by_a_dimension_too(tmp_path):
     base = base_of(
         tmp_path, cases.JOB.replace('"axisymmetric"', '"tetrahedra"').replace('"3 mm"\nwall', '"12 mm"\nwall')
     )
-    found = solved_job(
+    result = solved_job(
         **base.values,
         numbers={key: TRUE[key] for key in TRUE},
         slopes={"drives": ["pressure"], "columns": ["cavity_volume"]},
     )
-    assert found.notes == ()
-    slopes = {name for name in found.response.names if "_slope_" in name}
+    assert result.notes == ()
+    slopes = {name for name in result.response.names if "_slope_" in name}
     assert slopes == {slope_name(each, key) for each in ("pressure", "cavity_volume") for key in TRUE}
-    assert np.isfinite(found.response[slope_name("cavity_volume", "actuator.wall")]).all()
+    assert np.isfinite(result.response[slope_name("cavity_volume", "actuator.wall")]).all()
 
 
 def test_a_procedure_that_sets_the_drive_is_left_to_differences(tmp_path):
     free_of_loads = cases.JOB.replace('[loads]\npressure = "20 kPa"\n', "")
     base = base_of(tmp_path, free_of_loads + '\n[procedure]\ntype = "volume_control"\nvolume = "0.3 mL"\n')
     numbers = {"materials.body.C10": 0.12e6, "procedure.volume": 0.3e-6}
-    found = solved_job(**base.values, numbers=numbers, slopes={"drives": ["injected_volume"], "columns": ["pressure"]})
-    assert found.notes == ("There are no slopes by procedure.volume: they change the injected volume, too.",)
-    assert np.isfinite(found.response["pressure_slope_materials_body_C10"][1:]).all()
+    result = solved_job(**base.values, numbers=numbers, slopes={"drives": ["injected_volume"], "columns": ["pressure"]})
+    assert result.notes == ("There are no slopes by procedure.volume: they change the injected volume, too.",)
+    assert np.isfinite(result.response["pressure_slope_materials_body_C10"][1:]).all()
 
 
 def sloped(C10: float, wall: float = cases.WALL) -> Response:
     """A thin sphere that adds the derivative by its stiffness, at a given stretch, as the pressure moves."""
-    found = cases.thin_sphere(C10=C10, wall=wall)
+    result = cases.thin_sphere(C10=C10, wall=wall)
     return tg.studies.with_slopes(
-        found, {"pressure": {"C10": found["pressure"] / C10}, "stretch": {"C10": 0 * found["stretch"]}}
+        result, {"pressure": {"C10": result["pressure"] / C10}, "stretch": {"C10": 0 * result["stretch"]}}
     )
 
 
@@ -232,5 +232,5 @@ def test_a_function_gives_its_own_derivatives():
     assert mixed.derivatives == "The derivatives by C10 are exact, those by wall differences of runs."
     assert mixed.values["C10"] * mixed.values["wall"] == pytest.approx(exact.values["C10"] * cases.WALL, rel=2e-3)
     soft = Parameter(name="C10", start=0.12e6, lower=0.05e6)
-    found = calibrate(Trial(measured=cases.measured_sphere(C10=0.09e6, C20=0.0), function=broken), [soft])
-    assert found.failures and found.values["C10"] == pytest.approx(0.1e6, rel=0.05)
+    result = calibrate(Trial(measured=cases.measured_sphere(C10=0.09e6, C20=0.0), function=broken), [soft])
+    assert result.failures and result.values["C10"] == pytest.approx(0.1e6, rel=0.05)

@@ -98,9 +98,9 @@ def test_factors_may_be_tables_within_tables(folder):
 
 def test_the_answer_for_programs(call):
     code, said, _ = call("lean.toml", "--json")  # everything is read
-    found = json.loads(said)
-    assert code == found["exit_code"] == DONE
-    result = found["result"]
+    results = json.loads(said)
+    assert code == results["exit_code"] == DONE
+    result = results["result"]
     assert result["status"] == "converged" and result["solves"] == len(result["rows"])
     assert result["factors"][0] | {"value": 0} == {
         "name": "actuator.wall", "unit": "mm", "low": 1e-3, "high": 4e-3, "start": 2e-3, "value": 0

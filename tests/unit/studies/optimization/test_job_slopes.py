@@ -127,9 +127,9 @@ READ = [
 
 
 def run_of(base, values, **more):
-    found = solved_job(**base.values, numbers=values, as_design=True, **more)
+    result = solved_job(**base.values, numbers=values, as_design=True, **more)
     run = Run(name="tube", function=solved_job, values={**base.values, "numbers": values})
-    return Row(values=values, ended=Ended(run=run, result=found))
+    return Row(values=values, ended=Ended(run=run, result=result))
 
 
 @pytest.mark.usefixtures("drawn_nothing")
@@ -137,15 +137,15 @@ def test_slopes_are_those_of_what_the_goals_read(base):
     goals = [studies.Minimize(name, at=at) for name, at in READ]
     row = run_of(base, VALUES, slopes={"readings": readings_of(goals, VALUES)})
     assert row.ended.result.notes == ()
-    found = np.array([slopes_of(row, name, at, list(VALUES)) for name, at in READ])
+    result = np.array([slopes_of(row, name, at, list(VALUES)) for name, at in READ])
     for place, (key, value) in enumerate(VALUES.items()):
         step = 1e-3 * value
         ends = [run_of(base, {**VALUES, key: value + side * step}) for side in (1, -1)]
         high, low = (np.array([goal.read(each)[0] for goal in goals]) for each in ends)
         differences = (high - low) / (2 * step)
         size = np.abs([goal.read(row)[0] for goal in goals]) / value
-        apart = np.abs(found[:, place] - differences)
-        assert np.all(apart <= 5e-3 * np.abs(differences) + 1e-4 * size), (key, found[:, place], differences)
+        apart = np.abs(result[:, place] - differences)
+        assert np.all(apart <= 5e-3 * np.abs(differences) + 1e-4 * size), (key, result[:, place], differences)
 
 
 @pytest.mark.usefixtures("drawn_nothing")
@@ -164,19 +164,19 @@ def test_the_end_of_a_path_that_ended_early_has_no_slopes(base):
 @pytest.mark.usefixtures("drawn_nothing")
 def test_what_has_no_slopes_is_said_once_and_left_to_the_surfaces(tmp_path):
     runs = studies.saved_in(tmp_path / "runs")
-    found = searched(tmp_path, FINGER, BEND, runs)
-    assert len(found.notes) == 1
-    assert found.notes[0].startswith("There are no slopes by actuator.chambers: ")
-    assert found.summary().count("There are no slopes") == 1
-    names = list(found.study.rows[0].response)
+    result = searched(tmp_path, FINGER, BEND, runs)
+    assert len(result.notes) == 1
+    assert result.notes[0].startswith("There are no slopes by actuator.chambers: ")
+    assert result.summary().count("There are no slopes") == 1
+    names = list(result.study.rows[0].response)
     assert "bending_angle_slope_materials_body_C10" in names
     assert "bending_angle_slope_actuator_chambers" not in names
-    before, beside = (row.values for row in found.study.rows)
+    before, beside = (row.values for row in result.study.rows)
     assert before["materials.body.C10"] == beside["materials.body.C10"], "a run beside the start for the chambers alone"
     again = searched(tmp_path, FINGER, BEND, studies.saved_in(tmp_path / "runs"))
     assert all(row.ended.again for row in again.study.rows)
-    assert again.notes == found.notes
-    for one, other in zip(again.study.rows, found.study.rows, strict=True):
+    assert again.notes == result.notes
+    for one, other in zip(again.study.rows, result.study.rows, strict=True):
         assert one.values == other.values
         slope = "bending_angle_slope_materials_body_C10"
         assert one.response[slope][-1] == pytest.approx(other.response[slope][-1], rel=1e-12)
@@ -225,7 +225,7 @@ def test_a_function_of_finite_elements_gives_its_gradient():
     start = {"wall": 2.5 * mm, "stiffness": 0.15 * MPa}
     solves = {}
     for slopes in (True, False):
-        found = tg.optimize(tube, factors, goals, start=start, search=studies.Search(slopes=slopes))
-        assert found.converged and found.reads()[0].value == pytest.approx(1.2 * mm, rel=0.011)
-        solves[slopes] = found.solves
+        result = tg.optimize(tube, factors, goals, start=start, search=studies.Search(slopes=slopes))
+        assert result.converged and result.reads()[0].value == pytest.approx(1.2 * mm, rel=0.011)
+        solves[slopes] = result.solves
     assert solves[True] < solves[False], solves

@@ -27,53 +27,53 @@ def search(most, **more):
 
 
 def test_every_candidate_is_a_row_of_a_study():
-    found = tg.optimize(cases.bowl, AB, [studies.Minimize("height")], start=BEGIN, search=search(40))
-    assert found.converged and found.ending is studies.Ending.CONVERGED
-    assert len(found.study) == found.solves == len(found.scores) <= 40
-    assert dict(found.study.rows[found.start].values) == BEGIN
-    heights = found.study.column("height")
-    assert found.best == int(np.argmin(heights))
-    assert found.values == pytest.approx({"a": 0.3, "b": 0.6}, abs=0.02)
-    assert "height: 3 (as small as possible), at the start 6.06" in found.summary()
+    result = tg.optimize(cases.bowl, AB, [studies.Minimize("height")], start=BEGIN, search=search(40))
+    assert result.converged and result.ending is studies.Ending.CONVERGED
+    assert len(result.study) == result.solves == len(result.scores) <= 40
+    assert dict(result.study.rows[result.start].values) == BEGIN
+    heights = result.study.column("height")
+    assert result.best == int(np.argmin(heights))
+    assert result.values == pytest.approx({"a": 0.3, "b": 0.6}, abs=0.02)
+    assert "height: 3 (as small as possible), at the start 6.06" in result.summary()
 
 
 def test_a_target_alone_ends_as_soon_as_it_is_met():
-    found = tg.optimize(cases.bowl, AB, [studies.Target("height", 3.5)], start=BEGIN)
-    assert found.converged and found.solves <= 8
-    assert found.reads()[0].value == pytest.approx(3.5, rel=0.01)
-    assert found.message == f"All targets are met, after {found.solves} runs."
+    result = tg.optimize(cases.bowl, AB, [studies.Target("height", 3.5)], start=BEGIN)
+    assert result.converged and result.solves <= 8
+    assert result.reads()[0].value == pytest.approx(3.5, rel=0.01)
+    assert result.message == f"All targets are met, after {result.solves} runs."
 
 
 def test_a_target_beside_an_objective_is_a_condition():
     goals = [studies.Target("height", 3.5), studies.Maximize("total")]
-    found = tg.optimize(cases.bowl, AB, goals, start=BEGIN, search=search(60))
-    height, total = (each.value for each in found.reads())
-    assert found.converged and height == pytest.approx(3.5, rel=0.011)
+    result = tg.optimize(cases.bowl, AB, goals, start=BEGIN, search=search(60))
+    height, total = (each.value for each in result.reads())
+    assert result.converged and height == pytest.approx(3.5, rel=0.011)
     # a − 0.3 = 2 (b − 0.6) at the largest sum, with (a − 0.3)² + 2 (b − 0.6)² = 0.5
     assert total == pytest.approx(0.9 + 3 * np.sqrt(0.5 / 6), abs=0.03)
 
 
 def test_what_cannot_be_met_is_said_with_how_near_it_came():
-    found = tg.optimize(cases.bowl, AB, [studies.Target("height", 2.5)], start=BEGIN, search=search(60))
-    assert found.ending is studies.Ending.INFEASIBLE and not found.converged
-    assert "Nearest: height: 3 (wanted 2.5)" in found.message
-    assert "relax a goal" in found.advice
-    assert found.values == pytest.approx({"a": 0.3, "b": 0.6}, abs=0.05)
+    result = tg.optimize(cases.bowl, AB, [studies.Target("height", 2.5)], start=BEGIN, search=search(60))
+    assert result.ending is studies.Ending.INFEASIBLE and not result.converged
+    assert "Nearest: height: 3 (wanted 2.5)" in result.message
+    assert "relax a goal" in result.advice
+    assert result.values == pytest.approx({"a": 0.3, "b": 0.6}, abs=0.05)
 
 
 def test_an_end_of_a_range_is_named_where_it_is_in_the_way():
-    found = tg.optimize(cases.bowl, AB, [studies.Target("total", 3.0)], start=BEGIN, search=search(60))
-    assert found.ending is studies.Ending.INFEASIBLE
-    assert "total: 2 (wanted 3)" in found.message
-    assert found.advice.startswith("The nearest design has a at its highest, b at its highest.")
-    assert "a: -0.5 → 1 (at the upper end of its range)" in found.summary()
+    result = tg.optimize(cases.bowl, AB, [studies.Target("total", 3.0)], start=BEGIN, search=search(60))
+    assert result.ending is studies.Ending.INFEASIBLE
+    assert "total: 2 (wanted 3)" in result.message
+    assert result.advice.startswith("The nearest design has a at its highest, b at its highest.")
+    assert "a: -0.5 → 1 (at the upper end of its range)" in result.summary()
 
 
 def test_it_ends_with_what_it_found_where_the_runs_end():
-    found = tg.optimize(cases.bowl, AB, [studies.Minimize("height")], start=BEGIN, search=search(6))
-    assert found.ending is studies.Ending.BUDGET and found.solves == 6
-    assert found.best == int(np.argmin(found.study.column("height")))
-    assert found.message.startswith("The budget of 6 runs ended before the search.")
+    result = tg.optimize(cases.bowl, AB, [studies.Minimize("height")], start=BEGIN, search=search(6))
+    assert result.ending is studies.Ending.BUDGET and result.solves == 6
+    assert result.best == int(np.argmin(result.study.column("height")))
+    assert result.message.startswith("The budget of 6 runs ended before the search.")
 
 
 def test_killed_and_called_again_it_goes_on(tmp_path):
@@ -95,8 +95,8 @@ def test_killed_and_called_again_it_goes_on(tmp_path):
 
 def test_runs_beside_the_start_are_computed_in_processes(tmp_path):
     runs = studies.saved_in(tmp_path, processes=2)
-    found = tg.optimize(cases.bowl, AB, [studies.Target("height", 3.5)], start=BEGIN, evaluations=runs)
-    assert found.converged
+    result = tg.optimize(cases.bowl, AB, [studies.Target("height", 3.5)], start=BEGIN, evaluations=runs)
+    assert result.converged
 
 
 def test_several_starts_find_the_lower_of_two_valleys(tmp_path):
@@ -112,19 +112,19 @@ def test_several_starts_find_the_lower_of_two_valleys(tmp_path):
     assert near.reads()[0].value == pytest.approx(0.2942, abs=0.002)
     assert len(near.descents) == 1
     (tmp_path / "log").unlink()
-    found = tg.optimize(*asked, start={"x": 0.9, "y": 0.0}, search=studies.Search(most_solves=120, starts=3))
-    assert found.converged
-    assert found.values["x"] == pytest.approx(-1.035, abs=0.02)
-    assert found.reads()[0].value == pytest.approx(-0.3054, abs=0.002)
-    begun = [found.study.rows[each.start].values["x"] for each in found.descents]
-    led = [found.study.rows[each.best].values["x"] for each in found.descents]
+    result = tg.optimize(*asked, start={"x": 0.9, "y": 0.0}, search=studies.Search(most_solves=120, starts=3))
+    assert result.converged
+    assert result.values["x"] == pytest.approx(-1.035, abs=0.02)
+    assert result.reads()[0].value == pytest.approx(-0.3054, abs=0.002)
+    begun = [result.study.rows[each.start].values["x"] for each in result.descents]
+    led = [result.study.rows[each.best].values["x"] for each in result.descents]
     assert begun[0] == 0.9
     assert min(begun[1:]) < 0 < max(begun[1:])
     assert led == [pytest.approx(0.960 if x > 0 else -1.035, abs=0.02) for x in begun]
-    assert found.best in [each.best for each in found.descents]
+    assert result.best in [each.best for each in result.descents]
     computed = (tmp_path / "log").read_text(encoding="utf-8").splitlines()
-    assert len(computed) == len(set(computed)) == found.solves <= 120
-    told = found.summary()
+    assert len(computed) == len(set(computed)) == result.solves <= 120
+    told = result.summary()
     assert "3 starts; the best design of each:" in told
     assert "  from x 0.9, y 0: x 0.9" in told
 
@@ -132,9 +132,9 @@ def test_several_starts_find_the_lower_of_two_valleys(tmp_path):
 def test_starts_end_where_all_targets_are_met_and_share_the_runs():
     goal = [studies.Target("height", -0.3, scale=1.0)]
     asked = cases.two_valleys, cases.factors("x", "y", low=-2, high=2), goal
-    found = tg.optimize(*asked, start={"x": -0.8, "y": 0.4}, search=studies.Search(most_solves=60, starts=4))
-    assert found.converged
-    assert len(found.descents) == 1, "the first one has met the target"
+    result = tg.optimize(*asked, start={"x": -0.8, "y": 0.4}, search=studies.Search(most_solves=60, starts=4))
+    assert result.converged
+    assert len(result.descents) == 1, "the first one has met the target"
     few = tg.optimize(*asked, start={"x": 0.9, "y": 0.0}, search=studies.Search(most_solves=8, starts=4))
     assert few.solves <= 8
     assert [each.start for each in few.descents][:2] == [0, 2]
@@ -156,36 +156,36 @@ def test_starts_that_do_not_fit_are_refused(goals, search, facts):
 
 def test_a_run_that_fails_is_a_row_and_the_search_turns_back():
     computation = studies.Computation(function=cases.bowl, values={"refused_above": 0.1})
-    found = tg.optimize(computation, AB, [studies.Minimize("height")], start=BEGIN, search=search(40))
-    failed = [row for row in found.study.rows if row.status == "failed"]
+    result = tg.optimize(computation, AB, [studies.Minimize("height")], start=BEGIN, search=search(40))
+    failed = [row for row in result.study.rows if row.status == "failed"]
     assert failed and "allowed is up to 0.1" in failed[0].problem
-    assert f"{len(failed)} of them gave no value" in found.message
-    assert 0.0 < found.values["a"] <= 0.1
-    assert found.values["b"] == pytest.approx(0.6, abs=0.05)
+    assert f"{len(failed)} of them gave no value" in result.message
+    assert 0.0 < result.values["a"] <= 0.1
+    assert result.values["b"] == pytest.approx(0.6, abs=0.05)
 
 
 def test_a_start_that_fails_is_left():
     computation = studies.Computation(function=cases.bowl, values={"refused_above": 0.4})
-    found = tg.optimize(computation, AB, [studies.Minimize("height")], start={"a": 0.9, "b": 0.0}, search=search(50))
-    assert found.study.rows[found.start].status == "failed"
-    assert found.values == pytest.approx({"a": 0.3, "b": 0.6}, abs=0.03)
+    result = tg.optimize(computation, AB, [studies.Minimize("height")], start={"a": 0.9, "b": 0.0}, search=search(50))
+    assert result.study.rows[result.start].status == "failed"
+    assert result.values == pytest.approx({"a": 0.3, "b": 0.6}, abs=0.03)
 
 
 def test_where_all_runs_fail_the_reason_is_told():
     computation = studies.Computation(function=cases.bowl, values={"refused_above": -2.0})
-    found = tg.optimize(computation, AB, [studies.Minimize("height")])
-    assert found.ending is studies.Ending.FAILED and found.best is None and found.values == {}
-    assert "the first: a is 0; allowed is up to -2" in found.summary()
+    result = tg.optimize(computation, AB, [studies.Minimize("height")])
+    assert result.ending is studies.Ending.FAILED and result.best is None and result.values == {}
+    assert "the first: a is 0; allowed is up to -2" in result.summary()
 
 
 def test_no_run_is_spent_on_what_breaks_a_rule(tmp_path):
     log = tmp_path / "log"
     computation = studies.Computation(function=cases.bowl, values={"log": str(log)})
     rule = studies.Rule("a and b at most 0.5 together", lambda values: 0.5 - values["a"] - values["b"])
-    found = tg.optimize(computation, AB, [studies.Minimize("height"), rule], start=BEGIN, search=search(40))
+    result = tg.optimize(computation, AB, [studies.Minimize("height"), rule], start=BEGIN, search=search(40))
     asked = np.array([[float(x) for x in line.split()] for line in log.read_text().splitlines()])
     assert asked.sum(axis=1).max() <= 0.5 + 1e-8
-    assert found.converged and found.values == pytest.approx({"a": 0.3 - 0.8 / 3, "b": 0.6 - 0.4 / 3}, abs=0.03)
+    assert result.converged and result.values == pytest.approx({"a": 0.3 - 0.8 / 3, "b": 0.6 - 0.4 / 3}, abs=0.03)
 
 
 def test_a_start_that_breaks_a_rule_is_refused():
@@ -197,30 +197,30 @@ def test_a_start_that_breaks_a_rule_is_refused():
 def test_whole_numbers_stay_whole():
     count = studies.Factor(name="count", low=1, high=9, whole=True)
     goals = [studies.Minimize("height")]
-    found = tg.optimize(cases.counted, [count, *cases.factors("x", low=0)], goals, start={"count": 8, "x": 0.1},
+    result = tg.optimize(cases.counted, [count, *cases.factors("x", low=0)], goals, start={"count": 8, "x": 0.1},
                         search=search(50))  # fmt: skip
-    assert all(isinstance(row.values["count"], int) for row in found.study.rows)
-    assert found.values == pytest.approx({"count": 4, "x": 0.4}, abs=0.06)
+    assert all(isinstance(row.values["count"], int) for row in result.study.rows)
+    assert result.values == pytest.approx({"count": 4, "x": 0.4}, abs=0.06)
 
 
 def test_the_noise_of_a_mesh_does_not_lead_it_away():
-    found = tg.optimize(cases.noisy, AB, [studies.Minimize("height")], start=BEGIN, search=search(30, precision=0.02))
-    assert cases.bowl(**found.values)["height"][0] == pytest.approx(3.0, rel=5e-3)
+    result = tg.optimize(cases.noisy, AB, [studies.Minimize("height")], start=BEGIN, search=search(30, precision=0.02))
+    assert cases.bowl(**result.values)["height"][0] == pytest.approx(3.0, rel=5e-3)
 
 
 def test_rows_say_whether_they_keep_the_limits():
     goals = [studies.Minimize("height"), studies.Limit("total", most=0.5)]
-    found = tg.optimize(cases.bowl, AB, goals, start={"a": 0.5, "b": 0.5}, search=search(30))
-    total = found.study.column("total")
-    assert total[0] == 1.0 and found.converged
-    assert [each.feasible for each in found.scores] == (total <= 0.5 * 1.002).tolist()
+    result = tg.optimize(cases.bowl, AB, goals, start={"a": 0.5, "b": 0.5}, search=search(30))
+    total = result.study.column("total")
+    assert total[0] == 1.0 and result.converged
+    assert [each.feasible for each in result.scores] == (total <= 0.5 * 1.002).tolist()
 
 
 def test_own_objectives_and_factors_are_measures():
     goals = [studies.Minimize(lambda response: float(response["height"][0] ** 2)), studies.Limit("a", most=0.1)]
-    found = tg.optimize(cases.bowl, AB, goals, start=BEGIN, search=search(50))
-    assert found.values == pytest.approx({"a": 0.1, "b": 0.6}, abs=0.03)
-    assert "own objective: 9.241 (as small as possible)" in found.summary()
+    result = tg.optimize(cases.bowl, AB, goals, start=BEGIN, search=search(50))
+    assert result.values == pytest.approx({"a": 0.1, "b": 0.6}, abs=0.03)
+    assert "own objective: 9.241 (as small as possible)" in result.summary()
 
 
 def test_a_path_of_the_tip_is_met():
@@ -231,10 +231,10 @@ def test_a_path_of_the_tip_is_met():
     ]  # fmt: skip
     shape = tg.optimize(cases.arc, ranges, [studies.TipPath(curve, tolerance=0.2 * mm)])
     timed = studies.TipPath(curve[1:], at=("pressure", wanted["pressure"][1:]), tolerance=0.2 * mm)
-    for found in (shape, tg.optimize(cases.arc, ranges, [timed])):
-        assert found.converged, found.summary()
-        assert found.values["length"] == pytest.approx(0.11, rel=0.01)
-        assert re.search(r"distance from the path: 0\.\d+ mm \(within 0.2 mm\)", found.summary())
+    for result in (shape, tg.optimize(cases.arc, ranges, [timed])):
+        assert result.converged, result.summary()
+        assert result.values["length"] == pytest.approx(0.11, rel=0.01)
+        assert re.search(r"distance from the path: 0\.\d+ mm \(within 0.2 mm\)", result.summary())
 
 
 def test_units_of_values_do_not_change_the_search():
@@ -250,9 +250,9 @@ def test_units_of_values_do_not_change_the_search():
 
 def test_the_best_design_is_computed_again_for_its_mesh_error():
     computation = studies.Computation(function=with_mesh_error, nominal={"mesh_error": True})
-    found = tg.optimize(computation, AB, [studies.Target("height", 3.5)], start=BEGIN)
-    assert found.reads()[0].mesh_error == pytest.approx(0.01)
-    assert "± 0.01 (mesh)" in found.summary()
+    result = tg.optimize(computation, AB, [studies.Target("height", 3.5)], start=BEGIN)
+    assert result.reads()[0].mesh_error == pytest.approx(0.01)
+    assert "± 0.01 (mesh)" in result.summary()
 
 
 def with_mesh_error(a, b, mesh_error=False):
@@ -310,18 +310,18 @@ def test_numbers_out_of_range_are_refused(make, facts):
 
 
 def test_a_value_that_the_path_does_not_reach_is_told():
-    found = tg.optimize(
+    result = tg.optimize(
         cases.arc, cases.factors("length", low=0.1, high=0.2) + cases.factors("curvature", low=1, high=5),
         [studies.Target("tip_displacement_z", 0.01, at=("pressure", 50e3))],
     )  # fmt: skip
-    assert found.ending is studies.Ending.FAILED
-    assert "its path does not reach the value at which the goals are read" in found.message
+    assert result.ending is studies.Ending.FAILED
+    assert "its path does not reach the value at which the goals are read" in result.message
 
 
 def test_the_figure_shows_each_goal_and_the_best_run(tmp_path):
     goals = [studies.Minimize("height"), studies.Limit("total", most=0.5)]
-    found = tg.optimize(cases.bowl, AB, goals, start=BEGIN)
-    figure = studies.optimization_figure(found)
+    result = tg.optimize(cases.bowl, AB, goals, start=BEGIN)
+    figure = studies.optimization_figure(result)
     first, second = figure.axes
     assert (first.get_ylabel(), second.get_ylabel()) == ("height", "total")
     assert 0.5 in second.lines[-1].get_ydata()
@@ -341,12 +341,12 @@ def test_slopes_spare_runs():
     names = ("a", "b", "c", "d", "e")
     counts = {}
     for function in (cases.long_bowl, cases.half_sloped_bowl, cases.sloped_bowl):
-        found = tg.optimize(function, cases.factors(*names), [studies.Target("height", 1.05)], search=search(200))
-        assert found.converged, found.summary()
-        counts[function.__name__] = found.solves
+        result = tg.optimize(function, cases.factors(*names), [studies.Target("height", 1.05)], search=search(200))
+        assert result.converged, result.summary()
+        counts[function.__name__] = result.solves
     assert counts["sloped_bowl"] <= 0.6 * counts["long_bowl"], counts
     assert counts["sloped_bowl"] < counts["half_sloped_bowl"] < counts["long_bowl"], counts
-    away = np.array(list(found.values.values())) - np.linspace(-0.5, 0.5, 5)
+    away = np.array(list(result.values.values())) - np.linspace(-0.5, 0.5, 5)
     assert float(np.geomspace(1, 100, 5) @ away**2) == pytest.approx(0.05, abs=0.011)
 
 
@@ -354,8 +354,8 @@ def test_slopes_are_left_out_where_nobody_wants_them():
     asked = [studies.Target("height", 1.05)]
     factors = cases.factors("a", "b", "c")
     alone = tg.optimize(cases.long_bowl, factors, asked, search=search(200))
-    found = tg.optimize(cases.sloped_bowl, factors, asked, search=search(200, slopes=False))
-    assert found.study.inputs == pytest.approx(alone.study.inputs, abs=0)
+    result = tg.optimize(cases.sloped_bowl, factors, asked, search=search(200, slopes=False))
+    assert result.study.inputs == pytest.approx(alone.study.inputs, abs=0)
 
 
 def test_slopes_at_a_value_of_a_drive_that_moves_as_well():
@@ -368,8 +368,8 @@ def test_slopes_at_a_value_of_a_drive_that_moves_as_well():
     row = Row(values={"a": a, "b": b}, ended=Ended(run=studies.Computation(function=cases.bowl).run({}),
               result=Computed(response=response)))  # fmt: skip
     for at in (2.0, 3.0):
-        found = studies.Target("y", 1.0, at=("x", at)).slopes(row, ["a", "b"])[0]
-        assert found == pytest.approx([-2 * b * at**2 / a**3, at**2 / a**2], rel=1e-3)
+        result = studies.Target("y", 1.0, at=("x", at)).slopes(row, ["a", "b"])[0]
+        assert result == pytest.approx([-2 * b * at**2 / a**3, at**2 / a**2], rel=1e-3)
 
 
 def test_slopes_of_the_wrong_length_are_refused():

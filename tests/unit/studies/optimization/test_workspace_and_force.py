@@ -25,13 +25,13 @@ def test_the_largest_workspace_under_limits_of_stress_and_rubber():
     goals = [
         studies.Maximize("workspace_area"), studies.Limit("stress", most=80 * kPa), studies.Limit("rubber", most=8 * mL)
     ]  # fmt: skip
-    found = tg.optimize(cases.reach_of_two_cavities, ranges, goals, search=studies.Search(most_solves=40))
-    assert found.converged, found.summary()
-    assert found.values == pytest.approx({"length": 80 * mm, "wall": 2 * mm}, rel=0.01)
-    corner = 20e3 * 1e-8 * found.values["length"] ** 2 / (60 * mm) / found.values["wall"]
-    assert found.reads()[0].value == pytest.approx(2 * corner**2)  # a square with diagonals of twice the corner
-    assert "workspace area: " in found.summary()
-    assert "mm² (as large as possible)" in found.summary()
+    result = tg.optimize(cases.reach_of_two_cavities, ranges, goals, search=studies.Search(most_solves=40))
+    assert result.converged, result.summary()
+    assert result.values == pytest.approx({"length": 80 * mm, "wall": 2 * mm}, rel=0.01)
+    corner = 20e3 * 1e-8 * result.values["length"] ** 2 / (60 * mm) / result.values["wall"]
+    assert result.reads()[0].value == pytest.approx(2 * corner**2)  # a square with diagonals of twice the corner
+    assert "workspace area: " in result.summary()
+    assert "mm² (as large as possible)" in result.summary()
 
 
 PUSHES = """
@@ -57,9 +57,9 @@ def test_a_tip_before_a_plate_is_to_push_with_a_force(tmp_path, monkeypatch, cap
     assert progress.lstrip().startswith("actuator.inner_radius 6 mm: done")
     assert "N (wanted 0.8 N), at the start 0.2" in said
     best = job_function(tg.jobs.read_job(tmp_path / "push-optimization" / "best.toml"), tmp_path / "again")
-    found = solved_job(**best.values, numbers={}, measures=["blocked_force"]).response
-    assert list(found["pressure"])[-2:] == pytest.approx([8 * kPa, 10 * kPa])  # a state where the goal reads
-    assert found["blocked_force"][-2] == pytest.approx(0.8, rel=0.011)
+    result = solved_job(**best.values, numbers={}, measures=["blocked_force"]).response
+    assert list(result["pressure"])[-2:] == pytest.approx([8 * kPa, 10 * kPa])  # a state where the goal reads
+    assert result["blocked_force"][-2] == pytest.approx(0.8, rel=0.011)
 
 
 BENDER = """

@@ -15,8 +15,8 @@ RUBBER = Factor(name="rubber", levels=("soft", "stiff"))
 
 
 def test_all_combinations_the_last_factor_first():
-    found = factorial([Factor(name="wall", levels=(1 * mm, 2 * mm)), RUBBER])
-    assert [tuple(each.values()) for each in found.values] == [
+    result = factorial([Factor(name="wall", levels=(1 * mm, 2 * mm)), RUBBER])
+    assert [tuple(each.values()) for each in result.values] == [
         (1 * mm, "soft"), (1 * mm, "stiff"), (2 * mm, "soft"), (2 * mm, "stiff"),
     ]  # fmt: skip
     with refused("100 × 100 × 100", 1000000, 100000, "TURGOR_MOST_DESIGNS"):
@@ -24,36 +24,36 @@ def test_all_combinations_the_last_factor_first():
 
 
 def test_each_slice_of_a_latin_hypercube_holds_one_sample():
-    found = latin_hypercube([WALL, CHAMBERS, RUBBER], 20, seed=3)
-    slices = np.floor((found.inputs[:, 0] / mm - 1) / 2 * 20)
+    result = latin_hypercube([WALL, CHAMBERS, RUBBER], 20, seed=3)
+    slices = np.floor((result.inputs[:, 0] / mm - 1) / 2 * 20)
     assert sorted(slices) == list(range(20))
-    counts = [[each["chambers"] for each in found.values].count(n) for n in (3, 4, 5, 6)]
+    counts = [[each["chambers"] for each in result.values].count(n) for n in (3, 4, 5, 6)]
     assert counts == [5, 5, 5, 5]  # whole numbers have equal room
-    assert sum(each["rubber"] == "soft" for each in found.values) == 10
-    assert found.values == latin_hypercube([WALL, CHAMBERS, RUBBER], 20, seed=3).values
-    assert found.values != latin_hypercube([WALL, CHAMBERS, RUBBER], 20, seed=4).values
+    assert sum(each["rubber"] == "soft" for each in result.values) == 10
+    assert result.values == latin_hypercube([WALL, CHAMBERS, RUBBER], 20, seed=3).values
+    assert result.values != latin_hypercube([WALL, CHAMBERS, RUBBER], 20, seed=4).values
 
 
 @pytest.mark.filterwarnings("error")
 def test_sobol_points_fill_every_box_and_go_on():
     """16 points of two factors: one in each of the 4 × 4 boxes, and in each of the 16 slices of either factor."""
     other = Factor(name="height", low=0.0, high=1.0)
-    found = sobol([WALL, other], 16, seed=5)
-    shares = np.stack([(found.inputs[:, 0] / mm - 1) / 2, found.inputs[:, 1]])
+    result = sobol([WALL, other], 16, seed=5)
+    shares = np.stack([(result.inputs[:, 0] / mm - 1) / 2, result.inputs[:, 1]])
     boxes = set(zip(*np.floor(4 * shares).astype(int).tolist(), strict=True))
     assert len(boxes) == 16
     assert all(sorted(np.floor(16 * each)) == list(range(16)) for each in shares)
-    assert sobol([WALL, other], 11, seed=5).values == found.values[:11]
+    assert sobol([WALL, other], 11, seed=5).values == result.values[:11]
 
 
 def test_a_table_of_a_user(tmp_path):
     (tmp_path / "designs.csv").write_text("wall (mm),chambers,rubber\n1.5,4,soft\n\n2,6,stiff\n", encoding="utf-8")
-    found = read_designs(tmp_path / "designs.csv")
-    assert found.values == (
+    result = read_designs(tmp_path / "designs.csv")
+    assert result.values == (
         {"wall": 1.5 * mm, "chambers": 4, "rubber": "soft"}, {"wall": 2 * mm, "chambers": 6, "rubber": "stiff"},
     )  # fmt: skip
-    assert [each.unit for each in found.factors] == ["mm", "", ""]
-    assert found.factors[1].whole
+    assert [each.unit for each in result.factors] == ["mm", "", ""]
+    assert result.factors[1].whole
 
 
 def test_a_table_with_keys_of_a_job(tmp_path):

@@ -85,8 +85,8 @@ def test_a_study_finds_its_runs_whatever_the_job_is_called(tmp_path, monkeypatch
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "renamed.toml").write_text(JOB, encoding="utf-8")
     files = ("tube.toml", tmp_path / "tube.toml", tmp_path / "other" / "renamed.toml")
-    found = [job_function(read_job(file), tmp_path / f"study-{number}") for number, file in enumerate(files)]
-    assert len({each.values["digest"] for each in found}) == 1
+    results = [job_function(read_job(file), tmp_path / f"study-{number}") for number, file in enumerate(files)]
+    assert len({each.values["digest"] for each in results}) == 1
 
 
 SCRIPT = """

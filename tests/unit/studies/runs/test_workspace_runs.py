@@ -28,12 +28,12 @@ PRESSURES = {"cavity_1": np.array([0, 20, 40]) * kPa, "cavity_2": [0, 10 * kPa]}
 
 
 def test_the_area_of_a_rectangle(tmp_path):
-    found = tg.studies.workspace_of(beam, PRESSURES)
-    assert len(found.ended) == 6
-    assert found.reached.flat
-    assert found.reached.area == pytest.approx(4 * mm * 1 * mm)
-    assert found.problems == ()
-    found.write(tmp_path / "points.csv")
+    result = tg.studies.workspace_of(beam, PRESSURES)
+    assert len(result.ended) == 6
+    assert result.reached.flat
+    assert result.reached.area == pytest.approx(4 * mm * 1 * mm)
+    assert result.problems == ()
+    result.write(tmp_path / "points.csv")
     with (tmp_path / "points.csv").open(encoding="utf-8") as file:
         rows = list(csv.reader(file))
     assert rows[0][:3] == ["cavity_1 (kPa)", "cavity_2 (kPa)", "tip_displacement_x (mm)"]
@@ -41,13 +41,13 @@ def test_the_area_of_a_rectangle(tmp_path):
 
 
 def test_runs_that_fail_are_told(tmp_path):
-    found = tg.studies.workspace_of(beam, {"cavity_1": [0, 30 * kPa], "cavity_2": [0, 30 * kPa]})
-    assert found.reached.area == pytest.approx(4.5 * mm**2)  # a triangle: the fourth corner failed
-    assert found.problems == (
+    result = tg.studies.workspace_of(beam, {"cavity_1": [0, 30 * kPa], "cavity_2": [0, 30 * kPa]})
+    assert result.reached.area == pytest.approx(4.5 * mm**2)  # a triangle: the fourth corner failed
+    assert result.problems == (
         "The run with cavity_1 30 kPa, cavity_2 0 kPa ended early: It buckles.",
         "The run with cavity_1 30 kPa, cavity_2 30 kPa failed: the beam bursts.",
     )
-    found.write(tmp_path / "points.csv")
+    result.write(tmp_path / "points.csv")
     assert (tmp_path / "points.csv").read_text(encoding="utf-8").rstrip().endswith("30,30,,,,the beam bursts.")
 
 
@@ -82,11 +82,11 @@ def reach(per_pascal: float, cavity_1: float, cavity_2: float) -> Response:
 def test_a_design_has_a_workspace_as_a_response():
     asked = {"cavity_1": [0, 20 * kPa], "cavity_2": [0, 10 * kPa]}
     near, far = (tg.studies.workspace_of(reach, asked, values={"per_pascal": each * 1e-7}) for each in (1, 3))
-    found = far.to_response()
-    assert found["workspace_area"] == pytest.approx([9 * near.reached.area])
-    assert found.find("workspace_area").in_unit == pytest.approx([18])
-    assert found["workspace_volume"] == [0.0]
-    assert found.message == ""
+    result = far.to_response()
+    assert result["workspace_area"] == pytest.approx([9 * near.reached.area])
+    assert result.find("workspace_area").in_unit == pytest.approx([18])
+    assert result["workspace_volume"] == [0.0]
+    assert result.message == ""
     bursts = tg.studies.workspace_of(beam, {"cavity_1": [0, 30 * kPa], "cavity_2": [0, 30 * kPa]}).to_response()
     assert "cavity_2 30 kPa failed: the beam bursts." in bursts.message
 
@@ -125,8 +125,8 @@ def solved_like(job, digest, numbers, measures):
 def test_numbers_of_a_job_have_other_values(bender, monkeypatch):
     monkeypatch.setattr("turgor.studies.runs.workspaces.solved_job", solved_like)
     asked = {"cavity_1": [0, 20 * kPa], "cavity_2": [0, 20 * kPa]}
-    found = tg.studies.workspace_of(bender, asked, values={"actuator.outer_wall": 2 * mm})
-    assert found.reached.area == pytest.approx(1 * mm**2)
+    result = tg.studies.workspace_of(bender, asked, values={"actuator.outer_wall": 2 * mm})
+    assert result.reached.area == pytest.approx(1 * mm**2)
     with refused("'actuator.outer_wal'", "'actuator.outer_wall'"):
         tg.studies.workspace_of(bender, asked, values={"actuator.outer_wal": 2 * mm})
 
@@ -143,12 +143,12 @@ def test_a_bender_to_both_sides(bender, tmp_path):
     """One cavity bends it down, the other one up by the same, but for its mesh; both together hardly bend it."""
     kept = tg.studies.saved_in(tmp_path / "runs")
     values = [0, 20 * kPa]
-    found = tg.studies.workspace_of(bender, {"cavity_1": values, "cavity_2": values}, evaluations=kept)
-    assert found.problems == ()
-    assert len(found.ended) == 3  # rest takes no run
-    up, down, both = (each.result.response["tip_displacement_z"][-1] for each in found.ended)
+    result = tg.studies.workspace_of(bender, {"cavity_1": values, "cavity_2": values}, evaluations=kept)
+    assert result.problems == ()
+    assert len(result.ended) == 3  # rest takes no run
+    up, down, both = (each.result.response["tip_displacement_z"][-1] for each in result.ended)
     assert up > 1 * mm
     assert down == pytest.approx(-up, rel=0.1)
     assert abs(both) < 0.1 * up
-    assert found.reached.flat
-    assert found.reached.area > 0
+    assert result.reached.flat
+    assert result.reached.area > 0

@@ -33,12 +33,12 @@ def constant(x: float, y: float) -> Response:
 
 def test_shares_of_a_plane():
     asked = Direct(function=plane, factors=(X, Y, Z), measures=("force",))
-    (found,) = sobol_indices(asked, samples=256)
-    assert found.total == pytest.approx(np.array([16, 4, 1]) / 21, abs=0.01)
-    assert found.ranking == ("x", "y", "z")
-    assert found.unexplained == 0
-    assert found.deviation == pytest.approx(np.sqrt(21 / 12), rel=0.02)
-    assert found.sentence().startswith("force varies by 1.3")
+    (result,) = sobol_indices(asked, samples=256)
+    assert result.total == pytest.approx(np.array([16, 4, 1]) / 21, abs=0.01)
+    assert result.ranking == ("x", "y", "z")
+    assert result.unexplained == 0
+    assert result.deviation == pytest.approx(np.sqrt(21 / 12), rel=0.02)
+    assert result.sentence().startswith("force varies by 1.3")
     (held,) = sobol_indices(asked, fixed={"x": 0.5}, samples=256)
     assert held.factors == ("y", "z")
     assert held.total == pytest.approx([0.8, 0.2], abs=0.01)
@@ -48,21 +48,21 @@ def test_shares_of_a_plane_of_normal_factors():
     """4 x + 2 y + z with deviations 0.05, 0.1 and, uniform over 1, 1/√12: shares as a²σ², which are exact."""
     asked = Direct(function=plane, factors=(X, Y, Z), measures=("force",))
     spreads = [Spread(name="x", mean=0.5, deviation=0.05), Spread(name="y", mean=0.5, deviation=0.1)]
-    (found,) = sobol_indices(asked, spreads=spreads, samples=512)
+    (result,) = sobol_indices(asked, spreads=spreads, samples=512)
     variances = np.array([16 * 0.05**2, 4 * 0.1**2, 1 / 12])  # ranges end at five deviations and more
-    assert found.total == pytest.approx(variances / variances.sum(), abs=0.005)
-    assert found.first == pytest.approx(variances / variances.sum(), abs=0.02)
-    assert found.deviation == pytest.approx(np.sqrt(variances.sum()), rel=0.005)
-    assert "with x, y normal" in found.sentence()
+    assert result.total == pytest.approx(variances / variances.sum(), abs=0.005)
+    assert result.first == pytest.approx(variances / variances.sum(), abs=0.02)
+    assert result.deviation == pytest.approx(np.sqrt(variances.sum()), rel=0.005)
+    assert "with x, y normal" in result.sentence()
 
 
 def test_a_normal_factor_is_cut_off_at_the_ends_of_its_range():
     """Within ± one deviation a normal distribution has the variance 1 − 2 φ(1)/(2 Φ(1) − 1) = 0.2911."""
     asked = Direct(function=plane, factors=(X, Y), measures=("force",))
     spreads = [Spread(name=each, mean=0.5, deviation=0.5) for each in "xy"]
-    (found,) = sobol_indices(asked, spreads=spreads, samples=512)
-    assert found.deviation == pytest.approx(np.sqrt(20 * 0.25 * 0.2911), rel=0.005)
-    assert found.total == pytest.approx([0.8, 0.2], abs=0.01)
+    (result,) = sobol_indices(asked, spreads=spreads, samples=512)
+    assert result.deviation == pytest.approx(np.sqrt(20 * 0.25 * 0.2911), rel=0.005)
+    assert result.total == pytest.approx([0.8, 0.2], abs=0.01)
 
 
 @pytest.mark.parametrize(
@@ -83,21 +83,21 @@ def test_spreads_that_do_not_fit_are_refused(spread, held, facts):
 def test_what_a_surrogate_leaves_widens_the_intervals():
     study = cases.study_of(cases.finger, [cases.WALL, cases.C10], 16)
     fitted = surrogate(study, ["bending_angle"], at=("pressure", 40 * kPa))
-    (found,) = sobol_indices(fitted, samples=256)
+    (result,) = sobol_indices(fitted, samples=256)
     left = 1 - fitted.error("bending_angle").r_squared
-    assert found.unexplained == pytest.approx(left)
-    low, high = found.interval("total")
-    assert (low < found.total).all()
-    assert high == pytest.approx(np.minimum((1 - left) * (found.total + found.total_error) + left, 1.0))
-    axes = indices_figure([found]).axes[0]
-    assert [each.get_text() for each in axes.get_yticklabels()] == list(reversed(found.ranking))
+    assert result.unexplained == pytest.approx(left)
+    low, high = result.interval("total")
+    assert (low < result.total).all()
+    assert high == pytest.approx(np.minimum((1 - left) * (result.total + result.total_error) + left, 1.0))
+    axes = indices_figure([result]).axes[0]
+    assert [each.get_text() for each in axes.get_yticklabels()] == list(reversed(result.ranking))
 
 
 def test_effects_of_a_plane_are_its_slopes():
-    (found,) = screening(Direct(function=plane, factors=(X, Y, Z), measures=("force",)), trajectories=6)
-    assert found.size == pytest.approx([4, 2, 1])
-    assert found.spread == pytest.approx([0, 0, 0], abs=1e-6)
-    assert (found.ranking, found.count) == (("x", "y", "z"), 24)
+    (result,) = screening(Direct(function=plane, factors=(X, Y, Z), measures=("force",)), trajectories=6)
+    assert result.size == pytest.approx([4, 2, 1])
+    assert result.spread == pytest.approx([0, 0, 0], abs=1e-6)
+    assert (result.ranking, result.count) == (("x", "y", "z"), 24)
 
 
 def test_what_is_refused():
@@ -133,22 +133,22 @@ def test_what_a_tolerance_does():
         Tolerance(name="C10", nominal=C10, off=0.5 * kPa, unit="kPa"),
         Tolerance(name="wall", nominal=wall, off=0.1 * mm, unit="mm"),
     ]
-    found = local_sensitivities(cases.finger, tolerances, ["bending_angle"], at=("pressure", 40 * kPa))
+    result = local_sensitivities(cases.finger, tolerances, ["bending_angle"], at=("pressure", 40 * kPa))
     a = 40 / 75
-    assert [each.tolerance.name for each in found] == ["wall", "C10"]  # the larger change first
-    assert found[0].derivative == pytest.approx(-1.2 * a / wall / (1 + a**2), rel=0.01)
-    assert found[1].derivative == pytest.approx(-a / C10 / (1 + a**2), rel=1e-4)
-    assert found[0].elasticity == pytest.approx(found[0].derivative * wall / np.arctan(a))
-    assert found[0].change / deg == pytest.approx(-1.91, abs=0.01)
-    assert found[0].error > 0.01 * abs(found[0].derivative)  # the curve of the wall is bent within 0.1 mm
-    assert found[0].sentence().startswith("wall 1.5 mm + 0.1 mm: bending angle -1.9")
+    assert [each.tolerance.name for each in result] == ["wall", "C10"]  # the larger change first
+    assert result[0].derivative == pytest.approx(-1.2 * a / wall / (1 + a**2), rel=0.01)
+    assert result[1].derivative == pytest.approx(-a / C10 / (1 + a**2), rel=1e-4)
+    assert result[0].elasticity == pytest.approx(result[0].derivative * wall / np.arctan(a))
+    assert result[0].change / deg == pytest.approx(-1.91, abs=0.01)
+    assert result[0].error > 0.01 * abs(result[0].derivative)  # the curve of the wall is bent within 0.1 mm
+    assert result[0].sentence().startswith("wall 1.5 mm + 0.1 mm: bending angle -1.9")
 
 
 def test_derivatives_may_be_given():
     tolerance = Tolerance(name="wall", nominal=2.0, off=0.1)
-    (found,) = sensitivities_of({"wall": -3.0}, [tolerance], measure="angle", value=6.0)
-    assert (found.change, found.elasticity) == pytest.approx((-0.3, -1.0))
-    assert "±" not in found.sentence()
+    (result,) = sensitivities_of({"wall": -3.0}, [tolerance], measure="angle", value=6.0)
+    assert (result.change, result.elasticity) == pytest.approx((-0.3, -1.0))
+    assert "±" not in result.sentence()
     with refused("'wall'", "'wal'"):
         sensitivities_of({"wal": 1.0}, [tolerance], measure="angle", value=6.0)
 

@@ -67,20 +67,20 @@ def folder(tmp_path, monkeypatch):
 
 
 def test_one_file_states_all_kinds(folder):
-    found = tg.studies.read_study_file("every.toml")
-    assert (found.name, found.job.name) == ("every", "tube")
-    assert len(found.sweep.designs) == 8
-    assert found.optimize.start == {"actuator.wall": 2 * mm, "materials.body.C10": 0.12e6}
-    assert found.optimize.search.most_solves == 12 and len(found.optimize.goals) == 1
-    wall, stiffness = found.calibrate.free
+    result = tg.studies.read_study_file("every.toml")
+    assert (result.name, result.job.name) == ("every", "tube")
+    assert len(result.sweep.designs) == 8
+    assert result.optimize.start == {"actuator.wall": 2 * mm, "materials.body.C10": 0.12e6}
+    assert result.optimize.search.most_solves == 12 and len(result.optimize.goals) == 1
+    wall, stiffness = result.calibrate.free
     assert (wall.start, wall.bounds, wall.prior) == (2 * mm, (1 * mm, 4 * mm), (2.2 * mm, pytest.approx(0.022 * mm)))
     assert (stiffness.start, stiffness.prior) == (0.12e6, None)
-    assert found.calibrate.spreads == (pytest.approx(0.002 * mm),)
-    assert [(each.label, each.deviation) for each in found.uncertainty.inputs] == [
+    assert result.calibrate.spreads == (pytest.approx(0.002 * mm),)
+    assert [(each.label, each.deviation) for each in result.uncertainty.inputs] == [
         ("actuator.wall", pytest.approx(0.1 * mm)), ("rubber", pytest.approx(0.006e6))
     ]  # fmt: skip
-    assert found.uncertainty.at == 10e3
-    assert (found.sensitivity.method, found.surrogate.along) == ("sobol", "pressure")
+    assert result.uncertainty.at == 10e3
+    assert (result.sensitivity.method, result.surrogate.along) == ("sobol", "pressure")
 
 
 def test_only_the_table_that_is_needed_is_read(folder):

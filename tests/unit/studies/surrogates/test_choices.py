@@ -34,9 +34,9 @@ def fitted():
 def test_each_choice_is_predicted_as_it_is(fitted, rubber):
     """The three rubbers differ by 21 degrees and more; none is taken for another or for a mean of others."""
     for wall in (1.1 * mm, 1.55 * mm, 1.9 * mm):
-        found = fitted.predict({"wall": wall, "rubber": rubber})
-        assert found[ANGLE] == pytest.approx(angle(wall, rubber), abs=0.3 * deg)
-        assert found.deviations[ANGLE] < 1 * deg
+        result = fitted.predict({"wall": wall, "rubber": rubber})
+        assert result[ANGLE] == pytest.approx(angle(wall, rubber), abs=0.3 * deg)
+        assert result.deviations[ANGLE] < 1 * deg
     slope = (angle(1.501 * mm, rubber) - angle(1.499 * mm, rubber)) / (0.002 * mm)
     slopes = fitted.slopes({"wall": 1.5 * mm, "rubber": rubber})
     assert slopes[ANGLE] == {"wall": pytest.approx(slope, rel=0.05)}, "a choice has none"
@@ -58,12 +58,12 @@ def test_its_file_knows_the_choices(fitted, tmp_path):
 def test_the_inverse_goes_through_all_choices(fitted):
     """Every rubber that can bend so far with a wall in the range is a solution; the others are not."""
     wanted = 50 * deg  # the firm finger with a wall of 1 mm bends by 47 degrees
-    found = invert(fitted, {ANGLE: wanted})
-    assert found.reached
-    assert (found.values["rubber"], found.others) == ("soft", ())
-    assert angle(**found.values) == pytest.approx(wanted, abs=0.3 * deg)
-    assert set(found.deviations) == {"wall"}
-    assert "rubber soft" in found.sentence()
+    result = invert(fitted, {ANGLE: wanted})
+    assert result.reached
+    assert (result.values["rubber"], result.others) == ("soft", ())
+    assert angle(**result.values) == pytest.approx(wanted, abs=0.3 * deg)
+    assert set(result.deviations) == {"wall"}
+    assert "rubber soft" in result.sentence()
     both = invert(fitted, {ANGLE: 28 * deg})
     assert {both.values["rubber"], *(each["rubber"] for each in both.others)} == {"firm", "stiff"}
     for each in (both.values, *both.others):
@@ -76,9 +76,9 @@ def test_the_inverse_goes_through_all_choices(fitted):
 
 def test_a_choice_alone_is_sought(fitted):
     wanted = angle(1.5 * mm, "stiff")
-    found = invert(fitted, {ANGLE: wanted}, fixed={"wall": 1.5 * mm})
-    assert (found.values["rubber"], found.deviations) == ("stiff", {})
-    assert found.prediction[ANGLE] == pytest.approx(wanted, abs=0.3 * deg)
+    result = invert(fitted, {ANGLE: wanted}, fixed={"wall": 1.5 * mm})
+    assert (result.values["rubber"], result.deviations) == ("stiff", {})
+    assert result.prediction[ANGLE] == pytest.approx(wanted, abs=0.3 * deg)
     with refused("wall, rubber"):
         invert(fitted, {ANGLE: wanted}, fixed={"wall": 1.5 * mm, "rubber": "soft"})
 
@@ -86,8 +86,8 @@ def test_a_choice_alone_is_sought(fitted):
 def test_choices_are_learned(fitted):
     asked = next_design(fitted, 4)
     assert {each["rubber"] for each in asked} <= set(cases.RUBBERS)
-    found = learn(cases.finger_of, [cases.WALL, cases.RUBBER], Goal(measures=(ANGLE,), error=0.01, runs=40))
-    assert found.reached, found.sentence()
+    result = learn(cases.finger_of, [cases.WALL, cases.RUBBER], Goal(measures=(ANGLE,), error=0.01, runs=40))
+    assert result.reached, result.sentence()
 
 
 def test_a_choice_is_held_for_indices(fitted):
@@ -95,9 +95,9 @@ def test_a_choice_is_held_for_indices(fitted):
     with refused("'rubber'", "choice", "`anova`"):
         sobol_indices(fitted)
     study = cases.study_of(three, [cases.WALL, gap, cases.RUBBER], 32)
-    (found,) = sobol_indices(surrogate(study, [ANGLE]), fixed={"rubber": "soft"}, samples=64)
-    assert found.factors == ("wall", "gap")
-    assert found.total[0] > 0.95
+    (result,) = sobol_indices(surrogate(study, [ANGLE]), fixed={"rubber": "soft"}, samples=64)
+    assert result.factors == ("wall", "gap")
+    assert result.total[0] > 0.95
 
 
 def three(wall, gap, rubber):

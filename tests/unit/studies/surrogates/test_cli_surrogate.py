@@ -15,10 +15,10 @@ from turgor.units import deg, kPa, mm
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    found = tmp_path_factory.mktemp("sampled")
-    write_study(cases.study_of(cases.finger, [cases.WALL, cases.C10], 12), found)
-    assert main(["surrogate", str(found), "--along", "pressure", "--measure", "bending_angle"]) == 0
-    return found
+    result = tmp_path_factory.mktemp("sampled")
+    write_study(cases.study_of(cases.finger, [cases.WALL, cases.C10], 12), result)
+    assert main(["surrogate", str(result), "--along", "pressure", "--measure", "bending_angle"]) == 0
+    return result
 
 
 def test_a_folder_gets_a_surrogate(folder):

@@ -29,12 +29,12 @@ def redundant():
 
 def test_what_cannot_be_reached_is_the_closest(fitted):
     top = float(cases.two_chambers(40 * kPa, 0.0)["tip_y"][0])
-    found = invert(fitted, {"tip_y": top + 5 * mm, "tip_z": 30 * mm})
-    assert not found.reached
-    assert found.values["first"] == pytest.approx(40 * kPa, rel=1e-3)
-    assert found.prediction["tip_y"] == pytest.approx(top, abs=0.1 * mm)
-    assert found.sentence().startswith("Nothing in the range gives that. The closest, first 40 kPa, second ")
-    assert "tip y -5" in found.sentence()
+    result = invert(fitted, {"tip_y": top + 5 * mm, "tip_z": 30 * mm})
+    assert not result.reached
+    assert result.values["first"] == pytest.approx(40 * kPa, rel=1e-3)
+    assert result.prediction["tip_y"] == pytest.approx(top, abs=0.1 * mm)
+    assert result.sentence().startswith("Nothing in the range gives that. The closest, first 40 kPa, second ")
+    assert "tip y -5" in result.sentence()
 
 
 def test_redundant_inputs_are_those_nearest_to_the_preferred_ones(redundant):
@@ -52,20 +52,20 @@ def test_redundant_inputs_are_those_nearest_to_the_preferred_ones(redundant):
 
 
 def test_held_factors_stay(redundant):
-    found = invert(redundant, {"tip_y": 30 * mm, "tip_z": 30 * mm}, fixed={"third": 10 * kPa})
-    assert found.values["third"] == pytest.approx(10 * kPa)
-    assert set(found.deviations) == {"first", "second"}
-    exact = cases.two_chambers(**found.values)
+    result = invert(redundant, {"tip_y": 30 * mm, "tip_z": 30 * mm}, fixed={"third": 10 * kPa})
+    assert result.values["third"] == pytest.approx(10 * kPa)
+    assert set(result.deviations) == {"first", "second"}
+    exact = cases.two_chambers(**result.values)
     assert [exact["tip_y_mm"][0], exact["tip_z_mm"][0]] == pytest.approx([30, 30], abs=0.05)
 
 
 def test_deviations_are_those_of_the_output_over_the_slope():
     fitted = surrogate(cases.study_of(cases.finger, [cases.WALL, cases.C10], 16), ["bending_angle"], along="pressure")
-    found = invert(fitted, {"bending_angle": 20 * deg}, fixed={"wall": 1.5 * mm, "C10": 75 * kPa})
-    slope = fitted.slopes(found.values)["bending_angle"]["pressure"]
-    deviation = found.prediction.deviations["bending_angle"]
-    assert found.deviations["pressure"] == pytest.approx(deviation / abs(slope), rel=1e-3)
-    assert found.values["pressure"] == pytest.approx(75 * kPa * np.tan(20 * deg), rel=0.02)
+    result = invert(fitted, {"bending_angle": 20 * deg}, fixed={"wall": 1.5 * mm, "C10": 75 * kPa})
+    slope = fitted.slopes(result.values)["bending_angle"]["pressure"]
+    deviation = result.prediction.deviations["bending_angle"]
+    assert result.deviations["pressure"] == pytest.approx(deviation / abs(slope), rel=1e-3)
+    assert result.values["pressure"] == pytest.approx(75 * kPa * np.tan(20 * deg), rel=0.02)
 
 
 def test_names_and_values_are_checked(fitted):
@@ -92,8 +92,8 @@ def test_the_nearest_inputs_on_a_curve():
     """On first² + second = 1 the point nearest to (0.9, 0.9), by a search along the curve."""
     factors = [Factor(name=name, low=0.0, high=1.0) for name in ("first", "second")]
     fitted = surrogate(cases.study_of(curved, factors, 32))
-    found = invert(fitted, {"y": 1.0}, prefer={"first": 0.9, "second": 0.9})
+    result = invert(fitted, {"y": 1.0}, prefer={"first": 0.9, "second": 0.9})
     along = np.linspace(0, 1, 100_001)
     nearest = along[np.argmin((along - 0.9) ** 2 + (1 - along**2 - 0.9) ** 2)]
-    assert found.reached
-    assert [found.values["first"], found.values["second"]] == pytest.approx([nearest, 1 - nearest**2], abs=2e-3)
+    assert result.reached
+    assert [result.values["first"], result.values["second"]] == pytest.approx([nearest, 1 - nearest**2], abs=2e-3)

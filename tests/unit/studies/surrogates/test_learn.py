@@ -63,11 +63,11 @@ def test_without_the_drive(one_sided):
 def test_the_loop_ends_at_its_error(tmp_path):
     goal = Goal(measures=("bending_angle",), error=0.004, runs=40, at=("pressure", 40 * kPa))
     where = Evaluations(folder=tmp_path)
-    found = learn(Computation(function=cases.finger), [cases.WALL, cases.C10], goal, evaluations=where)
-    assert found.reached
-    assert found.errors[-1][1] <= 0.004 < found.errors[0][1]
-    assert found.errors[0][0] == 6
-    assert "reached." in found.sentence()
+    result = learn(Computation(function=cases.finger), [cases.WALL, cases.C10], goal, evaluations=where)
+    assert result.reached
+    assert result.errors[-1][1] <= 0.004 < result.errors[0][1]
+    assert result.errors[0][0] == 6
+    assert "reached." in result.sentence()
     again = Evaluations(folder=tmp_path)
     learn(Computation(function=cases.finger), [cases.WALL, cases.C10], goal, evaluations=again)
     assert all(each.again for each in again.ended.values())
@@ -78,13 +78,13 @@ def test_the_loop_ends_at_its_budget_and_passes_failures():
     thin = replace(cases.WALL, low=0.8 * mm)
     goal = Goal(measures=("bending_angle",), error=1e-9, runs=14, batch=4)
     seen = []
-    found = learn(Computation(function=cases.finger), [thin, cases.C10], goal, progress=seen.append)
-    assert [each.errors[-1][0] for each in seen] == [6, 10, 14] == [count for count, _ in found.errors]
-    assert not found.reached
-    assert "not reached" in found.sentence()
-    failed = [row.values["wall"] for row in found.study.rows if row.response is None]
+    result = learn(Computation(function=cases.finger), [thin, cases.C10], goal, progress=seen.append)
+    assert [each.errors[-1][0] for each in seen] == [6, 10, 14] == [count for count, _ in result.errors]
+    assert not result.reached
+    assert "not reached" in result.sentence()
+    failed = [row.values["wall"] for row in result.study.rows if row.response is None]
     assert failed
-    assert len(found.study) > len(failed) + 8
+    assert len(result.study) > len(failed) + 8
 
 
 def test_goals_are_checked(one_sided):

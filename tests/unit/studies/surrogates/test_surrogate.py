@@ -116,17 +116,17 @@ def test_failed_rows_are_left_out_and_counted():
     thin = replace(cases.WALL, low=0.8 * mm)
     study = cases.study_of(cases.finger, [thin, cases.C10], 16)
     failed = sum(row.response is None for row in study.rows)
-    found = surrogate(study, ["bending_angle"])
-    assert 0 < failed == 16 - found.rows
-    assert f"{failed} of 16 rows were left out" in found.notes[0]
+    result = surrogate(study, ["bending_angle"])
+    assert 0 < failed == 16 - result.rows
+    assert f"{failed} of 16 rows were left out" in result.notes[0]
 
 
 def test_short_paths_are_told():
     top = Factor(name="top", low=30 * kPa, high=60 * kPa, unit="kPa")
     study = cases.study_of(cases.finger, [cases.WALL, cases.C10, top], 16)
     assert "paths end before the others" in training(study, ["bending_angle"], along="pressure").notes[-1]
-    found = training(study, ["bending_angle"], at=("pressure", 50 * kPa))
-    assert len(found.inputs) < 16
+    result = training(study, ["bending_angle"], at=("pressure", 50 * kPa))
+    assert len(result.inputs) < 16
     with refused("0 of 16 rows", "bending_angle", "70 kPa", 5):
         training(study, ["bending_angle"], at=("pressure", 70 * kPa))
 
@@ -163,10 +163,10 @@ def test_long_choices_and_small_studies_are_refused(study):
 
 
 def test_it_is_loaded_without_what_trained_it(fitted, tmp_path):
-    found = fitted
-    file = found.save(tmp_path / "finger")
+    result = fitted
+    file = result.save(tmp_path / "finger")
     assert isinstance(tg.load(file), Surrogate)
-    said = found.predict(DESIGN)
+    said = result.predict(DESIGN)
     script = (
         "import sys\n"
         "sys.modules['sklearn'] = sys.modules['SALib'] = None\n"  # an import of either fails
@@ -188,6 +188,6 @@ def test_training_without_scikit_learn_is_a_sentence(study, monkeypatch):
 
 def test_a_measure_of_one_state_needs_no_drive():
     study = cases.study_of(cases.two_chambers, [cases.FIRST, cases.SECOND], 16)
-    found = surrogate(study)
-    assert found.response({"first": 1e4, "second": 2e4}).names[:2] == ("tip_y", "tip_z")
-    assert found.source == Source(text="a test")
+    result = surrogate(study)
+    assert result.response({"first": 1e4, "second": 2e4}).names[:2] == ("tip_y", "tip_z")
+    assert result.source == Source(text="a test")

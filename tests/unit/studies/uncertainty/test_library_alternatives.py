@@ -29,14 +29,14 @@ def slope_of(record: str) -> Response:
 
 def test_records_are_told_one_by_one():
     asked = library_alternatives("record", ECOFLEX)
-    found = propagate(slope_of, [asked])
-    assert found.runs == len(asked.sets) == 9
-    kept = [each for each in found.cases if not each.problem]
+    result = propagate(slope_of, [asked])
+    assert result.runs == len(asked.sets) == 9
+    kept = [each for each in result.cases if not each.problem]
     modulus = {each.name: tg.from_library(ECOFLEX, record=each.name).law.shear_modulus / 1e3 for each in kept}
     ends = np.array(list(modulus.values()))
-    assert found.band("force").deviation[-1] == pytest.approx(ends.std(ddof=1))
-    assert found.drive.values[-1] == pytest.approx(1e3)  # a record that ends early does not cut the band
-    told = found.case_sentences()
+    assert result.band("force").deviation[-1] == pytest.approx(ends.std(ddof=1))
+    assert result.drive.values[-1] == pytest.approx(1e3)  # a record that ends early does not cut the band
+    told = result.case_sentences()
     assert told[0] == f"{ECOFLEX}: 9 records, 7 of them in the band."
     low, high = min(modulus, key=modulus.get), max(modulus, key=modulus.get)
     assert f"({low}), highest " in told[1].split(";")[0]
@@ -46,7 +46,7 @@ def test_records_are_told_one_by_one():
     assert "mooney-rivlin-steck-2019 (M06)" in told[2]
     assert any("ogden-moseley-2016: ends at 0.5 kPa of 1 kPa. Too soft." in each for each in told)
     assert any("mooney-rivlin-steck-2019" in each and "negative modulus" in each for each in told)
-    assert found.summary().count("Not in the band") == 2
+    assert result.summary().count("Not in the band") == 2
 
 
 def test_doubtful_records_are_left_out():
@@ -88,12 +88,12 @@ def test_the_records_of_a_job(call, tmp_path):
     code, said, _ = call("tube", "--records", "materials.body as rubber", "--json")
     assert code == DONE
     result = json.loads(said)["result"]
-    found = {each["name"]: each for each in result["records"]}
-    assert next(iter(found)) == "yeoh-caasenbrood-2020"  # that of the job
-    assert "linear elastic" in found["hooke-bilodeau-2018"]["problem"]
-    ends = [each["values"]["tip_displacement_x"] for each in found.values() if each["values"]]
+    results = {each["name"]: each for each in result["records"]}
+    assert next(iter(results)) == "yeoh-caasenbrood-2020"  # that of the job
+    assert "linear elastic" in results["hooke-bilodeau-2018"]["problem"]
+    ends = [each["values"]["tip_displacement_x"] for each in results.values() if each["values"]]
     assert len(ends) == 4
-    soft, stiff = found["neo-hooke-connolly-2017"], found["neo-hooke-polygerinos-2020"]
+    soft, stiff = results["neo-hooke-connolly-2017"], results["neo-hooke-polygerinos-2020"]
     moduli = [tg.from_library("dragon-skin-10", record=each["name"]).law.shear_modulus for each in (soft, stiff)]
     ratio = stiff["values"]["tip_displacement_x"] / soft["values"]["tip_displacement_x"]
     assert (ratio > 1) == (moduli[0] > moduli[1])
@@ -102,7 +102,7 @@ def test_the_records_of_a_job(call, tmp_path):
     assert "(rubber)" in result["sentences"][0]
     with (tmp_path / "tube" / "records.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    assert [row["record"] for row in rows] == list(found)
+    assert [row["record"] for row in rows] == list(results)
 
 
 @pytest.mark.parametrize(

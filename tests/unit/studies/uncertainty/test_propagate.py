@@ -74,9 +74,9 @@ def test_the_square_of_a_number():
 
 def test_numbers_of_runs_are_told():
     for method, runs in (("linear", 6), ("quadratic", 7), ("interactions", 8)):
-        found = propagate(product, [A, B], method=method)
-        assert found.runs == runs
-        assert f"{runs} runs." in found.checked()
+        result = propagate(product, [A, B], method=method)
+        assert result.runs == runs
+        assert f"{runs} runs." in result.checked()
     runs = Evaluations()
     propagate(product, [A, B], evaluations=runs)
     assert propagate(product, [A, B], evaluations=runs).runs == 0
@@ -84,31 +84,31 @@ def test_numbers_of_runs_are_told():
 
 def test_the_sentence_tells_mesh_and_inputs():
     asked = Computation(function=product, nominal={"error": 0.05})
-    found = propagate(asked, [Spread(name="a", mean=2.0, deviation=0.1, label="rubber"), B])
-    assert found.sentence() == "force at 2 kPa: 12 N ± 0.1 N (mesh) ± 1.2 N (b) ± 0.6 N (rubber)"
-    assert found.sentence(at=1e3) == "force at 1 kPa: 6 N ± 0.05 N (mesh) ± 0.6 N (b) ± 0.3 N (rubber)"
-    table = found.to_response()
+    result = propagate(asked, [Spread(name="a", mean=2.0, deviation=0.1, label="rubber"), B])
+    assert result.sentence() == "force at 2 kPa: 12 N ± 0.1 N (mesh) ± 1.2 N (b) ± 0.6 N (rubber)"
+    assert result.sentence(at=1e3) == "force at 1 kPa: 6 N ± 0.05 N (mesh) ± 0.6 N (b) ± 0.3 N (rubber)"
+    table = result.to_response()
     assert table["force_spread"][-1] == pytest.approx(np.hypot(0.6, 1.2))
     assert table["force_spread_from_rubber"][-1] == pytest.approx(0.6)
     assert table["force_mesh_error"][-1] == pytest.approx(0.1)
-    assert len(uncertainty_figure(found).axes) == 2
+    assert len(uncertainty_figure(result).axes) == 2
 
 
 def test_a_spread_of_the_pressure_takes_no_run():
     asked = Computation(function=product, values={"a": 2.0})
-    found = propagate(asked, [Spread(name="pressure", deviation=100.0)])
-    assert found.runs == 1
-    assert found.band("force").deviation == pytest.approx(np.full(3, 0.2))  # 2 N/kPa of 0.1 kPa
+    result = propagate(asked, [Spread(name="pressure", deviation=100.0)])
+    assert result.runs == 1
+    assert result.band("force").deviation == pytest.approx(np.full(3, 0.2))  # 2 N/kPa of 0.1 kPa
 
 
 def test_sets_of_constants_stay_together():
     """Constants of one fit are anti-correlated: varied alone, they would give a far wider band."""
     sets = ({"a": 2.0, "b": 3.0}, {"a": 1.5, "b": 4.0}, {"a": 3.0, "b": 2.1})
-    found = propagate(product, [Alternatives(sets=sets, label="fits")])
+    result = propagate(product, [Alternatives(sets=sets, label="fits")])
     ends = 2 * np.array([6.0, 6.0, 6.3])
-    assert found.runs == 3
-    assert found.band("force").deviation[-1] == pytest.approx(ends.std(ddof=1))
-    assert found.band("force").mean[-1] == pytest.approx(ends.mean())
+    assert result.runs == 3
+    assert result.band("force").deviation[-1] == pytest.approx(ends.std(ddof=1))
+    assert result.band("force").mean[-1] == pytest.approx(ends.mean())
     both = propagate(product, [Alternatives(sets=({"a": 2.0}, {"a": 2.2}), label="fits"), B], method="quadratic")
     assert both.band("force").parts["fits"][-1] == pytest.approx(2 * 3 * 0.2 / np.sqrt(2))
     assert both.band("force").low[-1] < both.band("force").mean[-1] < both.band("force").high[-1]
@@ -121,31 +121,31 @@ def test_replicates_give_mean_and_deviation():
 
 
 def test_spreads_of_one_label_are_told_as_one():
-    found = propagate(
+    result = propagate(
         product,
         [Spread(name="a", mean=2, deviation=0.1, label="x"), Spread(name="b", mean=3, deviation=0.3, label="x")],
     )
-    assert list(found.band("force").parts) == ["x"]
-    assert found.band("force").parts["x"][-1] == pytest.approx(np.hypot(0.6, 1.2))
+    assert list(result.band("force").parts) == ["x"]
+    assert result.band("force").parts["x"][-1] == pytest.approx(np.hypot(0.6, 1.2))
 
 
 def test_a_run_that_fails_leaves_the_other_side():
-    found = propagate(product, [Spread(name="a", mean=0.55, deviation=0.1)])
-    assert found.band("force").deviation[-1] == pytest.approx(0.2)
-    assert any("a run failed (a 0.45): a is below 0.5." in note for note in found.notes)
+    result = propagate(product, [Spread(name="a", mean=0.55, deviation=0.1)])
+    assert result.band("force").deviation[-1] == pytest.approx(0.2)
+    assert any("a run failed (a 0.45): a is below 0.5." in note for note in result.notes)
     with refused("nominal", "a 0.3", 0.5):
         propagate(product, [Spread(name="a", mean=0.3, deviation=0.1)])
 
 
 def test_bands_end_where_the_first_run_ends():
-    found = propagate(two_lengths, [Spread(name="top", mean=10 * kPa, deviation=1 * kPa)])
-    assert found.drive.values[-1] == pytest.approx(9 * kPa)
-    assert any("The bands end at 9 kPa" in note for note in found.notes)
+    result = propagate(two_lengths, [Spread(name="top", mean=10 * kPa, deviation=1 * kPa)])
+    assert result.drive.values[-1] == pytest.approx(9 * kPa)
+    assert any("The bands end at 9 kPa" in note for note in result.notes)
 
 
 def test_a_curve_that_bends_is_said():
-    found = propagate(cases.thick_sphere, [Spread(name="C10", mean=0.12e6, deviation=0.03e6)])
-    assert "take a method with more terms" in found.summary() or found.residual["inner_stretch"] > 0.1
+    result = propagate(cases.thick_sphere, [Spread(name="C10", mean=0.12e6, deviation=0.03e6)])
+    assert "take a method with more terms" in result.summary() or result.residual["inner_stretch"] > 0.1
 
 
 def test_mistakes_are_answered():
@@ -167,8 +167,8 @@ def test_mistakes_are_answered():
         Alternatives(sets=({"a": 1.0},), label="fits")
     with refused("'fits'", "a; b"):
         Alternatives(sets=({"a": 1.0}, {"b": 1.0}), label="fits")
-    found = propagate(product, [A])
+    result = propagate(product, [A])
     with refused("'forse'", "'force'"):
-        found.sentence("forse")
+        result.sentence("forse")
     with refused("at", 5000, "0 to 2000"):
-        found.sentence(at=5e3)
+        result.sentence(at=5e3)

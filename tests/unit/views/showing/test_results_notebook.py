@@ -32,8 +32,8 @@ def path():
     question = cases.model(cases.body())
     rest = cases.state(question, None, 0)
     bent = replace(cases.state(question, cases.bent(1.0)), pressures={"cavity": 50 * kPa}, unstable_modes=0)
-    found = Finding(code="G01", severity=Severity.WARNING, message="Thin <walls>.", advice="Refine.")
-    return replace(cases.solution([rest, bent]), findings=(found,), advice="Go on.")
+    result = Finding(code="G01", severity=Severity.WARNING, message="Thin <walls>.", advice="Refine.")
+    return replace(cases.solution([rest, bent]), findings=(result,), advice="Go on.")
 
 
 @pytest.fixture(scope="module")

@@ -73,7 +73,7 @@ def test_the_page_opens_from_a_file_and_draws(shown):
 
 def test_the_page_unpacks_what_python_packed(shown, path):
     values = scene_of(path).values
-    found = shown.page.evaluate(
+    result = shown.page.evaluate(
         """() => {
           const { positions, data, skin } = document.querySelector(".viewer").viewer;
           const numbers = (array) => Array.from(array);
@@ -81,9 +81,9 @@ def test_the_page_unpacks_what_python_packed(shown, path):
         }"""
     )
     wanted = unpack(values["surface"]["positions"])
-    np.testing.assert_allclose(np.reshape(found[0], wanted.shape), wanted, rtol=1e-5, atol=1e-8)
-    np.testing.assert_allclose(found[1], unpack(values["fields"][0]["data"])[1, :, 0], rtol=1e-5, atol=1e-5)
-    np.testing.assert_array_equal(found[2], unpack(values["surface"]["triangles"]).ravel())
+    np.testing.assert_allclose(np.reshape(result[0], wanted.shape), wanted, rtol=1e-5, atol=1e-8)
+    np.testing.assert_allclose(result[1], unpack(values["fields"][0]["data"])[1, :, 0], rtol=1e-5, atol=1e-5)
+    np.testing.assert_array_equal(result[2], unpack(values["surface"]["triangles"]).ravel())
 
 
 def test_the_slider_moves_the_actuator_and_the_markers(shown):
@@ -125,7 +125,7 @@ def test_nothing_leaves_the_page(driver, report, width):
     """Cards hold their numbers, letters of the charts stay small, and no part is wider than the window."""
     with opened(driver, report) as page:
         page.page.set_viewport_size({"width": width, "height": 900})
-        found = page.page.evaluate(
+        result = page.page.evaluate(
             """() => ({
               wide: document.documentElement.scrollWidth,
               cards: [...document.querySelectorAll(".numbers b")].map((b) => b.scrollWidth - b.clientWidth),
@@ -134,10 +134,10 @@ def test_nothing_leaves_the_page(driver, report, width):
               letters: [...document.querySelectorAll(".v-number")].map((text) => text.getBoundingClientRect().height),
             })"""
         )
-    assert found["wide"] <= width
-    assert max(found["cards"]) <= 0
-    assert found["caption"] >= 0
-    assert max(found["letters"]) < 24
+    assert result["wide"] <= width
+    assert max(result["cards"]) <= 0
+    assert result["caption"] >= 0
+    assert max(result["letters"]) < 24
 
 
 def test_a_cut_opens_the_cavity(shown):
@@ -190,12 +190,12 @@ def test_a_color_is_that_of_its_value_on_the_bar(shown):
     shown.change("field", "3")
     shown.change("light", False)
     shown.change("slider", "2")
-    found = image(shown.pixels()).reshape(-1, 3)
+    result = image(shown.pixels()).reshape(-1, 3)
     last = shown.page.locator("#v-colors stop").last.get_attribute("stop-color")
     wanted = np.array([int(part) for part in re.findall(r"\d+", last)])
     shown.change("light", True)
     shown.change("field", "0")
-    assert (np.abs(found - wanted).max(axis=1) <= 6).sum() > 30
+    assert (np.abs(result - wanted).max(axis=1) <= 6).sum() > 30
 
 
 def test_dragging_turns_the_picture(shown):
@@ -239,7 +239,7 @@ def test_a_slow_browser_turns_a_rough_picture_and_rests_with_the_whole_one(shown
 
 def test_a_fast_browser_turns_the_whole_picture_until_frames_are_late(shown):
     """Frames are told to come at 60, then at 20 per second."""
-    found = shown.page.evaluate(
+    result = shown.page.evaluate(
         """() => {
           const { stage } = document.querySelector(".viewer").viewer;
           const [slow, later, due] = [stage.slow, window.requestAnimationFrame, []];
@@ -256,7 +256,7 @@ def test_a_fast_browser_turns_the_whole_picture_until_frames_are_late(shown):
           return rough;
         }"""
     )
-    assert found == [False] * 7 + [True, False]
+    assert result == [False] * 7 + [True, False]
 
 
 def test_the_inner_side_of_a_closed_body_is_not_seen(shown):

@@ -41,9 +41,9 @@ def response_of(path):
 
 def test_numbers_along_a_path_come_back_within_half_a_step_of_16_bits():
     values = np.random.default_rng(1).normal(size=(5, 40, 3)) * [1e-3, 1, 1e6]
-    found = unpack(pack_steps(values))
-    assert found.shape == values.shape
-    assert (np.abs(found - values) <= 0.5001 * np.ptp(values, axis=(0, 1)) / MOST).all()
+    result = unpack(pack_steps(values))
+    assert result.shape == values.shape
+    assert (np.abs(result - values) <= 0.5001 * np.ptp(values, axis=(0, 1)) / MOST).all()
     level = np.full((2, 3, 1), 7.0)
     np.testing.assert_array_equal(unpack(pack_steps(level)), level)
 
@@ -126,14 +126,14 @@ def test_fibers_obstacles_and_contact(half):
     touch = Touch(force=np.zeros_like(mesh.points), pressure=pressed, area=1e-6, penetration=0.0,
                   place=np.array([0, 0, 2 * mm]), share=0.0)  # fmt: skip
     first, last = cases.state(model, None, 0), cases.state(model, None, 1)
-    found = scene_of(cases.solution([first, replace(last, touches={"ball": touch})])).values
-    places = unpack(found["obstacles"]["positions"])
+    result = scene_of(cases.solution([first, replace(last, touches={"ball": touch})])).values
+    places = unpack(result["obstacles"]["positions"])
     np.testing.assert_allclose(np.diff(places, axis=0)[0], np.broadcast_to([0, 0, 2 * mm], places[0].shape), atol=1e-6)
-    contact = next(each for each in found["fields"] if each["key"] == "contact_pressure")
+    contact = next(each for each in result["fields"] if each["key"] == "contact_pressure")
     assert contact["high"] == pytest.approx(3)
     assert unpack(contact["data"]).max() == pytest.approx(3)
-    lengths = unpack(found["threads"]["lengths"])
-    assert lengths.sum() == found["threads"]["positions"]["shape"][1] > 0
+    lengths = unpack(result["threads"]["lengths"])
+    assert lengths.sum() == result["threads"]["positions"]["shape"][1] > 0
 
 
 def test_long_paths_and_large_surfaces_are_thinned_out():
@@ -147,17 +147,17 @@ def test_long_paths_and_large_surfaces_are_thinned_out():
 
 def test_a_long_path_says_what_is_left_out(half):
     path = replace(half, states=tuple(half.states[k % 3] for k in range(100)))
-    found = scene_of(path)
-    assert len(found.steps) == 40
-    assert found.notes == ("The viewer shows 40 of 100 states, to keep the page small.",)
+    result = scene_of(path)
+    assert len(result.steps) == 40
+    assert result.notes == ("The viewer shows 40 of 100 states, to keep the page small.",)
 
 
 def test_a_scene_that_is_too_large_leaves_out_steps(half):
     path = replace(half, states=tuple(half.states[k % 3] for k in range(9)))
     whole = sum(len(each["data"]["data"]) for each in scene_of(path).values["fields"] if each["data"])
-    found = scene_of(path, most_text=whole)
-    assert len(found.steps) < 9
-    assert found.steps[0] == 0 and found.steps[-1] == 8
+    result = scene_of(path, most_text=whole)
+    assert len(result.steps) < 9
+    assert result.steps[0] == 0 and result.steps[-1] == 8
 
 
 def test_the_face_of_a_cut_has_all_of_the_body(half, scene):

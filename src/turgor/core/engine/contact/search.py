@@ -23,6 +23,10 @@ Ints = NDArray[np.int64]
 #: Two sides can touch where the cosine between their normals is below this.
 OPPOSED = -0.3
 
+#: A point keeps its partner as long as the foot point is no further than this beyond a smooth edge of it: where two
+#: sides join in a kink, a point right above it would change from one to the other forever.
+HOLD = 0.02
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Grid:
@@ -231,7 +235,7 @@ def _follow_partners(begin, end, out, looking, position, sides, partner, at, aro
             unit_cross(d[0], d[1], unit)
             place[k, q, 0], place[k, q, 1] = r, s
             distance = _along(p, y, unit)
-            while walk and least > overhanging[j, edge]:  # `least` falls in every pass
+            while walk and least > min(HOLD, overhanging[j, edge]):  # `least` falls in every pass
                 best = j
                 for o in range(first[j], first[j + 1]):
                     m = neighbors[o]

@@ -21,6 +21,9 @@ class ToleranceSettings:
     volume : float
         Two volumes or areas are the same up to this share: the kernel's volumes of free forms are that exact. A small
         inlet on one side of a part has more (`test_symmetry`).
+    built_volume : float
+        A family has the volume of its dimensions up to this share (`test_dimension_rules`): planar and cylindrical
+        parts reach 1e-13, a cylinder that is cut close to its axis 2e-9. A face lost in a boolean changes far more.
     direction : float
         Directions are the same if the cosine of their angle is above this: 1°.
     square : float
@@ -30,6 +33,7 @@ class ToleranceSettings:
     round_off: float = 2e-6
     length: float = 1e-6
     volume: float = 1e-4
+    built_volume: float = 1e-8
     direction: float = cos(1 * deg)
     square: float = 1e-3
 

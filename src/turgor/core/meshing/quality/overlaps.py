@@ -66,6 +66,8 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
         part = slice(start, start + CHUNK)
         edge, triangle, place = _crossings(x, edges[part], triangles, normals, spheres)
         inward = normals[triangle] + at_edges[part][edge]
+        leaning = np.linalg.norm(inward, axis=1) > OVERLAPS.steep  # walls in contact cross each other at flat angles
+        edge, triangle, place, inward = edge[leaning], triangle[leaning], place[leaning], inward[leaning]
         length = np.maximum(longest[triangle], np.linalg.norm(np.diff(x[edges[part][edge]], axis=1)[:, 0], axis=1))
         crossings.append(place)
         below.append(place - OVERLAPS.depth * length[:, None] * inward)

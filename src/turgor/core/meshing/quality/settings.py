@@ -56,17 +56,21 @@ PROXIMITY = ProximitySettings()
 
 @dataclass(frozen=True, slots=True)
 class OverlapSettings:
-    """Where a mesh is tested for overlaps of its walls.
+    """Where a mesh is tested for overlaps of its walls (`test_solvers_contact_findings`).
 
     Parameters
     ----------
     depth : float
         Depth below both surfaces, as a share of the edge, of the point where the winding number is evaluated.
+    steep : float
+        Smallest length of the sum of the two normals at a crossing that counts: walls in contact, such as round bodies
+        that fit, cross at flat angles.
     points : int
         Most crossings, and most points all over the surface, where it is evaluated.
     """
 
     depth: float = 0.1
+    steep: float = 0.7
     points: int = 150
 
 

@@ -39,8 +39,9 @@ class SizingSettings:
         Relative mesh errors that can be requested.
     short, growth : float
         Length of the cells next to a feature line, such as the inner side of a wall or a thin corner; cells grow away
-        from it by at most this factor each. On a rectangular bender of 50 mm with a base 20 times stiffer, size three
-        times the wall, the angle is 1.6 % off with cells of equal length, 0.1 % with these and a quarter more unknowns.
+        from it by at most this factor each (`test_swept_sections`). On a rectangular bender of 50 mm with a base 20
+        times stiffer, size three times the wall, the angle is 1.6 % off with cells of equal length, 0.1 % with these
+        and a quarter more unknowns.
     curved : float
         Size on curved walls that end in thin corners: a share of the size and not of the wall, so that a study of mesh
         sizes refines all of a mesh alike.

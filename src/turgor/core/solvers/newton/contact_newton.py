@@ -35,15 +35,17 @@ def newton_with_contact(
     if not contact.parts:
         return result
     iterations, hardest = result.iterations, result.iterations
-    for _ in range(CONTACT_NEWTON.passes):
+    for number in range(CONTACT_NEWTON.passes):
         at = _searched_again(constraint, result, parameter)
         if at is None:
             break
-        (friction, _), stiffened = contact.settled(at.contacts), contact.stiffen(at.contacts)
+        (friction, renewed), stiffened = contact.settled(at.contacts), contact.stiffen(at.contacts)
         constraint = constraint.with_friction(friction)
         residual = relative_residual(constraint.scalar_unknowns.system, at)
-        if not stiffened and residual <= settings.tolerance:
+        if not stiffened and residual <= CONTACT_NEWTON.after_search * settings.tolerance:
             return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
+        if not (stiffened or renewed) and number >= CONTACT_NEWTON.patience and residual <= CONTACT_NEWTON.wedged:
+            return replace(result, iterations=iterations, hardest=hardest)
         again = find(constraint, Start(at.unknowns, constraint.scalar_unknowns.system.stresses(at), result.scalars))
         result = replace(again, reason=result.reason) if again.converged and again.reason is None else again
         iterations += result.iterations

@@ -22,7 +22,7 @@ from turgor.core.solvers.newton.convergence import relative_residual
 from turgor.core.solvers.newton.iteration import shortened
 from turgor.core.solvers.newton.line_search import evaluate
 from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report
-from turgor.core.solvers.newton.settings import CONVERGENCE, INERTIA_CORRECTION, LINE_SEARCH
+from turgor.core.solvers.newton.settings import INERTIA_CORRECTION
 from turgor.core.solvers.step_reasons import Cause, Reason
 
 Array = NDArray[np.float64]
@@ -71,7 +71,7 @@ def _descend(
             return _failed(at, iteration, residual)
         shift = steepened
         update = tangent.solve(np.where(system.prescribed, 0.0, -at.residual))
-        contacts = None if iteration <= CONVERGENCE.keep_partners_after else at.contacts
+        contacts = None if iteration <= INERTIA_CORRECTION.keep_partners_after else at.contacts
         new, length = _shortened(constraint, tangent, at, update, contacts)
         if new is None or float(np.abs(new.unknowns - start)[free].max()) > INERTIA_CORRECTION.reach:
             return _failed(at, iteration, residual)
@@ -88,7 +88,11 @@ def _descend(
                 reason=Reason(Cause.INERTIA_CORRECTED),
             )
         if length == 1:
-            shift = 0.0 if shift <= INERTIA_CORRECTION.first_shift else shift / INERTIA_CORRECTION.shift_factor
+            shift = (
+                0.0
+                if residual < INERTIA_CORRECTION.unshifted_below or shift <= INERTIA_CORRECTION.first_shift
+                else shift / INERTIA_CORRECTION.shift_factor
+            )
         at = new
     return _failed(at, INERTIA_CORRECTION.updates, residual)
 
@@ -125,8 +129,8 @@ def _shortened(
         if new is None:
             return None, 0.5
         share, after = system.contact.shortening(at.contacts, new.contacts), float(new.residual[free] @ along)
-        if share < 1 or after * before >= 0 or abs(after) <= LINE_SEARCH.overshot * abs(before):
+        if share < 1 or after * before >= 0 or abs(after) <= INERTIA_CORRECTION.overshot * abs(before):
             return new, share
         return new, max(INERTIA_CORRECTION.least_share, abs(before) / (abs(after) + abs(before)))
 
-    return shortened(trial, LINE_SEARCH.shortest)
+    return shortened(trial, INERTIA_CORRECTION.shortest)

@@ -111,7 +111,9 @@ def iterate(case: Case[X, U], start: X, most: int) -> Ended[X]:
     return Ended(at, iteration, None)
 
 
-def shortened(trial: Callable[[float], tuple[X | None, float]], shortest: float) -> tuple[X | None, float]:
+def shortened(
+    trial: Callable[[float], tuple[X | None, float]], shortest: float, shortest_found: float = 0.0
+) -> tuple[X | None, float]:
     """Shorten an update until it is allowed.
 
     Parameters
@@ -121,6 +123,8 @@ def shortened(trial: Callable[[float], tuple[X | None, float]], shortest: float)
         of the length to try next; 1 where the length is allowed.
     shortest : float
         Shortest length that is tried.
+    shortest_found : float
+        The same once an end was evaluated.
 
     Returns
     -------
@@ -139,6 +143,6 @@ def shortened(trial: Callable[[float], tuple[X | None, float]], shortest: float)
         if share == 1:
             return end, length
         if end is not None:
-            best = end, length
+            best, shortest = (end, length), max(shortest, shortest_found)
         length *= share
     return best

@@ -67,7 +67,7 @@ def line_search(
         new = evaluate(constraint, tangent, place, parameter, contacts)
         return new, 0.5 if new is None else length_allowed(constraint.scalar_unknowns.system, at, new, update)
 
-    return shortened(trial, LINE_SEARCH.shortest)
+    return shortened(trial, LINE_SEARCH.shortest, LINE_SEARCH.shortest_touching)
 
 
 def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:

@@ -25,7 +25,7 @@ from turgor.core.solvers.newton.forcing import forcing
 from turgor.core.solvers.newton.iteration import CONVERGED, Stopped, iterate
 from turgor.core.solvers.newton.line_search import evaluate, line_search
 from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Report, Start
-from turgor.core.solvers.newton.settings import CONVERGENCE, FACTORS, LINE_SEARCH
+from turgor.core.solvers.newton.settings import FACTORS, LINE_SEARCH
 from turgor.core.solvers.step_reasons import Cause, Reason
 
 Array = NDArray[np.float64]
@@ -135,8 +135,7 @@ class _Newton:
         system, settings = self.constraint.scalar_unknowns.system, self.settings
         if now.residuals[-1] <= settings.tolerance and not now.jump.any():
             return CONVERGED
-        last = now.lengths[-CONVERGENCE.stagnating_updates :]
-        if system.contact.parts and max(last) <= LINE_SEARCH.shortest:
+        if system.contact.parts and max(now.lengths[-FACTORS.cut_short :]) <= LINE_SEARCH.shortest_touching:
             return Reason(Cause.DEEP_PENETRATION)
         if iteration >= FACTORS.vain_updates and _in_vain(now):
             vain = f": walls touch, and {iteration} updates did not halve the residual"

@@ -14,10 +14,18 @@ class ContactNewtonSettings:
     Parameters
     ----------
     passes : int
-        Times that friction and stiffness are renewed at most: no case comes to the end of them.
+        Times that friction and stiffness are renewed at most.
+    after_search : float
+        A state is accepted if the residual is at most this many times the tolerance after a new search for contact.
+    patience, wedged : int, float
+        From this pass on a state is also accepted if the residual is at most this much: in the wedge of a kink
+        between two sides a point changes its partner with every search, although the gap hardly changes.
     """
 
     passes: int = 20
+    after_search: float = 10.0
+    patience: int = 3
+    wedged: float = 1e-3
 
 
 CONTACT_NEWTON = ContactNewtonSettings()
@@ -40,8 +48,7 @@ class ConvergenceSettings:
         They stay from earlier on where the residual is this small and falls no more.
     stagnating_updates, round_off_below : int, float
         So many updates in a row that leave a residual below the second number, and do not halve it, may be at
-        round-off. Its estimate was ten times what stiff films left. Newton's method also gives up where so many in a
-        row are cut to the shortest because they press walls too deep.
+        round-off. Its estimate was ten times what stiff films left.
     """
 
     small_force: float = 1e-5
@@ -66,10 +73,15 @@ class InertiaCorrectionSettings:
         is not due to a few points that separate.
     first_shift, shift_factor, largest_shift : float
         The first shift of the diagonal, in scaled units, in which a cube of rubber has a stiffness of about 3; the
-        factor from one to the next, and the largest, at which it gives up. "plate that drags" needs shifts.
-    least_share : float
-        Smallest factor from one share of an update that is tried to the next; without it "plate that drags" takes 587
-        iterations instead of 213.
+        factor from one to the next, and the largest.
+    unshifted_below : float
+        No shift is tried first once the residual is this small.
+    overshot : float
+        An update is too long if the force along it reverses and exceeds this share of its former size.
+    shortest, least_share : float
+        Shortest share of an update that is tried, and the smallest factor from one to the next.
+    keep_partners_after : int
+        The partners of contact are kept from this update on: at a wedge they may change forever.
     """
 
     updates: int = 40
@@ -77,7 +89,11 @@ class InertiaCorrectionSettings:
     first_shift: float = 0.016
     shift_factor: float = 4.0
     largest_shift: float = 100.0
+    unshifted_below: float = 1e-3
+    overshot: float = 0.5
+    shortest: float = 0.005
     least_share: float = 0.1
+    keep_partners_after: int = 20
 
 
 INERTIA_CORRECTION = InertiaCorrectionSettings()
@@ -89,18 +105,18 @@ class LineSearchSettings:
 
     Parameters
     ----------
-    shortest : float
-        Shortest update that is tried.
+    shortest, shortest_touching : float
+        Shortest update that the line search tries; and where walls are pressed into each other.
     overshot : float
-        With friction, and in the inertia correction, an update is too long if the force along it reverses and exceeds
-        this share of its former size.
+        With friction, an update is too long if the force along it reverses and exceeds this share of its former size.
     overshot_touching : float
         Without friction, one after which other points touch is too long only if it exceeds so many times that: a
         hundred where Newton's method goes round between contact states. In six blocked fingers and seven other cases,
         10, 20 and 80 took 869, 843 and 870 iterations, and 880 without this limit.
     """
 
-    shortest: float = 1.0 / 32
+    shortest: float = 1.0 / 64
+    shortest_touching: float = 1.0 / 32
     overshot: float = 0.9
     overshot_touching: float = 20.0
 
@@ -121,6 +137,8 @@ class FactorSettings:
     stale_factors : float
         Where a body has moved by more than this share of its largest displacement since the tangent was last
         factored, its factors do not count the unstable modes of where it is.
+    cut_short : int
+        It gives up where so many updates in a row are cut to the shortest because they press walls too deep.
     vain_updates, vain_share : int, float
         It also gives up where walls touch and so many updates have not brought the residual below this share of the
         first. Fifteen updates were never better then, and a shorter step is cheaper than they are.
@@ -129,6 +147,7 @@ class FactorSettings:
     below: float = 1e-3
     contraction: float = 0.1
     stale_factors: float = 0.05
+    cut_short: int = 3
     vain_updates: int = 6
     vain_share: float = 0.5
 

@@ -49,11 +49,11 @@ def test_an_error_in_a_thread_is_not_lost():
 
 def test_results_do_not_depend_on_threads():
     F = np.eye(3) + 0.3 * np.random.default_rng(1).standard_normal((5 * LEAST, 2, 3, 3))
-    found = []
+    results = []
     for threads in (1, 2):
         with use_threads(threads):
-            found.append(spectral.principal_stretches(F))
-    for one, two in zip(*found, strict=True):
+            results.append(spectral.principal_stretches(F))
+    for one, two in zip(*results, strict=True):
         np.testing.assert_array_equal(one, two)
 
 

@@ -115,14 +115,14 @@ class Started:
 @pytest.fixture
 def started(tmp_path, monkeypatch):
     """Processes that are begun, with two processors and an empty folder for what is compiled."""
-    found: list[Started] = []
+    results: list[Started] = []
     monkeypatch.setattr(
-        background.subprocess, "Popen", lambda command, **_: found.append(Started(command)) or found[-1]
+        background.subprocess, "Popen", lambda command, **_: results.append(Started(command)) or results[-1]
     )
     monkeypatch.setattr(background, "processors", lambda: 2)
     monkeypatch.setenv(kernel_folder.VARIABLE, str(tmp_path))
     background.background_process.cache_clear()
-    yield found
+    yield results
     background.background_process.cache_clear()
 
 

@@ -31,8 +31,8 @@ def test_volumes_computed_by_hand(outer, inner, offset, length, end_wall, symmet
 
 
 def test_the_chamber_lies_above_the_axis():
-    found = EccentricBender(offset=2 * mm, inlet_diameter=2 * mm, clamp_length=5 * mm).build()
-    heights = [face.center[2] for face in found.shape.faces if face.name == "cavity"]
+    result = EccentricBender(offset=2 * mm, inlet_diameter=2 * mm, clamp_length=5 * mm).build()
+    heights = [face.center[2] for face in result.shape.faces if face.name == "cavity"]
     assert sum(heights) / len(heights) == pytest.approx(2.0)  # mm
 
 

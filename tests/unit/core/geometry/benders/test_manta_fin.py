@@ -35,12 +35,12 @@ def test_volumes_computed_by_hand(chambers, root, tip, length, sweep, symmetric)
 
 
 def test_areas_of_a_swept_fin_with_an_end_block_and_an_inlet():
-    found = areas(MantaFin(clamp_length=10 * mm, inlet_diameter=4 * mm).build())
-    assert found["fixed"] == pytest.approx(50 * 10 - pi * 4 + 10 * (2 * 50 + 2 * 10), rel=1e-6)
-    assert found["tip"] == pytest.approx(20 * 10)
-    assert found["strain_limiting_layer"] == pytest.approx(50 * 10 + 35 * 80)
+    result = areas(MantaFin(clamp_length=10 * mm, inlet_diameter=4 * mm).build())
+    assert result["fixed"] == pytest.approx(50 * 10 - pi * 4 + 10 * (2 * 50 + 2 * 10), rel=1e-6)
+    assert result["tip"] == pytest.approx(20 * 10)
+    assert result["strain_limiting_layer"] == pytest.approx(50 * 10 + 35 * 80)
     # the edge at y = -25 mm moves to 15 - 10 = 5 mm, the other one stays at 25 mm
-    assert found["outside"] == pytest.approx(2 * 35 * 80 + 10 * ((80**2 + 30**2) ** 0.5 + 80), rel=1e-6)
+    assert result["outside"] == pytest.approx(2 * 35 * 80 + 10 * ((80**2 + 30**2) ** 0.5 + 80), rel=1e-6)
 
 
 def test_its_thinnest_wall_is_measured_across_the_slanted_edge():

@@ -30,8 +30,8 @@ def test_volumes_computed_by_hand(width, height, side_wall, top_wall, floor, bas
 
 
 def test_areas_of_the_default_whole():
-    found = areas(RectangularBender(symmetric=False).build())
-    assert found == pytest.approx(
+    result = areas(RectangularBender(symmetric=False).build())
+    assert result == pytest.approx(
         {
             "cavity": 2 * (10 * 7.5 + (10 + 7.5) * 100),
             "fixed": 14 * 12.5,

@@ -33,9 +33,9 @@ def test_volumes_computed_by_hand(radius, wall, floor, base, length, end_wall, s
 
 
 def test_areas_of_the_default_half():
-    found = areas(SemicircularBender().build())
+    result = areas(SemicircularBender().build())
     section = pi * 100 / 4 + 10 * 3
-    assert found == pytest.approx(
+    assert result == pytest.approx(
         {
             "cavity": (pi * 8 / 2 + 8) * 90 + 2 * pi * 64 / 4,
             "fixed": section,
@@ -53,10 +53,10 @@ def test_a_block_is_held_on_all_of_its_outside():
     assert with_block.solid_volume - without.solid_volume == pytest.approx(section * 12 * mm**3)
     geometry = with_block.build()
     assert geometry.bounds[0][0] == pytest.approx(-12 * mm, rel=1e-6)
-    found, plain = areas(geometry), areas(without.build())
-    assert found["fixed"] == pytest.approx(section + (pi * 10 / 2 + 3 + 10) * 12)
-    assert found["outside"] == pytest.approx(plain["outside"])
-    assert found["strain_limiting_layer"] == pytest.approx(plain["strain_limiting_layer"] + 120)
+    result, plain = areas(geometry), areas(without.build())
+    assert result["fixed"] == pytest.approx(section + (pi * 10 / 2 + 3 + 10) * 12)
+    assert result["outside"] == pytest.approx(plain["outside"])
+    assert result["strain_limiting_layer"] == pytest.approx(plain["strain_limiting_layer"] + 120)
 
 
 def test_an_inlet_opens_at_the_fixed_end():

@@ -54,9 +54,9 @@ def straight(tmp_path_factory):
 def test_same_finger_however_it_is_drawn(tmp_path, straight, name):
     part = read_here(drawn(tmp_path, cases.finger(), TURNS[name]), faces=ends(TURNS[name]))
     assert np.array(part.bounds) == pytest.approx(np.array(straight.bounds), abs=1e-6)
-    found, wanted = (sorted(centers(each)) for each in (part, straight))
-    assert [row[0] for row in found] == [row[0] for row in wanted]
-    assert np.array([row[1:] for row in found], dtype=float) == pytest.approx(
+    result, wanted = (sorted(centers(each)) for each in (part, straight))
+    assert [row[0] for row in result] == [row[0] for row in wanted]
+    assert np.array([row[1:] for row in result], dtype=float) == pytest.approx(
         np.array([row[1:] for row in wanted], dtype=float), abs=1e-4
     )
     assert part.cavity_volumes == pytest.approx(straight.cavity_volumes)
@@ -89,8 +89,8 @@ def test_axis_that_does_not_show_is_said(tmp_path):
     """It is fixed by its bottom, and drawn along z: nobody can say where the axis is."""
     file = drawn(tmp_path, cases.finger(), TURNS["z"])
     faces = {"fixed": WithNormal("+x"), "tip": WithNormal("+z")}
-    (found,) = [each for each in read_here(file, faces=faces).findings if each.code == "D08"]
-    assert "do not show its axis" in found.message
+    (result,) = [each for each in read_here(file, faces=faces).findings if each.code == "D08"]
+    assert "do not show its axis" in result.message
 
 
 @pytest.mark.parametrize(
@@ -115,7 +115,7 @@ def test_job_states_axes(tmp_path, straight):
         'faces = { fixed = { normal = "-x" }, tip = { normal = "+x" } }\n'
         '[materials]\nbody = { law = "neo_hooke", C10 = "50 kPa" }\n[loads]\npressure = "1 kPa"\n'
     )
-    found = read_job(job)
-    assert np.array(found.geometry().bounds) == pytest.approx(np.array(straight.bounds), abs=1e-6)
-    (tmp_path / "lock.toml").write_text(lock_text(found, {}))
-    assert read_job(tmp_path / "lock.toml") == found
+    result = read_job(job)
+    assert np.array(result.geometry().bounds) == pytest.approx(np.array(straight.bounds), abs=1e-6)
+    (tmp_path / "lock.toml").write_text(lock_text(result, {}))
+    assert read_job(tmp_path / "lock.toml") == result

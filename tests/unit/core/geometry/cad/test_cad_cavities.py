@@ -57,16 +57,16 @@ def test_the_cavity_is_found_and_measured(case, tmp_path):
     assert cavity.closed == (area is None)
     assert cavity.volume / mm**3 == pytest.approx(volume, rel=1e-6)
     if area is not None:
-        ((found, center),) = cavity.openings
-        assert found / mm**2 == pytest.approx(area, rel=2e-3)
+        ((result, center),) = cavity.openings
+        assert result / mm**2 == pytest.approx(area, rel=2e-3)
         assert np.array(center) / mm == pytest.approx(place, abs=0.02)
 
 
 def test_three_chambers_with_inlets_are_numbered_counterclockwise_from_the_top_as_seen_from_the_tip(tmp_path):
-    found = inspect_cad(cases.written(tmp_path, cases.three_chambers())).cavities
-    assert [cavity.name for cavity in found] == ["cavity_1", "cavity_2", "cavity_3"]
-    assert [cavity.volume / mm**3 for cavity in found] == pytest.approx([cases.CHAMBER_VOLUME] * 3, rel=1e-6)
-    centers = np.array([cavity.openings[0][1] for cavity in found]) / mm
+    result = inspect_cad(cases.written(tmp_path, cases.three_chambers())).cavities
+    assert [cavity.name for cavity in result] == ["cavity_1", "cavity_2", "cavity_3"]
+    assert [cavity.volume / mm**3 for cavity in result] == pytest.approx([cases.CHAMBER_VOLUME] * 3, rel=1e-6)
+    centers = np.array([cavity.openings[0][1] for cavity in result]) / mm
     assert centers == pytest.approx(np.array([[0, 0, 5], [0, -4.33, -2.5], [0, 4.33, -2.5]]), abs=0.01)
 
 
@@ -74,40 +74,40 @@ def test_a_through_hole_is_no_cavity_unless_it_is_named(tmp_path):
     path = cases.written(tmp_path, cases.tube(bore=(0, 50)))
     part = read_cad(path)
     assert part.faces == ("outside",)
-    leak = next(found for found in part.findings if found.code == "D03")
+    leak = next(finding for finding in part.findings if finding.code == "D03")
     assert "9956 mm³" in leak.message  # measured on the facets: less than the exact 10053 mm³
     assert "(0, 0, 0) mm" in leak.message
     assert "(50, 0, 0) mm" in leak.message
-    assert any(found.code == "D05" and "cavity" in found.message for found in part.findings)
+    assert any(finding.code == "D05" and "cavity" in finding.message for finding in part.findings)
     named = read_cad(path, faces={"cavity": NearestTo((25 * mm, 0, 8 * mm))})
     assert named.cavity_volume / mm**3 == pytest.approx(pi * 64 * 50, rel=1e-6)
-    assert all(found.code != "D03" for found in named.findings)
+    assert all(finding.code != "D03" for finding in named.findings)
 
 
 def test_a_cavity_with_two_inlets_leaks(tmp_path):
     shape = cases.finger_with_inlet() - Cylinder(Pnt(30, 0, 10), X, 1.2, 20)
     part = read_cad(cases.written(tmp_path, shape))
     assert part.cavity_volumes == {}
-    (leak,) = [found for found in part.findings if found.code == "D03"]
+    (leak,) = [finding for finding in part.findings if finding.code == "D03"]
     assert "leak" in leak.message
     assert leak.message.count(" mm with ") == 2
 
 
 def test_nested_candidates_are_told_and_the_outermost_one_is_taken(tmp_path):
     part = read_cad(cases.written(tmp_path, cases.finger_with_inlet()))
-    (nested,) = [found for found in part.findings if found.code == "D02"]
+    (nested,) = [finding for finding in part.findings if finding.code == "D02"]
     assert "The outermost is taken" in nested.message
     assert "open at (0, 0, 10) mm" in nested.message
     assert f"end further in, at ({END:g}, " in nested.message
     closed = read_cad(cases.written(tmp_path, cases.finger()))
-    assert [found.code for found in closed.findings] == ["D05"]
+    assert [finding.code for finding in closed.findings] == ["D05"]
 
 
 def test_a_blind_hole_for_a_screw_is_no_cavity(tmp_path):
     shape = cases.tube(inlet="y") - Cylinder(Pnt(47, 0, 0), X, 1, 10)
     part = read_cad(cases.written(tmp_path, shape))
     assert set(part.cavity_volumes) == {"cavity"}
-    (small,) = [found for found in part.findings if found.code == "D04"]
+    (small,) = [finding for finding in part.findings if finding.code == "D04"]
     assert "1 of them, 9.3" in small.message
     assert "(50, 0, 0) mm" in small.message
     hole = read_cad(cases.written(tmp_path, shape), faces={"cavity": NearestTo((48 * mm, 0, 1 * mm))})
@@ -144,7 +144,7 @@ def test_half_a_finger_with_half_an_inlet_has_half_the_cavity(tmp_path):
     part = read_cad(path, faces=faces)
     mesh = tg.mesh(part, size=4 * mm)
     assert tg.cavity_volume(at_rest(mesh)) == pytest.approx(2 * part.cavity_volume, rel=2e-4)
-    assert [found.code for found in check_surface(mesh)] == ["D01"]
+    assert [finding.code for finding in check_surface(mesh)] == ["D01"]
 
 
 @pytest.mark.parametrize("case", ["finger with axial inlet", "tube with radial inlet in y", "cup and plate"])

@@ -66,7 +66,7 @@ def test_the_part_is_the_same_as_without_a_child(tmp_path):
     )
     assert part.file == str(path)
     assert {face.name for face in part.shape.faces} == set(part.faces)
-    assert [found.code for found in part.findings] == ["D02", "D05"]
+    assert [finding.code for finding in part.findings] == ["D02", "D05"]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals end processes otherwise there")

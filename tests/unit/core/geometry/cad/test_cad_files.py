@@ -176,8 +176,8 @@ def test_an_open_stl_is_closed_and_tells_where(tmp_path):
     triangles = triangles_of(hollow_box())
     part = read_cad(cases.write_stl(tmp_path / "part.stl", triangles[1:]))
     assert part.solid_volume / mm**3 == pytest.approx(2000 - 16 * 36, rel=1e-6)
-    (found,) = [finding for finding in part.findings if finding.code == "D06"]
-    assert "1 hole closed, around (" in found.message
+    (result,) = [finding for finding in part.findings if finding.code == "D06"]
+    assert "1 hole closed, around (" in result.message
 
 
 def test_bodies_that_cut_through_each_other_are_united(tmp_path):

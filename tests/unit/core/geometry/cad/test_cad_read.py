@@ -31,10 +31,10 @@ def block(tmp_path_factory):
 
 
 def areas(part):
-    found = {}
+    results = {}
     for face in dict.fromkeys(part.shape.faces):
-        found[face.name] = found.get(face.name, 0.0) + face.mass
-    return found
+        results[face.name] = results.get(face.name, 0.0) + face.mass
+    return results
 
 
 @pytest.mark.parametrize(
@@ -50,10 +50,10 @@ def areas(part):
     ],
 )
 def test_each_selector_picks_its_faces(block, selector, area):
-    found = areas(read_cad(block, faces={"fixed": selector}))
-    assert found["fixed"] == pytest.approx(area, rel=1e-9)
-    assert found["cavity"] == pytest.approx(2 * (32 * 12 + 32 * 4 + 12 * 4), rel=1e-9)
-    assert sum(found.values()) == pytest.approx(2 * (800 + 400 + 200) + found["cavity"], rel=1e-9)
+    result = areas(read_cad(block, faces={"fixed": selector}))
+    assert result["fixed"] == pytest.approx(area, rel=1e-9)
+    assert result["cavity"] == pytest.approx(2 * (32 * 12 + 32 * 4 + 12 * 4), rel=1e-9)
+    assert sum(result.values()) == pytest.approx(2 * (800 + 400 + 200) + result["cavity"], rel=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -53,16 +53,16 @@ def test_a_fillet_does_not_join_the_planes_that_it_connects():
 
 
 def test_inspect_groups_facets_into_faces(tmp_path):
-    found = inspect_here(PRINTS["bellows"]().write(tmp_path / "bellows.stl"))
-    assert len(found.faces) == 6, "two ends and a side, outside and inside"
-    assert [cavity.closed for cavity in found.cavities] == [True]
+    result = inspect_here(PRINTS["bellows"]().write(tmp_path / "bellows.stl"))
+    assert len(result.faces) == 6, "two ends and a side, outside and inside"
+    assert [cavity.closed for cavity in result.cavities] == [True]
 
 
 def test_what_was_repaired_is_told():
     made = punctured()
-    (found,) = repaired(made.corners, "finger.stl").findings
-    assert "6 holes closed, around (" in found.message
-    assert "turned over" not in found.message, "the caps are not counted"
+    (result,) = repaired(made.corners, "finger.stl").findings
+    assert "6 holes closed, around (" in result.message
+    assert "turned over" not in result.message, "the caps are not counted"
 
 
 def test_a_wide_hole_that_is_not_plane_is_told_with_the_place():

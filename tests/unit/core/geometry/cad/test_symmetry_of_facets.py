@@ -27,7 +27,7 @@ def test_a_print_is_cut_at_its_mirror_planes(name, planes, tmp_path):
     edges = part.shape.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
     assert len(np.unique(edges, axis=0)) == len(edges)  # closed, and all normals point outside
     assert set(map(tuple, edges)) == set(map(tuple, edges[:, ::-1]))
-    assert "D07" in {found.code for found in part.findings}
+    assert "D07" in {finding.code for finding in part.findings}
 
 
 @pytest.mark.slow

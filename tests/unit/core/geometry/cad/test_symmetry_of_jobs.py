@@ -105,8 +105,8 @@ def test_an_axisymmetric_mesh_is_recommended_where_all_is_the_same_around(folder
     path = folder / "job.toml"
     path.write_text(JOB.format(more=more), encoding="utf-8")
     _, findings = prepare(read_job(path))
-    found = [each for each in findings if each.code == "G13"]
-    assert bool(found) == told
+    results = [each for each in findings if each.code == "G13"]
+    assert bool(results) == told
     if told:
-        assert 'cells = "axisymmetric"' in found[0].advice
-        assert "body of revolution about x" in found[0].message
+        assert 'cells = "axisymmetric"' in results[0].advice
+        assert "body of revolution about x" in results[0].message

@@ -35,9 +35,9 @@ def test_the_first_cavity_is_above_the_layer_and_the_second_below():
 
 
 def test_an_end_block_is_held_all_around():
-    found = areas(BidirectionalPneuNet(chambers=2, length=20 * mm, clamp_length=5 * mm).build())
-    assert found["fixed"] == pytest.approx(10 * 27 + 5 * (10 + 10 + 27))
-    assert found["strain_limiting_layer"] == pytest.approx(10 * 25)
+    result = areas(BidirectionalPneuNet(chambers=2, length=20 * mm, clamp_length=5 * mm).build())
+    assert result["fixed"] == pytest.approx(10 * 27 + 5 * (10 + 10 + 27))
+    assert result["strain_limiting_layer"] == pytest.approx(10 * 25)
 
 
 @pytest.mark.parametrize("options", [{}, {"clamp_length": 8 * mm, "inlet_diameter": 3 * mm}])

@@ -99,10 +99,10 @@ def test_any_admissible_dimensions_give_the_shape_that_they_say(finger: FastPneu
     geometry = finger.build()  # raises if a CAD volume is off by 1e-9
     assert set(geometry.faces) == {*FACES, *(["symmetry_y"] if finger.symmetric else [])}
     across = finger.width / mm / (2 if finger.symmetric else 1)
-    found = areas(geometry)
-    assert found["fixed"] == pytest.approx(across * finger.height / mm, rel=1e-9)
-    assert found["tip"] == pytest.approx(found["fixed"], rel=1e-9)
-    assert found["strain_limiting_layer"] == pytest.approx(across * finger.length / mm, rel=1e-9)
+    result = areas(geometry)
+    assert result["fixed"] == pytest.approx(across * finger.height / mm, rel=1e-9)
+    assert result["tip"] == pytest.approx(result["fixed"], rel=1e-9)
+    assert result["strain_limiting_layer"] == pytest.approx(across * finger.length / mm, rel=1e-9)
     assert len(geometry.shape.solids) == 2
 
 
@@ -113,12 +113,12 @@ def test_an_end_block_is_held_all_around_and_an_inlet_opens_the_cavity_at_its_en
     duct = pi / 4 * 9 / share  # mm²
     assert (finger.cavity_volume - plain.cavity_volume) * 1e9 == pytest.approx(duct * 10)
     assert (finger.solid_volume - plain.solid_volume) * 1e9 == pytest.approx(20 * 15 * 8 / share - duct * 10)
-    found, before = areas(finger.build()), areas(plain.build())
+    result, before = areas(finger.build()), areas(plain.build())
     around = 2 * 20 + 2 * 15
-    assert found["fixed"] == pytest.approx(20 * 15 / share - duct + 8 * around / share, rel=1e-6)
-    assert found["cavity"] == pytest.approx(before["cavity"] - duct + pi * 3 * 10 / share, rel=1e-6)
-    assert found["outside"] == pytest.approx(before["outside"], rel=1e-9)
-    assert found["tip"] == pytest.approx(before["tip"], rel=1e-9)
+    assert result["fixed"] == pytest.approx(20 * 15 / share - duct + 8 * around / share, rel=1e-6)
+    assert result["cavity"] == pytest.approx(before["cavity"] - duct + pi * 3 * 10 / share, rel=1e-6)
+    assert result["outside"] == pytest.approx(before["outside"], rel=1e-9)
+    assert result["tip"] == pytest.approx(before["tip"], rel=1e-9)
     made = mesh(finger.build(), size=4 * mm)
     open_at_x_0 = -enclosed_volume(made.points, made.face("cavity"))  # the plane x = 0 adds nothing
     assert open_at_x_0 == pytest.approx(finger.cavity_volume, rel=1e-3)

@@ -43,10 +43,10 @@ def test_a_positive_angle_reaches_further_towards_the_tip_at_larger_y(angle):
 
 
 def test_its_ends_are_square():
-    found = areas(HelicalPneuNet(clamp_length=5 * mm).build())
-    assert found["fixed"] == pytest.approx(20 * 15 + 5 * 70)
-    assert found["tip"] == pytest.approx(20 * 15)
-    assert found["strain_limiting_layer"] == pytest.approx(20 * 115)
+    result = areas(HelicalPneuNet(clamp_length=5 * mm).build())
+    assert result["fixed"] == pytest.approx(20 * 15 + 5 * 70)
+    assert result["tip"] == pytest.approx(20 * 15)
+    assert result["strain_limiting_layer"] == pytest.approx(20 * 115)
 
 
 def test_it_meshes_coarsely():

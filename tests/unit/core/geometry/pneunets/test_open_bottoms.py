@@ -20,8 +20,8 @@ OPEN = (
 @pytest.mark.parametrize("actuator", OPEN, ids=lambda each: type(each).__name__)
 def test_the_base_closes_the_chambers(actuator) -> None:
     geometry = actuator.build()
-    (found,) = geometry.findings
-    assert found.code == "G12"
+    (finding,) = geometry.findings
+    assert finding.code == "G12"
     made = tg.mesh(geometry, size=4 * mm)
     assert check_surface(made) == ()
     assert enclosed_volume(made.points, outer_triangles(made)) == pytest.approx(geometry.solid_volume, rel=1e-9)

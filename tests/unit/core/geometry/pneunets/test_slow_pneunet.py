@@ -40,14 +40,14 @@ def test_it_is_the_fast_one_with_its_gaps_filled():
 def test_an_end_block_is_held_all_around_and_an_inlet_opens_the_cavity_at_its_end():
     actuator = SlowPneuNet(chambers=2, length=30 * mm, clamp_length=10 * mm, inlet_diameter=3 * mm, symmetric=False)
     duct = pi / 4 * 9
-    found = areas(actuator.build())
-    assert found["fixed"] == pytest.approx(20 * 15 - duct + 2 * 10 * (20 + 15), rel=1e-6)
-    assert found["tip"] == pytest.approx(20 * 15)
-    assert found["strain_limiting_layer"] == pytest.approx(20 * 40)
+    result = areas(actuator.build())
+    assert result["fixed"] == pytest.approx(20 * 15 - duct + 2 * 10 * (20 + 15), rel=1e-6)
+    assert result["tip"] == pytest.approx(20 * 15)
+    assert result["strain_limiting_layer"] == pytest.approx(20 * 40)
     closed = SlowPneuNet(chambers=2, length=30 * mm, symmetric=False)
     assert actuator.cavity_volumes["cavity"] - closed.cavity_volumes["cavity"] == pytest.approx(duct * 12 * mm**3)
     walls = areas(closed.build())["cavity"] - duct + pi * 3 * 12
-    assert found["cavity"] == pytest.approx(walls, rel=1e-6)
+    assert result["cavity"] == pytest.approx(walls, rel=1e-6)
     assert actuator.solid_volume == pytest.approx(closed.solid_volume + (20 * 15 * 10 - duct * 12) * mm**3)
 
 

@@ -40,10 +40,10 @@ def test_the_flanks_are_as_thick_as_the_wall():
     )
     # for each of the two directions: an outer and an inner flank of each of the two bellows
     for direction in (False, True):
-        found = [place for side, place in planes if side == direction]
-        assert len(found) == 4
-        assert found[1] - found[0] == pytest.approx(wall, rel=1e-6)
-        assert found[3] - found[2] == pytest.approx(wall, rel=1e-6)
+        results = [place for side, place in planes if side == direction]
+        assert len(results) == 4
+        assert results[1] - results[0] == pytest.approx(wall, rel=1e-6)
+        assert results[3] - results[2] == pytest.approx(wall, rel=1e-6)
 
 
 def _normal(face):
@@ -57,10 +57,10 @@ def _normal(face):
 
 def test_areas_of_the_ends_with_an_end_block_and_an_inlet():
     actuator = TrapezoidalPneuNet(chambers=2, length=30 * mm, clamp_length=10 * mm, inlet_diameter=1.5 * mm)
-    found = areas(actuator.build())
-    assert found["fixed"] == pytest.approx(10 * 6.5 - pi / 8 * 1.5**2 + 10 * (10 + 10 + 6.5), rel=1e-6)
-    assert found["tip"] == pytest.approx(10 * 6.5)
-    assert found["strain_limiting_layer"] == pytest.approx(10 * 40)
+    result = areas(actuator.build())
+    assert result["fixed"] == pytest.approx(10 * 6.5 - pi / 8 * 1.5**2 + 10 * (10 + 10 + 6.5), rel=1e-6)
+    assert result["tip"] == pytest.approx(10 * 6.5)
+    assert result["strain_limiting_layer"] == pytest.approx(10 * 40)
 
 
 @pytest.mark.parametrize("options", [{}, {"clamp_length": 8 * mm, "inlet_diameter": 1.5 * mm}])

@@ -35,10 +35,10 @@ def test_areas_of_the_ends_with_an_end_block_and_an_inlet():
     actuator = TriangularPneuNet(
         chambers=2, length=30 * mm, clamp_length=10 * mm, inlet_diameter=1.5 * mm, symmetric=False
     )
-    found = areas(actuator.build())
-    assert found["fixed"] == pytest.approx(20 * 6.5 - pi / 4 * 1.5**2 + 10 * (20 + 20 + 13), rel=1e-6)
-    assert found["tip"] == pytest.approx(20 * 6.5)
-    assert found["strain_limiting_layer"] == pytest.approx(20 * 40)
+    result = areas(actuator.build())
+    assert result["fixed"] == pytest.approx(20 * 6.5 - pi / 4 * 1.5**2 + 10 * (20 + 20 + 13), rel=1e-6)
+    assert result["tip"] == pytest.approx(20 * 6.5)
+    assert result["strain_limiting_layer"] == pytest.approx(20 * 40)
 
 
 def test_it_meshes_coarsely():

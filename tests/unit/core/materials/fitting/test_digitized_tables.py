@@ -55,7 +55,7 @@ def test_copies_are_noticed():
     free = np.linspace(1.0, 2.0, 6)
     one = MaterialTest(mode="uniaxial", stretch=free, nominal_stress=stress(free, free**-0.5) * 1e6, name="one")
     two = MaterialTest(mode="planar", stretch=free, nominal_stress=one.nominal_stress, name="two")
-    assert [found.code for found in check_copies([one, two])] == ["P08"]
+    assert [finding.code for finding in check_copies([one, two])] == ["P08"]
     assert "one and two hold the same numbers to the last digit." in " ".join(rank(["neo-hooke"], [one, two]).words)
     assert check_copies([one]) == ()
     pulled = np.tile(stress(free, 1.5) * 1e6, 2)
@@ -66,5 +66,5 @@ def test_copies_are_noticed():
         nominal_stress=pulled,
         name="field",
     )
-    (found,) = check_copies([field])
-    assert found.message.startswith("field at stretch 2 = 1.5 and field at stretch 2 = 1.8 hold the same numbers")
+    (finding,) = check_copies([field])
+    assert finding.message.startswith("field at stretch 2 = 1.5 and field at stretch 2 = 1.8 hold the same numbers")

@@ -44,32 +44,32 @@ def cycles(*tops, rate=0.1):
 def test_a_ramp_and_hold_gives_the_series_back():
     rubber = Material(name="r", law=LAW, viscoelasticity=SERIES)
     held = measured(rubber, "uniaxial", [(0, 1), (0.2, 1.8), (5, 1.8), (200, 1.8)], 120, noise=2e-3)
-    found = fit_history(scaled_law(LAW, 0.8), held, terms=2)
-    assert found.values["scale"] == pytest.approx(1 / 0.8, rel=0.02)
-    assert found.material.viscoelasticity.g == pytest.approx(SERIES.g, abs=0.01)
-    assert found.material.viscoelasticity.tau == pytest.approx(SERIES.tau, rel=0.15)
-    assert (found.bounds_hit, found.undetermined) == ((), ())
+    result = fit_history(scaled_law(LAW, 0.8), held, terms=2)
+    assert result.values["scale"] == pytest.approx(1 / 0.8, rel=0.02)
+    assert result.material.viscoelasticity.g == pytest.approx(SERIES.g, abs=0.01)
+    assert result.material.viscoelasticity.tau == pytest.approx(SERIES.tau, rel=0.15)
+    assert (result.bounds_hit, result.undetermined) == ((), ())
     for name, true in (("g1", 0.2), ("g2", 0.1), ("tau1", 1.0), ("tau2", 30.0)):
-        assert abs(found.values[name] - true) < 4 * found.errors[name]
-    assert pytest.approx(2e4, rel=0.02) == found.material.law.C10
-    assert found.quality[0].r2 > 0.999
-    assert "g1 = 0.2" in found.describe()
+        assert abs(result.values[name] - true) < 4 * result.errors[name]
+    assert pytest.approx(2e4, rel=0.02) == result.material.law.C10
+    assert result.quality[0].r2 > 0.999
+    assert "g1 = 0.2" in result.describe()
 
 
 def test_terms_that_the_test_does_not_have_are_left_out():
     rubber = Material(name="r", law=LAW, viscoelasticity=Prony(g=(0.3,), tau=(2.0,), moduli="instantaneous"))
-    found = fit_history(LAW, measured(rubber, "planar", [(0, 1), (0.1, 1.5), (30, 1.5)], 200), terms=3)
-    assert sum(found.material.viscoelasticity.g) == pytest.approx(0.3, abs=1e-3)
+    result = fit_history(LAW, measured(rubber, "planar", [(0, 1), (0.1, 1.5), (30, 1.5)], 200), terms=3)
+    assert sum(result.material.viscoelasticity.g) == pytest.approx(0.3, abs=1e-3)
 
 
 def test_cycles_give_softening_back():
     rubber = Material(name="r", law=LAW, stress_softening=MULLINS)
     tests = [measured(rubber, "uniaxial", cycles(1.5, 1.5, 2.5)), measured(rubber, "equibiaxial", cycles(1.8))]
-    found = fit_history(LAW, tests, stress_softening=True, rescale=False)
-    assert found.material.viscoelasticity is None
-    assert found.values["scale"] == 1.0
-    assert (found.values["r"], found.values["m"]) == (pytest.approx(1.8, rel=1e-3), pytest.approx(4e3, rel=2e-3))
-    assert [test.r2 for test in found.quality] == pytest.approx([1, 1], abs=1e-6)
+    result = fit_history(LAW, tests, stress_softening=True, rescale=False)
+    assert result.material.viscoelasticity is None
+    assert result.values["scale"] == 1.0
+    assert (result.values["r"], result.values["m"]) == (pytest.approx(1.8, rel=1e-3), pytest.approx(4e3, rel=2e-3))
+    assert [test.r2 for test in result.quality] == pytest.approx([1, 1], abs=1e-6)
 
 
 def test_both_together_and_the_energy_of_a_scaled_law():
@@ -78,13 +78,13 @@ def test_both_together_and_the_energy_of_a_scaled_law():
         measured(rubber, "uniaxial", cycles(1.5, 2.0, 2.0), noise=1e-3),
         measured(rubber, "planar", [(0, 1), (0.5, 2.0), (5, 2.0), (90, 2.0)], noise=1e-3),
     ]
-    found = fit_history(scaled_law(LAW, 0.5), tests, terms=2, stress_softening=True)
-    assert found.material.viscoelasticity.g == pytest.approx(SERIES.g, abs=0.02)
-    assert found.material.stress_softening.r == pytest.approx(1.8, rel=0.1)
-    assert found.material.stress_softening.m == pytest.approx(4e3, rel=0.1)
+    result = fit_history(scaled_law(LAW, 0.5), tests, terms=2, stress_softening=True)
+    assert result.material.viscoelasticity.g == pytest.approx(SERIES.g, abs=0.02)
+    assert result.material.stress_softening.r == pytest.approx(1.8, rel=0.1)
+    assert result.material.stress_softening.m == pytest.approx(4e3, rel=0.1)
     unseen = measured(rubber, "equibiaxial", cycles(1.6, 1.6, rate=0.02))
-    assert found.predict(unseen)[0].r2 > 0.998
-    bare = Material(name="r", law=found.material.law)
+    assert result.predict(unseen)[0].r2 > 0.998
+    bare = Material(name="r", law=result.material.law)
     assert stress_history(bare, "uniaxial", [0.0], [1.5]).nominal_stress == pytest.approx(
         stress_history(Material(name="r", law=LAW), "uniaxial", [0.0], [1.5]).nominal_stress, rel=0.02
     )
@@ -99,17 +99,19 @@ def test_a_rubber_of_long_term_constants_is_compared_as_one():
 def test_beta_needs_cycles_to_several_stretches():
     true = Mullins(r=1.5, m=1e3, beta=0.4)
     rubber = Material(name="r", law=LAW, stress_softening=true)
-    found = fit_history(LAW, measured(rubber, "uniaxial", cycles(1.3, 1.6, 2.0, 2.6)), stress_softening=True, beta=True)
-    assert found.values["beta"] == pytest.approx(0.4, rel=0.02)
-    assert found.values["m"] == pytest.approx(1e3, rel=0.1)
+    result = fit_history(
+        LAW, measured(rubber, "uniaxial", cycles(1.3, 1.6, 2.0, 2.6)), stress_softening=True, beta=True
+    )
+    assert result.values["beta"] == pytest.approx(0.4, rel=0.02)
+    assert result.values["m"] == pytest.approx(1e3, rel=0.1)
 
 
 def test_weak_softening_determines_the_loss_and_not_its_parts():
     rubber = Material(name="r", law=LAW, stress_softening=Mullins(r=1.5, m=2e5))
-    found = fit_history(LAW, measured(rubber, "planar", cycles(2.0, 2.0), noise=5e-3), stress_softening=True)
-    assert found.bounds_hit or found.undetermined
+    result = fit_history(LAW, measured(rubber, "planar", cycles(2.0, 2.0), noise=5e-3), stress_softening=True)
+    assert result.bounds_hit or result.undetermined
     exact = 1 - stress_history(rubber, "planar", [0, 1, 2], [1.0, 2.0, 1.0001]).softening[-1]
-    assert found.largest_softening == pytest.approx(exact, rel=0.15)
+    assert result.largest_softening == pytest.approx(exact, rel=0.15)
 
 
 def test_rest_is_not_held_against_a_fit():
@@ -124,9 +126,9 @@ def test_rest_is_not_held_against_a_fit():
         name="slack",
         nominal_stress=np.where(slack, 0.0, whole.nominal_stress),
     )
-    found = fit_history(LAW, test, terms=2)
-    assert found.quality[0].points == (~slack).sum()
-    assert found.quality[0].r2 > 0.99999
+    result = fit_history(LAW, test, terms=2)
+    assert result.quality[0].points == (~slack).sum()
+    assert result.quality[0].r2 > 0.99999
 
 
 @pytest.mark.parametrize(

@@ -120,9 +120,9 @@ def test_unknown_laws_are_answered(name, facts):
 
 
 def test_own_laws_are_fitted_from_their_fields_alone():
-    found = fit(Linear, made(Yeoh(C10=2e4, C20=3e3)))
-    assert found.values == pytest.approx({"A": 2e4, "B": 3e3}, rel=1e-6)
-    assert found.spec.name == "linear"
+    result = fit(Linear, made(Yeoh(C10=2e4, C20=3e3)))
+    assert result.values == pytest.approx({"A": 2e4, "B": 3e3}, rel=1e-6)
+    assert result.spec.name == "linear"
     limited = fit(Limited, made(Limited(mu=5e4, b=0.3)), starts=5)
     assert limited.values == pytest.approx({"mu": 5e4, "b": 0.3}, rel=1e-4)
     assert limited.findings == ()
@@ -219,15 +219,15 @@ def test_a_softening_curve_gives_a_stable_law_when_wanted():
 
 
 def test_ogden_keeps_its_signs_and_an_idle_term_is_named():
-    found = fit("ogden-2", made(NeoHooke(C10=1e5)), starts=5)
-    assert all(mu * alpha >= 0 for mu, alpha in zip(found.law.mu, found.law.alpha, strict=True))
-    assert found.relative < 1e-6
+    result = fit("ogden-2", made(NeoHooke(C10=1e5)), starts=5)
+    assert all(mu * alpha >= 0 for mu, alpha in zip(result.law.mu, result.law.alpha, strict=True))
+    assert result.relative < 1e-6
 
 
 def test_gent_ends_beyond_the_range_wanted():
     """Jm must leave room for equibiaxial tension to the end of the range: I₁ − 3 = 2·16 + 4⁻⁴ − 3."""
-    found = fit("gent", made(Yeoh(C10=2e4, C20=3e3, C30=0.0)), stretch=(1.0, 4.0))
-    assert found.values["Jm"] > 2 * 16 + 4**-4 - 3
+    result = fit("gent", made(Yeoh(C10=2e4, C20=3e3, C30=0.0)), stretch=(1.0, 4.0))
+    assert result.values["Jm"] > 2 * 16 + 4**-4 - 3
 
 
 def test_the_same_seed_gives_the_same_fit_and_more_starts_no_worse_one():
@@ -250,10 +250,10 @@ def test_weights_decide_between_small_and_large_stretches():
 
 
 def test_range_is_what_the_tests_cover_and_m01_says_what_is_missing():
-    found = fit("yeoh", made(YEOH, upto=3.0), stretch=(1.0, 5.0))
-    assert found.stretch_range == (1.0, 3.0)
-    assert found.material.stretch_range == (1.0, 3.0)
-    assert [finding.code for finding in found.findings] == ["M01"]
+    result = fit("yeoh", made(YEOH, upto=3.0), stretch=(1.0, 5.0))
+    assert result.stretch_range == (1.0, 3.0)
+    assert result.material.stretch_range == (1.0, 3.0)
+    assert [finding.code for finding in result.findings] == ["M01"]
     inside = fit("yeoh", made(YEOH, upto=3.0), stretch=(1.0, 2.0))
     assert inside.stretch_range == (1.0, 2.0)
     assert inside.findings == ()
@@ -261,9 +261,9 @@ def test_range_is_what_the_tests_cover_and_m01_says_what_is_missing():
 
 
 def test_material_carries_law_source_and_doubt():
-    found = fit("ogden-2", made(YEOH), starts=5)
-    material = found.named("my rubber", density=1100.0)
-    assert material.law is found.law
+    result = fit("ogden-2", made(YEOH), starts=5)
+    material = result.named("my rubber", density=1100.0)
+    assert material.law is result.law
     assert material.density == 1100.0
     assert "uniaxial" in str(material.source)
     assert [doubt[:3] for doubt in material.source.doubts] == ["M02"]
@@ -274,30 +274,30 @@ def test_material_carries_law_source_and_doubt():
 )
 def test_a_saved_fit_reads_back_to_the_same_stress(tmp_path, name):
     tests = [made(YEOH), made(YEOH, "equibiaxial", 2.5)]
-    found = fit(name, tests, starts=5)
+    result = fit(name, tests, starts=5)
     path = tmp_path / "rubber.toml"
-    save_fits(path, "my 'rubber'", [found])
+    save_fits(path, "my 'rubber'", [result])
     (record,) = read_records(path)
     assert record.name == name
-    assert record.stretch_range == pytest.approx(found.stretch_range, rel=1e-6)
+    assert record.stretch_range == pytest.approx(result.stretch_range, rel=1e-6)
     for test in tests:
-        assert test.predicted(record.build_law()) == pytest.approx(test.predicted(found.law), rel=1e-12)
+        assert test.predicted(record.build_law()) == pytest.approx(test.predicted(result.law), rel=1e-12)
 
 
 def test_what_cannot_be_saved_says_so(tmp_path):
-    found = fit("yeoh", made(YEOH))
+    result = fit("yeoh", made(YEOH))
     with refused(tmp_path / "rubber.txt", ".toml"):
-        save_fits(tmp_path / "rubber.txt", "rubber", [found])
+        save_fits(tmp_path / "rubber.txt", "rubber", [result])
     own = fit(Linear, made(YEOH))
-    assert can_be_saved(found)
+    assert can_be_saved(result)
     assert not can_be_saved(own)
     with refused("law linear"):
         records_toml("rubber", [own])
 
 
 def test_prediction_of_another_test_is_no_fit():
-    found = fit("neo-hooke", made(YEOH))
-    (quality,) = found.predict([made(YEOH, "planar")])
+    result = fit("neo-hooke", made(YEOH))
+    (quality,) = result.predict([made(YEOH, "planar")])
     assert quality.mode == "planar"
     assert quality.relative > 0.01
     assert quality.r2 < 1
@@ -320,9 +320,9 @@ def test_biaxial_shear_and_tension_go_together():
     )
     amount = np.linspace(-1.0, 1.0, 21)
     shear = MaterialTest(mode="simple_shear", stretch=amount, nominal_stress=2 * 0.23e6 * amount, name="shear")
-    found = fit("mooney-rivlin", [field, shear, made(law)])
-    assert pytest.approx(0.2e6, rel=1e-9) == found.law.C10
-    assert pytest.approx(0.03e6, rel=1e-9) == found.law.C01
+    result = fit("mooney-rivlin", [field, shear, made(law)])
+    assert pytest.approx(0.2e6, rel=1e-9) == result.law.C10
+    assert pytest.approx(0.03e6, rel=1e-9) == result.law.C01
 
 
 def test_ranking_orders_and_explains():
@@ -344,11 +344,13 @@ def test_ranking_orders_and_explains():
 def test_findings_of_use():
     rubber = Material(name="rubber", law=YEOH, stretch_range=(0.8, 3.0))
     assert check_stretch_range(rubber, (0.8, 3.05)) == (), "digitized ends are not sharp"
-    (found,) = check_stretch_range(rubber, (0.5, 4.0))
-    assert "up to stretch 4" in found.message and "down to stretch 0.5" in found.message
+    (finding,) = check_stretch_range(rubber, (0.5, 4.0))
+    assert "up to stretch 4" in finding.message and "down to stretch 0.5" in finding.message
     assert check_stretch_range(Material(name="rubber", law=YEOH), (0.1, 9.0)) == ()
     assert check_modes(Ogden(mu=(1e5,), alpha=(2.0,)), ["uniaxial", "planar"]) == ()
-    assert [found.code for found in check_modes(Ogden(mu=(1e5,), alpha=(2.0,)), ["uniaxial", "uniaxial"])] == ["M02"]
+    assert [finding.code for finding in check_modes(Ogden(mu=(1e5,), alpha=(2.0,)), ["uniaxial", "uniaxial"])] == [
+        "M02"
+    ]
     law = MooneyRivlin(C10=1e5, C01=1e4)
     assert check_order(law, 3.0) == ()
     assert check_order(law, 3.5)[0].severity is Severity.WARNING

@@ -36,13 +36,13 @@ def codes(found):
 @pytest.mark.parametrize("modes", [["planar"], ["simple_shear"], ["planar", "simple_shear"]])
 def test_planar_tests_determine_only_the_sum_of_the_mooney_rivlin_constants(modes):
     """The fit once reported C10 = C01 = 7.27 ± 0.05 kPa, with a correlation of 1 and no finding."""
-    found = fit("mooney-rivlin", [made(mode) for mode in modes])
-    assert found.errors == {"C10": inf, "C01": inf}
-    assert found.unconstrained == ("C10", "C01")
-    assert abs(found.correlation[0, 1]) == pytest.approx(1.0)
-    assert found.describe().count("not determined") == 2
-    assert found.values["C10"] + found.values["C01"] == pytest.approx(14.53e3, rel=0.01)
-    (finding,) = (each for each in found.findings if each.code == "M02")
+    result = fit("mooney-rivlin", [made(mode) for mode in modes])
+    assert result.errors == {"C10": inf, "C01": inf}
+    assert result.unconstrained == ("C10", "C01")
+    assert abs(result.correlation[0, 1]) == pytest.approx(1.0)
+    assert result.describe().count("not determined") == 2
+    assert result.values["C10"] + result.values["C01"] == pytest.approx(14.53e3, rel=0.01)
+    (finding,) = (each for each in result.findings if each.code == "M02")
     assert finding.severity is Severity.WARNING
     assert "tests alone do not determine coefficients of the second invariant" in finding.message
     assert "do not determine C10 and C01 separately; they determine only C10 + C01 = 14.5" in finding.message
@@ -58,12 +58,12 @@ def test_the_error_of_the_sum_is_that_of_a_law_with_one_constant():
 
 
 def test_two_modes_determine_both_constants():
-    found = fit("mooney-rivlin", [made("planar"), made("equibiaxial")])
-    assert found.unconstrained == ()
-    assert found.combination == ""
-    assert codes(found) == []
-    assert found.values == pytest.approx({"C10": 10e3, "C01": 4.53e3}, rel=0.02)
-    assert all(0 < error < 200 for error in found.errors.values())
+    result = fit("mooney-rivlin", [made("planar"), made("equibiaxial")])
+    assert result.unconstrained == ()
+    assert result.combination == ""
+    assert codes(result) == []
+    assert result.values == pytest.approx({"C10": 10e3, "C01": 4.53e3}, rel=0.02)
+    assert all(0 < error < 200 for error in result.errors.values())
 
 
 @pytest.mark.parametrize("law", ["ogden-2", "mooney-rivlin", "rivlin-2"])
@@ -104,9 +104,9 @@ def soft(stretch):
 
 
 def test_a_fit_is_checked_for_stability_as_library_records_are():
-    found = fit("yeoh", soft(np.linspace(1.05, 2.0, 40)))
-    assert found.bounds_hit
-    (finding,) = (each for each in found.findings if each.code == "M06")
+    result = fit("yeoh", soft(np.linspace(1.05, 2.0, 40)))
+    assert result.bounds_hit
+    (finding,) = (each for each in result.findings if each.code == "M06")
     assert finding.severity is Severity.WARNING
     assert "uniaxial tension at stretch 2.09" in finding.message
     assert "M06" not in codes(fit("yeoh", soft(np.linspace(1.05, 2.0, 40)), stretch=(1.0, 4.0)))
@@ -120,8 +120,8 @@ def test_the_strictest_criterion_is_named_with_the_others():
     assert lost == pytest.approx({"nominal": 1.3893, "drucker": 1.4851, "cauchy": 1.4851}, abs=1e-4)
     assert list(instabilities(law, "planar", lower=1.0)) == ["drucker"]
     test = made("equibiaxial", law, noise=0.0, upto=1.6)
-    found = fit("mooney-rivlin", test, stable=False)
-    assert found.instability["equibiaxial"] == pytest.approx(1.3893, abs=1e-3)
+    result = fit("mooney-rivlin", test, stable=False)
+    assert result.instability["equibiaxial"] == pytest.approx(1.3893, abs=1e-3)
 
 
 def test_the_ranking_names_the_criterion_that_fails_first():
@@ -133,10 +133,10 @@ def test_the_ranking_names_the_criterion_that_fails_first():
 @pytest.mark.parametrize("law", ["mooney-rivlin", "yeoh"])
 def test_a_saved_fit_shows_the_same_findings_once(tmp_path, law):
     """M02 once came back as 'M04 stated: M02: ...'; M06 is found anew and not saved."""
-    found = fit(law, soft(np.linspace(1.05, 2.0, 40)))
-    of_fit = [(each.code, each.message) for each in found.findings if each.code in ("M02", "M06")]
-    save_fits(tmp_path / "fit.toml", "soft", [found])
-    save_material(tmp_path / "material.toml", found.named("soft"))
+    result = fit(law, soft(np.linspace(1.05, 2.0, 40)))
+    of_fit = [(each.code, each.message) for each in result.findings if each.code in ("M02", "M06")]
+    save_fits(tmp_path / "fit.toml", "soft", [result])
+    save_material(tmp_path / "material.toml", result.named("soft"))
     for name in ("fit", "material"):
         (record,) = read_records(str(tmp_path / f"{name}.toml"))
         assert sorted((doubt.code, doubt.message) for doubt in find_doubts(record)) == sorted(of_fit)

@@ -35,19 +35,19 @@ def test_replicates_have_a_band():
 
 
 def test_a_law_is_dashed_beyond_its_tests():
-    found = fit("neo-hooke", crop(strip(), 1.0, 2.0))
-    axes = plot_law(Figure().add_subplot(), found, "uniaxial", 4.0, color="k")
+    result = fit("neo-hooke", crop(strip(), 1.0, 2.0))
+    axes = plot_law(Figure().add_subplot(), result, "uniaxial", 4.0, color="k")
     solid, dashed = axes.get_lines()
     assert (solid.get_linestyle(), dashed.get_linestyle()) == ("-", "--")
     assert solid.get_xdata().max() == pytest.approx(2.0, abs=0.02)
     assert dashed.get_xdata().max() == 4.0
-    (other,) = plot_law(Figure().add_subplot(), found, "planar", 3.0, color="k").get_lines()
+    (other,) = plot_law(Figure().add_subplot(), result, "planar", 3.0, color="k").get_lines()
     assert other.get_linestyle() == "--"
     assert other.get_label() == "neo-hooke, predicted"
 
 
 def test_one_panel_a_mode_and_what_was_not_fitted_too(tmp_path):
-    found = fit("neo-hooke", strip())
+    result = fit("neo-hooke", strip())
     stretch = np.array([1.2, 1.5, 2.0])
     field = MaterialTest(
         mode="biaxial",
@@ -58,7 +58,7 @@ def test_one_panel_a_mode_and_what_was_not_fitted_too(tmp_path):
         nominal_stress_2=1e5 * stretch,
     )
     shear = MaterialTest(mode="simple_shear", stretch=[-1.0, 1.0], nominal_stress=[-1e5, 1e5], name="s")
-    figure = fit_figure([found], [strip(mode="planar"), field, shear], title="rubber")
+    figure = fit_figure([result], [strip(mode="planar"), field, shear], title="rubber")
     titles = [axes.get_title(loc="left") for axes in figure.axes]
     assert titles == ["Uniaxial", "Planar (pure shear)", "General biaxial", "Simple shear"]
     for ending in ("png", "svg"):

@@ -37,13 +37,13 @@ def test_derivatives_are_those_of_the_softened_energy_in_invariants():
         return quad(lambda w: float(softening(MULLINS, w, top)[0]), 0, W, epsabs=1e-9, epsrel=1e-13)[0]
 
     W, *derivatives = energy_and_derivatives(LAW, *at[:, None])
-    found = softened_derivatives(*softening(MULLINS, W, top), derivatives)[:, 0]
+    result = softened_derivatives(*softening(MULLINS, W, top), derivatives)[:, 0]
     one, two = np.array([d, 0]), np.array([0, d])
     first = (energy(*(at + one)) - energy(*(at - one))) / (2 * d)
     second = (energy(*(at + one)) - 2 * energy(*at) + energy(*(at - one))) / d**2
-    assert found[0] == pytest.approx(first, rel=1e-6)
-    assert found[2] == pytest.approx(second, rel=1e-3)
-    assert found[1] == pytest.approx((energy(*(at + two)) - energy(*(at - two))) / (2 * d), abs=1e-3)
+    assert result[0] == pytest.approx(first, rel=1e-6)
+    assert result[2] == pytest.approx(second, rel=1e-3)
+    assert result[1] == pytest.approx((energy(*(at + two)) - energy(*(at - two))) / (2 * d), abs=1e-3)
 
 
 def test_derivatives_in_stretches_go_by_their_pairs():
@@ -54,10 +54,10 @@ def test_derivatives_in_stretches_go_by_their_pairs():
         W, *derivatives = stretch_derivatives(law, *l[:, None])
         return softened_derivatives(*softening(MULLINS, W, top), derivatives, STRETCH_PAIRS)[:, 0]
 
-    found = slopes(l)
+    result = slopes(l)
     for n, (i, j) in enumerate(STRETCH_PAIRS):
         step = d * np.eye(3)[j]
-        assert found[3 + n] == pytest.approx((slopes(l + step)[i] - slopes(l - step)[i]) / (2 * d), rel=1e-6)
+        assert result[3 + n] == pytest.approx((slopes(l + step)[i] - slopes(l - step)[i]) / (2 * d), rel=1e-6)
 
 
 def test_lost_energy_is_what_lies_between_loading_and_unloading():

@@ -33,10 +33,10 @@ def cycles(*tops, points=200, period=4.0):
 @pytest.mark.parametrize("mode", DEFORMATIONS)
 def test_a_rubber_without_either_follows_its_law(law, mode):
     time, stretch = cycles(2.2, points=20)
-    found = stress_history(Material(name="r", law=law), mode, time, stretch)
+    result = stress_history(Material(name="r", law=law), mode, time, stretch)
     exact = nominal_stress(law, DEFORMATIONS[mode](stretch))[:, 0, 0]
-    assert found.nominal_stress == pytest.approx(exact, rel=1e-10, abs=1e-6)
-    assert found.work[-1] == pytest.approx(0, abs=1e-6 * found.work.max()), "what is put in comes back"
+    assert result.nominal_stress == pytest.approx(exact, rel=1e-10, abs=1e-6)
+    assert result.work[-1] == pytest.approx(0, abs=1e-6 * result.work.max()), "what is put in comes back"
 
 
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: type(law).__name__)
@@ -56,10 +56,10 @@ def test_loading_lies_above_unloading_and_the_loop_is_widest_near_the_relaxation
     lost = {}
     for period in (0.02, 12.0, 4000.0):
         time, stretch = cycles(2.0, period=period)
-        found = stress_history(rubber, "uniaxial", time, stretch)
-        up, down = found.nominal_stress[:201], found.nominal_stress[:199:-1]
+        result = stress_history(rubber, "uniaxial", time, stretch)
+        up, down = result.nominal_stress[:201], result.nominal_stress[:199:-1]
         assert (up[1:-1] > down[1:-1]).all()
-        lost[period] = found.work[-1]
+        lost[period] = result.work[-1]
     assert lost[12.0] > 5 * max(lost[0.02], lost[4000.0])
 
 
@@ -67,14 +67,14 @@ def test_loading_lies_above_unloading_and_the_loop_is_widest_near_the_relaxation
 def test_reloading_follows_the_unloading_until_the_old_maximum(mode):
     rubber = Material(name="r", law=LAWS[1], stress_softening=MULLINS)
     time, stretch = cycles(1.8, 1.8, 2.5, points=100)
-    found = stress_history(rubber, mode, time, stretch).nominal_stress
+    result = stress_history(rubber, mode, time, stretch).nominal_stress
     virgin = nominal_stress(LAWS[1], DEFORMATIONS[mode](stretch))[:, 0, 0]
-    first, down, again = found[:101], found[100:201][::-1], found[200:301]
-    size = found.max()
+    first, down, again = result[:101], result[100:201][::-1], result[200:301]
+    size = result.max()
     assert first == pytest.approx(virgin[:101], abs=1e-9 * size)
     assert again == pytest.approx(down, abs=1e-9 * size)
     assert (down[1:-1] < 0.99 * first[1:-1]).all()
-    third, old = found[400:501], stretch[400:501] <= 1.8
+    third, old = result[400:501], stretch[400:501] <= 1.8
     assert third[old] == pytest.approx(np.interp(stretch[400:501][old], stretch[:101], down), abs=2e-3 * size)
     assert third[~old] == pytest.approx(virgin[400:501][~old], abs=1e-9 * size), "beyond it, the virgin rubber"
 
@@ -83,10 +83,10 @@ def test_reloading_follows_the_unloading_until_the_old_maximum(mode):
 def test_a_softening_cycle_loses_what_the_formula_says_and_only_once(mode):
     rubber = Material(name="r", law=LAWS[1], stress_softening=MULLINS)
     time, stretch = cycles(1.8, 1.8, points=2000)
-    found = stress_history(rubber, mode, time, stretch)
+    result = stress_history(rubber, mode, time, stretch)
     W = energy_of(LAWS[1], DEFORMATIONS[mode](np.array([1.8])))[0]
-    assert found.work[4000] == pytest.approx(float(softening_dissipation(MULLINS, W)), rel=1e-5)
-    assert found.work[-1] == pytest.approx(found.work[4000], rel=1e-9)
+    assert result.work[4000] == pytest.approx(float(softening_dissipation(MULLINS, W)), rel=1e-5)
+    assert result.work[-1] == pytest.approx(result.work[4000], rel=1e-9)
 
 
 def test_both_together_relax_what_is_softened():
@@ -113,8 +113,8 @@ def test_no_history_gives_back_more_work_than_it_took(mode, law, path, softens):
     at = np.concatenate([[0.0], np.cumsum([*(step for step, _ in path), 3.0])])
     time = np.unique(np.concatenate([np.linspace(a, b, 150) for a, b in pairwise(at)]))
     rubber = Material(name="r", law=law, viscoelasticity=SERIES, stress_softening=MULLINS if softens else None)
-    found = stress_history(rubber, mode, time, np.interp(time, at, corners))
-    assert found.work[-1] >= -1e-4 * np.abs(np.diff(found.work)).sum()
+    result = stress_history(rubber, mode, time, np.interp(time, at, corners))
+    assert result.work[-1] >= -1e-4 * np.abs(np.diff(result.work)).sum()
 
 
 @pytest.mark.parametrize(

@@ -27,11 +27,11 @@ TWICE = np.array([1, 1, 1, 2, 2, 2])
 def follow(series, times, stresses):
     """Stress at the times, step by step."""
     memory = memory_at_rest(series, stresses.shape[1:-1])
-    found = []
+    results = []
     for step, stress in zip(np.diff(times, prepend=times[0]), stresses, strict=True):
-        found.append(step_factor(series, step) * stress + remembered_stress(series, step, memory))
+        results.append(step_factor(series, step) * stress + remembered_stress(series, step, memory))
         memory = next_memory(series, step, memory, stress)
-    return np.array(found)
+    return np.array(results)
 
 
 def some_tensors(seed, shape):
@@ -59,8 +59,8 @@ def test_a_linear_ramp_is_exact_whatever_the_steps():
 
 def test_a_jump_relaxes_as_the_modulus_says():
     times = np.array([0.0, 0.1, 1.0, 30.0, 1e6])
-    found = follow(SERIES, times, np.ones((5, 6)))
-    assert found == pytest.approx(SERIES.modulus(times)[:, None] * np.ones(6), rel=1e-12)
+    result = follow(SERIES, times, np.ones((5, 6)))
+    assert result == pytest.approx(SERIES.modulus(times)[:, None] * np.ones(6), rel=1e-12)
     assert SERIES.modulus(1e9) == pytest.approx(0.5)
 
 

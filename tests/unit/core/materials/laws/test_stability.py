@@ -57,11 +57,11 @@ def test_stable_rows(law: Law, mode: str) -> None:
 )
 def test_peaks_of_equibiaxial_tension(law: Law, criterion: str, expected: float) -> None:
     """Each lies at the maximum of the curve, too. The reference of the second, 2.722, errs in its last digit."""
-    found = first_instability(law, "equibiaxial", lower=1.0, criterion=criterion)  # type: ignore[arg-type]
-    assert found == pytest.approx(expected, abs=5e-4)
+    result = first_instability(law, "equibiaxial", lower=1.0, criterion=criterion)  # type: ignore[arg-type]
+    assert result == pytest.approx(expected, abs=5e-4)
     stretch = np.linspace(expected - 0.01, expected + 0.01, 2001)
     stress = {"nominal": nominal_stress, "cauchy": cauchy_stress}[criterion](law, equibiaxial(stretch))[:, 0, 0]
-    assert found == pytest.approx(stretch[stress.argmax()], abs=2e-5)
+    assert result == pytest.approx(stretch[stress.argmax()], abs=2e-5)
 
 
 @pytest.mark.parametrize("law", [B, D, F, G_CANONICAL])
@@ -89,8 +89,8 @@ def test_drucker_is_stricter_than_the_cauchy_stress(law: Law, mode: str) -> None
 @pytest.mark.parametrize("mode", MODES)
 def test_drucker_is_lost_where_the_slopes_of_the_cauchy_stresses_are(law: Law, mode: str) -> None:
     """Without volume change and with the third direction free, ∂W/∂εᵢ = σᵢ: differences of σ give the same matrix."""
-    found = first_instability(law, mode, criterion="drucker")  # type: ignore[arg-type]
-    if found is None:
+    result = first_instability(law, mode, criterion="drucker")  # type: ignore[arg-type]
+    if result is None:
         return
 
     def smallest(stretch: float) -> float:
@@ -101,8 +101,8 @@ def test_drucker_is_lost_where_the_slopes_of_the_cauchy_stresses_are(law: Law, m
             columns.append((ahead - behind) / 2e-5)
         return float(np.linalg.eigvalsh(np.array(columns)).min()) / law.shear_modulus
 
-    toward_rest = found ** (1 - 1e-3)
-    assert abs(smallest(found)) < 1e-5
+    toward_rest = result ** (1 - 1e-3)
+    assert abs(smallest(result)) < 1e-5
     assert smallest(toward_rest) > 1e-5
 
 

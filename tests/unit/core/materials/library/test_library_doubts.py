@@ -61,11 +61,11 @@ def message(library: str, record: str, kind: str) -> str:
 
 
 def test_the_doubts_of_the_library_are_the_expected_ones() -> None:
-    found = {(record.library, record.name): kinds(record) for record in all_records()}
-    for (library, _), doubts in found.items():
+    results = {(record.library, record.name): kinds(record) for record in all_records()}
+    for (library, _), doubts in results.items():
         assert (DENSITY in doubts) == (library in DENSITY_UNCHECKED)
         doubts.discard(DENSITY)
-    assert {key: doubts for key, doubts in found.items() if doubts} == EXPECTED
+    assert {key: doubts for key, doubts in results.items() if doubts} == EXPECTED
 
 
 def test_what_the_doubts_say() -> None:
@@ -158,8 +158,8 @@ def test_lost_stability_is_where_the_derivatives_of_the_energy_say() -> None:
         law = Case(record, ()).rubber
         for mode, (low, high) in USUAL_RANGE.items() if law is not None else ():
             exact = first_instability(law, mode, upper=high, lower=low)
-            found = [limit for limit in (falls_at(law, mode, high), falls_at(law, mode, low)) if limit is not None]
-            nearest = min(found, key=lambda limit: abs(np.log(limit)), default=None)
+            results = [limit for limit in (falls_at(law, mode, high), falls_at(law, mode, low)) if limit is not None]
+            nearest = min(results, key=lambda limit: abs(np.log(limit)), default=None)
             assert (nearest is None) == (exact is None), (record.library, record.name, mode)
             if exact is not None:
                 assert nearest == pytest.approx(exact, abs=0.01)

@@ -29,7 +29,7 @@ def deck(folder, *lines):
 
 
 def left_out(mesh):
-    return " ".join(found.message for found in mesh.findings if found.code == "G25")
+    return " ".join(finding.message for finding in mesh.findings if finding.code == "G25")
 
 
 def inner_sides(axis, position):
@@ -83,7 +83,7 @@ def test_cells_at_one_place_are_taken_once(tmp_path):
     (tmp_path / "two.inp").write_text("\n".join(lines))
     mesh = read_mesh(tmp_path / "two.inp")
     assert len(mesh.cells) == 1
-    assert "1 cells written twice were taken once" in " ".join(found.message for found in mesh.findings)
+    assert "1 cells written twice were taken once" in " ".join(result.message for result in mesh.findings)
 
 
 def test_cells_that_do_not_fit_are_refused_in_words_for_a_file(tmp_path):
@@ -102,7 +102,7 @@ def test_open_face_called_cavity_is_none(tmp_path):
     mesh = read_mesh(deck(tmp_path, *surface("cavity_rim", LOW)))
     assert mesh.cavities == ("cavity",)
     assert len(mesh.faces["cavity_rim"]) == 9
-    assert [found.code for found in check_mesh(mesh) if found.code in ("G02", "G26")] == ["G26"]
+    assert [finding.code for finding in check_mesh(mesh) if finding.code in ("G02", "G26")] == ["G26"]
 
 
 def test_job_with_an_open_face_called_cavity(tmp_path):
@@ -124,7 +124,7 @@ def test_closed_inner_surface_of_another_name_is_a_cavity(tmp_path):
     mesh = read_mesh(deck(tmp_path, *surface("chamber", inside)))
     assert mesh.cavities == ("cavity",)
     assert len(mesh.faces["chamber"]) == len(mesh.faces["cavity"]) == 6
-    (note,) = [found.message for found in mesh.findings if found.code == "G22"]
+    (note,) = [finding.message for finding in mesh.findings if finding.code == "G22"]
     assert "became 'cavity' (1000 mm³), also 'chamber'" in note
 
 
@@ -152,7 +152,7 @@ def test_open_cavity_lies_on_its_surface(tmp_path):
     mesh = read_mesh(tmp_path / "open.vtk", cavities={"cavity": tmp_path / "air.stl"})
     assert mesh.cavities == ("cavity",)
     assert "it holds 2000 mm³, the surface 2000 mm³" in " ".join(str(each) for each in mesh.findings)
-    assert [found.code for found in check_mesh(mesh) if found.code in ("D01", "G02")] == ["D01"]
+    assert [finding.code for finding in check_mesh(mesh) if finding.code in ("D01", "G02")] == ["D01"]
     with refused("'cavity'", "wide.stl", "1.41 mm"):
         read_mesh(tmp_path / "open.vtk", cavities={"cavity": tmp_path / "wide.stl"})
 
@@ -194,7 +194,7 @@ def test_stl_that_the_generator_cannot_fill_is_meshed_as_a_part(tmp_path):
     inside = mesh.faces["cavity"][:, :3]
     a, b, c = (mesh.points[inside[:, i]] / mm for i in range(3))
     assert -np.einsum("fi,fi->", a, np.cross(b, c)) / 6 == pytest.approx(prints.finger().cavities[0], rel=0.02)
-    assert [found.code for found in mesh.findings if found.code == "G27"] == ["G27"]
+    assert [finding.code for finding in mesh.findings if finding.code == "G27"] == ["G27"]
 
 
 def test_mid_side_node_off_its_mirror_plane_is_put_there(tmp_path):
@@ -210,8 +210,8 @@ def test_mid_side_node_off_its_mirror_plane_is_put_there(tmp_path):
     file.write_bytes(cases.vtk_legacy(off, [(24, whole.cells)]))
     mesh = read_mesh(file, faces={"symmetry_y": tg.files.ByNodes(sorted(nodes_of_side))})
     assert np.ptp(mesh.points[mesh.face_nodes("symmetry_y"), 1]) == 0
-    (found,) = [found for found in mesh.findings if found.code == "G27"]
-    assert "2 nodes of 'symmetry_y'" in found.message
+    (finding,) = [finding for finding in mesh.findings if finding.code == "G27"]
+    assert "2 nodes of 'symmetry_y'" in finding.message
     off[nodes[0], 1] += 3.0
     file.write_bytes(cases.vtk_legacy(off, [(24, whole.cells)]))
     with refused("symmetry_y", "(0, 3, 0) mm", "3 mm", "y = 0 mm"):

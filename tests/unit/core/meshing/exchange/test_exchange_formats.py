@@ -91,7 +91,7 @@ def test_gmsh_second_order_keeps_curved_mid_side_nodes(tmp_path, tetrahedra):
     text = cases.gmsh_2(moved[used], [(number, place[nodes], [1] * len(nodes))], {})
     mesh = read_mesh(written(tmp_path, "second.msh", text))
     assert mesh.points[mesh.cells[:, :20]] == pytest.approx(moved[straight.cells[:, :20]] * 1e-3, abs=1e-15)
-    assert not [found for found in mesh.findings if found.code == "G21"]
+    assert not [finding for finding in mesh.findings if finding.code == "G21"]
 
 
 def test_abaqus_sets_and_surfaces(tmp_path):

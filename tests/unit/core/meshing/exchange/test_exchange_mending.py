@@ -16,7 +16,7 @@ def written(folder, points, cells, kind=10):
 
 
 def messages(mesh, code):
-    return " ".join(found.message for found in mesh.findings if found.code == code)
+    return " ".join(finding.message for finding in mesh.findings if finding.code == code)
 
 
 def test_cells_in_mirrored_order_are_turned(tmp_path):

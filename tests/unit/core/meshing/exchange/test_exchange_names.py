@@ -96,16 +96,16 @@ def test_cavity_by_its_stl_surface(cube, tmp_path):
     stl = cavity_stl(tmp_path, 10.0, 20.0)
     mesh = read_mesh(cube, cavities={"cavity_air": stl})
     assert box_of(mesh, "cavity_air") == pytest.approx(np.array([[10.0] * 3, [20.0] * 3]))
-    (found,) = [f for f in mesh.findings if f.code == "G23"]
-    assert found.severity == "note"
-    assert "it holds 1000 mm³, the surface 1000 mm³" in found.message
+    (finding,) = [f for f in mesh.findings if f.code == "G23"]
+    assert finding.severity == "note"
+    assert "it holds 1000 mm³, the surface 1000 mm³" in finding.message
 
 
 def test_cavity_that_does_not_fit_well_is_a_warning(cube, tmp_path):
     mesh = read_mesh(cube, cavities={"cavity": cavity_stl(tmp_path, 10.0, 19.5)})
-    (found,) = [f for f in mesh.findings if f.code == "G23"]
-    assert found.severity == "warning"
-    assert "at most 0.866 mm away; it holds 1000 mm³, the surface 857.37 mm³" in found.message
+    (finding,) = [f for f in mesh.findings if f.code == "G23"]
+    assert finding.severity == "warning"
+    assert "at most 0.866 mm away; it holds 1000 mm³, the surface 857.37 mm³" in finding.message
 
 
 def test_cavity_elsewhere_or_of_a_solid_mesh(cube, tmp_path):

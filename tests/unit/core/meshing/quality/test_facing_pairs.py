@@ -12,7 +12,7 @@ def test_the_first_hit_is_that_among_all_triangles_and_only_rays_that_are_asked_
     made = mesh(FastPneuNet(chambers=2, length=20e-3).build(), size=4e-3, cells="tetrahedra")
     triangles = outer_triangles(made)
     rays, reach = np.arange(len(triangles)) % 4 == 0, 5e-3
-    found = first_hits(made.points, triangles, reach, rays)
+    result = first_hits(made.points, triangles, reach, rays)
 
     corners = made.points[triangles[:, :3]]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -22,7 +22,7 @@ def test_the_first_hit_is_that_among_all_triangles_and_only_rays_that_are_asked_
         distance = _ray_distances(start, np.broadcast_to(normal[ray], normal.shape), corners)
         distance[ray] = np.inf
         nearest = distance.min()
-        assert (found[ray] >= 0) == (nearest <= reach)
-        assert found[ray] < 0 or distance[found[ray]] <= nearest * (1 + 1e-9)
-    assert (found[rays] >= 0).sum() > 20
-    assert (found[~rays] == -1).all()
+        assert (result[ray] >= 0) == (nearest <= reach)
+        assert result[ray] < 0 or distance[result[ray]] <= nearest * (1 + 1e-9)
+    assert (result[rays] >= 0).sum() > 20
+    assert (result[~rays] == -1).all()

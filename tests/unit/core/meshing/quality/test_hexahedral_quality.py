@@ -104,10 +104,10 @@ def test_gaps_are_measured_between_hexahedra(finger: Mesh) -> None:
 
 def test_faces_that_do_not_fit_hexahedra_are_found(finger: Mesh) -> None:
     turned = finger.faces | {"tip": finger.faces["tip"][:, [0, 3, 2, 1, 7, 6, 5, 4, 8]]}
-    (found,) = [f for f in check_mesh(replace(finger, faces=turned)) if f.code == "G04"]
-    assert "'tip' has 54 quadrilaterals facing inward, of 54" in found.message
+    (result,) = [f for f in check_mesh(replace(finger, faces=turned)) if f.code == "G04"]
+    assert "'tip' has 54 quadrilaterals facing inward, of 54" in result.message
     without = {name: face for name, face in finger.faces.items() if name != "outside"}
-    (found,) = [f for f in check_mesh(replace(finger, faces=without)) if f.code == "G03"]
-    assert "surface quadrilaterals belong to no named face" in found.message
+    (result,) = [f for f in check_mesh(replace(finger, faces=without)) if f.code == "G03"]
+    assert "surface quadrilaterals belong to no named face" in result.message
     holed = finger.faces | {"cavity": finger.faces["cavity"][1:]}
     assert "G02" in [f.code for f in check_mesh(replace(finger, faces=holed))]

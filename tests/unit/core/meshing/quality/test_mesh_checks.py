@@ -137,6 +137,6 @@ def test_thinnest_wall_is_that_of_the_inspection() -> None:
     """Edges of cells cut corners where curved walls end: the shortest one made 0.62 mm of a wall of 1.5 mm."""
     part = read_cad(Path(__file__).parents[5] / "examples" / "print.stl")
     printed = mesh(part, size=3 * mm)
-    (finding,) = [found for found in check_mesh(printed) if found.code == "G01"]
+    (finding,) = [result for result in check_mesh(printed) if result.code == "G01"]
     told = float(re.search(r"these walls is ([\d.]+) mm thick", finding.message)[1])  # type: ignore[index]
     assert told * mm == pytest.approx(part.smallest_wall, rel=0.02)

@@ -38,7 +38,7 @@ def check_same_body(fine: Mesh, coarse: Mesh) -> None:
         assert cell_volumes(fine)[fine.regions[name]].sum() == pytest.approx(volume, rel=1e-12)
     for name in coarse.faces:
         assert area(fine.points, fine.face(name)) == pytest.approx(area(coarse.points, coarse.face(name)), rel=1e-4)
-    assert all(found.severity is Severity.NOTE for found in check_surface(fine))  # an open inlet is one
+    assert all(finding.severity is Severity.NOTE for finding in check_surface(fine))  # an open inlet is one
     count = len(fine.points)
     times = np.unique(corner_keys(cell_sides(fine.cells), count), return_counts=True)[1]
     assert times.max() == 2  # no side belongs to three cells
@@ -83,7 +83,7 @@ def test_no_edge_no_change(finger: Mesh) -> None:
 @pytest.mark.parametrize("body", ["finger", "curved"])
 def test_two_cells_reach_through_every_wall(body: str, request: pytest.FixtureRequest) -> None:
     coarse = request.getfixturevalue(body)
-    assert "G01" in [found.code for found in check_mesh(coarse)]
+    assert "G01" in [finding.code for finding in check_mesh(coarse)]
     fine = refine_walls(coarse, 2)
     check_same_body(fine, coarse)
     assert len(crossings(fine)[0]) == 0
@@ -95,5 +95,5 @@ def test_two_cells_reach_through_every_wall(body: str, request: pytest.FixtureRe
 def test_the_setting_does_the_same() -> None:
     geometry = thin_tube()
     fine = mesh(geometry, size=1.5 * mm, wall_cells=2)
-    assert "G01" not in [found.code for found in check_mesh(fine)]
+    assert "G01" not in [finding.code for finding in check_mesh(fine)]
     assert len(fine.cells) < 6 * len(mesh(geometry, size=1.5 * mm).cells)

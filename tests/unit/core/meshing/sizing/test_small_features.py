@@ -55,9 +55,9 @@ def test_a_bellows_with_small_fillets_gets_a_mesh_of_a_reasonable_size(lobed_bel
     made = tg.mesh(part, size=2.5 * mm)
     assert made.unknown_count < 25_000
     assert cell_volumes(made).sum() == pytest.approx(part.solid_volume, rel=2e-3)
-    (found,) = [finding for finding in made.findings if finding.code == "G11"]
-    assert "below 1.25 mm: 24 of outside, 24 of cavity (smallest radius 0.8 mm)" in found.message
-    assert 'a body of revolution: where its loads are the same all around, cells = "axisymmetric"' in found.advice
+    (result,) = [finding for finding in made.findings if finding.code == "G11"]
+    assert "below 1.25 mm: 24 of outside, 24 of cavity (smallest radius 0.8 mm)" in result.message
+    assert 'a body of revolution: where its loads are the same all around, cells = "axisymmetric"' in result.advice
 
 
 def test_the_limit_decides_which_rounds_are_left(lobed_bellows):
@@ -65,9 +65,9 @@ def test_the_limit_decides_which_rounds_are_left(lobed_bellows):
     assert small_features(part, 2 * mm, 0.7 * mm) is None
     assert small_features(part, 2 * mm, 0.0) is None
     assert small_features(part, 1.5 * mm, None) is None, "fillets of half the size and more are followed"
-    found = small_features(part, 2 * mm, 0.9 * mm)
-    assert found.unknowns > 1e5
-    assert not len(found.lines), "all other radii are larger than twice the size"
+    result = small_features(part, 2 * mm, 0.9 * mm)
+    assert result.unknowns > 1e5
+    assert not len(result.lines), "all other radii are larger than twice the size"
 
 
 def test_only_parts_of_cad_files_are_coarse_by_themselves(lobed_bellows):
@@ -76,8 +76,8 @@ def test_only_parts_of_cad_files_are_coarse_by_themselves(lobed_bellows):
 
 def test_six_cells_go_around_a_small_hole_and_one_over_a_small_fillet():
     part = plate_with(fillet=1.0, hole=1.5)
-    found = small_features(part, 4 * mm, 2 * mm)
-    assert set(np.round(found.line_sizes / mm, 3)) == {1.5}, "lines along the hole only"
+    result = small_features(part, 4 * mm, 2 * mm)
+    assert set(np.round(result.line_sizes / mm, 3)) == {1.5}, "lines along the hole only"
     every, few = mesh_with(part, MeshSettings(size=4 * mm)), tg.mesh(part, size=4 * mm, ignore_features_below=2 * mm)
     assert few.unknown_count < 0.5 * every.unknown_count
     around = few.points[few.face_nodes("outside")]
@@ -88,8 +88,8 @@ def test_six_cells_go_around_a_small_hole_and_one_over_a_small_fillet():
 
 def test_larger_rounds_keep_their_cells():
     part = plate_with(fillet=0.5, hole=4.0)
-    found = small_features(part, 4 * mm, 1 * mm)
-    assert set(np.round(found.line_sizes / mm, 2)) == {2.0}, "half the radius of the hole, as without a limit"
+    result = small_features(part, 4 * mm, 1 * mm)
+    assert set(np.round(result.line_sizes / mm, 2)) == {2.0}, "half the radius of the hole, as without a limit"
 
 
 def test_engraved_text_is_left_out_where_a_limit_is_stated():

@@ -28,13 +28,13 @@ FOUND = {
 @pytest.mark.parametrize("name", FOUND)
 def test_corners_are_found_where_thin_walls_bend(name: str) -> None:
     family, wanted = FOUND[name]
-    assert {found.name: len(found.lines) for found in find_thin_corners(family.build())} == wanted
+    assert {result.name: len(result.lines) for result in find_thin_corners(family.build())} == wanted
 
 
 def test_the_long_corner_of_a_ring_sector_lies_where_arch_and_web_meet() -> None:
-    found = {each.name: each for each in find_thin_corners(SECTORS.build())}
-    radius = np.hypot(found["cavity_1"].lines[..., 1], found["cavity_1"].lines[..., 2])
-    along = np.ptp(found["cavity_1"].lines[..., 0], axis=1) > 1 * mm
+    results = {each.name: each for each in find_thin_corners(SECTORS.build())}
+    radius = np.hypot(results["cavity_1"].lines[..., 1], results["cavity_1"].lines[..., 2])
+    along = np.ptp(results["cavity_1"].lines[..., 0], axis=1) > 1 * mm
     outer = along & (radius[:, 0] > 10 * mm)
     assert outer.sum() == 1
     assert radius[outer] == pytest.approx(10.5 * mm)  # 12.5 mm less the wall of 2 mm

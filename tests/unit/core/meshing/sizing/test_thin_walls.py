@@ -61,24 +61,26 @@ def test_the_thickness_is_measured_through_the_solid(monkeypatch: pytest.MonkeyP
 def test_the_thickness_of_a_curved_wall_is_along_its_normal(monkeypatch: pytest.MonkeyPatch) -> None:
     every_wall = replace(THIN_WALLS, longest_per_wall=0.0)  # each counts as too thin for its cells
     monkeypatch.setattr(thin_walls, "THIN_WALLS", every_wall)
-    found = find_thin_walls(mesh(thin_tube(), size=2 * mm), 4 * mm)
-    assert len(found.points) > 0
-    assert found.thickness == pytest.approx(np.full(len(found.points), 0.5 * mm), rel=0.2)
+    result = find_thin_walls(mesh(thin_tube(), size=2 * mm), 4 * mm)
+    assert len(result.points) > 0
+    assert result.thickness == pytest.approx(np.full(len(result.points), 0.5 * mm), rel=0.2)
 
 
 def test_without_wall_cells_a_note_says_that_thin_walls_have_shorter_cells() -> None:
     made = mesh(thin_roof(), size=SIZE)
-    (found,) = [each for each in made.findings if each.code == "G09"]
-    assert found.severity is Severity.NOTE
-    assert "size of 5 mm is more than four times the thinnest wall, 0.5 mm: walls thinner than 1.25 mm" in found.message
+    (finding,) = [each for each in made.findings if each.code == "G09"]
+    assert finding.severity is Severity.NOTE
+    assert (
+        "size of 5 mm is more than four times the thinnest wall, 0.5 mm: walls thinner than 1.25 mm" in finding.message
+    )
     assert edges_near(made, (22, 28), 20).max() < 3.01 * mm
     assert edges_near(made, (22, 58), 0).max() > 4 * mm
 
 
 def test_a_face_with_a_size_keeps_it_where_its_wall_is_thin() -> None:
     made = mesh(thin_roof(), size=SIZE, face_sizes={"cavity": SIZE})
-    (found,) = [each for each in made.findings if each.code == "G09"]
-    assert found.severity is Severity.WARNING
+    (finding,) = [each for each in made.findings if each.code == "G09"]
+    assert finding.severity is Severity.WARNING
     assert edges_near(made, (22, 28), 20).max() > 3.01 * mm
     firm = mesh(thin_roof(), size=SIZE, face_sizes={"cavity": SIZE}, wall_cells=2)  # asks for every wall
     assert edges_near(firm, (22, 28), 20).max() < 3.01 * mm

@@ -55,9 +55,9 @@ def test_cells_may_be_longer_along_a_tube_than_four_walls():
 def test_the_section_keeps_four_walls_where_a_larger_size_is_stated():
     finger = FastPneuNet(chambers=2, length=20 * mm, clamp_length=16 * mm).build()
     stated, four = (tg.mesh(finger, size=size * mm, cells="hexahedra") for size in (8, 4))
-    (found,) = stated.findings
-    assert found.code == "G09"
-    assert "cells in the section stay below 4 mm" in found.message
+    (finding,) = stated.findings
+    assert finding.code == "G09"
+    assert "cells in the section stay below 4 mm" in finding.message
     assert not four.findings
     assert len(stated.cells) < len(four.cells)
     heights = [np.unique((made.points[:, 2] / mm).round(3)) for made in (stated, four)]

@@ -95,11 +95,11 @@ def test_the_mesh_is_the_shape_of_the_dimensions(shape, tolerance: float) -> Non
     for name, volume in geometry.cavity_volumes.items():
         walls = six_node_triangles(made.face(name))
         assert -enclosed_volume(made.points, walls) == pytest.approx(volume, rel=tolerance)
-    found = {name: area(made.points, six_node_triangles(face)) for name, face in made.faces.items()}
+    results = {name: area(made.points, six_node_triangles(face)) for name, face in made.faces.items()}
     expected: dict[str, float] = {}
     for face in set(geometry.shape.faces):
         expected[face.name] = expected.get(face.name, 0.0) + face.mass * mm**2
-    assert found == pytest.approx(expected, rel=max(tolerance, 1e-8))  # CAD areas of slanted faces are good to 1e-8
+    assert results == pytest.approx(expected, rel=max(tolerance, 1e-8))  # CAD areas of slanted faces are good to 1e-8
     assert tuple(made.regions) == geometry.regions
     assert [finding.code for finding in check_mesh(made) if finding.code not in ("G01", "D01")] == []
     assert quality(made).min_jacobian_ratio > 0
@@ -124,9 +124,9 @@ def test_more_cells_through_a_wall_on_request() -> None:
     two = mesh(geometry, size=4 * mm, cells="hexahedra", wall_cells=2)
     assert [finding.code for finding in check_mesh(two)] == []
     one = mesh(geometry, size=4 * mm, cells="hexahedra")
-    (found,) = check_mesh(one)
-    assert found.code == "G01"
-    assert "wall_cells = 2" in found.advice
+    (result,) = check_mesh(one)
+    assert result.code == "G01"
+    assert "wall_cells = 2" in result.advice
 
 
 def test_nodes_of_a_tube_lie_on_its_circles() -> None:

@@ -97,8 +97,8 @@ def test_tip_stiffness_is_that_of_two_solves_with_a_force(pressed, axis):
     for sign in (-1, 1):
         vector = tuple(sign * force * (letter == axis) for letter in "xyz")
         tips.append(measure(path(question(force=vector), 4), name)[name][-1])
-    found = find_measure(f"tip_stiffness_{axis}")(pressed.states[-1])
-    assert found == pytest.approx(2 * force / (tips[1] - tips[0]), rel=2e-3)
+    result = find_measure(f"tip_stiffness_{axis}")(pressed.states[-1])
+    assert result == pytest.approx(2 * force / (tips[1] - tips[0]), rel=2e-3)
 
 
 def test_a_half_has_the_stiffness_of_the_whole_within_its_plane(pressed):

@@ -34,25 +34,25 @@ def findings(stretch, sheet):
 
 
 def test_a_compressed_membrane_is_found_and_a_shell_or_a_wrinkling_film_is_not():
-    (found,) = findings(0.97, Membrane(FILM, 0.1 * mm))
-    assert found.code == "N05" and found.severity is Severity.WARNING
-    assert "The membrane on 'outside' is compressed in 100 % of its area at load factor 1" in found.message
-    assert "store less than 1 % of the energy of the actuator" in found.message and 'form = "shell"' in found.advice
+    (finding,) = findings(0.97, Membrane(FILM, 0.1 * mm))
+    assert finding.code == "N05" and finding.severity is Severity.WARNING
+    assert "The membrane on 'outside' is compressed in 100 % of its area at load factor 1" in finding.message
+    assert "store less than 1 % of the energy of the actuator" in finding.message and 'form = "shell"' in finding.advice
     assert findings(0.97, Shell(FILM, 0.1 * mm)) == ()
     assert findings(0.97, Membrane(FILM, 0.1 * mm, compression=0.0)) == ()
 
 
 def test_little_compression_is_a_note():
-    (found,) = findings(0.99999, Membrane(FILM, 0.1 * mm))
-    assert found.severity is Severity.NOTE and "wrinkles on finer meshes" in found.message
+    (finding,) = findings(0.99999, Membrane(FILM, 0.1 * mm))
+    assert finding.severity is Severity.NOTE and "wrinkles on finer meshes" in finding.message
 
 
 def test_a_solve_has_the_finding():
     mesh = meshes.box((20 * mm, 5 * mm, 2 * mm), (4, 1, 1))
     materials = {"body": cases.RUBBER, "z0": Membrane(FILM, 0.1 * mm)}
     model = Model(mesh, materials, [Fixed("x0")], [Pressure("z1", 0.1 * kPa)])
-    found = {each.code: each for each in solve(model, Static()).findings}
-    assert "(from " in found["N05"].message or " at 0.1 kPa, by" in found["N05"].message
+    results = {each.code: each for each in solve(model, Static()).findings}
+    assert "(from " in results["N05"].message or " at 0.1 kPa, by" in results["N05"].message
 
 
 @pytest.mark.parametrize("own", [None, 1e-5])

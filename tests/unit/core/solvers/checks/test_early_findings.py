@@ -26,13 +26,13 @@ def pulled(rubber, pressure=1e3, **more):
 
 
 def codes(findings):
-    return [found.code for found in findings]
+    return [finding.code for finding in findings]
 
 
 def test_a_stated_law_is_checked_for_its_stability():
-    (found,) = doubts_of(UNSTABLE)
-    assert found.code == "M06"
-    assert "uniaxial tension at stretch 1.57" in found.message
+    (finding,) = doubts_of(UNSTABLE)
+    assert finding.code == "M06"
+    assert "uniaxial tension at stretch 1.57" in finding.message
     assert doubts_of(RUBBER) == ()
 
 

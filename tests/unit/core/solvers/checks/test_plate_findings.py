@@ -49,10 +49,10 @@ def test_a_tip_on_the_plate_is_what_is_meant(question):
 
 @pytest.mark.parametrize(("sinks", "last", "nearest"), [(0.8 * mm, "0.2", "0.2"), (-3 * mm, "3.25", "1")])
 def test_a_plate_that_is_never_touched(question, sinks, last, nearest):
-    (found,) = plate_findings(question, path(question, sinks=sinks, bears=()))
-    assert (found.code, found.severity) == ("B24", "warning")
+    (finding,) = plate_findings(question, path(question, sinks=sinks, bears=()))
+    assert (finding.code, finding.severity) == ("B24", "warning")
     said = f"blocked force is 0: at 20 kPa it was {last} mm away from the plate, and {nearest} mm where it was nearest."
-    assert said in found.message
+    assert said in finding.message
 
 
 def test_a_plate_that_was_touched_and_left_is_one(question):
@@ -65,14 +65,14 @@ def test_a_plate_that_was_touched_and_left_is_one(question):
 )
 def test_a_keel_on_the_plate(question, sinks, hovers):
     """At 5 and 10 mm behind the tip; 5 % of the actuator are 2 mm."""
-    (found,) = plate_findings(question, path(question, sinks=sinks, bears=(30, 35)))
-    assert (found.code, found.severity) == ("B25", "warning")
+    (finding,) = plate_findings(question, path(question, sinks=sinks, bears=(30, 35)))
+    assert (finding.code, finding.severity) == ("B25", "warning")
     who = "What bears on the plate is not the tip" if "while" in hovers else "Not the tip alone bears on the plate"
     assert (
         f"{who}: at the end of the path the force acts 7.5 mm behind it, around (32.5, 0, 0) mm at rest{hovers}"
-        in found.message
+        in finding.message
     )
-    assert "hold = 'z'" in found.advice
+    assert "hold = 'z'" in finding.advice
 
 
 def test_other_obstacles_are_none(question):

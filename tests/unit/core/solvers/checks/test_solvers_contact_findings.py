@@ -51,9 +51,9 @@ def path(question, move=shrunk):
 
 def test_walls_that_met_without_contact_are_an_error(finger):
     question = model(finger, OFF)
-    (found,) = meeting_walls(question, path(question))
-    assert str(found).startswith("B02 error: Outer walls met at 6.67 kPa; beyond it they pass through each other")
-    assert "Switch self-contact on" in found.advice
+    (finding,) = meeting_walls(question, path(question))
+    assert str(finding).startswith("B02 error: Outer walls met at 6.67 kPa; beyond it they pass through each other")
+    assert "Switch self-contact on" in finding.advice
 
 
 @pytest.mark.parametrize("contact", [None, Contact(self_contact=True)])
@@ -69,9 +69,9 @@ def test_a_wall_that_meets_its_mirror_image():
     question = model(half)  # no walls face each other: contact is not on by itself
     assert question.contact.for_mesh(half) is None
     states = [cases.state(question, moved(half, 8 * mm * f), f) for f in (0.0, 0.5, 1.0)]
-    (found,) = meeting_walls(question, states)
+    (result,) = meeting_walls(question, states)
     # the nearest nodes off the plane are half a brick, 2.5 mm, away: 8 mm · f = 2.5 mm
-    assert found.message.startswith("Outer walls met their mirror image at 3.12 kPa; beyond it")
+    assert result.message.startswith("Outer walls met their mirror image at 3.12 kPa; beyond it")
     on = model(half, Contact(self_contact=True))
     assert meeting_walls(on, states) == ()
 
@@ -146,8 +146,8 @@ def test_bodies_that_overlap_at_rest_are_found(inset):
     assert len(places) > 5
     assert (places >= np.array(low) - 1e-9).all()
     assert (places <= np.array([10, *high[1:]]) + 1e-9).all()
-    (found,) = check_contact(bare(two))
-    assert str(found).startswith("B07 warning: The mesh overlaps itself at rest, for instance at (")
+    (result,) = check_contact(bare(two))
+    assert str(result).startswith("B07 warning: The mesh overlaps itself at rest, for instance at (")
     assert check_contact(bare(two, OFF)) == ()
 
 
@@ -193,13 +193,13 @@ def touched(question, name, share):
 
 def test_contact_that_gave_way_further_than_its_tolerance(finger):
     question = model(finger)
-    (found,) = deep_penetrations([touched(question, SELF, 1.5)])
-    assert str(found).startswith(
+    (result,) = deep_penetrations([touched(question, SELF, 1.5)])
+    assert str(result).startswith(
         "B06 warning: Walls of the actuator penetrate each other by up to 30 µm in the last state, at the worst place "
         "1.5 times as deep as the tolerance allows."
     )
-    (found,) = deep_penetrations([touched(question, "plate", 1.5)])
-    assert found.message.startswith("The actuator penetrates 'plate' by up to 30 µm")
+    (result,) = deep_penetrations([touched(question, "plate", 1.5)])
+    assert result.message.startswith("The actuator penetrates 'plate' by up to 30 µm")
     assert deep_penetrations([touched(question, SELF, 1.0)]) == ()
     assert deep_penetrations([touched(question, SELF, 1.5), cases.state(question)]) == ()  # it is the end that counts
     assert deep_penetrations([]) == ()

@@ -37,8 +37,8 @@ def test_an_extrapolation_is_better_than_to_stay_if_stresses_are_linearized(iter
     # a residual that grows with the displacement, as that of a stiff wall that is stretched
     measure = Extrapolation(lambda _, at: float(np.abs(at.unknowns).max()), 0.0, True, False)
     tangent = Tangent(system, "rslab", 1, iteration)
-    found = predicted(load_control(system), tangent, points, 2.0, measure)
-    assert found.unknowns.max() / 1e-6 == pytest.approx(expected)
+    result = predicted(load_control(system), tangent, points, 2.0, measure)
+    assert result.unknowns.max() / 1e-6 == pytest.approx(expected)
 
 
 @pytest.mark.parametrize(("first_step", "expected"), [(1.0, [False]), (0.1, [True])])

@@ -62,17 +62,17 @@ def test_a_step_along_a_smooth_path_is_one():
 
 
 def test_where_modes_come_while_the_load_rises_is_a_bifurcation(path):
-    found = verdict(path, lambda p: point(p, (p, p), (1, 1), int(p > 0.37)))
-    (passed,) = found.passed
-    assert found.reason is None
+    result = verdict(path, lambda p: point(p, (p, p), (1, 1), int(p > 0.37)))
+    (passed,) = result.passed
+    assert result.reason is None
     assert passed.load_factor == pytest.approx(0.37, abs=1e-3)
     assert passed.modes == 1
 
 
 def test_two_bifurcations_in_a_step_are_two(path):
-    found = verdict(path, lambda p: point(p, (p, p), (1, 1), int(p > 0.2) + int(p > 0.7)))
-    assert [round(each.load_factor, 2) for each in found.passed] == [0.2, 0.7]
-    assert [each.modes for each in found.passed] == [1, 1]
+    result = verdict(path, lambda p: point(p, (p, p), (1, 1), int(p > 0.2) + int(p > 0.7)))
+    assert [round(each.load_factor, 2) for each in result.passed] == [0.2, 0.7]
+    assert [each.modes for each in result.passed] == [1, 1]
 
 
 def test_a_double_bifurcation_counts_both_modes(path):
@@ -82,9 +82,9 @@ def test_a_double_bifurcation_counts_both_modes(path):
 
 
 def test_a_limit_point_is_none(path):
-    found = verdict(path, lambda p: point(p, (p, p - p * p), (1, 1 - 2 * p), int(p > 0.5)), 0.3, 0.7)
-    assert found.reason is None
-    assert not found.passed
+    result = verdict(path, lambda p: point(p, (p, p - p * p), (1, 1 - 2 * p), int(p > 0.5)), 0.3, 0.7)
+    assert result.reason is None
+    assert not result.passed
 
 
 def test_a_maximum_and_a_minimum_in_a_step_are_none(path):
@@ -94,21 +94,21 @@ def test_a_maximum_and_a_minimum_in_a_step_are_none(path):
         modes = 0 if p < 0.4 else 1 if p < 0.6 else 2
         return point(p, (p, 0.5), (1, 0.2 if modes != 1 else -0.1), modes)
 
-    found = verdict(path, snap)
-    assert found.reason is None
-    assert not found.passed
+    result = verdict(path, snap)
+    assert result.reason is None
+    assert not result.passed
 
 
 def test_a_jump_to_another_branch_is_no_step(path):
     """However short the step, the point beyond lies as far away; the chord itself is straight."""
-    found = verdict(path, lambda p: point(p, (p + 0.1 * (p > 0.5), p), (1, 1), int(p > 0.5)))
-    assert found.reason.cause is Cause.OTHER_BRANCH
+    result = verdict(path, lambda p: point(p, (p + 0.1 * (p > 0.5), p), (1, 1), int(p > 0.5)))
+    assert result.reason.cause is Cause.OTHER_BRANCH
 
 
 def test_a_step_that_leads_back_is_none(path):
     """Unloading without an unstable mode: the way it came, or another that no limit point leads to."""
-    found = verdict(path, lambda p: point(p, (p, 0.1 * p), (1, 0.1 if p < 0.5 else -0.1), 0))
-    assert found.reason.cause is Cause.OTHER_BRANCH
+    result = verdict(path, lambda p: point(p, (p, 0.1 * p), (1, 0.1 if p < 0.5 else -0.1), 0))
+    assert result.reason.cause is Cause.OTHER_BRANCH
 
 
 def test_a_sharp_turn_is_cut_and_a_corner_taken_in_the_end():

@@ -31,8 +31,8 @@ def start(compression: float, unknowns_power: int):
         points.append(Point(float(number), unknowns, np.empty(0), replace(rest, terms=terms), None, None, None, None))
     orders = Extrapolation(lambda _, at: -float(np.abs(at.unknowns).max()), -np.inf, False, False)
     tangent = Tangent(system, "rslab", 1)
-    found = predicted(load_control(system), tangent, points, 5.0, orders)
-    return found.unknowns.max() / 1e-6, found.stresses.terms[0].flat[0]
+    result = predicted(load_control(system), tangent, points, 5.0, orders)
+    return result.unknowns.max() / 1e-6, result.stresses.terms[0].flat[0]
 
 
 def test_a_sheet_that_bears_compression_follows_the_highest_order():

@@ -69,8 +69,8 @@ def test_a_surrogate(call, tmp_path):
     assert told.count(": done, ") == 5
     assert "Written in walls-study: surrogate.turgor" in said
     fitted = Surrogate.load(tmp_path / "walls-study" / "surrogate.turgor")
-    found = fitted.predict({"actuator.wall": 2e-3})["tip_displacement_x"]
-    assert found == pytest.approx(float(moved(tmp_path / "walls-study")[0]) * 1e-3, rel=0.01)
+    result = fitted.predict({"actuator.wall": 2e-3})["tip_displacement_x"]
+    assert result == pytest.approx(float(moved(tmp_path / "walls-study")[0]) * 1e-3, rel=0.01)
 
 
 def test_a_sensitivity(call, tmp_path):

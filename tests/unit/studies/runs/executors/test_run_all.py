@@ -21,14 +21,14 @@ def lines(log: str = "", slopes=(1e-5, 2e-5, 3e-5)) -> list[Run]:
 
 
 def test_what_is_kept_is_read_again(tmp_path):
-    run, found = lines()[0], line(1e-5)
+    run, result = lines()[0], line(1e-5)
     assert saved_run(run, tmp_path) is None
-    save_run(run, replace(found, seconds=1.25), tmp_path)
+    save_run(run, replace(result, seconds=1.25), tmp_path)
     read = saved_run(run, tmp_path)
     assert read is not None
-    assert read.response.names == found.response.names
+    assert read.response.names == result.response.names
     for name in read.response.names:
-        np.testing.assert_allclose(read.response.column(name), found.response.column(name), rtol=1e-15)
+        np.testing.assert_allclose(read.response.column(name), result.response.column(name), rtol=1e-15)
     assert (read.picture, read.seconds, read.response.message) == (PICTURE, 1.25, "ended")
     assert str(read.response.source) == "a line"
 

@@ -89,7 +89,7 @@ def cut_angle(part: Part, wedge: Wedge) -> float:
         near = off <= max(0.05 * wedge.angle, float(off.min()))
         best.append((float(radius[near].max()), -float(area[near].sum())))
     largest = max(each[0] for each in best)
-    chosen = max(range(len(best)), key=lambda i: (best[i][0] >= (1 - SYMMETRY.same_radius) * largest, best[i][1]))
+    chosen = max(range(len(best)), key=lambda i: (best[i][0] >= (1 - SYMMETRY.alike) * largest, best[i][1]))
     return float(middles[chosen])
 
 

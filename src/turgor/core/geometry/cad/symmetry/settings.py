@@ -18,7 +18,8 @@ class SymmetrySettings:
         no images of each other, and leave waves below 1e-3 (`test_symmetry_of_facets`).
     alike : float
         Two faces lie alike about their centers if their second moments of area differ by less than this share, and
-        are halves of one face if their areas do: facets with 36 corners on a circle are off by 0.5 %.
+        are halves of one face if their areas do: facets with 36 corners on a circle are off by 0.5 %. Radii around the
+        part are the same up to it.
     most_fold : int
         Turns that are tried: a full turn divided by up to this number. Twice as many waves around the axis are looked
         at.
@@ -28,8 +29,6 @@ class SymmetrySettings:
         Pieces across the part into which facets are cut to integrate their waves.
     wide : float
         A sector is cut in gaps between corners of at least this share of the widest one.
-    same_radius : float
-        Two radii around the part are the same if they differ by less than this share of the radius.
     sectors : int
         Sectors of a body of revolution, which has as many as one likes: slices of 60° have cells of a good shape.
     """
@@ -40,7 +39,6 @@ class SymmetrySettings:
     any_angle: float = 1.0
     pieces: int = 40
     wide: float = 0.5
-    same_radius: float = 0.01
     sectors: int = 6
 
 
