@@ -13,8 +13,8 @@ class TrustRegionSettings:
 
     Parameters
     ----------
-    first_radius : float
-        Half the width of the first region.
+    first_radius, widest : float
+        Half the width of the first region, and of the widest.
     poor, good : float
         Shares of the promised gain below which a region shrinks and above which it grows.
     spanned, near : float
@@ -27,8 +27,17 @@ class TrustRegionSettings:
         Points tried where the start gives no response, and Latin hypercubes drawn until enough designs satisfy
         the rules.
     aim : float
-        A search aims at this violation; up to 1 counts as met. Misfits below it count less and less, because their
-        length has a kink where all targets are met.
+        A search aims at this violation; up to 1 counts as met.
+    misfit_penalty : float
+        Penalty of a violation beyond the aim, in misfits; in objectives over their scales it is 1. Without it, a path
+        with a casting rule ends outside of it.
+    smooth : float
+        Misfits below this length count less and less: the length has a kink where all targets are met.
+    least_gain : float
+        A promised gain below this share of the merit is none.
+    worth, worth_of_misfits : float
+        A step below the precision counts where it promises at least this: of an objective over its scale, and of the
+        misfits in tolerances. Without them, a search with slopes ends before its limits are met.
     beginnings : int
         Random beginnings of a search on the surfaces besides its center.
     whole : int
@@ -38,6 +47,7 @@ class TrustRegionSettings:
     """
 
     first_radius: float = 0.2
+    widest: float = 0.5
     poor: float = 0.1
     good: float = 0.7
     spanned: float = 0.1
@@ -45,6 +55,11 @@ class TrustRegionSettings:
     last_region: float = 5.0
     tries: int = 8
     aim: float = 0.5
+    misfit_penalty: float = 10.0
+    smooth: float = 0.1
+    least_gain: float = 1e-6
+    worth: float = 1e-4
+    worth_of_misfits: float = 0.1
     beginnings: int = 4
     whole: int = 4
     spare: int = 2

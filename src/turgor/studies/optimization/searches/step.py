@@ -42,7 +42,11 @@ def merit(problem: Problem, score: Score) -> float:
     """Return the merit that a step lowers: the objective, and a penalty of violated conditions."""
     if not score.known:
         return float("inf")
-    return score.objectives[0] + max(score.violation - TRUST_REGION.aim, 0.0)
+    return score.objectives[0] + _penalty(problem) * max(score.violation - TRUST_REGION.aim, 0.0)
+
+
+def _penalty(problem: Problem) -> float:
+    return 1.0 if problem.objectives else TRUST_REGION.misfit_penalty
 
 
 def best_step(problem: Problem, surfaces: Surfaces, box: Box, seed: int) -> Array:
@@ -80,12 +84,12 @@ def _minimized(
     low, high = limits
     if fixed is not None:
         low, high = np.where(fixed, begin, low), np.where(fixed, begin, high)
-    smooth = _Smooth(problem, surfaces)
+    smooth, penalty = _Smooth(problem, surfaces), _penalty(problem)
     slack = max(float(smooth.conditions(begin)[0].max(initial=0.0)), 0.0)
 
     def objective(z: Array) -> tuple[float, Array]:
         value, slope = smooth.objective(z[:-1])
-        return value + z[-1], np.append(slope, 1.0)
+        return value + penalty * z[-1], np.append(slope, penalty)
 
     constraints: list[dict[str, Any]] = [
         {
@@ -120,7 +124,7 @@ class _Smooth:
         targets = [pair for goal, pair in goals if isinstance(goal, MET)]
         values = np.concatenate([values for values, _ in targets])
         slopes = np.concatenate([slopes for _, slopes in targets])
-        length = float(np.sqrt(values @ values + TRUST_REGION.aim**2))
+        length = float(np.sqrt(values @ values + TRUST_REGION.smooth**2))
         return length, (values @ slopes) / length
 
     def conditions(self, at: Array) -> tuple[Array, Array]:
@@ -131,7 +135,7 @@ class _Smooth:
                 violations.extend((values - TRUST_REGION.aim).tolist())
                 slopes.extend(slope)
             elif isinstance(goal, MET) and self.problem.objectives:
-                length = float(np.sqrt(values @ values + TRUST_REGION.aim**2))
+                length = float(np.sqrt(values @ values + TRUST_REGION.smooth**2))
                 violations.append(length - TRUST_REGION.aim)
                 slopes.append((values @ slope) / length)
         return np.array(violations), np.array(slopes)

@@ -7,7 +7,6 @@ instead of one for the objective, as it is usual for least squares: what a goal 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.foundation.round_off import ROUND_OFF
 from turgor.studies.optimization.goals import MET
 from turgor.studies.optimization.problem import Candidate, Problem
 from turgor.studies.optimization.search import Ending, Search
@@ -60,7 +59,7 @@ def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
         elif share < TRUST_REGION.poor:
             radius = max(radius / 4, min(radius, step) / 2)
         elif share > TRUST_REGION.good and step > 0.9 * radius:
-            radius = min(2 * radius, 1.0)
+            radius = min(2 * radius, TRUST_REGION.widest)
         center = _lowest(problem)
         if radius < search.precision:
             return _ended(problem, center)
@@ -127,7 +126,8 @@ def _is_idle(problem: Problem, surfaces: Surfaces, center: Candidate, to: Array,
     here = merit(problem, center.score)
     gain = here - merit(problem, problem.score(surfaces(to)))
     small = bool(np.abs(to - center.at).max() < precision)
-    return small or gain < ROUND_OFF.same * max(abs(here), ROUND_OFF.same)
+    worth = TRUST_REGION.worth if problem.objectives else TRUST_REGION.worth_of_misfits
+    return (small and gain < worth) or gain < TRUST_REGION.least_gain * max(abs(here), TRUST_REGION.least_gain)
 
 
 def _narrowed(
