@@ -25,19 +25,18 @@ class CalibrationSettings:
     failed : float
         Weighted difference of every row where a run failed: far above what a curve that misses the measured one has,
         and small enough to be squared.
-    least_scatter : float
-        Smallest scatter that assumed spreads are lowered to: differences of a made-up curve may be zero.
     least_gain, resolved : float
         The search ends where one more step would gain less than a fifth of a standard error: this share of the variance
         of the differences, in half the sum of squares. They count as no smaller than the second share of an assumed
-        spread: 0.1 % of the measured range, which neither rigs nor meshes resolve.
+        spread, and no such spread is lowered further: 0.1 % of the measured range, which neither rigs nor meshes
+        resolve.
     smallest_step : float
         It also ends where a step would move every coordinate by less than this: 0.02 % of a positive parameter.
     round_gain : float
         Relative gain at which the search between two fresh Jacobians ends.
-    idle_runs, idle_gains : int, float
-        Runs that change next to nothing, the first point included, after which it ends as well: a fresh Jacobian knows
-        more. They may be higher by so many of the least gains.
+    idle_gains : float
+        Runs change next to nothing that are higher by at most so many of the least gains. After `RUNS.idle` of them,
+        the first point included, it ends as well: a fresh Jacobian knows more.
     undetermined : float
         A combination of parameters is not determined if its standard deviation is above this: 30 % of a positive
         parameter, or of the range of another one.
@@ -55,12 +54,10 @@ class CalibrationSettings:
     nudge: float = 1e-6
     assumed_spread: float = 0.02
     failed: float = 1e3
-    least_scatter: float = 1e-3
     least_gain: float = 0.02
     resolved: float = 0.05
     smallest_step: float = 2e-4
     round_gain: float = 1e-3
-    idle_runs: int = 2
     idle_gains: float = 20.0
     undetermined: float = 0.3
     least_effect: float = 1e-4

@@ -24,12 +24,11 @@ class TrustRegionSettings:
     last_region : float
         A step below the precision ends the search where the region is at most so many times the precision.
     tries : int
-        Points tried where the start gives no response, and Latin hypercubes drawn until enough designs keep the rules.
+        Points tried where the start gives no response, Latin hypercubes drawn until enough designs keep the rules, and
+        random beginnings of a search on the surfaces besides its center.
     aim : float
         A search aims at this violation; up to 1 counts as met. Misfits below it count less and less, because their
         length has a kink where all targets are met.
-    beginnings : int
-        Random beginnings of a search on the surfaces besides its center.
     whole : int
         Whole numbers on both sides are tried for so many factors at most.
     spare : int
@@ -44,7 +43,6 @@ class TrustRegionSettings:
     last_region: float = 5.0
     tries: int = 8
     aim: float = 0.5
-    beginnings: int = 4
     whole: int = 4
     spare: int = 2
 
@@ -66,9 +64,9 @@ class ParetoSettings:
         Share of the runs that the first surfaces are laid through, at least 2 n + 2 of them.
     batch : int
         Designs that are computed between two searches on surfaces.
-    front_error, gap, quiet : float, float, int
+    front_error, gap : float
         The search ends where what the surfaces promised was computed to be on the front within the first share of its
-        range and no promised design is farther than the second from a computed one, so many times in a row.
+        range and no promised design is farther than the second from a computed one, `RUNS.idle` times in a row.
     """
 
     population: int = 60
@@ -78,7 +76,6 @@ class ParetoSettings:
     batch: int = 4
     front_error: float = 0.02
     gap: float = 0.15
-    quiet: int = 2
 
 
 PARETO = ParetoSettings()

@@ -73,7 +73,7 @@ def named_faces_figure(title: str, faces: Sequence[tuple[str, Array]], marks: Se
                 Poly3DCollection(
                     triangles / mm,
                     facecolors=colors.get(name, "#808080"),
-                    alpha=LOOK.named_face if named else LOOK.outside,
+                    alpha=LOOK.obstacle if named else LOOK.outside,
                     edgecolors="none",
                 )
             )
@@ -87,7 +87,7 @@ def named_faces_figure(title: str, faces: Sequence[tuple[str, Array]], marks: Se
             if ends[1] - ends[0] < SHORT * float((high - low).max()):  # the labels of more ticks would overlap
                 axis.set_ticks([round(float(end), 3) for end in ends])
         axes.view_init(raised, turned)
-    patches = [Patch(color=color, alpha=LOOK.named_face, label=name) for name, color in colors.items()]
+    patches = [Patch(color=color, alpha=LOOK.obstacle, label=name) for name, color in colors.items()]
     figure.legend(handles=patches, loc="lower center", ncols=min(len(patches), 6) or 1, frameon=False)
     size = f"{' × '.join(f'{side:.4g}' for side in high - low)} mm"
     figure.suptitle(f"{title} · {size}" if title else size)

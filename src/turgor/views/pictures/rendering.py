@@ -268,6 +268,6 @@ class _Layers:
         for scene, near, _ in self._patches:
             hits = scene.look(band, near[rows])
             seen = values_seen(scene.skin, hits, self._view.limit)
-            value, place = laid_over((value, place), (seen, scene.distance(hits)), RENDERING.touching * size)
+            value, place = laid_over((value, place), (seen, scene.distance(hits)), RENDERING.depth_jump * size)
         behind = place > distance + RENDERING.depth_jump * size
         draw_patches(image, value, behind, color_map(CONTACT_PRESSURE), self._view.limit)

@@ -9,26 +9,17 @@ class PageSettings:
 
     Parameters
     ----------
-    width, picture_height : int
-        Width of a page, and largest height of a picture on it [pixels].
-    small, wide : int
-        Width of a picture in a notebook, and of that of a geometry, which has two views [pixels].
-    dpi : int
-        Resolution of plots in a notebook [dots per inch].
+    width : int
+        Width of a page [pixels].
     rows, columns : int
         Most rows of a table on a page, the file has all, and most columns, so that it fits a printed page.
-    bars, longest_bar : int
-        Bars of a histogram from 0 to 1, and letters of the longest of them.
+    longest_bar : int
+        Letters of the longest bar of a histogram.
     """
 
     width: int = 984
-    picture_height: int = 760
-    small: int = 560
-    wide: int = 860
-    dpi: int = 80
     rows: int = 13
     columns: int = 8
-    bars: int = 10
     longest_bar: int = 40
 
 

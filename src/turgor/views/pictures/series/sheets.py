@@ -118,14 +118,14 @@ def sheet_figure(
     title, view, style = how
     if len(captions) != len(states):
         raise TurgorError(f"{len(captions)} captions were given for {len(states)} states; each needs one.")
-    view = view or _view(states, VON_MISES, 1600)
+    view = view or _view(states, VON_MISES, FRAMING.full_width)
     pictures = [_within(pixels_of(state, view, style=style), view) for state in states]
     columns = columns_for(len(pictures))
     rows = -(-len(pictures) // columns)
     scale = scale_of(view.columns * columns)
     high, wide = max(each.shape[0] for each in pictures), max(each.shape[1] for each in pictures)
-    line = round(FRAMING.caption * scale)
-    cell = (high + line, wide + round(FRAMING.space * scale))
+    line = round(FRAMING.margin * scale)
+    cell = (high + line, wide + round(FRAMING.margin / 2 * scale))
     image = np.full((rows * cell[0], columns * cell[1], 3), 255, dtype=np.uint8)
     for number, each in enumerate(pictures):
         row, column = divmod(number, columns)
