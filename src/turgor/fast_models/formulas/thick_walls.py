@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
 
-#: Step of the slope with which Newton's method finds the axial stretch.
+#: Relative step of the differences with which Newton's method finds the state of a tube.
 STEP = 1e-6
 
 

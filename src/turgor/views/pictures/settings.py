@@ -59,9 +59,7 @@ class LookSettings:
     shadow, deep_shadow : float
         Largest share of the light that shadow takes from a color that means a value, and from plain rubber.
     overlay : float
-        Opacity of threads, and of contact patches behind the actuator.
-    obstacle : float
-        Opacity of obstacles, and of the named faces of a part.
+        Opacity of what is drawn over the actuator: threads, contact patches behind it, obstacles, and named faces.
     see_through : float
         Opacity of a transparent actuator in front of its cavities, and of the first state of a plot of rods.
     faint_pressure : float
@@ -75,8 +73,7 @@ class LookSettings:
     lamp_place: tuple[float, float, float] = (-0.45, 0.75, -0.65)
     shadow: float = 0.26
     deep_shadow: float = 0.62
-    overlay: float = 0.7
-    obstacle: float = 0.5
+    overlay: float = 0.6
     see_through: float = 0.3
     faint_pressure: float = 0.06
     outside: float = 0.08
