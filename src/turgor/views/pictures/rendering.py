@@ -37,6 +37,7 @@ from turgor.views.pictures.shading import (
     reduced,
 )
 from turgor.views.pictures.skin import Skin
+from turgor.views.plots.settings import PLOT
 
 Array = NDArray[np.float64]
 
@@ -255,7 +256,7 @@ class _Layers:
         scene, seen = self._inside.scene, self._inside.hits(band, rows)
         within = paint(scene.skin, seen, scene.eye, self._inside.look)
         draw_lines(within, find_lines(scene.skin, seen), INK, 0.6 * SAMPLES, 0.5)
-        veil = np.where(hits.triangle >= 0, np.where(seen.triangle >= 0, LOOK.see_through, 1.0), 0.0)[..., None]
+        veil = np.where(hits.triangle >= 0, np.where(seen.triangle >= 0, PLOT.pale, 1.0), 0.0)[..., None]
         return (within * (1 - veil) + image * veil + 0.5).astype(np.uint8), lines
 
     def _of_tension(self, values: Array) -> Array:

@@ -60,8 +60,6 @@ class LookSettings:
         Largest share of the light that shadow takes from a color that means a value, and from plain rubber.
     overlay : float
         Opacity of what is drawn over the actuator: threads, contact patches behind it, obstacles, and named faces.
-    see_through : float
-        Opacity of a transparent actuator in front of its cavities, and of the first state of a plot of rods.
     faint_pressure : float
         Smallest contact pressure that is drawn, as a share of the upper end of the colors. Smaller ones occur in the
         last cells of a patch, where the pressure decays.
@@ -74,7 +72,6 @@ class LookSettings:
     shadow: float = 0.26
     deep_shadow: float = 0.62
     overlay: float = 0.6
-    see_through: float = 0.3
     faint_pressure: float = 0.06
     outside: float = 0.08
 
@@ -101,8 +98,6 @@ class FramingSettings:
         below three times.
     around : float
         Share around the actuator in which obstacles are shown.
-    columns : int
-        Most pictures in a row.
     """
 
     front: float = 20 * deg
@@ -111,7 +106,6 @@ class FramingSettings:
     narrowest: float = 0.6
     margin: int = 50
     around: float = 0.3
-    columns: int = 4
 
 
 FRAMING = FramingSettings()

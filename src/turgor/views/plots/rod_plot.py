@@ -10,7 +10,6 @@ from turgor.fast_models.rod.solution import RodSolution, shapes_of
 from turgor.fast_models.rod.system import RodSystem
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
-from turgor.views.pictures.settings import LOOK
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import COLORS
 from turgor.views.plots.settings import PLOT
@@ -55,7 +54,7 @@ def plot_rods(solution: RodSolution, states: Iterable[int] = (0, -1), *, view: s
         axes = PlotFigure(figsize=(4.8, 3.6)).add_subplot()
     system = RodSystem(solution.model)
     chosen = [solution.states[index] for index in states]
-    for state, shade in zip(chosen, np.linspace(LOOK.see_through, 1.0, len(chosen)), strict=True):
+    for state, shade in zip(chosen, np.linspace(PLOT.pale, 1.0, len(chosen)), strict=True):
         for k, (rod, shape) in enumerate(zip(solution.model.rods, shapes_of(system, state), strict=True)):
             half = rod.section.contact_radius or PLOT.rod_mark * rod.length
             color = COLORS[k % len(COLORS)]

@@ -20,6 +20,8 @@ class PlotSettings:
         most cells of a heat map whose values are written into them.
     levels : int
         Most levels of a factor with a line, a tick or a panel each.
+    pictures : int
+        Most pictures in one row, of a figure and of a sheet.
     letters : int
         Letters across a panel. Names of stages with more in total are turned, so that they do not overlap. A picture is
         about half as wide.
@@ -30,6 +32,8 @@ class PlotSettings:
         Largest strain that a panel shows, as a multiple of the largest one that a law was fitted to.
     rod_mark : float
         Half the length of the marks of sections, over the length of a rod that has no contact radius.
+    pale : float
+        Opacity of the first state of a rod, and of a transparent actuator in front of its cavities.
     lightest_level : float
         Where the colors of levels end: lighter ones vanish on white.
     """
@@ -41,11 +45,13 @@ class PlotSettings:
     test_points: int = 3000
     marks: int = 100
     levels: int = 9
+    pictures: int = 4
     letters: int = 36
     stretch: float = 3.0
     stiff_stretch: float = 1.01
     beyond_fit: float = 2.0
     rod_mark: float = 0.02
+    pale: float = 0.3
     lightest_level: float = 0.88
 
 

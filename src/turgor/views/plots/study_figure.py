@@ -11,7 +11,6 @@ from matplotlib.image import imread
 from numpy.typing import ArrayLike
 
 from turgor.foundation.response import Response
-from turgor.views.pictures.settings import FRAMING
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import COLORS, plot_response
 from turgor.views.plots.settings import PLOT
@@ -118,9 +117,9 @@ def pictures_in_row(pictures: Sequence[tuple[str, bytes]], size: tuple[float, fl
 
 def _spread(pictures: Sequence[tuple[str, bytes]]) -> list[tuple[str, bytes]]:
     drawn = [each for each in pictures if each[1]]
-    if len(drawn) <= FRAMING.columns:
+    if len(drawn) <= PLOT.pictures:
         return drawn
-    return [drawn[round(k)] for k in np.linspace(0, len(drawn) - 1, FRAMING.columns)]
+    return [drawn[round(k)] for k in np.linspace(0, len(drawn) - 1, PLOT.pictures)]
 
 
 def _panel(axes: Any, panel: Panel) -> None:

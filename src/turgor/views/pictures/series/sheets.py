@@ -17,6 +17,7 @@ from turgor.views.pictures.rendering import View
 from turgor.views.pictures.settings import FRAMING
 from turgor.views.pictures.state_picture import Style, pixels_of, shared_view, shows_values
 from turgor.views.plots.figures import check_ending, write_figure
+from turgor.views.plots.settings import PLOT
 
 
 def small_multiples(
@@ -153,9 +154,9 @@ def columns_for(count: int) -> int:
     >>> [columns_for(count) for count in (1, 2, 4, 5, 6, 8)]
     [1, 2, 4, 3, 3, 4]
     """
-    if count <= FRAMING.columns:
+    if count <= PLOT.pictures:
         return count
-    return 3 if count in (5, 6, 9) else FRAMING.columns
+    return 3 if count in (5, 6, 9) else PLOT.pictures
 
 
 def spread(solution: Solution, count: int) -> list[int]:
