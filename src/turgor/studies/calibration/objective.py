@@ -53,7 +53,7 @@ class Objective:
         for each in self.data:
             rows = residuals[first : first + len(each.value)]
             first += len(each.value)
-            scatter = max(float(np.sqrt(np.mean(rows**2))), CALIBRATION.resolved)
+            scatter = max(float(np.sqrt(np.mean(rows**2))), CALIBRATION.least_scatter)
             data.append(replace(each, spread=each.spread * scatter) if each.assumed else each)
         return replace(self, data=tuple(data))
 

@@ -25,11 +25,12 @@ class CalibrationSettings:
     failed : float
         Weighted difference of every row where a run failed: far above what a curve that misses the measured one has,
         and small enough to be squared.
+    least_scatter : float
+        Smallest scatter that assumed spreads are lowered to: differences of a made-up curve may be zero.
     least_gain, resolved : float
         The search ends where one more step would gain less than a fifth of a standard error: this share of the variance
         of the differences, in half the sum of squares. They count as no smaller than the second share of an assumed
-        spread, and no such spread is lowered further: 0.1 % of the measured range, which neither rigs nor meshes
-        resolve.
+        spread: 0.1 % of the measured range, which neither rigs nor meshes resolve.
     smallest_step : float
         It also ends where a step would move every coordinate by less than this: 0.02 % of a positive parameter.
     round_gain : float
@@ -54,6 +55,7 @@ class CalibrationSettings:
     nudge: float = 1e-6
     assumed_spread: float = 0.02
     failed: float = 1e3
+    least_scatter: float = 1e-3
     least_gain: float = 0.02
     resolved: float = 0.05
     smallest_step: float = 2e-4
