@@ -135,7 +135,7 @@ def chosen_steps(count: int, vertices: int) -> list[int]:
     Examples
     --------
     >>> chosen_steps(4, 1000), len(chosen_steps(500, 1000)), len(chosen_steps(500, 100_000))
-    ([0, 1, 2, 3], 40, 5)
+    ([0, 1, 2, 3], 40, 3)
     """
     most = max(2, min(VIEWER.steps, VIEWER.part_bytes // (BYTES * vertices)))
     if count <= most:
