@@ -24,11 +24,12 @@ class TrustRegionSettings:
     last_region : float
         A step below the precision ends the search where the region is at most so many times the precision.
     tries : int
-        Points tried where the start gives no response, Latin hypercubes drawn until enough designs keep the rules, and
-        random beginnings of a search on the surfaces besides its center.
+        Points tried where the start gives no response, and Latin hypercubes drawn until enough designs keep the rules.
     aim : float
         A search aims at this violation; up to 1 counts as met. Misfits below it count less and less, because their
         length has a kink where all targets are met.
+    beginnings : int
+        Random beginnings of a search on the surfaces besides its center.
     whole : int
         Whole numbers on both sides are tried for so many factors at most.
     spare : int
@@ -43,6 +44,7 @@ class TrustRegionSettings:
     last_region: float = 5.0
     tries: int = 8
     aim: float = 0.5
+    beginnings: int = 4
     whole: int = 4
     spare: int = 2
 

@@ -62,7 +62,7 @@ def best_step(problem: Problem, surfaces: Surfaces, box: Box, seed: int) -> Arra
         Shares of the ranges that keep the rules; the center where nothing better does.
     """
     low, high = box.limits(problem.levels)
-    draws = np.random.default_rng(seed).uniform(low, high, size=(TRUST_REGION.tries, len(low)))
+    draws = np.random.default_rng(seed).uniform(low, high, size=(TRUST_REGION.beginnings, len(low)))
     lowest = [_minimized(problem, surfaces, begin, (low, high)) for begin in (box.center, *draws)]
     points = [each for point in lowest for each in _whole(problem, surfaces, point, (low, high))]
     points = [_kept(problem, box.center, point) for point in points]
