@@ -19,8 +19,8 @@ from turgor.job.output.manifest import list_files, note_job
 from turgor.job.output.tables import write_steps
 from turgor.job.output.versions import versions
 
-#: Tables wait until the time that they take to write is this small a share of the time since.
-SHARE = 0.05
+#: Tables that take longer than this [s] to write wait until they are this small a share of the time.
+AT_ONCE, SHARE = 0.05, 0.05
 
 
 @dataclass(slots=True, eq=False)
@@ -91,7 +91,7 @@ class GrowingFiles:
         if path.steps:
             factor, iterations = path.states[-1].load_factor, path.steps[-1].iterations
             self._log(f"step {len(path.steps)}: load factor {factor:.6g}, {iterations} iterations")
-        if self._took > SHARE * (began - self._ended):
+        if self._took > AT_ONCE and self._took > SHARE * (began - self._ended):
             return
         solution = path_so_far(record)
         self.response(solution).to_csv(self.folder / RESPONSE)
