@@ -27,11 +27,11 @@ FOUND_ERROR = 2
 #: Exit code: a computation ended before it was complete.
 NOT_CONVERGED = 3
 
-#: What shells report for a program whose reader went away, as in ``turgor actuators | head``: 128 + SIGPIPE.
-BROKEN_PIPE = 141
-
 #: Shells report a program that a signal ended as this number and that of the signal: 130 for Ctrl-C, 143 for SIGTERM.
 ENDED = 128
+
+#: The same for a program whose reader went away, as in ``turgor actuators | head``: SIGPIPE, which Windows lacks.
+BROKEN_PIPE = ENDED + 13
 
 
 def warn(findings: "Sequence[Finding]") -> None:

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any, ClassVar
 if TYPE_CHECKING:
     import numpy as np
 
-#: Letters of a text, and entries of a list of values, that a representation or a message shows.
-LONGEST_TEXT, MOST_ENTRIES = 60, 3
+#: Letters of a text, and entries of a list of values, or columns, that a representation, a message or a table shows.
+LONGEST_TEXT, MOST_ENTRIES = 60, 6
 
-#: Rows of a list on a terminal or in a comment; the others are counted.
-MOST_ROWS = 40
+#: Rows of a list on a terminal, in a comment or on a page; the others are counted.
+MOST_ROWS = 20
 
 
 class Shown:

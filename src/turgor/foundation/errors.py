@@ -79,10 +79,6 @@ def near_match(word: str, known: Iterable[str]) -> str:
     return f"; did you mean '{matches[0]}'?" if matches else ""
 
 
-#: How alike the names of two files are, between 0 and 1, so that one may be meant by the other.
-ALIKE = 0.75
-
-
 def near_file(file: Path, there: Iterable[str]) -> str:
     """Return ``"; did you mean 'finger.toml'?"`` for a file of nearly the same name, or a period.
 
@@ -90,11 +86,11 @@ def near_file(file: Path, there: Iterable[str]) -> str:
 
     Examples
     --------
-    >>> near_file(Path("fingr.toml"), ["finger.toml"]), near_file(Path("nofile.toml"), ["fine.toml"])
+    >>> near_file(Path("fingr.toml"), ["finger.toml"]), near_file(Path("other.toml"), ["fine.toml"])
     ("; did you mean 'finger.toml'?", '.')
     """
     names = {Path(name).stem: name for name in there}
-    matches = get_close_matches(file.stem, names, n=1, cutoff=ALIKE)
+    matches = get_close_matches(file.stem, names, n=1)
     return f"; did you mean '{names[matches[0]]}'?" if matches else "."
 
 

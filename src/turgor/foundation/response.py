@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor import units
-from turgor.foundation.display import Shown, drawn_by
+from turgor.foundation.display import MOST_ENTRIES, Shown, drawn_by
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Finding
 from turgor.foundation.source import Source
@@ -39,9 +39,6 @@ _KINDS = (
 _SIGNS: Mapping[str, str] = MappingProxyType(
     {"deg": "°", "um": "µm", "m2": "m²", "mm2": "mm²", "m3": "m³", "Nm": "N m"}
 )
-
-#: Columns that the representation of a response names.
-MOST_LISTED = 6
 
 #: End of the name of the column that holds the estimated mesh error of another one.
 MESH_ERROR = "_mesh_error"
@@ -229,8 +226,8 @@ class Response(Saved, Shown):
             raise TurgorError(f"response: {len(self.stages)} stages are named for {len(self)} rows.")
 
     def __repr__(self) -> str:
-        listed = [f"{column.name} {column.span}" for column in self.quantities[:MOST_LISTED]]
-        listed += [f"and {len(self.quantities) - MOST_LISTED} more"] if len(self.quantities) > MOST_LISTED else []
+        listed = [f"{column.name} {column.span}" for column in self.quantities[:MOST_ENTRIES]]
+        listed += [f"and {len(self.quantities) - MOST_ENTRIES} more"] if len(self.quantities) > MOST_ENTRIES else []
         ended = f"{self.status}, " if self.status else ""
         return f"Response({len(self)} rows: {', '.join(listed)}; {ended}from {self.source.text})"
 

@@ -23,6 +23,7 @@ from turgor.foundation.source import Source
 from turgor.views.plots.response_plots import write_plot
 from turgor.views.report import describe
 from turgor.views.report.page import Picture, Report, write_report
+from turgor.views.viewer.settings import VIEWER
 
 
 class Page(HTMLParser):
@@ -174,7 +175,7 @@ def test_pictures_keep_one_scale(tmp_path, solution, png):
     write_report(
         tmp_path / "r.html", Report(title="T", solution=solution, response=measure(solution), pictures=pictures)
     )
-    assert re.findall(r'<img width="(\d+)"', (tmp_path / "r.html").read_text()) == ["380", "380"]
+    assert re.findall(r'<img width="(\d+)"', (tmp_path / "r.html").read_text()) == [str(VIEWER.height // 2)] * 2
     with refused("picture 'c'", "PNG"):
         page(tmp_path, title="T", solution=solution, response=measure(solution),
              pictures=(Picture(caption="c", png=b"GIF89a"),))  # fmt: skip

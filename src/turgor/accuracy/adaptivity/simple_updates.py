@@ -11,6 +11,8 @@ from turgor.core.engine.system import Evaluation, Stresses
 from turgor.core.solvers.newton.border import Border
 from turgor.core.solvers.newton.convergence import relative_residual
 from turgor.core.solvers.newton.iteration import CONVERGED, Stopped
+from turgor.core.solvers.newton.newton_values import NewtonSettings
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 
@@ -32,18 +34,15 @@ class SimpleUpdateSettings:
         enough for an estimate.
     contraction : float
         The tangent is factored again where an update is not this much smaller than the one before.
-    rounding : float
-        Scaled displacements of supports smaller than this are zero.
     far : float
         A correction larger than this share of the displacement leads to another equilibrium.
     """
 
-    tolerance: float = 1e-6
+    tolerance: float = NewtonSettings().tolerance
     updates: int = 12
     small: float = 0.03
     chatter: float = 0.2
     contraction: float = 0.6
-    rounding: float = 1e-14
     far: float = 0.3
 
 
@@ -93,7 +92,7 @@ class SimpleUpdates:
         """The update, and whether its factors are new."""
         system, at, tangent = self.border.constraint.scalar_unknowns.system, now.at, self.border.tangent
         jump = system.prescribed_values(at.load_factor) - at.unknowns[system.prescribed]
-        jump[np.abs(jump) < self.settings.rounding] = 0.0  # else each would cost a tangent
+        jump[np.abs(jump) < ROUND_OFF.zero] = 0.0  # else each would cost a tangent
         fresh = now.fresh or bool(jump.any())
         none = self.border.constraint.target.conditions(at.unknowns, at.load_factor, np.empty(0))
         geometric = now.geometric if now.fresh and tangent.mixed_points else None

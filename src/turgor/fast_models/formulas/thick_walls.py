@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 from turgor.core.materials.laws.derivatives import stretch_derivatives
 from turgor.core.materials.laws.laws import Law
+from turgor.fast_models.formulas.inversion import CLOSE, PASSES
 
 Array = NDArray[np.float64]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
 
-#: Passes of Newton's method for the axial stretch, the step of its slope, and the change at which it ends.
-PASSES, STEP, CLOSE = 40, 1e-6, 1e-13
+#: Relative step of the differences with which Newton's method finds the state of a tube.
+STEP = 1e-6
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from turgor.core.materials.laws.derivatives import stretch_derivatives
 from turgor.core.materials.laws.laws import Law
+from turgor.fast_models.formulas.thick_walls import STEP
 
 Array = NDArray[np.float64]
 
@@ -27,8 +28,8 @@ class WoundTubeSettings:
 
     Parameters
     ----------
-    iterations, small_residual, difference : int, float, float
-        Newton's method: most iterations, relative residual at its end, step of the differences.
+    iterations, small_residual : int, float
+        Newton's method: most iterations, and relative residual at its end.
     equal_stretches : float
         Principal stretches whose squares differ by less than twice this share count as equal.
     near : float
@@ -39,7 +40,6 @@ class WoundTubeSettings:
 
     iterations: int = 12
     small_residual: float = 1e-11
-    difference: float = 1e-7
     equal_stretches: float = 1e-6
     near: float = 0.1
     finest_step: float = 1 / 1024
@@ -274,8 +274,8 @@ class WoundWall:
         free = np.flatnonzero([True, not stretch_fixed, not self.symmetric, *[True] * rigid])
         x = self._row(start)[0] / scale
         steps = np.zeros((2 * len(free) + 1, len(x)))  # the state itself, then one step ahead and back in each unknown
-        steps[1 + np.arange(len(free)), free] = SETTINGS.difference
-        steps[1 + len(free) + np.arange(len(free)), free] = -SETTINGS.difference
+        steps[1 + np.arange(len(free)), free] = STEP
+        steps[1 + len(free) + np.arange(len(free)), free] = -STEP
         size = max(1.0, pressure / self.law.shear_modulus)
         for _ in range(SETTINGS.iterations):
             around = self._forces((x + steps) * scale, pressure)[:, free] * weight[free]
@@ -286,7 +286,7 @@ class WoundWall:
                 a, axial, twist, *tension = (x * scale).tolist()
                 return Point(a, axial, twist, tuple(tension))
             try:
-                change = np.linalg.solve((ahead - back).T / (2 * SETTINGS.difference), -r)
+                change = np.linalg.solve((ahead - back).T / (2 * STEP), -r)
             except np.linalg.LinAlgError:
                 return None
             shape = np.abs(change[free < 3]).max()

@@ -15,11 +15,12 @@ from turgor.fast_models.formulas.wound_energy import Family, Point, WoundWall
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.foundation.source import Source
 from turgor.units import kPa
 
 #: Angle from the axis below which threads run along it, and as far from 90° below which they are hoops [rad].
-ALONG = 1e-9
+ALONG = ROUND_OFF.same
 
 WOUND_TUBE = Formula(
     name="wound_tube",

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.solvers.newton.iteration import CONVERGED, Ended, Stopped, iterate, shortened
+from turgor.core.solvers.newton.settings import LINE_SEARCH
 from turgor.fast_models.rod.band import Factors
 from turgor.fast_models.rod.settings import AT_LOAD, RodNewtonSettings
 from turgor.fast_models.rod.state import RodState
@@ -148,7 +149,7 @@ def moved(system: RodSystem, state: RodState, at: Evaluation, twists: Array) -> 
         except TurgorError:
             return None, 0.5
 
-    end, _ = shortened(trial, shortest=AT_LOAD.shortest_update)
+    end, _ = shortened(trial, shortest=LINE_SEARCH.shortest)
     if end is None:
         raise NotConverged("turned too far")
     return end

@@ -13,8 +13,6 @@ class RodNewtonSettings:
         Updates at most.
     small_update : float
         Largest motion of an update with which a state is converged: the next is its square.
-    shortest_update : float
-        Shortest share of an update that is tried where an element would turn too far.
     large_update, good_update : float
         Update after the first one at which Newton's method is given up, and the first update that the next attempt aims
         at.
@@ -24,7 +22,6 @@ class RodNewtonSettings:
 
     iterations: int = 25
     small_update: float = 1e-6
-    shortest_update: float = 1 / 16
     large_update: float = 1.5
     good_update: float = 2.0
     depth: float = 1e-8

@@ -22,6 +22,7 @@ from turgor.fast_models.section.plane import near_nodes
 from turgor.fast_models.section.stiffness import scales
 from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import MESH_ERROR, Column
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 
@@ -33,9 +34,6 @@ REMAINDER = 2.0
 
 #: Columns that are not zero at rest, besides the volume.
 REST = {"stretch": 1.0, "cavity_ballooning": 1.0, "outside_ballooning": 1.0, "largest_stretch": 1.0}
-
-#: Errors and changes below this share of a column's scale are rounding.
-STILL = 1e-9
 
 
 def with_mesh_error(
@@ -72,7 +70,7 @@ def with_mesh_error(
         out.append(column)
         difference = abs(values.get(column.name, column.values[rows]) - column.values[rows])
         error = _along_path(column.values, rest.get(column.name, 0.0), rows, REMAINDER * difference)
-        if error.max() > STILL * _scale(column, equations):
+        if error.max() > ROUND_OFF.same * _scale(column, equations):
             out.append(Column(column.name + MESH_ERROR, column.unit, error))
     return tuple(out), ()
 
@@ -139,7 +137,7 @@ def _scale(column: Column, equations: Equations) -> float:
 def _along_path(values: Array, rest: float, rows: Sequence[int], errors: Array) -> Array:
     """Errors (n,) of all rows from those of some: between them as shares of the largest change from rest so far."""
     change = np.maximum.accumulate(np.abs(values - rest))
-    if (change[rows] > STILL * np.abs(values).max()).all():
+    if (change[rows] > ROUND_OFF.same * np.abs(values).max()).all():
         return np.asarray(np.interp(np.arange(len(values)), rows, errors / change[rows]) * change)
     return np.interp(np.arange(len(values)), rows, errors)
 

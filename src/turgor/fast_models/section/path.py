@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.solvers.newton.iteration import CONVERGED, Stopped, iterate
+from turgor.fast_models.rod.settings import AT_LOAD, PATH
 from turgor.fast_models.section.equations import Equations, Linearized, Question, Unknowns
 
 Array = NDArray[np.float64]
@@ -22,22 +23,18 @@ class SectionPathSettings:
     tolerance : float
         Scaled residual that is small enough.
     iterations, good_iterations : int
-        Updates of Newton's method before a step is cut, and how many a good step takes.
-    smallest_step, growth : float
-        Smallest step, as a share of the way between two points of the path, and how steps grow.
-    cut : float
-        Share of a step that failed with which it is tried again.
-    largest_update : float
-        An update of positions that is too large to come from a good start, as a share of the size of the section.
+        Updates of Newton's method before a step is cut, as many as for rods, and how many a good step takes.
+    shortest : float
+        Shortest step, as a share of the way between two points of the path, as for rods.
+    growth : float
+        How steps grow. They shrink by its square.
     """
 
     tolerance: float = 1e-8
-    iterations: int = 25
+    iterations: int = AT_LOAD.iterations
     good_iterations: int = 8
-    smallest_step: float = 1e-4
+    shortest: float = PATH.shortest
     growth: float = 2.0
-    cut: float = 0.25
-    largest_update: float = 1.0
 
 
 SETTINGS = SectionPathSettings()
@@ -97,8 +94,8 @@ def follow(equations: Equations, questions: Sequence[Question], settings: Sectio
             target = start.towards(question, to) if to < 1.0 else question
             point = newton(equations, predicted(known, number + to), target, settings)
             if point is None:
-                step = settings.cut * (to - at)
-                if step < settings.smallest_step:
+                step = (to - at) / settings.growth**2
+                if step < settings.shortest:
                     return Path(points=tuple(points), reached=number + at)
                 continue
             if point.iterations <= settings.good_iterations:
@@ -142,8 +139,8 @@ class _AtPoint:
 
     @property
     def largest(self) -> float:
-        """Largest update of a position."""
-        return self.settings.largest_update * float(np.ptp(self.equations.plane.points, axis=0).max())
+        """Largest update of a position that may come from a good start: the size of the section."""
+        return float(np.ptp(self.equations.plane.points, axis=0).max())
 
     def evaluated(self, unknowns: Unknowns) -> _Iterate:
         """The equations at unknowns."""

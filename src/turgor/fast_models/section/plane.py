@@ -12,15 +12,13 @@ from turgor.core.meshing.cells import HEXAHEDRON, QUADRILATERAL
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.sweeping.hexahedra import PLACES
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: Nodes of a hexahedron in its near side, in the order of a quadrilateral.
 NEAR = tuple(PLACES.index((0, i)) for i in range(QUADRILATERAL.nodes))
-
-#: How far a node may lie from its place in a slice, as a share of the size of the section.
-STRAIGHT = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -82,7 +80,10 @@ def plane_of(mesh: Mesh) -> Plane:
     x = mesh.points[:, 0] - mesh.points[:, 0].min()
     size = float(np.ptp(mesh.points[:, 1:], axis=0).max())
     aside = mesh.points[:, 1:] - mesh.points[nodes][node_of][:, 1:]
-    if np.abs(aside).max() > STRAIGHT * size or np.abs(x - level * x.max()).max() > STRAIGHT * size:
+    if (
+        np.abs(aside).max() > ROUND_OFF.mesh_digits * size
+        or np.abs(x - level * x.max()).max() > ROUND_OFF.mesh_digits * size
+    ):
         raise TurgorError(f"mesh '{mesh.name}' is no slice: its cells are not one layer straight along x.")
     flat = mesh.points[nodes] * [0.0, 1.0, 1.0]
     quads = number[near]

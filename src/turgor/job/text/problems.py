@@ -1,6 +1,7 @@
 """Problems: all mistakes in one job file, collected and reported together."""
 
 import re
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
@@ -14,7 +15,7 @@ Value = TypeVar("Value")
 ARGUMENT, OPTION = "changes", "--set"
 
 #: Line number of keys that are absent from the file; their problems come last.
-_NOWHERE = 10**9
+_NOWHERE = sys.maxsize
 
 
 class JobError(TurgorError):

@@ -9,6 +9,7 @@ from scipy.optimize import least_squares, lsq_linear
 
 from turgor.studies.calibration.objective import Objective, known_columns
 from turgor.studies.calibration.settings import CALIBRATION
+from turgor.studies.runs.settings import RUNS
 
 Array = NDArray[np.float64]
 
@@ -94,7 +95,7 @@ def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> A
             best.update(at=to.copy(), cost=_cost(there))
         least = _least_gain(objective, here)
         best["idle"] += -CALIBRATION.idle_gains * least < gain < least
-        if best["idle"] > CALIBRATION.idle_runs:
+        if best["idle"] > RUNS.idle:
             raise _IdleError
         return there
 

@@ -35,9 +35,9 @@ class CalibrationSettings:
         It also ends where a step would move every coordinate by less than this: 0.02 % of a positive parameter.
     round_gain : float
         Relative gain at which the search between two fresh Jacobians ends.
-    idle_runs, idle_gains : int, float
-        Runs that change next to nothing, the first point included, after which it ends as well: a fresh Jacobian knows
-        more. They may be higher by so many of the least gains.
+    idle_gains : float
+        Runs change next to nothing that are higher by at most so many of the least gains. After `RUNS.idle` of them,
+        the first point included, it ends as well: a fresh Jacobian knows more.
     undetermined : float
         A combination of parameters is not determined if its standard deviation is above this: 30 % of a positive
         parameter, or of the range of another one.
@@ -60,7 +60,6 @@ class CalibrationSettings:
     resolved: float = 0.05
     smallest_step: float = 2e-4
     round_gain: float = 1e-3
-    idle_runs: int = 2
     idle_gains: float = 20.0
     undetermined: float = 0.3
     least_effect: float = 1e-4

@@ -82,9 +82,9 @@ class ParetoSettings:
         Share of the runs that the first surfaces are laid through, at least 2 n + 2 of them.
     batch : int
         Designs that are computed between two searches on surfaces.
-    front_error, gap, quiet : float, float, int
+    front_error, gap : float
         The search ends where what the surfaces promised was computed to be on the front within the first share of its
-        range and no promised design is farther than the second from a computed one, so many times in a row.
+        range and no promised design is farther than the second from a computed one, `RUNS.idle` times in a row.
     """
 
     population: int = 60
@@ -94,7 +94,6 @@ class ParetoSettings:
     batch: int = 4
     front_error: float = 0.02
     gap: float = 0.15
-    quiet: int = 2
 
 
 PARETO = ParetoSettings()

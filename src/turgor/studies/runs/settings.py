@@ -26,6 +26,8 @@ class RunSettings:
         Most runs that a scheduler has at once: this process holds a lock of each, and may open about a thousand files.
     attempts : int
         How often the folder of a path is created: other runs may remove the one above it while it is empty.
+    idle : int
+        Runs, or rounds of runs, in a row that gain next to nothing, after which a search ends.
     exact_slopes : float
         Estimated relative error up to which slopes count as exact.
     """
@@ -38,6 +40,7 @@ class RunSettings:
     patience: float = 10.0
     dask_runs: int = 500
     attempts: int = 10
+    idle: int = 2
     exact_slopes: float = 0.01
 
 

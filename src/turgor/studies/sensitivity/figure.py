@@ -9,10 +9,11 @@ from turgor.studies.sensitivity.anova import Anova
 from turgor.studies.sensitivity.indices import Indices
 from turgor.views.plots.figures import PlotFigure
 from turgor.views.plots.response_plots import COLORS
+from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, QUIET, style_axes
 
-#: Height of a bar with its gap, of what stands around the bars, and the width [inch].
-BAR, AROUND, WIDTH = 0.42, 1.3, 6.4
+#: Height of a bar with its gap, and of what stands around the bars [inch].
+BAR, AROUND = 0.42, 1.3
 
 
 def indices_figure(indices: Sequence[Indices]) -> PlotFigure:
@@ -27,7 +28,7 @@ def indices_figure(indices: Sequence[Indices]) -> PlotFigure:
     matplotlib.figure.Figure
     """
     heights = [max(len(each.factors), 2) * BAR + AROUND for each in indices]
-    figure = PlotFigure(figsize=(WIDTH, sum(heights)))
+    figure = PlotFigure(figsize=(1.5 * PLOT.panel_width, sum(heights)))
     for axes, each in zip(np.atleast_1d(figure.subplots(len(indices), 1, height_ratios=heights)), indices, strict=True):
         order = [each.factors.index(name) for name in reversed(each.ranking)]
         place = np.arange(len(order))
@@ -66,7 +67,7 @@ def anova_figure(anovas: Sequence[tuple[str, Anova]]) -> PlotFigure:
     """
     first = anovas[0][1]
     names = [term.name for term in (*first.terms, first.remainder)]
-    figure = PlotFigure(figsize=(WIDTH, len(names) * BAR + AROUND))
+    figure = PlotFigure(figsize=(1.5 * PLOT.panel_width, len(names) * BAR + AROUND))
     axes = figure.subplots()
     thick = 0.8 / len(anovas)
     place = np.arange(len(names))[::-1]

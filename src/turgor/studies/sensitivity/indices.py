@@ -18,9 +18,6 @@ from turgor.studies.uncertainty.spread import Spread
 
 Array = NDArray[np.float64]
 
-#: Resamples behind the intervals: SALib's own number is half of it.
-RESAMPLES = 200
-
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Indices:
@@ -201,9 +198,7 @@ def _indices(problem: Problem, name: str, values: Array, seed: int) -> Indices:
     """Divide the variance of a measure at the points of a sample."""
     _check_varies(name, values)
     analyzed: Any = needed("SALib.analyze.sobol", "a sensitivity")
-    sobol = analyzed.analyze(
-        problem.salib, values, calc_second_order=False, num_resamples=RESAMPLES, conf_level=LEVEL, seed=seed
-    )
+    sobol = analyzed.analyze(problem.salib, values, calc_second_order=False, conf_level=LEVEL, seed=seed)
     return Indices(
         measure=name, unit=problem.predictor.units[name], factors=tuple(problem.names), first=np.asarray(sobol["S1"]),
         total=np.asarray(sobol["ST"]), first_error=np.asarray(sobol["S1_conf"]),
@@ -256,9 +251,7 @@ def screening(
     screenings = []
     for name in names:
         column = values[:, predictor.measures.index(name)]
-        analysis = analyzed.analyze(
-            problem.salib, sample, column, num_levels=4, num_resamples=RESAMPLES, conf_level=LEVEL, seed=seed
-        )
+        analysis = analyzed.analyze(problem.salib, sample, column, num_levels=4, conf_level=LEVEL, seed=seed)
         screenings.append(
             Screening(
                 measure=name, unit=units[name], factors=tuple(problem.names), size=np.asarray(analysis["mu_star"]),

@@ -18,6 +18,7 @@ from turgor.foundation.response import Response
 from turgor.units import mL, mm
 from turgor.views.notebook.markup import card, facts, image, numbers
 from turgor.views.pictures.picture import caption, picture
+from turgor.views.pictures.settings import FRAMING
 from turgor.views.plots.figures import PlotFigure, png_of
 from turgor.views.plots.fits import fit_figure, plot_test
 from turgor.views.plots.law_plot import law_figure
@@ -36,7 +37,7 @@ def material(of: Material) -> str:
     """Show a material: its curve, its coefficients, its range and its source."""
     words = describe.material([], of)
     rows: Rows = [("law", words.law), *words.values, ("source", words.source), ("doubts", "\n".join(words.doubts))]
-    curve = "" if isinstance(of.law, Hooke) else image(png_of(law_figure(of), PAGE.dpi), f"stress of {of.name}")
+    curve = "" if isinstance(of.law, Hooke) else image(png_of(law_figure(of)), f"stress of {of.name}")
     return card(of.name, curve, facts(rows), line=type(of.law).__name__)
 
 
@@ -52,7 +53,7 @@ def geometry(of: Geometry) -> str:
         ("faces", ", ".join(of.faces)),
         ("findings", "\n".join(map(str, of.findings))),
     ]
-    return card(of.name, image(picture(of, title="", width=PAGE.wide).png, of.name), facts(rows))
+    return card(of.name, image(picture(of, title="", width=PAGE.width).png, of.name), facts(rows))
 
 
 def mesh(of: Mesh) -> str:
@@ -61,7 +62,7 @@ def mesh(of: Mesh) -> str:
     findings = "\n".join(map(str, of.findings))
     return card(
         of.name,
-        image(picture(of, title="", width=PAGE.small).png, of.name),
+        image(picture(of, title="", width=FRAMING.design_width).png, of.name),
         facts([*rows, ("findings", findings)]),
     )
 
@@ -84,7 +85,9 @@ def model(of: Model) -> str:
 
 def state(of: State) -> str:
     """Show a state: its picture, load factor, stability and contact."""
-    return card(caption(of), image(picture(of, title="", width=PAGE.small).png, caption(of)), facts(state_rows(of)))
+    return card(
+        caption(of), image(picture(of, title="", width=FRAMING.design_width).png, caption(of)), facts(state_rows(of))
+    )
 
 
 def state_rows(of: State) -> Rows:
@@ -111,7 +114,7 @@ def solution(of: Solution) -> str:
         ("limit points", "\n".join(f"{each.kind} at load factor {each.load_factor:.4g}" for each in of.limit_points)),
         ("steps", _steps(of)),
     ]
-    shown = picture(of, width=PAGE.small) if of.states else None
+    shown = picture(of, width=FRAMING.design_width) if of.states else None
     drawn = image(shown.png, shown.caption) if shown else ""
     return card(f"Solution of {of.model.mesh.name}", facts(rows), drawn, _path(of))
 
@@ -134,7 +137,7 @@ def _path(of: Solution) -> str:
 def response(of: Response) -> str:
     """Show a response: its table, each column in the unit that its heading names, and its plot."""
     line = ", ".join(part for part in (of.status.replace("_", " "), str(of.source)) if part)
-    drawn = image(png_of(response_figure(of), PAGE.dpi), "the response against its drive") if _worth_a_plot(of) else ""
+    drawn = image(png_of(response_figure(of)), "the response against its drive") if _worth_a_plot(of) else ""
     return card(f"Response, {len(of)} rows", _table(of), drawn, line=line)
 
 
@@ -158,12 +161,12 @@ def test(of: MaterialTest) -> str:
         ("edits", "\n".join(edit.text for edit in of.edits)),
         ("source", str(of.source)),
     ]
-    return card(f"Test {of.name}", image(png_of(figure, PAGE.dpi), f"test {of.name}"), facts(rows), line=of.mode)
+    return card(f"Test {of.name}", image(png_of(figure), f"test {of.name}"), facts(rows), line=of.mode)
 
 
 def fit(of: Fit) -> str:
     """Show a fit: the curve against its tests, the parameters with their errors, and the findings."""
-    drawn = image(png_of(fit_figure([of]), PAGE.dpi), f"fit of {of.spec.name}")
+    drawn = image(png_of(fit_figure([of])), f"fit of {of.spec.name}")
     by_mode = [(mode, list(each)) for mode, each in groupby(of.quality, key=lambda test: test.mode)]
     rows: Rows = [
         ("parameters", of.describe()),

@@ -20,9 +20,6 @@ Array = NDArray[np.float64]
 #: Colors of named faces, distinct for color-blind readers too (Okabe and Ito 2008); the outside is gray.
 COLORS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#0072b2", "#d55e00", "#f0e442")
 
-#: Sides of the bounding box that are shorter than this share of the longest have ticks at their ends only.
-SHORT = 0.5
-
 #: The two views: elevation above the horizon and azimuth around z [degrees].
 VIEWS = ((22, -60), (-22, 120))
 
@@ -73,7 +70,7 @@ def named_faces_figure(title: str, faces: Sequence[tuple[str, Array]], marks: Se
                 Poly3DCollection(
                     triangles / mm,
                     facecolors=colors.get(name, "#808080"),
-                    alpha=LOOK.named_face if named else LOOK.outside,
+                    alpha=LOOK.overlay if named else LOOK.outside,
                     edgecolors="none",
                 )
             )
@@ -82,12 +79,10 @@ def named_faces_figure(title: str, faces: Sequence[tuple[str, Array]], marks: Se
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
         axes.set(xlabel="x [mm]", ylabel="y [mm]", zlabel="z [mm]")
         axes.set_box_aspect(np.maximum(high - low, 0.05 * float((high - low).max())), zoom=1.15)
-        axes.locator_params(nbins=4)
         for axis, ends in zip((axes.xaxis, axes.yaxis, axes.zaxis), zip(low, high, strict=True), strict=True):
-            if ends[1] - ends[0] < SHORT * float((high - low).max()):  # the labels of more ticks would overlap
-                axis.set_ticks([round(float(end), 3) for end in ends])
+            axis.set_ticks([round(float(end), 3) for end in ends])  # the labels of more ticks may overlap
         axes.view_init(raised, turned)
-    patches = [Patch(color=color, alpha=LOOK.named_face, label=name) for name, color in colors.items()]
+    patches = [Patch(color=color, alpha=LOOK.overlay, label=name) for name, color in colors.items()]
     figure.legend(handles=patches, loc="lower center", ncols=min(len(patches), 6) or 1, frameon=False)
     size = f"{' × '.join(f'{side:.4g}' for side in high - low)} mm"
     figure.suptitle(f"{title} · {size}" if title else size)

@@ -88,12 +88,12 @@ def write_text(figure: Figure, place: tuple[float, float], text: str, size: floa
 
 def scale_of(width: int) -> float:
     """Scale of the letters of a picture of some width [pixels]: 1 at full width, less in narrow pictures."""
-    return float(np.clip(width / FRAMING.full_width, FRAMING.smallest_scale, 1.0))
+    return float(np.clip(width, FRAMING.design_width, FRAMING.full_width) / FRAMING.full_width)
 
 
 def bands(width: int) -> tuple[int, int]:
     """Heights of the bands above and below the actuator in a picture of some width [pixels]."""
-    return round(FRAMING.head * scale_of(width)), round(FRAMING.foot * scale_of(width))
+    return round(2 * FRAMING.margin * scale_of(width)), round(3 * FRAMING.margin * scale_of(width))
 
 
 def draw_axes(figure: Figure, view: View) -> None:

@@ -37,6 +37,7 @@ from turgor.views.pictures.shading import (
     reduced,
 )
 from turgor.views.pictures.skin import Skin
+from turgor.views.plots.settings import PLOT
 
 Array = NDArray[np.float64]
 
@@ -255,7 +256,7 @@ class _Layers:
         scene, inside = self._inside.scene, self._inside.hits(band, rows)
         within = paint(scene.skin, inside, scene.eye, self._inside.look)
         draw_lines(within, find_lines(scene.skin, inside), INK, 0.6 * SAMPLES, 0.5)
-        veil = np.where(hits.triangle >= 0, np.where(inside.triangle >= 0, LOOK.see_through, 1.0), 0.0)[..., None]
+        veil = np.where(hits.triangle >= 0, np.where(inside.triangle >= 0, PLOT.pale, 1.0), 0.0)[..., None]
         return (within * (1 - veil) + image * veil + 0.5).astype(np.uint8), lines
 
     def _of_tension(self, values: Array) -> Array:
@@ -268,6 +269,6 @@ class _Layers:
         for scene, near, _ in self._patches:
             hits = scene.look(band, near[rows])
             inner = visible_values(scene.skin, hits, self._view.limit)
-            value, place = laid_over((value, place), (inner, scene.distance(hits)), RENDERING.touching * size)
+            value, place = laid_over((value, place), (inner, scene.distance(hits)), RENDERING.depth_jump * size)
         behind = place > distance + RENDERING.depth_jump * size
         draw_patches(image, value, behind, color_map(CONTACT_PRESSURE), self._view.limit)

@@ -22,17 +22,13 @@ class RenderingSettings:
     parts, triangles : int
         Parts of each side of a six-node triangle, so that curved faces look curved; two parts where there would be
         more flat triangles than this, because the mesh is fine enough.
-    contact_parts, contact_blur : int, float
-        Parts of a side in contact, and radius of the average of its pressure as a share of its edge: the pressure
-        between nodes has ragged borders.
     sharp_edge : float [rad]
         Surfaces that meet at more than this angle at rest have a sharp edge between them.
     sky_rays, sky_reach : int, float
         Rays from a point for the ambient occlusion, and their length as a share.
     depth_jump : float
-        A jump in depth of more than this share is an edge, and a thread no deeper than it is visible.
-    touching : float
-        Walls closer to each other than this share count as touching.
+        A jump in depth of more than this share is an edge. A thread no deeper than it is visible, and walls closer to
+        each other count as touching.
     unseen : float
         No one sees less than this share: fields of such a share of their colors need no color bar.
     """
@@ -41,13 +37,10 @@ class RenderingSettings:
     rows: int = 96
     parts: int = 4
     triangles: int = 60_000
-    contact_parts: int = 6
-    contact_blur: float = 0.25
     sharp_edge: float = 30 * deg
     sky_rays: int = 32
     sky_reach: float = 0.12
     depth_jump: float = 0.006
-    touching: float = 0.02
     unseen: float = 1e-3
 
 
@@ -66,28 +59,21 @@ class LookSettings:
     shadow, deep_shadow : float
         Largest share of the light that shadow takes from a color that means a value, and from plain rubber.
     overlay : float
-        Opacity of threads, and of contact patches behind the actuator.
-    obstacle : float
-        Opacity of obstacles.
-    see_through : float
-        Opacity of a transparent actuator in front of its cavities.
+        Opacity of what is drawn over the actuator: threads, contact patches behind it, obstacles, and named faces.
     faint_pressure : float
         Smallest contact pressure that is drawn, as a share of the upper end of the colors. Smaller ones occur in the
         last cells of a patch, where the pressure decays.
-    outside, named_face : float
-        Opacity of the outside and of the named faces of a part.
+    outside : float
+        Opacity of the outside of a part.
     """
 
     lamp: float = 0.45
     lamp_place: tuple[float, float, float] = (-0.45, 0.75, -0.65)
     shadow: float = 0.26
     deep_shadow: float = 0.62
-    overlay: float = 0.7
-    obstacle: float = 0.45
-    see_through: float = 0.3
+    overlay: float = 0.6
     faint_pressure: float = 0.06
     outside: float = 0.08
-    named_face: float = 0.55
 
 
 LOOK = LookSettings()
@@ -99,38 +85,27 @@ class FramingSettings:
 
     Parameters
     ----------
-    front, aside : float [rad]
-        Azimuth of the camera, and azimuth for contact pressure: the walls between chambers are visible more from the
-        side.
-    full_width, smallest_scale : int, float
-        Letters and bands are smaller in pictures below this width, in proportion to it down to this scale.
+    front : float [rad]
+        Azimuth of the camera. For contact pressure it is twice as much: the walls between chambers are visible more
+        from the side.
+    full_width, design_width : int
+        Width of a large picture, and of a small one, as of a design in a study or in a notebook [pixels]. Between them
+        letters and bands grow in proportion to the width.
     narrowest : float
         A picture is at least this share of its width wide, however slender the actuator is: its legend needs room.
     margin : int
-        Around the actuator.
-    head, foot : int
-        Above the actuator for the title, and below it for the color bar.
+        Around the actuator, and height of the captions of a sheet. The title above takes twice as much, the color bar
+        below three times.
     around : float
         Share around the actuator in which obstacles are shown.
-    design_width : int
-        Width of the picture of a design in a study [pixels].
-    columns, space, caption : int
-        Most pictures in a row of a sheet, the space between them, and the height of their captions.
     """
 
     front: float = 20 * deg
-    aside: float = 40 * deg
     full_width: int = 1600
-    smallest_scale: float = 0.45
+    design_width: int = 700
     narrowest: float = 0.6
     margin: int = 50
-    head: int = 90
-    foot: int = 140
     around: float = 0.3
-    design_width: int = 700
-    columns: int = 4
-    space: int = 26
-    caption: int = 52
 
 
 FRAMING = FramingSettings()

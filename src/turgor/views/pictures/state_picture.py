@@ -101,7 +101,7 @@ def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_
         raise TurgorError("a view needs at least one state to show.")
     shown = [_fields(state) for state in states]
     extents = extents_of(shown)
-    azimuth = FRAMING.aside if shown_field.name == CONTACT_PRESSURE else FRAMING.front
+    azimuth = (2 if shown_field.name == CONTACT_PRESSURE else 1) * FRAMING.front
     plain = View(azimuth=azimuth, left=0.0, right=1.0, limit=1.0)
     low, high, limit, tallest = np.full(2, np.inf), np.full(2, -np.inf), shown_field.floor, 0.0
     for at in shown:

@@ -10,7 +10,6 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from turgor.foundation.errors import TurgorError
-from turgor.views.plots.settings import PLOT
 
 Kind = Literal["plot", "picture"]
 
@@ -132,5 +131,4 @@ def svg_of(figure: Figure) -> str:
 def _save(figure: Figure, to: Path | BytesIO | StringIO, form: str, dpi: float | None, note: str = "") -> None:
     texts = {NOTE: note} if note and form == "png" else {}
     with matplotlib.rc_context({"svg.hashsalt": "turgor"}):
-        packed: dict[str, Any] = {"pil_kwargs": {"compress_level": PLOT.png_level}} if form == "png" else {}
-        figure.savefig(to, format=form, dpi=dpi or figure.dpi, metadata=METADATA[form] | texts, **packed)
+        figure.savefig(to, format=form, dpi=dpi or figure.dpi, metadata=METADATA[form] | texts)

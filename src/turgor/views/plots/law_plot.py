@@ -47,7 +47,7 @@ def _curves(axes: Axes, material: Material) -> None:
     if isinstance(law, Hooke):
         raise TurgorError(f"material '{material.name}' is linear elastic; its curve is a straight line.")
     known = material.stretch_range is not None and material.stretch_range[1] > 1
-    reach = material.stretch_range[1] if material.stretch_range is not None and known else PLOT.unknown_stretch
+    reach = material.stretch_range[1] if material.stretch_range is not None and known else PLOT.stretch
     across = np.linspace(1.0, reach, PLOT.curve_points)
     with np.errstate(all="ignore"):  # no stress beyond a limiting stretch
         curves = {mode: nominal_stress(law, DEFORMATIONS[mode](across))[..., 0, 0] for mode in MODES}

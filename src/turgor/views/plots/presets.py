@@ -13,12 +13,13 @@ from matplotlib.figure import Figure
 from turgor.core.results.drive import drive_of
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
+from turgor.units import inch, mm
 from turgor.views.plots.figures import METADATA, PlotFigure
 from turgor.views.plots.response_plots import COLORS, plot_response
 from turgor.views.plots.styling import INK
 
-#: Millimeters in an inch, and endings of files of curves.
-INCH, ENDINGS = 25.4, (".svg", ".pdf", ".png")
+#: Endings of files of curves.
+ENDINGS = (".svg", ".pdf", ".png")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,7 +59,7 @@ class Preset:
     @property
     def pixels(self) -> int:
         """Width of a picture in pixels."""
-        return round(self.width / INCH * self.dpi)
+        return round(self.width * mm / inch * self.dpi)
 
 
 #: Presets by name: one and both columns of a journal, and a slide.
@@ -139,7 +140,7 @@ def write_curves(
 
 
 def _figure(responses: Mapping[str, Response], x: str | None, y: str, size: Preset) -> Figure:
-    figure = PlotFigure(figsize=(size.width / INCH, size.height / INCH))
+    figure = PlotFigure(figsize=(size.width * mm / inch, size.height * mm / inch))
     axes = figure.add_subplot()
     across = x or drive_of(next(iter(responses.values())))
     for (label, response), color in zip(responses.items(), cycle(COLORS), strict=False):

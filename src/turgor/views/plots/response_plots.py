@@ -74,7 +74,7 @@ def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str 
 def _name_stages(axes: Axes, names: list[str]) -> None:
     """Write the names of stages below their parts of the axis, with a grid line where a stage ends."""
     axes.set_xticks(range(len(names) + 1), labels=[""] * (len(names) + 1))
-    turned = sum(map(len, names)) > PLOT.stage_letters
+    turned = sum(map(len, names)) > PLOT.letters
     how = {"rotation": 30, "ha": "right", "rotation_mode": "anchor"} if turned else {}
     axes.set_xticks([number + 0.5 for number in range(len(names))], labels=names, minor=True, color=INK, **how)
     axes.tick_params(axis="x", which="minor", length=0)

@@ -54,7 +54,7 @@ def plot_rods(solution: RodSolution, states: Iterable[int] = (0, -1), *, view: s
         axes = PlotFigure(figsize=(4.8, 3.6)).add_subplot()
     system = RodSystem(solution.model)
     chosen = [solution.states[index] for index in states]
-    for state, shade in zip(chosen, np.linspace(PLOT.first_state, 1.0, len(chosen)), strict=True):
+    for state, shade in zip(chosen, np.linspace(PLOT.pale, 1.0, len(chosen)), strict=True):
         for k, (rod, shape) in enumerate(zip(solution.model.rods, shapes_of(system, state), strict=True)):
             half = rod.section.contact_radius or PLOT.rod_mark * rod.length
             color = COLORS[k % len(COLORS)]

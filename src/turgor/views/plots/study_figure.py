@@ -16,9 +16,6 @@ from turgor.views.plots.response_plots import COLORS, plot_response
 from turgor.views.plots.settings import PLOT
 from turgor.views.plots.styling import INK, style_axes
 
-#: Height of a row of pictures [inch].
-PICTURE_HEIGHT = 2.0
-
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Line:
@@ -67,7 +64,7 @@ def study_figure(panels: Sequence[Panel], pictures: Sequence[tuple[str, bytes]] 
     ----------
     panels : sequence of Panel
     pictures : sequence of (str, bytes)
-        Names and PNG files; of more than five, those spread evenly over them.
+        Names and PNG files; of more than four, those spread evenly over them.
 
     Returns
     -------
@@ -80,7 +77,7 @@ def study_figure(panels: Sequence[Panel], pictures: Sequence[tuple[str, bytes]] 
     1
     """
     shown = _spread(pictures)
-    heights = [PLOT.panel_height] * bool(panels) + [PICTURE_HEIGHT] * bool(shown)
+    heights = [PLOT.panel_height] * bool(panels) + [PLOT.panel_width / 2] * bool(shown)
     width = max(PLOT.panel_width * len(panels), 1.6 * PLOT.panel_width if shown else 0.0)
     figure = PlotFigure(figsize=(width, sum(heights)))
     rows = iter(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0])
@@ -93,7 +90,7 @@ def study_figure(panels: Sequence[Panel], pictures: Sequence[tuple[str, bytes]] 
         for axes, (name, png) in zip(row.subplots(1, len(shown), squeeze=False)[0], shown, strict=True):
             axes.imshow(imread(BytesIO(png), format="png"))
             axes.set_axis_off()
-            axes.set_title(fill(name, PLOT.title_letters), color=INK, fontsize=9)
+            axes.set_title(fill(name, PLOT.letters // 2), color=INK, fontsize=9)
     return figure
 
 

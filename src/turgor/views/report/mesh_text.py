@@ -42,18 +42,17 @@ def describe_mesh(mesh: Mesh) -> str:
             f"  shape of the cells (1 is regular, 0 is flat): worst {stats.min_shape:.2g}, mean {stats.mean_shape:.2g}",
             *_histogram(cell_shapes(mesh)),
             f"  Jacobian ratio of the curved cells (1 is straight): worst {stats.min_jacobian_ratio:.2g}",
-            *(_histogram(jacobian_ratios(mesh)) if stats.min_jacobian_ratio < 1 - 1 / PAGE.bars else ()),
+            *(bars if len(bars := _histogram(jacobian_ratios(mesh))) > 1 else ()),
         ]
     )
 
 
 def _histogram(values: NDArray[np.float64]) -> list[str]:
     """Bars from 0 to 1, the empty ones at the lower end left out."""
-    place = np.clip(np.floor(values * PAGE.bars + 1e-9), 0, PAGE.bars - 1).astype(np.int64)
-    counts = np.bincount(place, minlength=PAGE.bars)
+    counts, ends = np.histogram(np.clip(values, 0, 1), range=(0, 1))
     first = int(np.flatnonzero(counts)[0])
     bars = [max(1, round(PAGE.longest_bar * count / counts.max())) if count else 0 for count in counts]
     return [
-        f"    {i / PAGE.bars:.1f} to {(i + 1) / PAGE.bars:.1f} {counts[i]:>8,} {'#' * bars[i]}".rstrip()
-        for i in range(first, PAGE.bars)
+        f"    {ends[i]:.1f} to {ends[i + 1]:.1f} {counts[i]:>8,} {'#' * bars[i]}".rstrip()
+        for i in range(first, len(counts))
     ]

@@ -239,7 +239,7 @@ def _picture_width(pictures: tuple[Picture, ...]) -> int:
         if picture.png[:8] != PNG_SIGNATURE:
             raise TurgorError(f"picture '{picture.caption}' is no PNG.")
         width, height = struct.unpack(">II", picture.png[16:24])
-        widths.append(PAGE.picture_height * width / height)
+        widths.append(VIEWER.height * width / height)
     return int(min(widths))
 
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from turgor.core.results.drive import drive_of, pressures_in
 from turgor.core.results.error_text import NOT_SHOWN, with_error
+from turgor.foundation.display import MOST_ENTRIES, MOST_ROWS
 from turgor.foundation.response import Column, Response
-from turgor.views.report.settings import PAGE
 
 
 def response_table(response: Response) -> dict[str, Any]:
@@ -42,7 +42,7 @@ def response_table(response: Response) -> dict[str, Any]:
     }
 
 
-def parted(table: dict[str, Any], most: int = PAGE.columns) -> list[dict[str, Any]]:
+def parted(table: dict[str, Any], most: int = MOST_ENTRIES) -> list[dict[str, Any]]:
     """Part a table with many columns into tables below each other, each with the first column.
 
     Parameters
@@ -74,9 +74,9 @@ def shown_rows(count: int) -> list[int]:
     Examples
     --------
     >>> shown_rows(4), len(shown_rows(1000))
-    ([0, 1, 2, 3], 13)
+    ([0, 1, 2, 3], 20)
     """
-    step = max(1, -(-(count - 1) // (PAGE.rows - 1)))
+    step = max(1, -(-(count - 1) // (MOST_ROWS - 1)))
     return [*range(0, count - 1, step), count - 1]
 
 

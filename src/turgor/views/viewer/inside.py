@@ -65,7 +65,7 @@ def inside_of(rest: StateFields, steps: int, each: int) -> Inside | None:
     for split in splits:
         corners = cells[:, np.array(split)].reshape(-1, 4)
         rows, same = np.unique(corners, return_inverse=True)
-        if len(rows) * steps * each <= VIEWER.inside_bytes:
+        if len(rows) * steps * each <= VIEWER.part_bytes:
             node = rest.facts.region_nodes.node[rows]
             return Inside(tetrahedra=same.reshape(-1, 4), node=node, row=rows, count=len(mesh.points))
     return None

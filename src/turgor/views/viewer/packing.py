@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: Largest number of 16 bits.
-MOST = 65535
+MOST = int(np.iinfo(np.uint16).max)
 
 
 class Packed(TypedDict):

@@ -25,8 +25,9 @@ from turgor.views.viewer.surface import SIDES, Surface, surface_of
 
 Array = NDArray[np.float64]
 
-#: Bytes of a vertex in a step: its position, and a value of every field.
-BYTES = 2 * (3 + sum(field.of is not None for field in FIELDS))
+#: Bytes of a position, and of a vertex in a step: its position, and a value of every field.
+POINT = 3 * np.dtype(np.uint16).itemsize
+BYTES = POINT + 2 * sum(field.of is not None for field in FIELDS)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -134,9 +135,9 @@ def chosen_steps(count: int, vertices: int) -> list[int]:
     Examples
     --------
     >>> chosen_steps(4, 1000), len(chosen_steps(500, 1000)), len(chosen_steps(500, 100_000))
-    ([0, 1, 2, 3], 40, 5)
+    ([0, 1, 2, 3], 40, 3)
     """
-    most = max(2, min(VIEWER.steps, VIEWER.surface_bytes // (BYTES * vertices)))
+    most = max(2, min(VIEWER.steps, VIEWER.part_bytes // (BYTES * vertices)))
     if count <= most:
         return list(range(count))
     return [int(k) for k in np.unique(np.rint(np.linspace(0, count - 1, most)))]
@@ -203,7 +204,7 @@ def _threads(states: Sequence[StateFields]) -> dict[str, Any] | None:
     lines = [_lines(at) for at in states]
     if not lines[0]:
         return None
-    stride = -(-sum(map(len, lines[0])) // VIEWER.thread_points)
+    stride = -(-sum(map(len, lines[0])) * POINT * len(states) // VIEWER.part_bytes)
     thinned = [[np.concatenate([line[:-1:stride], line[-1:]]) for line in each] for each in lines]
     return {
         "lengths": pack_index(np.array([len(line) for line in thinned[0]])),

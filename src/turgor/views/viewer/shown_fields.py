@@ -21,8 +21,8 @@ from turgor.views.viewer.surface import Surface
 
 Array = NDArray[np.float64]
 
-#: Colors of a color bar.
-COLORS = 256
+#: Colors of a color bar: as many as a color map of matplotlib has.
+COLORS = int(matplotlib.rcParamsDefault["image.lut"])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

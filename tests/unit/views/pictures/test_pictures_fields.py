@@ -15,6 +15,7 @@ from turgor.units import deg, mm
 from turgor.views.pictures.colors import FIELDS, RUBBER, Field, color_map
 from turgor.views.pictures.overlays.contact_patches import contact_skin
 from turgor.views.pictures.raycast import Raster, Scene, camera
+from turgor.views.pictures.settings import RENDERING
 from turgor.views.pictures.shading import Look, paint
 from turgor.views.pictures.skin import visible_skin
 from turgor.views.pictures.state_picture import pixels_of, shared_view, state_figure, write_picture
@@ -157,7 +158,7 @@ def test_contact_patches_are_smooth_and_keep_their_force():
     pressure[top[np.linalg.norm(mesh.points[top] - mesh.points[top].mean(axis=0), axis=1) < 6 * mm]] = 1e4
     touch = Touch(force=np.zeros_like(mesh.points), pressure=pressure, area=1e-4, penetration=0.0, place=np.zeros(3))
     at = StateFields(replace(state, touches={"self": touch}))
-    rough, smooth = visible_skin(at, pressure, parts=6), contact_skin(at)
+    rough, smooth = visible_skin(at, pressure, parts=RENDERING.parts), contact_skin(at)
     force = [skin.areas @ skin.values[skin.triangles].mean(axis=1) for skin in (rough, smooth)]
     assert force[1] == pytest.approx(force[0], rel=0.02)
     steps = [np.ptp(skin.values[skin.triangles], axis=1).max() for skin in (rough, smooth)]

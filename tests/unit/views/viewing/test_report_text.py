@@ -10,6 +10,7 @@ import results_cases as cases
 
 import turgor as tg
 from turgor.core.materials.laws.laws import LAWS, Hooke
+from turgor.foundation.display import MOST_ENTRIES
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.units import deg, kPa
@@ -19,7 +20,6 @@ from turgor.views.report.headline import headline, modeled_part
 from turgor.views.report.page import Report, write_report
 from turgor.views.report.references import LAW_SOURCES
 from turgor.views.report.response_table import parted, response_table
-from turgor.views.report.settings import PAGE
 from turgor.views.viewer.curves import Measured
 from turgor.views.viewer.scene import scene_of
 from turgor.views.viewer.settings import VIEWER
@@ -73,7 +73,7 @@ def test_numbers_have_four_digits_and_a_minus_sign():
 def test_a_wide_table_is_parted_so_that_it_fits_a_page():
     wide = response(load_factor=("", [0, 1]), **{f"way_{k}_along": ("mm", [0, k]) for k in range(1, 21)})
     parts = parted(response_table(wide))
-    assert all(len(part["labels"]) <= PAGE.columns for part in parts)
+    assert all(len(part["labels"]) <= MOST_ENTRIES for part in parts)
     assert all(part["labels"][0] == "load factor" for part in parts)
     assert [label for part in parts for label in part["labels"][1:]] == [c.label for c in wide.columns[1:]]
     assert all(len(row) == len(part["labels"]) for part in parts for row in part["rows"])

@@ -142,7 +142,7 @@ def test_long_paths_and_large_surfaces_are_thinned_out():
         steps = chosen_steps(count, vertices)
         assert steps[0] == 0 and steps[-1] == count - 1
         assert np.ptp(np.diff(steps)) <= 1
-        assert len(steps) == 2 or 2 * vertices * 7 * len(steps) <= VIEWER.surface_bytes
+        assert len(steps) == 2 or 2 * vertices * 7 * len(steps) <= VIEWER.part_bytes
 
 
 def test_a_long_path_says_what_is_left_out(half):

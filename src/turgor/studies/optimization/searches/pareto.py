@@ -14,6 +14,7 @@ from turgor.studies.optimization.searches.starts import spread
 from turgor.studies.optimization.searches.surfaces import surfaces_through
 from turgor.studies.optimization.settings import PARETO
 from turgor.studies.runs.optional_parts import needed
+from turgor.studies.runs.settings import RUNS
 
 Array = NDArray[np.float64]
 
@@ -35,7 +36,7 @@ def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
     first = max(2 * len(start) + 2, round(PARETO.first_share * problem.most))
     problem.compute([start, *spread(problem, first - 1, search.seed)])
     quiet = 0
-    while problem.remaining > 0 and quiet < PARETO.quiet:
+    while problem.remaining > 0 and quiet < RUNS.idle:
         known = problem.known
         if len(known) < len(start) + 1:
             return Ending.FAILED if not known else Ending.BUDGET

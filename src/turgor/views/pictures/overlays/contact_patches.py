@@ -40,13 +40,14 @@ def _contact_skin(at: StateFields) -> Skin:
     for _ in range(2):  # with the sides around those that touch
         chosen = np.asarray(touched[triangles].any(axis=1))
         touched[triangles[chosen]] = True
-    skin = visible_skin(at, at.contact_pressure, chosen=chosen, parts=RENDERING.contact_parts)
+    skin = visible_skin(at, at.contact_pressure, chosen=chosen, parts=RENDERING.parts)
     if not chosen.any():
         return skin
     from scipy.spatial import cKDTree  # slow to load, and few states have walls that touch
 
     corners = at.points[triangles[chosen][:, :3]]
-    reach = RENDERING.contact_blur * float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean())
+    edge = float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean())
+    reach = edge / RENDERING.parts  # the pressure between nodes has ragged borders
     area = np.bincount(skin.triangles.ravel(), np.repeat(skin.areas / 3, 3), minlength=len(skin.points))
     patch, values = np.empty(len(skin.points), dtype=np.int64), np.zeros(len(skin.points))
     patch[skin.triangles] = skin.patch[:, None]

@@ -117,6 +117,6 @@ def draw_obstacles(image: Bytes, skin: Skin, hits: Hits, nearer: NDArray[np.bool
     shade = np.zeros(hit.shape)
     shade[hit] = 0.62 + 0.5 * facing
     color = np.clip(np.array(GRAY) * shade[nearer][:, None], 0, 255)
-    image[nearer] = (image[nearer] * (1 - LOOK.obstacle) + color * LOOK.obstacle).astype(np.uint8)
+    image[nearer] = (image[nearer] * (1 - LOOK.overlay) + color * LOOK.overlay).astype(np.uint8)
     outside, inner = find_lines(skin, hits)
     draw_lines(image, (outside & nearer, inner & nearer), EDGE, width)

@@ -17,6 +17,7 @@ from turgor.views.pictures.rendering import View
 from turgor.views.pictures.settings import FRAMING
 from turgor.views.pictures.state_picture import Style, pixels_of, shared_view, shows_values
 from turgor.views.plots.figures import check_ending, write_figure
+from turgor.views.plots.settings import PLOT
 
 
 def small_multiples(
@@ -118,14 +119,14 @@ def sheet_figure(
     title, view, style = how
     if len(captions) != len(states):
         raise TurgorError(f"{len(captions)} captions were given for {len(states)} states; each needs one.")
-    view = view or _view(states, VON_MISES, 1600)
+    view = view or _view(states, VON_MISES, FRAMING.full_width)
     pictures = [_within(pixels_of(state, view, style=style), view) for state in states]
     columns = columns_for(len(pictures))
     rows = -(-len(pictures) // columns)
     scale = scale_of(view.columns * columns)
     high, wide = max(each.shape[0] for each in pictures), max(each.shape[1] for each in pictures)
-    line = round(FRAMING.caption * scale)
-    cell = (high + line, wide + round(FRAMING.space * scale))
+    line = round(FRAMING.margin * scale)
+    cell = (high + line, wide + round(FRAMING.margin / 2 * scale))
     image = np.full((rows * cell[0], columns * cell[1], 3), 255, dtype=np.uint8)
     for number, each in enumerate(pictures):
         row, column = divmod(number, columns)
@@ -153,9 +154,9 @@ def columns_for(count: int) -> int:
     >>> [columns_for(count) for count in (1, 2, 4, 5, 6, 8)]
     [1, 2, 4, 3, 3, 4]
     """
-    if count <= FRAMING.columns:
+    if count <= PLOT.pictures:
         return count
-    return 3 if count in (5, 6, 9) else FRAMING.columns
+    return 3 if count in (5, 6, 9) else PLOT.pictures
 
 
 def spread(solution: Solution, count: int) -> list[int]:

@@ -58,7 +58,7 @@ def plot_heat_map(
     axes.set_yticks(np.arange(-0.5, len(up)), minor=True)
     axes.grid(which="minor", color="white", lw=2)
     axes.tick_params(which="minor", length=0)
-    if values.size <= PLOT.cells:
+    if values.size <= PLOT.marks:
         _write(axes, values)
     _dots(axes, values, errors)
     return axes
