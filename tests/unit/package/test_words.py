@@ -18,7 +18,7 @@ PUBLIC = {"core/materials/experiments/columns.py"}
 VARIABLES = frozenset({"found", "kept", "carried", "told", "asked", "sought"})
 
 #: Folders without such names, and a file whose field is a key of the command line's JSON document.
-CLEAN = ("src/turgor/studies", "src/turgor/cli", "src/turgor/views", "guidelines/src")
+CLEAN = ("src/turgor", "guidelines/src")
 KEYS = {"src/turgor/cli/answers/sweeps.py"}
 
 
