@@ -105,7 +105,7 @@ def test_compression_is_fitted(run, tmp_path):
         (["--specimen", "33 mm"], "--specimen is '33 mm'"),
         (["--specimen", "33 mm, 0 mm, 3 mm"], "width is 0 m; it must be more than 0"),
         (["--preload", "7"], "'7' needs a unit"),
-        (["--cycle", "0"], "cycles are counted from 1: 1 is the first and -1 the last"),
+        (["--cycle", "0"], "cycle is 0; 1 is the first"),
         (["--cycle", "9"], "has one loading curve; there is no number 9"),
         (["--average"], "--average has one uniaxial test only"),
         (["--average", "--each"], "--average goes with neither --each"),

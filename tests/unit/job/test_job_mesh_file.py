@@ -155,7 +155,7 @@ def test_export_writes_what_is_named(folder, capsys):
         ("finger", ["--inp"], "CalculiX has no cells for that"),
         ("finger", ["--inp", "--program", "ansys"], "unknown program 'ansys'"),
         ("finger", ["--inp", "--poisson", "0.5"], "allowed is 0 to less than 0.5"),
-        ("cube", ["--mold"], "fast_pneunet and slow_pneunet only"),
+        ("cube", ["--mold"], "fast_pneunet and slow_pneunet"),
         ("cube", ["--step"], "has no form in STEP files"),
     ],
 )

@@ -75,7 +75,7 @@ def fiber_reinforced_bender(
     Raises
     ------
     TurgorError
-        If a pressure would stretch the wall more than eight times, or the law is not defined there.
+        If a pressure would stretch the wall more than six times, or the law is not defined there.
 
     Examples
     --------
