@@ -71,7 +71,7 @@ class LookSettings:
     lamp_place: tuple[float, float, float] = (-0.45, 0.75, -0.65)
     shadow: float = 0.26
     deep_shadow: float = 0.62
-    overlay: float = 0.7
+    overlay: float = 0.75
     faint_pressure: float = 0.06
     outside: float = 0.08
 
