@@ -21,7 +21,8 @@ ROOMS = (
     "core.materials", "core.geometry", "core.meshing", "core.model", "core.engine", "core.solvers", "core.setups",
     "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views", "accuracy.gradients",
     "accuracy.adaptivity", "accuracy.measure", "accuracy.laboratory", "job", "studies.runs", "studies.calibration",
-    "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization", "studies.study_file", "cli",
+    "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization", "studies.study_file",
+    "cli",
 )  # fmt: skip
 
 #: The wings above the core in the first picture: two rows, from below.
