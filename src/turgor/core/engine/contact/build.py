@@ -174,7 +174,9 @@ def _pairs(
         partners = replace(_partners(sides, (surface.N, surface.dN, weights, height), points, mirrored), sides=sides)
     else:  # what never touches is the same
         over = overhangs(points, sides, mirrored)
-        partners = replace(known, sides=sides, overhang=over, depth=CONTACT_SEARCH.near * height, reach=_reach(weights))
+        partners = replace(
+            known, sides=sides, overhang=over, depth=CONTACT_SEARCH.depth * height, reach=_reach(weights)
+        )
     return PairPart(SELF, surface, partners, friction, 0.5)
 
 
@@ -192,7 +194,7 @@ def _partners(
         sides=sides,
         corners=surface.corners,
         overhang=overhangs(points, sides, mirrored),
-        depth=CONTACT_SEARCH.near * height,
+        depth=CONTACT_SEARCH.depth * height,
         strangers=strangers(points, sides),
         around=_around(sides, surface.corners),
         reach=_reach(weights),

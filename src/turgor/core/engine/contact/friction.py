@@ -77,7 +77,7 @@ def elastic_slip(surface: Surface, points: Ints, stated: float | None = None) ->
 def mean_elastic_slip(history: FrictionHistory) -> float:
     """Mean elastic slip of the points that stick in a state, weighted by their limits; zero where none does."""
     size = np.linalg.norm(history.traction, axis=1)
-    sticks = (history.limit > 0) & (size < (1 - FRICTION.settled) * history.limit)
+    sticks = (history.limit > 0) & (size < FRICTION.sticks * history.limit)
     if not sticks.any():
         return 0.0
     limit = history.limit[sticks]

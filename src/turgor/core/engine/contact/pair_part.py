@@ -119,7 +119,7 @@ class PairPart(PointsPart):
         every = self._all(position, place)
         if known is None:
             return Gaps(x, normal, growth, *self._search(x, normal, position, every), place)
-        walk = how is not SearchMode.KEEP
+        walk = 0 if how is SearchMode.KEEP else CONTACT_SEARCH.walk
         partner, at, gap = follow_partners(
             (x, normal), every, p.sides, known.partner, known.at, p.around, p.overhang, walk
         )
@@ -224,9 +224,7 @@ class PairPart(PointsPart):
         every = self._all(position, new.place)
         p = self.partners
         open_before = np.where((old.gap >= 0) & (new.gap >= 0) & (new.partner != old.partner), old.partner, -1)
-        _, at, gap = follow_partners(
-            (new.x, new.normal), every, p.sides, open_before, old.at, p.around, p.overhang, False
-        )
+        _, at, gap = follow_partners((new.x, new.normal), every, p.sides, open_before, old.at, p.around, p.overhang, 0)
         inside = (at.min(axis=2) > -0.1) & (at.max(axis=2) < 1.1)
         if self.partners.corners == 3:
             inside &= at.sum(axis=2) < 1.1

@@ -235,7 +235,9 @@ def _follow_partners(begin, end, out, looking, position, sides, partner, at, aro
             unit_cross(d[0], d[1], unit)
             place[k, q, 0], place[k, q, 1] = r, s
             distance = _along(p, y, unit)
-            while walk and least > min(HOLD, overhanging[j, edge]):  # `least` falls in every pass
+            for _ in range(walk):
+                if least <= min(HOLD, overhanging[j, edge]):
+                    break
                 best = j
                 for o in range(first[j], first[j + 1]):
                     m = neighbors[o]
@@ -254,7 +256,7 @@ def _follow_partners(begin, end, out, looking, position, sides, partner, at, aro
                     break
                 j = best
             side[k, q] = j
-            if not walk or least <= 0.0 or least <= overhanging[j, edge]:
+            if walk == 0 or least <= 0.0 or least <= overhanging[j, edge]:
                 gap[k, q] = distance
 
 
@@ -266,12 +268,12 @@ def follow_partners(
     at: Array,
     around: tuple[Ints, Ints],
     overhanging: Array,
-    walk: bool,
+    walk: int,
 ) -> tuple[Ints, Array, Array]:
     """Foot points near those that are known: side (s, q), place (s, q, 2) and signed gap (s, q).
 
-    Where the foot has left its side and may ``walk``, the sides around (start, list) are tried, then those around the
-    best; a point that then has none keeps its partner with a gap of inf.
+    Where the foot has left its side, the sides around (start, list) are tried, then those around the best, as far as
+    ``walk`` times; a point that then has none keeps its partner with a gap of inf.
     """
     out = partner.copy(), at.copy(), np.full(partner.shape, np.inf)
     over(len(partner), _follow_partners, out, looking, position, sides, partner, at, around, overhanging, walk)

@@ -20,9 +20,14 @@ class ContactSearchSettings:
     near : float
         Points nearer than this share of the cell behind them may touch in the next step. The tangent has room for
         them, and they have a friction history, or a contact that moves over them within a step would have no friction
-        there. A point is taken to lie inside a side no deeper than this share of the cell behind it, or of a mean
-        length of a rigid body: beyond the whole cell the far face of a thin wall would be a neighbor. No case changes
-        with half as much depth.
+        there. A point lies inside a rigid body no deeper than this share of a mean length.
+    depth : float
+        A point is taken to lie inside a side no deeper than this share of the cell behind it. Beyond the whole cell the
+        far face of a thin wall would be a neighbor.
+    above : float
+        Two sides with a common node face each other where each lies above the other by this share of their distance.
+    walk : int
+        A foot point may cross so many sides between two searches.
     overhang : float
         Foot points may lie this far beyond an edge that joins two sides smoothly, whose kink leaves wedges in front of
         it; beyond a sharp edge there is nothing. No case changes with 0.06. With 0.02, as far as a point keeps its
@@ -41,6 +46,9 @@ class ContactSearchSettings:
 
     reach: float = 4.0
     near: float = 0.5
+    depth: float = 0.25
+    above: float = 0.1
+    walk: int = 4
     overhang: float = 0.03
     smooth: float = 0.8
     nearer: float = 1e-3
@@ -68,6 +76,8 @@ class PenaltySettings:
     margin : float
         An update is shortened only if it would deepen a penetration by this factor more. Without it, "walls meet, one
         step" takes 44 iterations instead of 26, and "walls meet, one pressed" 99 instead of 92.
+    unseen : float
+        Share of an update that is taken if a point without partner would be deep inside a body after it.
     shortest : float
         The shortest share of an update that the limit on penetration requires at once. With 0.01, "walls meet, one
         pressed" takes 101 iterations instead of 92.
@@ -78,6 +88,7 @@ class PenaltySettings:
     stiffer: float = 64.0
     deeper: float = 0.04
     margin: float = 1.5
+    unseen: float = 0.5
     shortest: float = 0.1
 
 
@@ -95,12 +106,14 @@ class FrictionSettings:
         stated, whatever the pressure; so the tangential stiffness is in proportion to the pressure. The cases "plate
         that sticks" and "plate that drags" change with it.
     settled : float
-        Saved limits are valid if none changes by more than this share of the largest; a point sticks while its traction
-        is below its limit by more than this.
+        Saved limits are valid if none changes by more than this share of the largest.
+    sticks : float
+        A point sticks while its traction is below this share of the limit.
     """
 
     elastic_slip: float = 0.005
     settled: float = 1e-4
+    sticks: float = 0.999
 
 
 FRICTION = FrictionSettings()

@@ -127,8 +127,8 @@ def strangers(points: Array, sides: Ints) -> tuple[Ints, Ints]:
     a, b = neighbors(sides, kind.corners)
     center, _, normal = centers_of(points, sides, kind.corners)
     apart = center[b] - center[a]
-    flat = ROUND_OFF.mesh_digits * np.linalg.norm(apart, axis=1)
-    groove = (np.einsum("pi,pi->p", apart, normal[a]) > flat) & (np.einsum("pi,pi->p", apart, normal[b]) < -flat)
+    above = CONTACT_SEARCH.above * np.linalg.norm(apart, axis=1)
+    groove = (np.einsum("pi,pi->p", apart, normal[a]) > above) & (np.einsum("pi,pi->p", apart, normal[b]) < -above)
     return listed(a[~groove], b[~groove], len(sides))
 
 

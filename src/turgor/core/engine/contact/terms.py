@@ -197,9 +197,10 @@ class ContactTerms:
             deeper = PENALTY.deeper * part.surface.height[:, None]
             allowed = np.minimum(before.gap, 0.0) - deeper
             gap = np.minimum(after.gap, part.passed(new.position, before, after))
-            bad = np.isfinite(before.gap) & (gap < allowed - (PENALTY.margin - 1) * deeper)
-            way = (before.gap[bad] - allowed[bad]) / (before.gap[bad] - gap[bad])
-            share = min(share, float(way.min(initial=1.0)))
+            bad = gap < allowed - (PENALTY.margin - 1) * deeper
+            known = bad & np.isfinite(before.gap)
+            way = (before.gap[known] - allowed[known]) / (before.gap[known] - gap[known])
+            share = min(share, float(way.min(initial=1.0)), 1.0 if known.sum() == bad.sum() else PENALTY.unseen)
         return max(share, PENALTY.shortest)
 
     def rubbing(self, at: Contacts, size: int) -> sp.csc_matrix | None:
