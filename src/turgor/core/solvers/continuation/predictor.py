@@ -220,11 +220,16 @@ def _between(system: System, points: Sequence[Point], parameter: float) -> Start
 def _not_deeper(
     constraint: Constraint, tangent: Tangent, last: Point, at: Evaluation
 ) -> tuple[Array, Evaluation | None]:
-    """Shorten an extrapolation of load control that presses a wall much deeper into another."""
+    """Shorten an extrapolation of load control until it presses no wall much deeper into another."""
     contact, parameter, here_ = constraint.scalar_unknowns.system.contact, at.load_factor, last.unknowns
     here = evaluate(constraint, tangent, (here_, last.scalars), parameter)
-    share = 1.0 if here is None else contact.shortening(here.contacts, at.contacts)
-    if share == 1:
-        return at.unknowns, at
-    trial = evaluate(constraint, tangent, (here_ + share * (at.unknowns - here_), last.scalars), parameter)
+    trial: Evaluation | None = at
+    for _ in range(PREDICTOR.shortenings):
+        if trial is None or here is None:
+            break
+        share = contact.shortening(here.contacts, trial.contacts)
+        if share == 1:
+            return trial.unknowns, trial
+        place = here_ + share * (trial.unknowns - here_)
+        trial = evaluate(constraint, tangent, (place, last.scalars), parameter)
     return (here_, here) if trial is None else (trial.unknowns, trial)
