@@ -50,11 +50,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--pressure", default="20 kPa")
     parser.add_argument("--size", default="4 mm")
-    asked = parser.parse_args()
+    arguments = parser.parse_args()
     options = tg.EngineOptions(threads=1)
     with TemporaryDirectory() as folder:
         file = Path(folder) / "finger.toml"
-        file.write_text(JOB.format(size=asked.size, pressure=asked.pressure), encoding="utf-8")
+        file.write_text(JOB.format(size=arguments.size, pressure=arguments.pressure), encoding="utf-8")
         job = tg.jobs.read_job(file)
     model, _ = tg.jobs.prepare(job)
     tg.solve(

@@ -33,8 +33,8 @@ ONE_RUN = Path(__file__).parents[1] / "truth" / "truth_run.py"
 
 def run(case: str, kind: str, size: float) -> dict[str, Any]:
     """Mesh and solve in a process of its own."""
-    asked = {"case": case, "kind": kind, "step": str(size), "formulation": "mixed", "most": 1e6}
-    row = separate([str(ONE_RUN), json.dumps(asked)])
+    request = {"case": case, "kind": kind, "step": str(size), "formulation": "mixed", "most": 1e6}
+    row = separate([str(ONE_RUN), json.dumps(request)])
     if "values" not in row:
         raise SystemExit(row["note"])
     return row

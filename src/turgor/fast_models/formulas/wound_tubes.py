@@ -108,7 +108,7 @@ def wound_tube(
     if (falls := np.diff(pressures) < 0).any():
         row = int(falls.argmax())
         raise TurgorError(
-            f"pressure falls from {pressures[row] / 1e3:g} to {pressures[row + 1] / 1e3:g} kPa; it must rise, as "
+            f"pressure falls from {pressures[row] / kPa:g} to {pressures[row + 1] / kPa:g} kPa; it must rise, as "
             "the path is followed from rest."
         )
     return _answered(actuator, material, windings, body, pressures)
