@@ -10,7 +10,7 @@ import turgor.core.model.obstacles
 from class_queries import files_that_query
 from refused import refused
 from turgor.core.model.contact import Contact
-from turgor.core.model.obstacles import Box, Obstacle, RigidSurface, TriangulatedShape
+from turgor.core.model.obstacles import Box, Obstacle, RigidShape, RigidSurface, TriangulatedShape
 from turgor.core.model.obstacles.outlines import rounded_block
 from turgor.core.results.fields.contact import extents_of
 from turgor.core.results.fields.state_fields import StateFields
@@ -191,6 +191,23 @@ def test_triangles_press_as_a_rigid_surface(tmp_path):
     (finding,) = overlapping_obstacles(with_shape(model, Slab(top=2 * mm)))
     assert finding.code == "B08"
     assert Obstacle(name="floor", shape=slab).text() == "floor: slab; without friction."
+
+
+def test_a_shape_that_leaves_out_what_it_must_say_is_named():
+    @dataclass(frozen=True, slots=True, kw_only=True)
+    class Bare(RigidShape):
+        pass
+
+    @dataclass(frozen=True, slots=True, kw_only=True)
+    class Open(TriangulatedShape):
+        pass
+
+    with refused("Bare", "signed_distance"):
+        Bare().clearance(np.zeros((1, 3)))
+    with refused("Bare", "outline"):
+        Bare().outline(np.zeros(3), np.zeros((2, 3)))
+    with refused("Open", "surface"):
+        Open().outline(np.zeros(3), np.zeros((2, 3)))
 
 
 def test_few_files_ask_for_classes_of_obstacles():

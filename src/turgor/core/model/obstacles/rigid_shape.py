@@ -77,7 +77,7 @@ class RigidShape:
         >>> hessian[0].diagonal()
         array([0. , 0.2, 0.2])
         """
-        raise NotImplementedError(f"{type(self).__name__} has no formula of its distance")
+        raise TurgorError(f"shape {type(self).__name__} has no method signed_distance, which gives its distance.")
 
     def surface(self) -> tuple[Array, Ints] | None:
         """Return points (p, 3) [m] and triangles (t, 3) by which contact computes the distance; None with a formula."""
@@ -109,7 +109,7 @@ class RigidShape:
         >>> np.ptp(points, axis=0).round(6).tolist()
         [0.13, 0.05, 0.0]
         """
-        raise NotImplementedError(f"{type(self).__name__} has no triangles for pictures")
+        raise TurgorError(f"shape {type(self).__name__} has no method outline, which gives triangles for pictures.")
 
     def scaled(self: Own, length: float) -> Own:
         """Return a shape with a formula, its lengths in units of a length [m].

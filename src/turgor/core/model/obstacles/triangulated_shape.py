@@ -4,6 +4,7 @@ import numpy as np
 
 from turgor.core.geometry.cad.surface.crossing import winding
 from turgor.core.model.obstacles.rigid_shape import Array, Ints, RigidShape
+from turgor.foundation.errors import TurgorError
 
 
 class TriangulatedShape(RigidShape):
@@ -13,7 +14,7 @@ class TriangulatedShape(RigidShape):
 
     def surface(self) -> tuple[Array, Ints]:
         """Return the points (p, 3) [m] and the triangles (t, 3) of the closed surface."""
-        raise NotImplementedError(f"{type(self).__name__} has no triangles")
+        raise TurgorError(f"shape {type(self).__name__} has no method surface, which gives its triangles.")
 
     def outline(self, place: Array, extent: Array) -> tuple[Array, Ints]:
         """Return the triangles."""
