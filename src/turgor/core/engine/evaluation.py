@@ -20,7 +20,8 @@ class Stresses:
 
     Parameters
     ----------
-    cells : (c, q, 6) array
+    cells : (c, q, 7) array
+        Six components, and the mean stress of the volume penalty.
     terms : sequence of array
         Those of each term, such as membranes and fibers.
     """

@@ -98,7 +98,7 @@ class CellTerms:
         return np.asarray(kernels.residual(self._loops, u, p, self._response(laws)))
 
     def add_tangents(self, data: Array, u: Array, p: Array, laws: Isochoric, geometric: Array | None) -> None:
-        """Add the Hessians of all cells to the tangent, with stresses (c, q, 6) of their own in its geometric part."""
+        """Add the Hessians of all cells to the tangent, with linearized stresses (c, q, 7) of their own."""
         response, nothing = self._response(laws), np.zeros((1, 1, 6))
         for chunk in self._chunks():
             stresses = nothing if geometric is None else geometric[chunk]
@@ -112,7 +112,7 @@ class CellTerms:
             scatter_add(data, self._positions[chunk][:, entries].ravel(), values[chunk].ravel())
 
     def stresses(self, at: tuple[Array, Array], update: tuple[Array, Array], laws: Isochoric) -> Array:
-        """Stresses (c, q, 6) linearized about displacements and mean stresses for an update of both."""
+        """Stresses (c, q, 7) linearized about displacements and mean stresses for an update of both."""
         return np.asarray(kernels.extrapolated_stress(self._loops, *at, *update, self._response(laws)))
 
 

@@ -207,8 +207,11 @@ def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
             dpq = 0.0
             for m in range(len(modes)):
                 dpq += M[q, m] * dp[mean[c, m]]
-            pq += penalty_stress_at(shape, penalty[c, q], moments)
-            dpq += penalty_stress_at(shape, penalty[c, q], changes)
+            of_penalty = penalty_stress_at(shape, penalty[c, q], moments)
+            change_of_penalty = penalty_stress_at(shape, penalty[c, q], changes)
+            pq += of_penalty
+            dpq += change_of_penalty
+            out[c, q, 6] = of_penalty + change_of_penalty
             strain_at(J, F, Cof, C, Ci)
             scalars = stress_at(C, Ci, (J, W[0, c, q], W[1, c, q], pq), s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
@@ -225,12 +228,12 @@ def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
 
 
 def extrapolated_stress(cells: Cells, u: Array, p: Array, du: Array, dp: Array, laws: Response) -> Array:
-    """Stress S + D : ΔE linearized about (u, p) for the update (du, dp), (c, q, 6).
+    """Stress S + D : ΔE linearized about (u, p) for the update (du, dp), (c, q, 7); the last is that of the penalty.
 
     It enters the geometric stiffness of the next iteration in place of the stress itself: the mixed integration
     point iteration of Magisano, Leonetti and Garcea (2017), doi 10.1016/j.cma.2016.10.023. The other parameters are
     those of `residual`.
     """
-    out = np.empty((*cells.dV.shape, 6))
+    out = np.empty((*cells.dV.shape, 7))
     over(len(out), _extrapolated_stress, out, cells, u, p, du, dp, laws)
     return out

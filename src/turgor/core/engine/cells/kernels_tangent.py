@@ -146,7 +146,7 @@ def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
             deformation_gradient_at(H, q, Jinv[c, q], F)
             J = cofactor_at(F, Cof)
             pq = mean_stress_at(modes, M[q], p, mean[c], J, compliance[c])
-            pq += penalty_stress_at(shape, penalty[c, q], moments)
+            pq += geometric[c, q, 6] if use_geometric else penalty_stress_at(shape, penalty[c, q], moments)
             strain_at(J, F, Cof, C, Ci)
             scalars = stress_at(C, Ci, (J, W[0, c, q], W[1, c, q], pq), s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
@@ -177,8 +177,8 @@ def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
 def tangent(cells: Cells, u: Array, p: Array, laws: Response, geometric: Array, use_geometric: bool) -> Array:
     """Hessian of the energy by cell, lower triangles packed row by row.
 
-    ``geometric`` (c, q, 6) replaces the stress in the geometric stiffness where ``use_geometric`` is set; the other
-    parameters are those of `residual`.
+    ``geometric`` (c, q, 7) of `extrapolated_stress` replaces the stress in the geometric stiffness, and the mean stress
+    of the penalty, where ``use_geometric`` is set; the other parameters are those of `residual`.
     """
     unknowns = 3 * len(cells.shape) + len(cells.modes)
     out = np.empty((len(cells.nodes), unknowns * (unknowns + 1) // 2))
