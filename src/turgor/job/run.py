@@ -1,6 +1,7 @@
 """Run of a job: mesh, solve, measure, and write the folder of results."""
 
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
@@ -9,6 +10,7 @@ from turgor.accuracy.adaptivity.findings import matter, mesh_error_findings
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.warmup.compiling import announce_needs
 from turgor.core.model.model import Model
+from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.measures.measures import find_measure
 from turgor.core.setups.with_setup import with_choices
 from turgor.core.solvers.checkpoints.record import INDEX, Question, RunRecord
@@ -94,9 +96,8 @@ def run_job(
             early = matter(record.question.findings or (), bool(job.output.mesh_error))
             for each in early:
                 (report or show_warning)(each)
-            solution, response, findings = _solved(files, record, options, watcher.progress)
-            outcome = _written(files, solution, response, findings)
-        if solution.status is not Status.INTERRUPTED:
+            outcome = _solved(files, record, options, watcher.progress)
+        if outcome.solution.status is not Status.INTERRUPTED:
             drop_previous(folder)
         for each in matter(outcome.findings, mesh_error=False) if report is None else ():
             if each not in early:
@@ -116,9 +117,9 @@ def _earlier_results(folder: Path) -> Iterator[None]:
         raise
 
 
-def _written(files: GrowingFiles, solution: Solution, response: Response, findings: tuple[Finding, ...]) -> RunOutcome:
-    """Write all files of a run that has ended; only the tables if the user ended it."""
-    outcome = RunOutcome(
+def _outcome(files: GrowingFiles, solution: Solution, response: Response, findings: tuple[Finding, ...]) -> RunOutcome:
+    """Collect the results of a run that has ended, its files not yet."""
+    return RunOutcome(
         job=files.job,
         solution=solution,
         response=response,
@@ -127,11 +128,6 @@ def _written(files: GrowingFiles, solution: Solution, response: Response, findin
         notices=tuple(files.notices),
         folder=files.folder,
     )
-    if solution.status is Status.INTERRUPTED:
-        return replace(outcome, files=write_tables(outcome, files.say))
-    from turgor.job.output.write import write_results  # here: it loads what draws, which a solve need not wait for
-
-    return replace(outcome, files=write_results(outcome, files.say))
 
 
 def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRecord:
@@ -159,23 +155,46 @@ def _settled(job: Job, model: Model) -> Job:
     return replace(job, setup=with_choices(job.setup, model))
 
 
-def _solved(
-    files: GrowingFiles, record: RunRecord, options: EngineOptions, progress: Heard | None
-) -> tuple[Solution, Response, tuple[Finding, ...]]:
-    """Solve a job, refine its mesh where it has a target, and measure."""
-    job, findings = files.job, record.question.findings or ()
+def _solved(files: GrowingFiles, record: RunRecord, options: EngineOptions, progress: Heard | None) -> RunOutcome:
+    """Solve a job, refine its mesh where it has a target, measure, and write all files; tables if the user ended it."""
+    findings = record.question.findings or ()
     files.say("solving")
     record.on_checkpoint = lambda: files.grow(record)
     question = replace(record.question, options=options)
     solution = follow_question(question, Listeners(progress), record, throw=False)
     if solution.status is Status.INTERRUPTED:
         reported = by_weight((*findings, *not_reported(solution.findings, findings)))
-        return solution, files.response(solution), reported
-    solution, refined = _refined(job, solution, options)
+        outcome = _outcome(files, solution, files.response(solution), reported)
+        return replace(outcome, files=write_tables(outcome, files.say))
+    solution, refined = _refined(files.job, solution, options)
     files.say("measuring")
-    response, unknown = _with_errors(job, files.response(solution), solution, options, bool(refined))
+    outcome = _outcome(files, solution, files.response(solution), findings)
+    return _written(files, outcome, refined, options)
+
+
+def _written(
+    files: GrowingFiles, outcome: RunOutcome, refined: tuple[Finding, ...], options: EngineOptions
+) -> RunOutcome:
+    """Add mesh errors and findings to an outcome, and write all files.
+
+    Fields and pictures are written while the second mesh is solved: that leaves processors idle, and they need no
+    mesh error.
+    """
+    from turgor.job.output.write import draw_path, write_results  # here: it loads what draws
+
+    solution, path = outcome.solution, PathFields(outcome.solution)
+    pool = ThreadPoolExecutor(1)
+    try:
+        estimate = pool.submit(_with_errors, outcome.job, outcome.response, solution, options, bool(refined))
+        draw_path(outcome, files.say, path)
+        response, unknown = estimate.result()
+    finally:
+        pool.shutdown(wait=False)  # an interrupt does not wait for it
+    findings = outcome.findings
     before = (*mesh_error_findings(response, findings), *refined, *unknown)
-    return solution, response, by_weight((*before, *not_reported(solution.findings, findings)))
+    reported = by_weight((*before, *not_reported(solution.findings, findings)))
+    outcome = _outcome(files, solution, response, reported)
+    return replace(outcome, files=write_results(outcome, files.say, fields=path, again=True))
 
 
 def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solution, tuple[Finding, ...]]:

@@ -36,11 +36,14 @@ def current_files(outcome: RunOutcome, note: str) -> frozenset[str]:
 
 
 def drawn_from(outcome: RunOutcome) -> str:
-    """Return a fingerprint of all that pictures and plot show: program, titles, the measures, first and last state."""
+    """Return a fingerprint of all that pictures and plot show: program, titles, the measures, first and last state.
+
+    Mesh errors are left out: a path has the same ones, and pictures are drawn before they are known.
+    """
     solution, shown = outcome.solution, sha256()
     mesh = solution.model.mesh
     # The last digits of a measure change with the number of threads.
-    measures = [(column.name, [f"{value:.6g}" for value in column.values]) for column in outcome.response.columns]
+    measures = [(column.name, [f"{value:.6g}" for value in column.values]) for column in outcome.response.quantities]
     texts = [outcome.written_by.get("turgor", ""), outcome.job.name, outcome.response.stages]
     shown.update(repr((texts, measures)).encode())
     ends = (solution.states[0], solution.states[-1])

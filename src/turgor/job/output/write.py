@@ -62,7 +62,7 @@ def write_results(
     files = list(write_tables(outcome, notify, current))
     if output.fields:
         files += _write_fields(outcome, path, notify, current)
-    notify("drawing")
+    notify("plotting")
     list_files(folder, (PLOT,))
     if PLOT not in current:
         title = picture_title(outcome.response, name=outcome.job.name)
@@ -76,6 +76,16 @@ def write_results(
         write_report(folder / REPORT, report_of(outcome, files, path))
         files.insert(0, folder / REPORT)
     return tuple(files)
+
+
+def draw_path(outcome: RunOutcome, notify: Callable[[str], None], path: PathFields) -> None:
+    """Write the fields and pictures that the job requests: the files that do not wait for mesh errors."""
+    output = outcome.job.output
+    if output.fields:
+        _write_fields(outcome, path, notify, frozenset())
+    if output.pictures:
+        notify("drawing")
+        write_pictures(outcome, path, drawn_from(outcome), frozenset())
 
 
 def _write_fields(
