@@ -174,7 +174,7 @@ def _solved(
     solution, refined = _refined(job, solution, options)
     files.say("measuring")
     response, unknown = _with_errors(job, files.response(solution), solution, options, bool(refined))
-    before = (*mesh_error_findings(response, findings), *refined, *unknown)
+    before = (*mesh_error_findings(response, findings, job.mesh.quality), *refined, *unknown)
     return solution, response, by_weight((*before, *not_reported(solution.findings, findings)))
 
 
