@@ -20,6 +20,7 @@ from turgor.core.solvers.solve import follow_question
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, by_weight, not_reported, show_warning
 from turgor.foundation.response import Response
+from turgor.job.expected import expected_of, remember
 from turgor.job.job import Job
 from turgor.job.kernel_needs import kernel_needs
 from turgor.job.meshes import save_mesh_of
@@ -150,6 +151,7 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
     save_mesh_of(files.job)
     set_aside(files.folder)
     files.begin()
+    files.say(f"expected: {expected_of(files.job, model, options.threads)}")
     question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings)
     return RunRecord.create(folder, question)
 
@@ -171,6 +173,7 @@ def _solved(
     if solution.status is Status.INTERRUPTED:
         reported = by_weight((*findings, *not_reported(solution.findings, findings)))
         return solution, files.response(solution), reported
+    remember(job, solution)
     solution, refined = _refined(job, solution, options)
     files.say("measuring")
     response, unknown = _with_errors(job, files.response(solution), solution, options, bool(refined))
