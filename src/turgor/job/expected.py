@@ -14,6 +14,7 @@ from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.dynamic import Dynamic
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.solution import Solution
+from turgor.core.solvers.solve import FEW_UNKNOWNS
 from turgor.foundation.store.cached_values import Cache
 from turgor.job.job import Job
 from turgor.job.output.identity import IGNORED, digest
@@ -179,7 +180,8 @@ def _seconds(job: Job, unknowns: float, iterations: float, threads: int) -> floa
     each = EXPECTED.iteration * unknowns * (1 + (unknowns / EXPECTED.growth) ** EXPECTED.exponent)
     solve = each * iterations * (1 + EXPECTED.mesh_error * bool(job.output.mesh_error))
     drawing = EXPECTED.drawing if job.output.pictures or job.output.report else 0.0
-    return solve / threads**EXPECTED.by_threads + drawing
+    faster = threads**EXPECTED.by_threads if unknowns >= FEW_UNKNOWNS else 1.0
+    return solve / faster + drawing
 
 
 def _draft_share(job: Job, model: Model) -> float:
