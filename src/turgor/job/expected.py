@@ -37,14 +37,16 @@ class ExpectedSettings:
         A solve gets faster by the number of threads to this power: by 1.6 on two.
     iterations : float
         Iterations of a step. Without contact, 20 families took 9 to 20 iterations in 6 or 7 steps.
-    obstacle, meeting : float
-        Factor of the iterations with obstacles, and where walls meet: 28 for a blocked force, 71 to 87 for the demo.
+    obstacle, fibers, meeting : float
+        Factor of the iterations with obstacles, with fibers, and where walls meet: 28 for a blocked force; 13 and 59
+        for a cylinder and a bender with fibers; 71 to 87 for the demo.
     mesh_error : float
         Estimating the mesh error takes this share of the solve.
     drawing : float
         CPU seconds of pictures and report.
-    process, unknown, estimated : float
-        Bytes of the process, for each unknown of a solve, and for each unknown of the estimate of the mesh error.
+    process, picture, unknown, estimated : float
+        Bytes of the process, of pictures and report, for each unknown of a solve, and for each unknown of the estimate
+        of the mesh error.
     dense : float
         Bytes of an unknown of hexahedra over those of tetrahedra.
     draft : float
@@ -61,10 +63,12 @@ class ExpectedSettings:
     by_threads: float = 0.7
     iterations: float = 2.4
     obstacle: float = 2.0
+    fibers: float = 2.0
     meeting: float = 4.5
     mesh_error: float = 0.6
-    drawing: float = 4.0
+    drawing: float = 5.0
     process: float = 2.8e8
+    picture: float = 0.8e8
     unknown: float = 9e3
     estimated: float = 8e3
     dense: float = 1.5
@@ -137,12 +141,13 @@ def expected_of(job: Job, model: Model, threads: int) -> Expected:
     unknowns = float(mesh.unknown_count)
     unmet = not isinstance(last, int) and model.contact.for_mesh(mesh) is not None
     draft = unknowns * _draft_share(job, model)
+    dense = 1.0 if mesh.cell_type is TETRAHEDRON else EXPECTED.dense
     each = EXPECTED.unknown + (EXPECTED.estimated if job.output.mesh_error else 0.0)
     return Expected(
         seconds=seconds(unknowns),
         meeting=seconds(unknowns, EXPECTED.meeting) if unmet else None,
         draft=seconds(draft) if draft < 0.7 * unknowns else None,
-        memory=EXPECTED.process + each * unknowns * (1.0 if mesh.cell_type is TETRAHEDRON else EXPECTED.dense),
+        memory=EXPECTED.process + EXPECTED.picture * _draws(job) + each * unknowns * dense,
         threads=threads,
     )
 
@@ -172,6 +177,7 @@ def _iterations(model: Model, procedure: Procedure) -> float | None:
             return None
         growing = max(0.0, log2(each.max_step / each.first_step))
         total += EXPECTED.iterations * (1 / each.max_step + growing)
+    total *= EXPECTED.fibers if model.reinforcements else 1.0
     return total * (EXPECTED.obstacle if model.contact.obstacles else 1.0)
 
 
@@ -179,9 +185,12 @@ def _seconds(job: Job, unknowns: float, iterations: float, threads: int) -> floa
     """Wall seconds of a run on the machine that measured."""
     each = EXPECTED.iteration * unknowns * (1 + (unknowns / EXPECTED.growth) ** EXPECTED.exponent)
     solve = each * iterations * (1 + EXPECTED.mesh_error * bool(job.output.mesh_error))
-    drawing = EXPECTED.drawing if job.output.pictures or job.output.report else 0.0
     faster = threads**EXPECTED.by_threads if unknowns >= FEW_UNKNOWNS else 1.0
-    return solve / faster + drawing
+    return solve / faster + EXPECTED.drawing * _draws(job)
+
+
+def _draws(job: Job) -> bool:
+    return job.output.pictures or job.output.report
 
 
 def _draft_share(job: Job, model: Model) -> float:

@@ -99,8 +99,8 @@ def mesh(
     cells : str, optional
         ``"tetrahedra"`` of ten nodes, for any geometry; ``"hexahedra"`` of 27 nodes, for families that are a section
         moved along a line or turned about an axis; ``"axisymmetric"``, for a quarter of a body of revolution whose
-        loads are the same all around. By default hexahedra where they fit, no ``size`` or ``face_sizes`` is given and the
-        quality is no draft.
+        loads are the same all around. By default hexahedra where they fit, no ``size`` or ``face_sizes`` is given and
+        the quality is no draft.
     ignore_features_below : float [m], optional
         Fillets and other rounds of a smaller radius make cells no smaller. 0 follows all of them. By default half the
         size for parts of CAD files whose rounds would make more unknowns than all the rest; G11 says which these are.
