@@ -12,6 +12,8 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
         from turgor.accuracy.adaptivity.findings import ONLY_WITH_ERROR
         from turgor.cli.answers.results import CheckResult
         from turgor.foundation.finding import Severity
+        from turgor.foundation.processors import processors
+        from turgor.job.expected import expected_of
         from turgor.job.meshes import save_mesh_of
         from turgor.job.prepare import prepare
         from turgor.views.report.describe import contact
@@ -22,6 +24,8 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
         save_mesh_of(parsed)
         mesh = model.mesh
         typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
+        expected = expected_of(parsed, model, parsed.threads or processors())
+        typer.echo(f"Expected: {expected}.")
         for sentence in contact(model):
             typer.echo(sentence)
         stages = dict(procedure(parsed.procedure)) if parsed.procedure.stages else {}
@@ -33,6 +37,8 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
                 mesh=mesh.name,
                 cells=len(mesh.cells),
                 unknowns=mesh.unknown_count,
+                expected_s=expected.seconds,
+                expected_bytes=expected.memory,
                 contact=contact(model),
                 stages=stages,
             )

@@ -22,6 +22,7 @@ from turgor.core.solvers.solve import follow_question
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, by_weight, not_reported, show_warning
 from turgor.foundation.response import Response
+from turgor.job.expected import expected_of, remember
 from turgor.job.job import Job
 from turgor.job.kernel_needs import kernel_needs
 from turgor.job.meshes import save_mesh_of
@@ -146,6 +147,7 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
     save_mesh_of(files.job)
     set_aside(files.folder)
     files.begin()
+    files.say(f"expected: {expected_of(files.job, model, options.threads)}")
     question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings)
     return RunRecord.create(folder, question)
 
@@ -166,6 +168,7 @@ def _solved(files: GrowingFiles, record: RunRecord, options: EngineOptions, prog
         reported = by_weight((*findings, *not_reported(solution.findings, findings)))
         outcome = _outcome(files, solution, files.response(solution), reported)
         return replace(outcome, files=write_tables(outcome, files.say))
+    remember(files.job, solution)
     solution, refined = _refined(files.job, solution, options)
     files.say("measuring")
     outcome = _outcome(files, solution, files.response(solution), findings)
@@ -191,7 +194,7 @@ def _written(
     finally:
         pool.shutdown(wait=False)  # an interrupt does not wait for it
     findings = outcome.findings
-    before = (*mesh_error_findings(response, findings), *refined, *unknown)
+    before = (*mesh_error_findings(response, findings, outcome.job.mesh.quality), *refined, *unknown)
     reported = by_weight((*before, *not_reported(solution.findings, findings)))
     outcome = _outcome(files, solution, response, reported)
     return replace(outcome, files=write_results(outcome, files.say, fields=path, again=True))

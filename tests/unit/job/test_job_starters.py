@@ -7,6 +7,8 @@ from dataclasses import fields
 import pytest
 
 from refused import refused
+from turgor.core.meshing.default_settings import chosen_settings
+from turgor.core.meshing.settings import MeshSettings
 from turgor.job.job import ACTUATORS
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
@@ -26,9 +28,15 @@ def told(job):
     return re.sub(r"stated in .*\.toml", "", lock_text(job, {}))
 
 
+def told_besides_the_mesh(job):
+    return re.sub(r"\[mesh\]\n(.+\n)*", "", told(job))
+
+
 @pytest.mark.parametrize("name", ACTUATORS)
-def test_starter_is_the_example_job(name, tmp_path):
-    assert told(read_job(written(name, tmp_path))) == told(read_job(example_job(name)))
+def test_starter_is_the_example_job_with_the_default_mesh(name, tmp_path):
+    job, example = read_job(written(name, tmp_path)), read_job(example_job(name))
+    assert told_besides_the_mesh(job) == told_besides_the_mesh(example)
+    assert job.mesh == chosen_settings(job.geometry(), MeshSettings())
 
 
 def test_starter_has_every_key_with_its_range_and_default():

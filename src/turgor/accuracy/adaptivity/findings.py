@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from math import isfinite
 
 from turgor.accuracy.adaptivity.settings import MESH_ERROR
+from turgor.core.meshing.sizing.settings import QUALITIES
 from turgor.core.results.error_text import last_with_error
 from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response
@@ -15,8 +16,8 @@ UNJUDGED = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "cont
 ONLY_WITH_ERROR = "G01"
 
 
-def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[Finding, ...]:
-    """Report measures with a large mesh error (N02), and keep the findings about the mesh that matter.
+def mesh_error_findings(response: Response, before: Sequence[Finding], quality: str = "normal") -> tuple[Finding, ...]:
+    """Report measures that miss the requested quality (N02), and keep the findings about the mesh that matter.
 
     Parameters
     ----------
@@ -24,16 +25,19 @@ def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[
         With mesh errors, as far as they are known.
     before : sequence of Finding
         Findings about the mesh, before the solve.
+    quality : str
+        The one of the mesh settings.
 
     Returns
     -------
     tuple of Finding
         ``before``, without G01 (walls that are one cell thick) where the estimated errors are small, and N02 where a
-        measure has an error of more than 2 %.
+        measure has an error above that of the quality.
     """
+    requested = QUALITIES[quality].error
     errors = {column.name: _relative(response, column) for column in response.quantities}
     known = {name: error for name, error in errors.items() if error is not None}
-    large = {name: error for name, error in known.items() if error > MESH_ERROR.noted and not _is_unjudged(name)}
+    large = {name: error for name, error in known.items() if error > requested and not _is_unjudged(name)}
     relevant = tuple(finding for finding in before if finding.code != ONLY_WITH_ERROR or large or not known)
     if not large:
         return relevant
@@ -43,18 +47,25 @@ def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[
         f"({100 * large[name]:.2g} %)"
         for name in worst
     )
-    doubted = large[worst[0]] > MESH_ERROR.doubted
+    doubted = large[worst[0]] > MESH_ERROR.doubted * requested
     return (
         *relevant,
         Finding(
             code="N02",
             severity=Severity.WARNING if doubted else Severity.NOTE,
-            message=f"The estimated mesh error at the last state is above {100 * MESH_ERROR.noted:g} %: {listed}.",
+            message=f"The estimated mesh error at the last state is above {100 * requested:g} %: {listed}.",
             advice='Use hexahedra where the family has them (cells = "hexahedra"; the default where no size is given), '
-            'or a smaller mesh size, or let the mesh be refined where the error comes from: target = "2 %" in [mesh], '
-            "or mesh_to in Python.",
+            f"or a {_finer(quality)}smaller mesh size, or let the mesh be refined where the error comes from: target = "
+            f'"{100 * requested:g} %" in [mesh], or mesh_to in Python.',
         ),
     )
+
+
+def _finer(quality: str) -> str:
+    """The advice to request the next quality, for all but the finest."""
+    names = [*QUALITIES, ""]
+    better = names[names.index(quality) + 1]
+    return f'better quality without a size (quality = "{better}" in [mesh]), or a ' if better else ""
 
 
 def matter(findings: Sequence[Finding], mesh_error: bool) -> tuple[Finding, ...]:

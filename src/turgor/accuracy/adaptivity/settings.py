@@ -29,8 +29,8 @@ class MeshErrorSettings:
     negligible : float
         A measure that differs between two meshes by less than this share of its change was prescribed, and one that is
         smaller than this share of its largest value has no relative error.
-    noted, doubted : float
-        Relative mesh errors above which a measure gets a note, and a warning.
+    doubted : float
+        A measure whose relative mesh error is above the requested one gets a note, above this many times it a warning.
     """
 
     places: tuple[float, ...] = (1.0, 0.5, 0.2)
@@ -42,8 +42,7 @@ class MeshErrorSettings:
     least_growth_hexahedra: float = 2.5
     captured_power: float = 0.7
     negligible: float = 1e-5
-    noted: float = 0.02
-    doubted: float = 0.05
+    doubted: float = 2.5
 
 
 MESH_ERROR = MeshErrorSettings()

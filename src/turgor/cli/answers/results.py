@@ -56,6 +56,10 @@ class CheckResult:
         What is meshed.
     cells, unknowns : int
         Their numbers.
+    expected_s : float or null
+        Expected time of a run after meshing [s]; null for a motion, whose first run shows it.
+    expected_bytes : float
+        Expected memory of a run.
     contact : list of str
         What touches what, in sentences.
     stages : table
@@ -66,6 +70,8 @@ class CheckResult:
     mesh: str
     cells: int
     unknowns: int
+    expected_s: float | None
+    expected_bytes: float
     contact: Sequence[str]
     stages: Mapping[str, str]
 

@@ -11,7 +11,9 @@ class MeshSettings:
     Parameters
     ----------
     size : float or None [m]
-        Largest edge length aimed at; None takes `default_size` of the cells.
+        Largest edge length aimed at; None takes `default_size` of the cells and the quality.
+    quality : str
+        ``"draft"``, ``"normal"`` or ``"fine"``: the mesh error that is requested, 10 %, 2 % or 0.5 %.
     grading : float [-]
         How fast cells may grow away from small ones: 0.1 slowly, 1 at once.
     face_sizes : mapping of str to float [m]
@@ -31,6 +33,7 @@ class MeshSettings:
     """
 
     size: float | None = None
+    quality: str = "normal"
     grading: float = 0.5
     face_sizes: Mapping[str, float] = field(default_factory=dict)
     wall_cells: int = 1

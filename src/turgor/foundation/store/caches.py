@@ -14,6 +14,7 @@ PARTS = {
     "families": "shapes and meshes of actuator families",
     "meshes": "tetrahedral meshes of STL files",
     "laws": "derivatives of laws",
+    "runs": "numbers of iterations of the last runs",
     "compiled": "compiled kernels",
 }
 

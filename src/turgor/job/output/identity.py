@@ -14,10 +14,10 @@ from turgor.job.output.lock import lock_text
 from turgor.job.output.manifest import job_digest
 
 #: Tables of a lock file that do not change the path.
-_IGNORED = frozenset({"name", "written_by", "engine", "output"})
+IGNORED = frozenset({"name", "written_by", "engine", "output"})
 
 
-def identity(content: Mapping[str, Any], ignored: Collection[str] = _IGNORED) -> dict[str, Any]:
+def identity(content: Mapping[str, Any], ignored: Collection[str] = IGNORED) -> dict[str, Any]:
     """Return the values of a lock file by their keys with dots, without what does not change what is computed.
 
     Left out are the name, where numbers come from, and the path of a file whose content is stated by its hash.
@@ -46,7 +46,7 @@ def _flat(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
     return flat
 
 
-def digest(content: Mapping[str, Any], ignored: Collection[str] = _IGNORED) -> str:
+def digest(content: Mapping[str, Any], ignored: Collection[str] = IGNORED) -> str:
     """Return a hash of the identity of a lock file; parameters as those of `identity`."""
     return sha256(json.dumps(identity(content, ignored), sort_keys=True, default=str).encode()).hexdigest()[:16]
 

@@ -111,6 +111,7 @@ def _mesh(job: Job) -> dict[str, Any]:
     assert mesh.size is not None  # chosen where it was not given
     return {
         "size": format_quantity(mesh.size, "mm"),
+        "quality": mesh.quality,
         "grading": mesh.grading,
         "face_sizes": {name: format_quantity(size, "mm") for name, size in mesh.face_sizes.items()},
         "wall_cells": mesh.wall_cells,

@@ -14,6 +14,7 @@ from turgor.job.read import DEFAULTS, SECTIONS
 from turgor.job.reference.kinds import Kind
 from turgor.job.reference.sections import section_tables
 from turgor.job.reference.tables import JobKey, JobTable, family_table, toml
+from turgor.job.tables.mesh_files import MESH_FILE
 
 #: Example jobs in an installed package, and in the source tree, where the package is built from them.
 _INSTALLED, _IN_SOURCE = Path(__file__).parent / "examples", Path(__file__).parents[4] / "examples"
@@ -94,7 +95,9 @@ def commented(text: str, shape: Geometry, actuator: JobTable) -> str:
         TOML.
     """
     content = {**{key: dict(values) for key, values in DEFAULTS.items()}, **tomllib.loads(text)}
-    content = {key: content[key] for key in SECTIONS if content.get(key) or key in ("contact", "output", "engine")}
+    content["mesh"].pop("size", None)  # the default of the quality suits every dimension, a size only the example's
+    always = ("contact", "output", "engine", *(() if content["actuator"]["type"] == MESH_FILE else ("mesh",)))
+    content = {key: content[key] for key in SECTIONS if content.get(key) or key in always}
     absent = [f"[{key}]" for key in SECTIONS if key not in (*content, "name", "written_by")]
     intro = "".join(re.findall(r"\A(?:#.*\n)+", text))
     tables = {table.header: table for table in section_tables(shape)}

@@ -56,7 +56,7 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
             problems.add(key, "the actuator is a mesh already; leave the table [mesh] out, or mesh the part again.")
         return table.model_copy(update={"size": geometry.extent})
     cells = chosen_cells(geometry, table.settings)
-    size = default_size(geometry, cells) if table.size is None else table.size
+    size = default_size(geometry, cells, table.quality) if table.size is None else table.size
     table = table.model_copy(update={"size": size, "cells": cells})
     settings = table.settings
     problems.attempt(key, lambda: check_settings(geometry, settings), fields=("size", "grading", "wall_cells"))

@@ -13,7 +13,7 @@ from typing import Annotated, Any, get_args
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, create_model
 
 from turgor.core.meshing.settings import MeshSettings
-from turgor.core.meshing.sizing.sizes import check_target
+from turgor.core.meshing.sizing.sizes import check_quality, check_target
 from turgor.foundation.errors import TurgorError, near_match, unknown
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
@@ -73,6 +73,11 @@ def _measure(name: str) -> str:
     return find_measure(name).name
 
 
+def _quality(name: str) -> str:
+    check_quality(name)
+    return name
+
+
 def _share(value: object) -> float:
     """Read a share, such as ``"2 %"``."""
     text = value.strip() if isinstance(value, str) else ""
@@ -114,7 +119,10 @@ class MeshTable(Table):
     Keys
     ----
     size : float [m]
-        Largest edge length aimed at; chosen for the actuator by default.
+        Largest edge length aimed at; chosen for the actuator and the quality by default.
+    quality : str
+        Mesh error that is requested: `draft` 10 %, `normal` 2 %, `fine` 0.5 %. It chooses the size where none is
+        stated, and a run reports measures that miss it.
     cells : str
         Kind of the cells; what suits the actuator by default.
     ignore_features_below : float [m]
@@ -129,6 +137,7 @@ class MeshTable(Table):
     """
 
     size: Length | None = Field(default=None, examples=['"3 mm"'])
+    quality: Annotated[str, AfterValidator(_quality)] = Field(default=_MESH.quality, examples=['"draft"'])
     grading: float = _MESH.grading
     face_sizes: dict[str, Length] = Field(default_factory=dict, examples=['{ cavity = "1 mm" }'])
     wall_cells: int = _MESH.wall_cells
@@ -143,6 +152,7 @@ class MeshTable(Table):
         """Return the settings of the mesh."""
         return MeshSettings(
             size=self.size,
+            quality=self.quality,
             grading=self.grading,
             face_sizes=self.face_sizes,
             wall_cells=self.wall_cells,

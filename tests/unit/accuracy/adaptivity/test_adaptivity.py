@@ -151,6 +151,33 @@ def test_a_large_mesh_error_is_noted_and_a_larger_one_doubted(error, severity):
     assert f"({100 * error:.2g} %)" in finding.message
 
 
+@pytest.mark.parametrize(
+    ("quality", "error", "codes"),
+    [
+        ("draft", 0.09, []),
+        ("draft", 0.11, ["G01", "N02"]),
+        ("normal", 0.019, []),
+        ("fine", 0.004, []),
+        ("fine", 0.006, ["G01", "N02"]),
+    ],
+)
+def test_only_a_measure_that_misses_the_requested_quality_is_reported(quality, error, codes):
+    findings = mesh_error_findings(_response(error), (G01,), quality)
+    assert [finding.code for finding in findings] == codes
+
+
+def test_the_advice_names_the_next_quality_and_the_requested_error():
+    (draft,) = mesh_error_findings(_response(0.26), (), "draft")
+    assert draft.severity is Severity.WARNING
+    assert "above 10 %" in draft.message
+    assert 'quality = "normal"' in draft.advice
+    assert 'target = "10 %"' in draft.advice
+    (fine,) = mesh_error_findings(_response(0.011), (), "fine")
+    assert fine.severity is Severity.NOTE
+    assert "quality =" not in fine.advice
+    assert 'target = "0.5 %"' in fine.advice
+
+
 def test_a_mesh_is_refined_until_the_target_is_met(bent):
     if bent.model.mesh.cells.shape[1] == 27:
         pytest.skip("whole sheets grow fast: a minute, for the same lines")

@@ -3,7 +3,9 @@
 Lengths are shares of the mesh size unless another one is stated.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,8 +24,8 @@ class SizingSettings:
         Cells up to this many times longer than the thinnest wall suit all walls: one quadratic cell through a wall,
         four times as long as thick, still bends well; longer cells miss the bulging of walls.
     default_unknowns, most_unknowns : float
-        Largest mesh that is made where no size is stated, which one machine solves in minutes, and that one machine
-        can be expected to solve.
+        Largest mesh that is made where neither size nor quality is stated, which one machine solves in minutes, and
+        that one machine can be expected to solve.
     unknowns_of_pairs : float
         Hexahedra of a section that is cut into paired triangles are not chosen where they have more unknowns. A long
         bender with a skin has 150,000, and 80,000 with tetrahedra, which are 0.3 % off on the truth set.
@@ -66,6 +68,38 @@ class SizingSettings:
 
 
 SIZING = SizingSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class QualitySettings:
+    """What a requested quality means where no size is stated (`test_quality`).
+
+    Parameters
+    ----------
+    error : float
+        Relative mesh error of angles, extensions, twists and volumes that the quality is made for.
+    size : float
+        Factor of the size of "normal".
+    unknowns : float
+        Factor of the unknowns above which cells get longer.
+    hexahedra : bool
+        Whether hexahedra are chosen where they suit a geometry.
+    """
+
+    error: float
+    size: float = 1.0
+    unknowns: float = 1.0
+    hexahedra: bool = True
+
+
+#: Qualities by name, the coarsest first.
+QUALITIES: Mapping[str, QualitySettings] = MappingProxyType(
+    {
+        "draft": QualitySettings(0.1, size=1.5, hexahedra=False),
+        "normal": QualitySettings(0.02),
+        "fine": QualitySettings(0.005, size=0.5, unknowns=4.0),
+    }
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.shapes.lazy_shape import LateShape
 from turgor.core.geometry.thin_corners import THIN_CORNERS
 from turgor.core.meshing.settings import MeshSettings
-from turgor.core.meshing.sizing.settings import SIZING
+from turgor.core.meshing.sizing.settings import QUALITIES, SIZING
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.units import mm
 
@@ -49,6 +49,19 @@ def check_settings(geometry: Geometry, settings: MeshSettings) -> None:
     _check_size(geometry, settings.size)
     if isinstance(grading, bool) or not isinstance(grading, Real) or not 0.1 <= float(grading) <= 1:
         raise TurgorError(f"mesh grading is {grading!r}; allowed is 0.1 to 1.")
+
+
+def check_quality(quality: object) -> None:
+    """Refuse a quality that has no name.
+
+    Examples
+    --------
+    >>> check_quality("fin")
+    Traceback (most recent call last):
+    turgor.TurgorError: unknown mesh quality 'fin'; did you mean 'fine'? Known: draft, fine, normal.
+    """
+    if not isinstance(quality, str) or quality not in QUALITIES:
+        raise unknown("mesh quality", str(quality), QUALITIES)
 
 
 def check_target(target: float) -> None:

@@ -1,0 +1,56 @@
+"""Quality: the mesh error that is requested chooses the size and the kind of cells where no size is stated."""
+
+import pytest
+
+import turgor as tg
+from refused import refused
+from turgor.core.meshing.default_settings import chosen_settings
+from turgor.core.meshing.settings import MeshSettings
+from turgor.core.meshing.sizing.default_size import default_size
+from turgor.core.meshing.sizing.settings import QUALITIES
+from turgor.units import mm
+
+
+@pytest.fixture(scope="module")
+def finger():
+    return tg.FastPneuNet(chambers=1, length=10 * mm).build()
+
+
+def test_each_quality_has_its_error():
+    assert {name: each.error for name, each in QUALITIES.items()} == {"draft": 0.1, "normal": 0.02, "fine": 0.005}
+
+
+def test_normal_is_the_default_mesh(finger):
+    assert MeshSettings().quality == "normal"
+    assert chosen_settings(finger, MeshSettings(quality="normal")) == chosen_settings(finger, MeshSettings())
+
+
+def test_a_draft_has_fewer_unknowns_and_a_fine_mesh_more(finger):
+    draft, normal, fine = (tg.mesh(finger, quality=name) for name in QUALITIES)
+    assert (draft.cell_type.name, normal.cell_type.name, fine.cell_type.name) == (
+        "ten-node tetrahedron",
+        "27-node hexahedron",
+        "27-node hexahedron",
+    )
+    assert 2 * draft.unknown_count < normal.unknown_count
+    assert 1.3 * normal.unknown_count < fine.unknown_count < 8 * normal.unknown_count
+
+
+@pytest.mark.parametrize("cells", ["tetrahedra", "hexahedra"])
+def test_the_size_follows_the_quality_for_stated_cells(finger, cells):
+    normal = default_size(finger, cells)
+    assert default_size(finger, cells, "fine") == pytest.approx(normal / 2, rel=0.06)  # two digits
+    assert default_size(finger, cells, "draft") > normal / 1.0001
+
+
+def test_a_stated_size_comes_first(finger):
+    for name in QUALITIES:
+        chosen = chosen_settings(finger, MeshSettings(size=2 * mm, quality=name))
+        assert (chosen.size, chosen.cells, chosen.quality) == (2 * mm, "tetrahedra", name)
+
+
+def test_an_unknown_quality_is_answered_with_the_nearest_one(finger):
+    with refused("'drft'", "'draft'", "fine", "normal"):
+        tg.mesh(finger, quality="drft")
+    with refused("3", "draft", "fine", "normal"):
+        tg.mesh(finger, quality=3)
