@@ -24,13 +24,13 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
         save_mesh_of(parsed)
         mesh = model.mesh
         typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
-        expected = expected_of(parsed, model, parsed.threads or processors())
-        typer.echo(f"Expected: {expected}.")
         for sentence in contact(model):
             typer.echo(sentence)
         stages = dict(procedure(parsed.procedure)) if parsed.procedure.stages else {}
         for name, acts in stages.items():
             typer.echo(f"Stage '{name}': {acts}.")
+        expected = expected_of(parsed, model, parsed.threads or processors())
+        typer.echo(f"Expected: {expected}.")
         answer.give(
             lambda: CheckResult(
                 name=parsed.name,

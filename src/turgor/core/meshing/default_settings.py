@@ -25,8 +25,8 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
 
     Where neither size nor cells nor sizes of faces are given, a geometry that is a swept section gets hexahedra. On the
     truth set (docs/truth.md) their default size is within 1.4 % of the references, that of tetrahedra up to 7 % off. A
-    size alone means tetrahedra, as it always did, so that files with a size keep their mesh. So does a draft: coarse
-    hexahedra have hardly fewer unknowns than those of the default size.
+    size alone means tetrahedra, as it always did, so that files with a size keep their mesh. So does a draft
+    unless hexahedra have few unknowns: coarse ones have hardly fewer than those of the default size.
 
     Parameters
     ----------
@@ -68,11 +68,12 @@ def chosen_cells(geometry: Geometry, settings: MeshSettings) -> str:
     if settings.cells is not None:
         return settings.cells
     free = settings.size is None and not settings.face_sizes and settings.ignore_features_below is None
-    return "hexahedra" if free and QUALITIES[settings.quality].hexahedra and _fillable(geometry) else "tetrahedra"
+    most = QUALITIES[settings.quality].hexahedra
+    return "hexahedra" if free and _fillable(geometry, most) else "tetrahedra"
 
 
-def _fillable(geometry: Geometry) -> bool:
-    """Whether hexahedra of the default size suit a geometry.
+def _fillable(geometry: Geometry, most: float) -> bool:
+    """Whether hexahedra of the default size suit a geometry and have at most so many unknowns.
 
     In few sections of odd dimensions some turn over, and some sections need too many.
     """
@@ -82,6 +83,7 @@ def _fillable(geometry: Geometry) -> bool:
     try:
         mesh = swept_mesh(geometry, fine)
         refuse_inverted(mesh)
-        return mesh.unknown_count <= SIZING.unknowns_of_pairs or is_lattice(geometry, fine)
+        few = mesh.unknown_count <= SIZING.unknowns_of_pairs or is_lattice(geometry, fine)
+        return few and mesh.unknown_count <= most
     except TurgorError:
         return False

@@ -13,6 +13,7 @@ from turgor.core.materials.laws.laws import LAWS
 from turgor.core.materials.library.record_history import history_tables
 from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.core.meshing.settings import MeshSettings
 from turgor.core.model.sheets import Sheet, Shell
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.registry import name_in
@@ -111,11 +112,11 @@ def _mesh(job: Job) -> dict[str, Any]:
     assert mesh.size is not None  # chosen where it was not given
     return {
         "size": format_quantity(mesh.size, "mm"),
-        "quality": mesh.quality,
         "grading": mesh.grading,
         "face_sizes": {name: format_quantity(size, "mm") for name, size in mesh.face_sizes.items()},
         "wall_cells": mesh.wall_cells,
         "cells": mesh.cells,
+        **({} if mesh.quality == MeshSettings().quality else {"quality": mesh.quality}),
         **_features(mesh.ignore_features_below),
         **_target(job),
     }

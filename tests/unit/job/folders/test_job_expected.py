@@ -113,7 +113,7 @@ def test_it_is_said_before_the_solve_and_by_the_check(file, capsys):
 
 def test_it_reads_as_a_sentence():
     known = Expected(seconds=43.0, memory=0.62e9, threads=2, draft=8.2)
-    assert str(known) == 'about 40 s and 0.6 GB on 2 threads; quality = "draft" takes about 8 s'
+    assert str(known) == 'about 45 s and 0.6 GB on 2 threads; quality = "draft" takes about 8 s'
     assert "(3 min if walls meet)" in str(replace(known, meeting=190.0))
 
 

@@ -16,7 +16,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra", quality: str = "
 
     It is larger where this would make more than about 150,000 unknowns, up to four times the wall, and never more
     than an eighth of the part. Where four times the wall would make more unknowns than can be solved for, it is larger
-    still, and only thin walls get smaller cells. A draft is 1.5 times as coarse, a fine mesh half as coarse.
+    still, and only thin walls get smaller cells. A draft is 1.25 times as coarse, a fine mesh half as coarse.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra", quality: str = "
     >>> default_size(finger), default_size(finger, "hexahedra")
     (0.002, 0.003)
     >>> default_size(finger, quality="draft"), default_size(finger, "hexahedra", quality="fine")
-    (0.003, 0.0015)
+    (0.0025, 0.0015)
     """
     low, high = size_range(geometry)[0], wall_size(geometry)
     if high < low and cells != "axisymmetric":

@@ -5,6 +5,7 @@ Lengths are shares of the mesh size unless another one is stated.
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import inf
 from types import MappingProxyType
 
 
@@ -79,23 +80,25 @@ class QualitySettings:
     error : float
         Relative mesh error of angles, extensions, twists and volumes that the quality is made for.
     size : float
-        Factor of the size of "normal".
+        Factor of the size of "normal". Tetrahedra of 1.5 times that size are up to 9 % off on the truth set (one tip
+        11 %), but 21 % on a fin; of 1.25 times, 13 % there. Hexahedra of half the size are 0.5 % off.
     unknowns : float
         Factor of the unknowns above which cells get longer.
-    hexahedra : bool
-        Whether hexahedra are chosen where they suit a geometry.
+    hexahedra : float
+        Hexahedra are chosen where they suit a geometry and have at most so many unknowns in a "normal" mesh. Up to
+        40,000, tetrahedra of a draft have as many in half of the families, and are worse.
     """
 
     error: float
     size: float = 1.0
     unknowns: float = 1.0
-    hexahedra: bool = True
+    hexahedra: float = inf
 
 
 #: Qualities by name, the coarsest first.
 QUALITIES: Mapping[str, QualitySettings] = MappingProxyType(
     {
-        "draft": QualitySettings(0.1, size=1.5, hexahedra=False),
+        "draft": QualitySettings(0.1, size=1.25, hexahedra=4e4),
         "normal": QualitySettings(0.02),
         "fine": QualitySettings(0.005, size=0.5, unknowns=4.0),
     }
