@@ -11,7 +11,6 @@ and rows lie in `families.json`. A reference is a finer mesh of another kind of 
 
 import argparse
 import json
-import os
 import sys
 import time
 from dataclasses import replace
@@ -27,6 +26,7 @@ from benchmarks.accuracy.families_page import page
 from benchmarks.shared.machine import machine
 from benchmarks.truth.truth import read, separate, write
 from turgor.core.meshing.generate import mesh_with
+from turgor.core.meshing.revolved.axisymmetric import axisymmetric_mesh
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
@@ -43,7 +43,7 @@ OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 FAMILIES = tuple(name for name in ACTUATORS if name != "fast_pneunet")
 #: Mesh of each reference: longest edge [mm], and where given, edges next to sharp edges [mm] and the kind of cells.
 REFERENCES: dict[str, dict[str, Any]] = {
-    "bellows_of_revolution": {"size": 1.5, "cells": "hexahedra"},
+    "bellows_of_revolution": {"size": 0.4, "edge": 0.02, "cells": "axisymmetric"},
     "bidirectional_bender": {"size": 4.5, "edge": 0.45},
     "bidirectional_pneunet": {"size": 3.0, "edge": 0.45},
     "contracting_tube": {"size": 1.5, "cells": "hexahedra"},
@@ -77,11 +77,9 @@ def meshed(job: Job, spec: dict[str, Any]) -> tg.Mesh:
     """The default mesh where nothing is specified, else a mesh of this size, short next to edges where requested."""
     geometry = job.geometry()
     if "edge" in spec:
-        along = spec.get("along")
-        corners = tuple((y * mm, z * mm) for y, z in spec.get("corners", ()))
-        fine = Fineness(
-            size=spec["size"] * mm, edge=spec["edge"] * mm, along=None if along is None else along * mm, corners=corners
-        )
+        fine = Fineness(size=spec["size"] * mm, edge=spec["edge"] * mm)
+        if spec.get("cells") == "axisymmetric" and geometry._sweep is not None:
+            return axisymmetric_mesh(geometry, replace(fine, corners=geometry._sweep.hinges))
         return swept_mesh(geometry, fine)
     settings = {"size": spec["size"] * mm, "cells": spec["cells"]} if spec else {}
     return mesh_with(geometry, MeshSettings(**settings))

@@ -8,7 +8,8 @@ from benchmarks.shared.tables import table
 #: What default meshes are meant to reach: relative errors of changes of shape and of stress, and CPU seconds.
 SHAPE, STRESS, SECONDS = 0.01, 0.03, 30.0
 HEAD = ("family", "cells", "number", "unknowns", "steps", "iterations", "rejected", "mesh and solve [CPU s]",
-        "estimate [CPU s]", "wall [s]", "first measure", "error", "estimate", "tip", "volume", "stress, 99 %")  # fmt: skip
+        "estimate [CPU s]", "wall [s]", "first measure", "error", "estimate", "tip", "volume",
+        "stress, 99 %")  # fmt: skip
 REFERENCE = ("family", "cells", "number", "unknowns", "size [mm]", "edge [mm]", "CPU s", "first measure",
              "tip displacement [mm]", "cavity volume [mL]", "stress, 99 % [kPa]")  # fmt: skip
 #: Unit and factor from SI of the first measures.

@@ -73,6 +73,7 @@ def _fillable(geometry: Geometry) -> bool:
     try:
         mesh = swept_mesh(geometry, fine)
         refuse_inverted(mesh)
-        return mesh.unknown_count <= SIZING.unknowns_of_pairs or is_lattice(geometry, fine)
+        few = mesh.unknown_count <= SIZING.unknowns_of_pairs
+        return few or bool(geometry._sweep.hinges) or is_lattice(geometry, fine)
     except TurgorError:
         return False
