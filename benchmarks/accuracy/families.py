@@ -41,17 +41,18 @@ STORED, PAGE = HERE / "families.json", HERE / "families.md"
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 #: The demo has a page of its own (docs/mesh-independence.md).
 FAMILIES = tuple(name for name in ACTUATORS if name != "fast_pneunet")
-#: Mesh of each reference: longest edge [mm], and where given, edges next to sharp edges [mm] and the kind of cells.
+#: Mesh of each reference: longest edge, and where given, edges next to sharp edges, the longest edge along a straight
+#: path [mm] and the kind of cells.
 REFERENCES: dict[str, dict[str, Any]] = {
     "bellows_of_revolution": {"size": 0.4, "edge": 0.02, "cells": "axisymmetric"},
-    "bidirectional_bender": {"size": 4.5, "edge": 0.45},
+    "bidirectional_bender": {"size": 4.5, "edge": 0.3, "along": 13.5},
     "bidirectional_pneunet": {"size": 3.0, "edge": 0.45},
     "contracting_tube": {"size": 1.5, "cells": "hexahedra"},
     "eccentric_bender": {"size": 3.0, "edge": 0.3},
     "extending_cylinder": {"size": 2.0, "edge": 0.2},
     "fiber_reinforced_bender": {"size": 2.5, "edge": 0.25},
     "fiber_reinforced_cylinder": {"size": 3.0, "edge": 0.15},
-    "free_bottom_pneunet": {"size": 3.0, "edge": 0.45},
+    "free_bottom_pneunet": {"size": 3.0, "edge": 0.6},
     "helical_pneunet": {"size": 3.0, "edge": 0.6},
     "manta_fin": {"size": 4.5, "edge": 0.7},
     "omnidirectional_actuator": {"size": 3.0, "edge": 0.3},
@@ -77,7 +78,8 @@ def meshed(job: Job, spec: dict[str, Any]) -> tg.Mesh:
     """The default mesh where nothing is specified, else a mesh of this size, short next to edges where requested."""
     geometry = job.geometry()
     if "edge" in spec:
-        fine = Fineness(size=spec["size"] * mm, edge=spec["edge"] * mm)
+        along = spec["along"] * mm if "along" in spec else None
+        fine = Fineness(size=spec["size"] * mm, edge=spec["edge"] * mm, along=along)
         if spec.get("cells") == "axisymmetric" and geometry._sweep is not None:
             return axisymmetric_mesh(geometry, replace(fine, corners=geometry._sweep.hinges))
         return swept_mesh(geometry, fine)
