@@ -38,8 +38,7 @@ ran. **Bold** is missed: 1 % of shape, 3 % of stress, {seconds:g} CPU s.
 Each is one mesh with shorter cells next to sharp edges (*edge*: length of these) or everywhere, of the stated size.
 A reference is one mesh, not a limit: where stresses have no bound at an edge, a further refinement would move it by a
 part of the difference that the first table shows. That of the manta fin is uncertain: a mesh in between, with edges of
-1.2 mm, bends 5.8 % more than it. That of the bidirectional bender has about the cells of the default mesh across the
-section, unless its edges are shorter than 0.4 mm.
+1.2 mm, bends 5.8 % more than it.
 
 {references}
 
