@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 
-from turgor.core.geometry.shapes.sections import Outline
+from turgor.core.geometry.shapes.sections import Outline, Point
 from turgor.core.geometry.shapes.tolerances import TOLERANCE
 
 #: Name of an area of a section: a region, a cavity (it begins with ``cavity``), or air around the solids. Air is None
@@ -135,6 +135,8 @@ class Sweep:
         Path of the section.
     names : tuple of PlaneName, RangeName or Interface
         Names of the faces other than cavities and ``outside``; later ones win.
+    hinges : tuple of (2,) floats [m]
+        Re-entrant corners of the section about which thin walls fold; cells are short there.
 
     Examples
     --------
@@ -148,6 +150,7 @@ class Sweep:
     layers: tuple[Layer, ...]
     path: Along | Turned = Along()
     names: tuple[FaceName, ...] = ()
+    hinges: tuple[Point, ...] = ()
 
     @property
     def is_closed(self) -> bool:

@@ -83,7 +83,8 @@ def _fillable(geometry: Geometry, most: float) -> bool:
     try:
         mesh = swept_mesh(geometry, fine)
         refuse_inverted(mesh)
-        few = mesh.unknown_count <= SIZING.unknowns_of_pairs or is_lattice(geometry, fine)
-        return few and mesh.unknown_count <= most
+        count, hinges = mesh.unknown_count, bool(geometry._sweep.hinges)
+        few = count <= SIZING.unknowns_of_pairs or hinges or is_lattice(geometry, fine)
+        return few and count <= most
     except TurgorError:
         return False

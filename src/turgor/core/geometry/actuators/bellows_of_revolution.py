@@ -148,7 +148,8 @@ radii 8 mm and 9 mm.
         start = {"": -pi, "y": -pi / 2, "yz": 0.0}[mirrors]
         layer = Layer(start=start, end=start + self._turn, fill=(("body", outside), ("cavity", inside)))
         names = end_names(end=self.clamp_length + self.length, clamp=self.clamp_length, mirrors=mirrors)
-        return Sweep(layers=(layer,), path=Turned(), names=names)
+        hinges = self._folds.hinges(self.clamp_length + self.cap)
+        return Sweep(layers=(layer,), path=Turned(), names=names, hinges=hinges)
 
     @property
     def _folds(self) -> Folds:

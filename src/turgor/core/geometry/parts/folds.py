@@ -94,6 +94,14 @@ fit between the radii 8 mm and 16 mm.
         """Inner side of the wall from its end back to its start at x = ``start`` [m], as (x, radius)."""
         return self._path(start, self.inner_radius, self.outer_radius - self._radial_wall, self.wall / 2)
 
+    def hinges(self, start: float) -> tuple[Point, ...]:
+        """Re-entrant corners of straight folds from x = ``start`` [m]: within each crest and outside between two."""
+        if self.shape != "straight":
+            return ()
+        crests = [(start + (i + 0.5) * self.pitch, self.outer_radius - self._radial_wall) for i in range(self.count)]
+        necks = [(start + i * self.pitch, self.neck_radius) for i in range(1, self.count)]
+        return (*crests, *necks)
+
     def _path(self, start: float, low: float, high: float, shift: float) -> Path:
         """One side of the wall; ``shift`` is what it adds to the radius of the arcs at the necks."""
         path: Path = []

@@ -45,6 +45,12 @@ class SizingSettings:
         from it by at most this factor each (`test_swept_sections`). On a rectangular bender of 50 mm with a base 20
         times stiffer, size three times the wall, the angle is 1.6 % off with cells of equal length, 0.1 % with these
         and a quarter more unknowns.
+    hinge : float
+        Length of the cells at corners about which walls fold, as a share of the size. Bellows of four straight folds
+        extend 14 % too little without short cells there, 0.8 % with these, in 12 CPU s; a third longer, 1.0 % in 9 s.
+    tube_edge, tube_along : float
+        Length of the cells along the inner edges of a straight tube of rectangular section, and along the tube, over
+        the size. A rectangular bender is 2.7 % off with cells as elsewhere, 0.5 % with these.
     curved : float
         Size on curved walls that end in thin corners: a share of the size and not of the wall, so that a study of mesh
         sizes refines all of a mesh alike.
@@ -65,6 +71,9 @@ class SizingSettings:
     most_target: float = 0.5
     short: float = 1 / 3
     growth: float = 4.0
+    hinge: float = 2 / 45
+    tube_edge: float = 1 / 9
+    tube_along: float = 2.0
     curved: float = 0.7
 
 

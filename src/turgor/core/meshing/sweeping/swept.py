@@ -1,12 +1,15 @@
 """Swept meshes: 27-node hexahedra of a section moved along a line or turned about an axis."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import pi
 
 from turgor.core.geometry.extrusion import Sweep, Turned
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.shapes.sections import Outline
 from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.sizing.settings import SIZING
+from turgor.core.meshing.sizing.sizes import is_tube
 from turgor.core.meshing.sweeping.axis import core_outline, core_radius, reaches_axis, with_core, without_core
 from turgor.core.meshing.sweeping.grid import grid_section
 from turgor.core.meshing.sweeping.hexahedra import fill
@@ -51,6 +54,7 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     (373, '27-node hexahedron', 'cavity')
     """
     sweep = _sweep_of(geometry)
+    fine = short_at_edges(geometry, fine)
     section = section_of(sweep, sweep.outlines, fine)
     if not reaches_axis(sweep, section):
         return assemble(fill(sweep, section, fine), geometry, sweep)
@@ -60,6 +64,32 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     return assemble(
         with_core(fill(sweep, section, fine, multiple=2 * quarters), sweep, section, radius, fine), geometry, sweep
     )
+
+
+def short_at_edges(geometry: Geometry, fine: Fineness) -> Fineness:
+    """Cells of a size, shorter where stresses have no bound: at corners about which walls fold, and within a long box.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        A sweep.
+    fine : Fineness
+        A length of the shortest cells and along the path stays as stated.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.rectangular_bender import RectangularBender
+    >>> fine = short_at_edges(RectangularBender().build(), Fineness(size=4.5e-3))
+    >>> round(fine.edge * 1e3, 3), fine.along
+    (0.5, 0.009)
+    """
+    sweep = _sweep_of(geometry)
+    if sweep.hinges and not fine.corners:
+        return replace(fine, corners=sweep.hinges, edge=fine.edge or SIZING.hinge * fine.size)
+    if fine.edge is None and is_tube(geometry) and grid_section(sweep.outlines, fine) is not None:
+        along = max(fine.along or 0.0, SIZING.tube_along * fine.size)
+        return replace(fine, edge=SIZING.tube_edge * fine.size, along=along)
+    return fine
 
 
 def check_cells(geometry: Geometry, cells: object) -> str:

@@ -5,13 +5,18 @@ from math import pi
 import numpy as np
 import pytest
 
+from turgor.core.geometry.actuators.bellows_of_revolution import BellowsOfRevolution
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.geometry.actuators.rectangular_bender import RectangularBender
 from turgor.core.geometry.extrusion import Layer
+from turgor.core.geometry.parts.folds import Folds
 from turgor.core.geometry.shapes.sections import Outline, disc, half_disc, polygon, rectangle, ring_sector
 from turgor.core.meshing.sweeping.general import general_section
 from turgor.core.meshing.sweeping.grid import grid_section
 from turgor.core.meshing.sweeping.pairing import corner_sines, paired
 from turgor.core.meshing.sweeping.polar import core_section, polar_section
 from turgor.core.meshing.sweeping.section import Fineness, SectionMesh, divided, divided_turn, inside, names_at
+from turgor.core.meshing.sweeping.swept import section_of, short_at_edges, swept_mesh
 from turgor.units import mm
 
 FINE = Fineness(size=2 * mm)
@@ -175,3 +180,36 @@ def test_triangles_are_paired_unless_an_edge_must_stay() -> None:
     assert (len(alone), len(quads)) == (2, 0)
     flat = points * [1, 0.2] + points[:, 1:] * [1, 0]  # a parallelogram of 11° makes no good cell
     assert len(paired(flat, triangles, np.zeros((0, 2), dtype=int))[1]) == 0
+
+
+def test_cells_are_short_where_straight_folds_bend_and_nowhere_else() -> None:
+    # four straight folds extend 14 % too little without, 0.9 % with short cells (benchmarks/accuracy/families.md)
+    size = 4.5 * mm
+    shortest = {}
+    for shape in ("straight", "rounded"):
+        geometry = BellowsOfRevolution(folds=2, fold_shape=shape).build()
+        fine = short_at_edges(geometry, Fineness(size=size))
+        section = section_of(geometry._sweep, geometry._sweep.outlines, fine)
+        corners = section.points[section.quads[:, :4]]
+        shortest[shape] = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).min()
+    assert len(geometry._sweep.hinges) == 0
+    assert shortest["straight"] < 0.06 * size < shortest["rounded"]
+
+
+def test_hinges_are_the_re_entrant_corners_of_folds() -> None:
+    folds = Folds(count=2, inner_radius=8 * mm, outer_radius=16 * mm, wall=1.5 * mm, pitch=10 * mm, shape="straight")
+    inside, outside = folds.inside(4 * mm), folds.outside(4 * mm)
+    crests = [point for point, _ in inside if point[1] > 9 * mm]
+    necks = [point for point, _ in outside if point[1] < 11 * mm and point[0] < 24 * mm]
+    assert sorted(folds.hinges(4 * mm)) == [pytest.approx(point) for point in sorted([*crests, *necks])]
+
+
+def test_rectangular_tubes_have_short_cells_within_and_long_ones_along() -> None:
+    bender = RectangularBender(length=110 * mm).build()
+    made = swept_mesh(bender, Fineness(size=4.5 * mm))
+    x = np.unique(np.round(made.points[made.cells[:, :8], 0], 9))
+    y = np.unique(np.round(made.points[made.cells[:, :8], 1], 9))
+    assert np.diff(x).max() > 4.6 * mm
+    assert np.diff(y).min() == pytest.approx(0.5 * mm, rel=1e-6)
+    pneunet = swept_mesh(FastPneuNet(chambers=2, length=20 * mm).build(), Fineness(size=4 * mm))
+    assert len(pneunet.cells) == 373  # as before: no tube
