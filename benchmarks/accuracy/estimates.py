@@ -36,8 +36,8 @@ PAGE = HERE / "estimates.md"
 #: Shapes of the page; numbers of the estimate are chosen by other seeds and by the truth set.
 SEED, COUNT = 43, 20
 KINDS = ("tetrahedra", "hexahedra")
-#: Unknowns of the first and the last reference mesh at most; the last one has at least this many times those of the first.
-GRADED, FINEST, LEAST = 45_000, 120_000, 1.8
+#: Unknowns of the first and the last reference mesh at most; the last one may have this many times those of the first.
+GRADED, FINEST, LEAST = 30_000, 80_000, 1.8
 #: A true error below this share of the value counts as covered: the references are known no better.
 FLOOR = 0.003
 
@@ -53,12 +53,12 @@ def reference(shape: Shape, pressure: float) -> dict[str, Any]:
     solution = tg.solve(shape.model(graded_mesh(shape.geometry()), pressure), options=OPTIONS)
     state, path = solution.states[-1], []
     most = max(FINEST, LEAST * solution.model.mesh.unknown_count)
-    for growth in (2.5, 2.5, None):
+    for growth in (2.7, 2.7, None):
         path.append((state.model.mesh.unknown_count, {each.name: float(each(state)) for each in shape.measures}))
         room = most / state.model.mesh.unknown_count
         if growth is None or room < 1.4:
             break
-        refinement, _ = refined(state.model.mesh, error_indicator(state), min(growth, room))
+        refinement = refined(state.model.mesh, error_indicator(state), min(growth, room))
         second = SecondMesh(refinement, Transfer(state.model.mesh, refinement), OPTIONS)
         finer = second.solved_again(state, solution.procedure, exact=True)
         if finer is None:
