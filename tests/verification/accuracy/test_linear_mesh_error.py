@@ -50,7 +50,7 @@ def solution():
 def weighted_residuals(solution):
     """Residual on the second mesh times the adjoint of each measure there."""
     state = solution.states[-1]
-    refinement, _ = refined(solution.model.mesh, error_indicator(state), plan(solution, False)[1])
+    refinement = refined(solution.model.mesh, error_indicator(state), plan(solution, False)[1])
     transfer, model = Transfer(solution.model.mesh, refinement), replace(solution.model, mesh=refinement.mesh)
     system = System(model)
     moved = transfer.nodal(state.displacement)

@@ -2,8 +2,10 @@
 
 Problem: a fast PneuNet on a stiff base, its default mesh and tetrahedra of 2 and 3 mm, and a cylinder whose hoops are
 held inside its skin, at its default mesh.
-Reference: for the PneuNet hexahedra that grow away from sharp edges, for the cylinder third-order elements of an
-independent code (NGSolve); see docs/truth.md.
+Reference: for the PneuNet hexahedra that grow away from sharp edges (docs/truth.md). For the cylinder the default
+hexahedra, refined three times where the error comes from: 20,735, 43,363 and 89,220 degrees of freedom give 0.70260,
+0.70348 and 0.70390 mm, which leads to 0.7043 mm. The values of docs/truth.md, 0.70176 and 0.70221 mm, come from meshes
+that are not refined at the rim of the fixed face; they are about as far off as the default mesh.
 Tolerance: the estimate over the true error lies between 0.5 and 3, which is asked of nine cases of ten; the page on the
 truth set shows all of them. A constant estimate, or one without the displacements of the second mesh, would not lie
 there on all four.
@@ -39,7 +41,7 @@ def _cylinder(size):
         (_pneunet, None, tg.bending_angle, 6.607, deg),
         (_pneunet, 2 * mm, tg.bending_angle, 6.607, deg),
         (_pneunet, 3 * mm, tg.bending_angle, 6.607, deg),
-        (_cylinder, None, tg.measures.tip_displacement_x, 0.70176, mm),
+        (_cylinder, None, tg.measures.tip_displacement_x, 0.7043, mm),
     ],
     ids=["stiff base, default", "stiff base, 2 mm", "stiff base, 3 mm", "held hoops, default"],
 )

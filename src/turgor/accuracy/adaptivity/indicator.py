@@ -19,7 +19,14 @@ Array = NDArray[np.float64]
 
 
 def error_indicator(state: State) -> Array:
-    """Estimate each cell's share of the squared error in energy.
+    """Estimate each cell's share of the squared error in energy: what `squared_errors` gives, over its sum."""
+    squared = squared_errors(state)
+    whole = squared.sum()
+    return np.asarray(squared / whole if whole > 0 else np.full(squared.shape, 1 / squared.size))
+
+
+def squared_errors(state: State) -> Array:
+    """Estimate each cell's squared error in energy.
 
     Parameters
     ----------
@@ -27,9 +34,9 @@ def error_indicator(state: State) -> Array:
 
     Returns
     -------
-    (c, 1) or (c, 3) array
-        Shares; their sum is 1. Those of hexahedra are divided among the three directions of the cell, by how much the
-        stress bends along each.
+    (c, 1) or (c, 3) array [J]
+        Up to a factor that is equal on all meshes. Those of hexahedra are divided among the three directions of the
+        cell, by how much the stress bends along each.
     """
     model, mesh = state.model, state.model.mesh
     fields = cell_fields(model, state.displacement, state.mean_stress, state.memory)
@@ -50,9 +57,7 @@ def error_indicator(state: State) -> Array:
     out = np.einsum("cqk,cq->c", difference**2, fields.weight)
     for name, material in model.region_materials.items():
         out[mesh.regions[name]] /= material.law.shear_modulus
-    shares = out[:, None] * _directions(stress, mesh.cell_type is HEXAHEDRON)
-    whole = shares.sum()
-    return np.asarray(shares / whole if whole > 0 else np.full(shares.shape, 1 / shares.size))
+    return np.asarray(out[:, None] * _directions(stress, mesh.cell_type is HEXAHEDRON))
 
 
 def _directions(stress: Array, hexahedra: bool) -> Array:

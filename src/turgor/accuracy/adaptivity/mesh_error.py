@@ -2,7 +2,8 @@
 
 A few states of the path are solved again on a second mesh, in which the cells with most of the error are cut in all
 directions. The estimate is the difference of a measure between the two meshes, scaled up by the error that the second
-mesh still has. Between these states it is interpolated along the path, relative to the change of the measure.
+mesh still has, which the indicator measures there. Between these states it is interpolated along the path, relative to
+the change of the measure.
 """
 
 from collections.abc import Mapping, Sequence
@@ -14,7 +15,7 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.accuracy.adaptivity.indicator import error_indicator
+from turgor.accuracy.adaptivity.indicator import error_indicator, squared_errors
 from turgor.accuracy.adaptivity.paired_states import PairedStates
 from turgor.accuracy.adaptivity.refine import ALL_CUT, refined
 from turgor.accuracy.adaptivity.second_mesh import SecondMesh
@@ -125,13 +126,12 @@ def find_again(
 def _on_second_mesh(
     solution: Solution,
     chosen: list[int],
-    second: tuple[Refinement, float],
+    refinement: Refinement,
     options: EngineOptions,
     linear: bool,
     enough: int = len(MESH_ERROR.places),
 ) -> PairedStates:
-    """Solve for chosen states, until enough converge, on a refined mesh that captures a share of the error."""
-    refinement, captured = second
+    """Solve for chosen states, until enough converge, on a refined mesh."""
     transfer = Transfer(solution.model.mesh, refinement)
     mesh = SecondMesh(refinement, transfer, options)
     pairs: dict[int, State] = {}
@@ -146,8 +146,14 @@ def _on_second_mesh(
                 before = transfer.nodal(state.displacement)
                 pairs[number] = state_there
                 moved[number] = float(np.linalg.norm(state_there.displacement - before) / np.linalg.norm(before))
-    factor = max(captured, 0.05) ** -MESH_ERROR.captured_power
-    return PairedStates(pairs, moved, refinement.mesh.unknown_count, factor, 0.0)
+    remaining = _remaining(solution.states[next(iter(pairs))], next(iter(pairs.values()))) if pairs else 0.0
+    return PairedStates(pairs, moved, refinement.mesh.unknown_count, remaining, 0.0)
+
+
+def _remaining(state: State, state_there: State) -> float:
+    """Squared error in energy of a state on the second mesh over that on the first one."""
+    whole = float(squared_errors(state).sum())
+    return float(squared_errors(state_there).sum()) / whole if whole > 0 else 0.0
 
 
 def why_not(solution: Solution) -> str:
@@ -274,7 +280,8 @@ def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], paire
     size = np.abs(difference)
     least = np.array([paired.moved[number] for number in numbers]) * change[numbers]
     # two meshes may agree by accident, but for measures that are prescribed
-    size = np.where(size > MESH_ERROR.negligible * change[numbers], paired.factor * np.maximum(size, least), size)
+    scaled = np.hypot(paired.factor(measure.local) * size, least)
+    size = np.where(size > MESH_ERROR.negligible * change[numbers], scaled, size)
     if (change[numbers] > MESH_ERROR.negligible * max(float(np.nanmax(np.abs(values))), 1e-300)).all():
         return np.asarray(np.interp(place, place[numbers], size / change[numbers]) * change)
     return np.asarray(np.interp(place, [0.0, *place[numbers]], [0.0, *size]))

@@ -186,7 +186,7 @@ def _refined(solution: Solution, growth: float, most_unknowns: int) -> Refinemen
     """Refine where the error comes from, less where the mesh would get too large; None where nothing is allowed."""
     shares = error_indicator(solution.states[-1])
     for share in (1.0, 0.6, 0.3):
-        refinement, _ = refined(solution.model.mesh, shares, 1 + share * (growth - 1))
+        refinement = refined(solution.model.mesh, shares, 1 + share * (growth - 1))
         if refinement.mesh.unknown_count <= most_unknowns:
             return refinement
     return None

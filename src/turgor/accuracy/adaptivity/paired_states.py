@@ -2,7 +2,9 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import sqrt
 
+from turgor.accuracy.adaptivity.settings import MESH_ERROR
 from turgor.core.solvers.solution import State
 
 
@@ -18,13 +20,22 @@ class PairedStates:
         Relative difference of the displacements of each.
     unknowns : int
         Of the second mesh.
-    factor : float
-        Estimated error over difference.
+    remaining : float
+        Squared error in energy on the second mesh over that on the first one, by the indicator.
     seconds : float [s]
     """
 
     pairs: Mapping[int, State]
     moved: Mapping[int, float]
     unknowns: int
-    factor: float
+    remaining: float
     seconds: float
+
+    def factor(self, local: bool) -> float:
+        """Estimated error over difference.
+
+        Errors of displacements and volumes fall with the squared error in energy, those of stresses and stretches at
+        points (``local``) with its root.
+        """
+        remaining = min(self.remaining, MESH_ERROR.most_remaining)
+        return 1 / (1 - (sqrt(remaining) if local else remaining))

@@ -18,7 +18,7 @@ Ints = NDArray[np.int64]
 ALL_CUT = 8.0
 
 
-def refined(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float]:
+def refined(mesh: Mesh, shares: Array, growth: float) -> Refinement:
     """Refine a mesh where the error comes from.
 
     Parameters
@@ -32,22 +32,20 @@ def refined(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float
 
     Returns
     -------
-    refinement : Refinement
-    captured : float
-        Share of the error in the cells that were cut in all directions.
+    Refinement
     """
     if mesh.cell_type is TETRAHEDRON:
         return _tetrahedra(mesh, shares[:, 0], growth)
     return _hexahedra(mesh, shares, growth)
 
 
-def _tetrahedra(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float]:
+def _tetrahedra(mesh: Mesh, shares: Array, growth: float) -> Refinement:
     count = len(mesh.cells)
     target = count if growth >= ALL_CUT else int(np.ceil((growth - 1) * count / REFINEMENT.new_cells))
     marked = np.argsort(-shares, kind="stable")[: max(1, min(target, count))]
     edges = mesh.cells[marked][:, np.array(TETRAHEDRON.edges)].reshape(-1, 2)
     edges = np.unique(np.sort(edges, axis=1), axis=0)
-    return refine_tetrahedra(mesh, edges), float(shares[marked].sum())
+    return refine_tetrahedra(mesh, edges)
 
 
 def ring_sheets(mesh: Mesh, of_cell: Ints) -> Ints:
@@ -60,7 +58,7 @@ def ring_sheets(mesh: Mesh, of_cell: Ints) -> Ints:
     return np.unique(np.concatenate(rings))
 
 
-def _hexahedra(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float]:
+def _hexahedra(mesh: Mesh, shares: Array, growth: float) -> Refinement:
     """Cut the sheets that gain most for their cells, one after another."""
     of_cell = sheets(mesh)
     count = int(of_cell.max()) + 1
@@ -77,5 +75,4 @@ def _hexahedra(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, fl
         if parts.sum() > growth * len(of_cell):
             chosen = max(1, number - 1)
             break
-    cut = np.isin(of_cell, order[:chosen])
-    return refine_hexahedra(mesh, order[:chosen]), float(shares[cut].sum())
+    return refine_hexahedra(mesh, order[:chosen])

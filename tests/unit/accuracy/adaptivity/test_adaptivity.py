@@ -9,8 +9,8 @@ import pytest
 import turgor as tg
 from refused import refused
 from turgor.accuracy.adaptivity.findings import mesh_error_findings
-from turgor.accuracy.adaptivity.indicator import error_indicator
-from turgor.accuracy.adaptivity.mesh_error import path_length
+from turgor.accuracy.adaptivity.indicator import error_indicator, squared_errors
+from turgor.accuracy.adaptivity.mesh_error import find_again, path_length
 from turgor.accuracy.adaptivity.refine import refined
 from turgor.accuracy.measure import mesh_error_of
 from turgor.core.engine.algebra.tangent import Tangent
@@ -45,15 +45,26 @@ def test_the_soft_body_carries_the_error_and_the_stiff_base_next_to_nothing(bent
     assert shares[bent.model.mesh.regions["body"]].sum() > 0.9
 
 
-def test_refinement_grows_with_what_is_allowed_and_captures_more_of_the_error(bent):
+def test_refinement_grows_with_what_is_allowed(bent):
     mesh, shares = bent.model.mesh, error_indicator(bent.states[-1])
-    little, captured = refined(mesh, shares, 1.6)
-    much, more = refined(mesh, shares, 3.0)
+    little, much = refined(mesh, shares, 1.6), refined(mesh, shares, 3.0)
     assert len(mesh.cells) < len(little.mesh.cells) < len(much.mesh.cells)
-    assert 0 < captured < more <= 1
-    everything, whole = refined(mesh, shares, 8.0)
-    assert len(everything.mesh.cells) == 8 * len(mesh.cells)
-    assert whole == pytest.approx(1)
+    assert len(refined(mesh, shares, 8.0).mesh.cells) == 8 * len(mesh.cells)
+
+
+def test_what_remains_on_the_second_mesh_scales_the_difference_more_for_stresses(bent):
+    paired = find_again(bent, tg.EngineOptions(threads=1))
+    first, second = bent.states[-1], paired.pairs[max(paired.pairs)]
+    squared, remaining = (float(squared_errors(state).sum()) for state in (first, second))
+    assert paired.remaining == pytest.approx(remaining / squared)
+    assert 0.2 < paired.remaining < 1  # sharp edges: cells of half the size leave about half of the error
+    factor = paired.factor(local=False)
+    assert factor == pytest.approx(1 / (1 - paired.remaining))
+    assert paired.factor(local=True) > 1.5 * factor
+    assert replace(paired, remaining=2.0).factor(local=False) == 4  # where the indicator sees no improvement
+    measure = tg.measures.von_mises_p99
+    error = mesh_error_of(bent, (measure,)).errors[measure.name][-1]
+    assert error >= paired.factor(local=True) * abs(measure(second) - measure(first))
 
 
 def test_every_measure_of_every_state_has_its_mesh_error(bent):

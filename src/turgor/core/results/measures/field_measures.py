@@ -21,20 +21,24 @@ _GROWS = "grows without limit at sharp edges and clamped rims as the mesh is ref
 principal_stretch_p99 = Measure(
     name="principal_stretch_p99", unit="", function=lambda at: at.stretch_p99,
     definition=f"principal stretch that {PERCENTILE} % of the volume of the solid, before it deforms, stay below",
+    local=True,
 )  # fmt: skip
 von_mises_p99 = Measure(
     name="von_mises_p99", unit="kPa", function=lambda at: at.von_mises_p99,
     definition=f"von Mises stress that {PERCENTILE} % of the volume of the solid, before it deforms, stay below; "
     "membranes and fibers left out",
+    local=True,
 )  # fmt: skip
 maximum_principal_stretch = Measure(
     name="maximum_principal_stretch", unit="", function=lambda at: float(at.cells.stretch.max()),
     definition=f"largest principal stretch at any quadrature point of the solid; {_GROWS}",
+    local=True,
 )  # fmt: skip
 maximum_von_mises = Measure(
     name="maximum_von_mises", unit="kPa", function=lambda at: float(at.cells.von_mises.max()),
     definition="largest von Mises stress at any quadrature point of the solid, membranes and fibers left out; "
     f"{_GROWS}",
+    local=True,
 )  # fmt: skip
 
 #: Measures that each region has by itself too.
@@ -56,6 +60,7 @@ def principal_stretch_in(region: str) -> Measure:
         name=f"{as_column(region)}_{principal_stretch_p99.name}", unit=principal_stretch_p99.unit,
         function=lambda at: volume_percentile(at.cells, at.cells.stretch, _cells_of(at, region)),
         definition=f"largest principal stretch that {PERCENTILE} % of the volume of the region {region} stay below",
+        local=True,
     )  # fmt: skip
 
 
@@ -71,6 +76,7 @@ def von_mises_in(region: str) -> Measure:
         name=f"{as_column(region)}_{von_mises_p99.name}", unit=von_mises_p99.unit,
         function=lambda at: volume_percentile(at.cells, at.cells.von_mises, _cells_of(at, region)),
         definition=f"von Mises stress that {PERCENTILE} % of the volume of the region {region} stay below",
+        local=True,
     )  # fmt: skip
 
 

@@ -35,6 +35,9 @@ class Measure:
     along : callable or None
         ``along(path) -> (n,) array [SI]`` for a sum over a path, such as work: its value at every state of a sequence
         of `StateFields`. One state alone has no such number then, and ``function`` is not called.
+    local : bool
+        Whether it is a stress or a stretch at points, whose mesh error falls more slowly than that of displacements and
+        volumes as cells get smaller.
 
     Examples
     --------
@@ -51,6 +54,7 @@ class Measure:
     unwrap: bool = False
     faces: tuple[str, ...] = ()
     along: Callable[[Sequence[StateFields]], NDArray[np.float64]] | None = None
+    local: bool = False
 
     def __post_init__(self) -> None:
         Column(self.name, self.unit, np.empty(0))  # its checks are the checks of a column
