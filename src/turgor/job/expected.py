@@ -12,7 +12,6 @@ from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sizing.settings import QUALITIES
 from turgor.core.model.model import Model
-from turgor.core.solvers.procedures.dynamic import Dynamic
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.solution import Solution
 from turgor.core.solvers.solve import FEW_UNKNOWNS
@@ -174,7 +173,7 @@ def _iterations(model: Model, procedure: Procedure) -> float | None:
     """Iterations of a path whose steps grow from the first to the largest; None for a motion, whose steps are open."""
     total = 0.0
     for each in [stage.procedure for stage in procedure.stages] or [procedure]:
-        if isinstance(each, Dynamic):
+        if each.depends_on_path:
             return None
         growing = max(0.0, log2(each.max_step / each.first_step))
         total += EXPECTED.iterations * (1 / each.max_step + growing)

@@ -204,7 +204,7 @@ def test_a_shared_cache_of_another_user_is_not_read(machine, compiled):
         falsified(law)
     assert machine.done(FIRST, "-c", PLANT, str(cache), str(ran)).returncode == 0
     before = {file: file.read_bytes() for file in cache.rglob("*") if file.is_file()}
-    assert {file.relative_to(cache).parts[0] for file in before} == {"compiled", "families", "laws"}
+    assert {file.relative_to(cache).parts[0] for file in before} == {"compiled", "families", "laws", "runs"}
     compiled(LATER, machine.place / "tmp" / f"turgor-compiled-{LATER}")
     done = machine.done(LATER, *run_of(machine, LATER), TURGOR_CACHE=str(cache))
     assert done.returncode == 0, done.stderr

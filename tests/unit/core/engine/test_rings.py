@@ -81,7 +81,7 @@ def test_held_unknowns_are_left_out_of_the_factorization(bellows):
 def test_a_refined_mesh_has_as_many_cells_around(bellows):
     around = ring_sheets(bellows, sheets(bellows))
     assert len(around) == 2
-    fine, _ = refined(bellows, np.full((len(bellows.cells), 3), 1.0), 8.0)
+    fine = refined(bellows, np.full((len(bellows.cells), 3), 1.0), 8.0)
     assert fine.mesh.revolved == "x"
     assert len(fine.mesh.cells) == 4 * len(bellows.cells)
     assert len(ring_sheets(fine.mesh, sheets(fine.mesh))) == 2

@@ -107,7 +107,7 @@ def test_every_field_changes_the_name():
         object.__setattr__(changed, item.name, "another")  # without the rules, which few values of all fields meet
         names.add(entry(changed))
     other = {"size": 4e-3, "grading": 0.4, "face_sizes": {"cavity": 2e-3}, "wall_cells": 2, "cells": "hexahedra"}
-    other |= {"ignore_features_below": 1e-4}
+    other |= {"ignore_features_below": 1e-4, "quality": "fine"}
     assert set(other) == {item.name for item in fields(SETTINGS)}
     names |= {entry(FINGER, replace(SETTINGS, **{name: value})) for name, value in other.items()}
     assert len(names) == 2 + len(fields(FINGER)) + len(other)

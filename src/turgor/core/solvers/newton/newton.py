@@ -137,7 +137,8 @@ class _Newton:
             return CONVERGED
         if system.contact.parts and max(now.lengths[-FACTORS.cut_short :]) <= LINE_SEARCH.shortest_touching:
             return Reason(Cause.DEEP_PENETRATION)
-        if iteration >= FACTORS.vain_updates and _in_vain(now):
+        shortened = iteration == FACTORS.shortened_updates and max(now.lengths[2:]) < 1
+        if (shortened or iteration >= FACTORS.vain_updates) and _in_vain(now):
             vain = f": walls touch, and {iteration} updates did not halve the residual"
             return Reason(Cause.TOO_MANY_ITERATIONS, iteration, vain)
         if not stagnates(system, now.at, now.residuals):

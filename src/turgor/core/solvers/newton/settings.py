@@ -142,6 +142,9 @@ class FactorSettings:
     vain_updates, vain_share : int, float
         It also gives up where walls touch and so many updates have not brought the residual below this share of the
         first. Fifteen updates were never better then, and a shorter step is cheaper than they are.
+    shortened_updates : int
+        The same after so many updates, if the line search shortened all but the first: the demo takes 76 iterations
+        instead of 87.
     """
 
     below: float = 1e-3
@@ -150,6 +153,7 @@ class FactorSettings:
     cut_short: int = 3
     vain_updates: int = 6
     vain_share: float = 0.5
+    shortened_updates: int = 4
 
 
 FACTORS = FactorSettings()
