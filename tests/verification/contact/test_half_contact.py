@@ -68,5 +68,6 @@ def test_half_is_the_whole(case, kind, record_verification):
     )
     assert max(errors) < (1e-4 if case == "with friction" else 1e-7)
     assert push[1][2] < -0.1
-    assert 2 * half.touches["ball"].area == pytest.approx(whole.touches["ball"].area, rel=1e-6)
-    assert half.touches["ball"].penetration == pytest.approx(whole.touches["ball"].penetration, rel=1e-6)
+    rough = 1e-4 if case == "with friction" else 1e-6  # friction limits settle to 1e-4
+    assert 2 * half.touches["ball"].area == pytest.approx(whole.touches["ball"].area, rel=rough)
+    assert half.touches["ball"].penetration == pytest.approx(whole.touches["ball"].penetration, rel=rough)
