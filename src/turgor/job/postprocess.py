@@ -88,7 +88,7 @@ def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutco
         notices=(),
         folder=folder,
     )
-    return replace(outcome, files=write_results(outcome, notify, fields=fields, again=True))
+    return replace(outcome, files=write_results(outcome, notify, fields))
 
 
 def _with_known_errors(response: Response, file: Path) -> Response:

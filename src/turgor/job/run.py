@@ -197,7 +197,7 @@ def _written(
     before = (*mesh_error_findings(response, findings, outcome.job.mesh.quality), *refined, *unknown)
     reported = by_weight((*before, *not_reported(solution.findings, findings)))
     outcome = _outcome(files, solution, response, reported)
-    return replace(outcome, files=write_results(outcome, files.say, fields=path, again=True))
+    return replace(outcome, files=write_results(outcome, files.say, path))
 
 
 def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solution, tuple[Finding, ...]]:

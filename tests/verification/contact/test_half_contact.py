@@ -44,7 +44,7 @@ def _solve(mesh, share=1.0, step=0.2, **more):
 
 
 # with friction both must take the same steps: a state depends on them, and step control on counts of iterations
-CASES = {"held": {}, "sprung": {"spring": 1500.0}, "with friction": {"friction": 0.4, "share": 0.4, "step": 0.025}}
+CASES = {"held": {}, "sprung": {"spring": 1500.0}, "with friction": {"friction": 0.4, "share": 0.4, "step": 0.02}}
 
 
 @pytest.mark.parametrize("kind", [HEXAHEDRON, TETRAHEDRON], ids=lambda kind: kind.name)
@@ -68,6 +68,5 @@ def test_half_is_the_whole(case, kind, record_verification):
     )
     assert max(errors) < (1e-4 if case == "with friction" else 1e-7)
     assert push[1][2] < -0.1
-    rough = 1e-4 if case == "with friction" else 1e-6  # friction limits settle to 1e-4
-    assert 2 * half.touches["ball"].area == pytest.approx(whole.touches["ball"].area, rel=rough)
-    assert half.touches["ball"].penetration == pytest.approx(whole.touches["ball"].penetration, rel=rough)
+    assert 2 * half.touches["ball"].area == pytest.approx(whole.touches["ball"].area, rel=1e-6)
+    assert half.touches["ball"].penetration == pytest.approx(whole.touches["ball"].penetration, rel=1e-6)

@@ -47,18 +47,15 @@ CONTENTS: Mapping[str, str] = {
 }
 
 
-def write_results(
-    outcome: RunOutcome, notify: Callable[[str], None], *, fields: PathFields | None = None, again: bool = False
-) -> tuple[Path, ...]:
+def write_results(outcome: RunOutcome, notify: Callable[[str], None], path: PathFields) -> tuple[Path, ...]:
     """Write all files that the job requests, tables first; return them with the most important first.
 
-    The results of an earlier run in the folder are removed. Fields and pictures are most of the work; where ``again``
-    is true, those that show this path are left as they are. ``fields`` are those of the solution that others read, too.
+    Fields and pictures that show this path are left as they are, because they are most of the work; other results of an
+    earlier run in the folder are removed.
     """
     folder, output = outcome.folder, outcome.job.output
-    path = fields or PathFields(outcome.solution)
     note = drawn_from(outcome)
-    current = current_files(outcome, note) if again else frozenset()
+    current = current_files(outcome, note)
     files = list(write_tables(outcome, notify, current))
     if output.fields:
         files += _write_fields(outcome, path, notify, current)

@@ -82,7 +82,7 @@ SIZING = SizingSettings()
 
 @dataclass(frozen=True, slots=True)
 class QualitySettings:
-    """What a requested quality means where no size is stated (`test_quality`).
+    """What a requested quality means where no size is stated (`test_requested_quality`).
 
     Parameters
     ----------
