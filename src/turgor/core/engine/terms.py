@@ -51,6 +51,7 @@ class Terms:
 
     def __init__(self, setting: Setting) -> None:
         self.all: list[Term] = [term for make in TERMS for term in make(setting)]
+        self._serendipity = setting.model.mesh.serendipity
         self._positions: list[NDArray[np.int32]] = []
 
     @property
@@ -60,8 +61,8 @@ class Terms:
 
     @property
     def couplings(self) -> list[Ints]:
-        """Degrees of freedom that are tied across the borders of cells, a row for each tie."""
-        return [term.unknowns for term in self.all if term.couples]
+        """Degrees of freedom that are tied across the borders of cells, or at middles that follow, a row for each tie."""
+        return [term.unknowns for term in self.all if term.couples or self._serendipity]
 
     def locate(self, pattern: Pattern) -> None:
         """Find where the entries of all terms go in the tangent."""

@@ -41,16 +41,15 @@ class MultiPoint:
         if not len(self.followers):
             return unknowns
         out = unknowns.copy()
-        out[self.followers] = 0.0
-        np.add.at(out, self.followers, self.weights * unknowns[self.leaders])
+        sums = np.bincount(self.followers, self.weights * unknowns[self.leaders], minlength=len(out))
+        out[self.followers] = sums[self.followers]
         return out
 
     def gather(self, forces: Array) -> Array:
         """Forces in which each leader has those of its followers besides its own, and the followers have none."""
         if not len(self.followers):
             return forces
-        out = forces.copy()
-        np.add.at(out, self.leaders, self.weights * forces[self.followers])
+        out = forces + np.bincount(self.leaders, self.weights * forces[self.followers], minlength=len(forces))
         out[self.followers] = 0.0
         return out
 

@@ -47,8 +47,8 @@ class CellTerms:
     """
 
     def __init__(self, model: Model, points: Array, stress: float) -> None:
-        self.cells = np.ascontiguousarray(model.mesh.cells)
         self.element = element_of(model)
+        self.cells = np.ascontiguousarray(self.element.cells)
         e, r = self.element, self.element.tables
         self.Jinv, self.dV = kernels_geometry.reference_geometry(e.shape, points, self.cells, r.dN, r.weights)
         if not (self.dV > 0).all():

@@ -24,6 +24,9 @@ Array = NDArray[np.float64]
 #: γ over the initial shear modulus.
 STIFFNESS = 5.0
 
+#: The same where the middles of cells follow, and their volume alone is penalized.
+SERENDIPITY_STIFFNESS = 2.0
+
 #: Relative compressibility added to the tangent alone: keeps it regular where the mean stress is undetermined.
 REGULARIZATION = 1e-9
 
@@ -44,13 +47,15 @@ def volume_penalty(model: Model, tables: ReferenceCell, dV: Array, compliance: A
     if model.mesh.cell_type is not HEXAHEDRON or model.formulation != MIXED:
         return np.zeros((*dV.shape, 0))
     x, y, z = (tables.points - 0.5).T
-    functions = np.column_stack([np.ones(len(x)), x, y, z, x * y, y * z, z * x])
+    functions, stiffness = np.ones((len(x), 1)), SERENDIPITY_STIFFNESS
+    if not model.mesh.serendipity:
+        functions, stiffness = np.column_stack([functions, x, y, z, x * y, y * z, z * x]), STIFFNESS
     products = np.einsum("qk,cq,ql->ckl", functions, dV, functions)
     lower = np.linalg.cholesky(products)
     orthonormal = np.linalg.solve(lower, np.broadcast_to(functions.T, (len(dV), *functions.T.shape)))
     gamma = np.empty(len(dV))
     for name, material in model.region_materials.items():
-        gamma[model.mesh.regions[name]] = STIFFNESS * material.law.shear_modulus / stress
+        gamma[model.mesh.regions[name]] = stiffness * material.law.shear_modulus / stress
     gamma /= 1 + gamma * compliance
     return np.ascontiguousarray(np.sqrt(gamma)[:, None, None] * np.swapaxes(orthonormal, 1, 2))
 
