@@ -8,7 +8,15 @@ from numpy.typing import NDArray
 from turgor.core.geometry.names import cavity_names
 from turgor.core.geometry.wedge import HIGH, LOW, Wedge
 from turgor.core.meshing.bodies.enclosing import encloses_cavity
-from turgor.core.meshing.cells import HEXAHEDRON, HEXAHEDRON_20, TETRAHEDRON, TRIANGLE, CellType, cell_type
+from turgor.core.meshing.cells import (
+    HEXAHEDRON,
+    HEXAHEDRON_20,
+    QUADRILATERAL_8,
+    TETRAHEDRON,
+    TRIANGLE,
+    CellType,
+    cell_type,
+)
 from turgor.core.meshing.middles import middles_of
 from turgor.foundation.display import Shown, listed
 from turgor.foundation.errors import TurgorError, unknown
@@ -222,6 +230,11 @@ class Mesh(Shown):
     def carrying_cells(self) -> NDArray[np.int64]:
         """Nodes of each cell that carry its displacement, (c, n): all but the middles that follow."""
         return np.ascontiguousarray(self.cells[:, : HEXAHEDRON_20.nodes]) if self.serendipity else self.cells
+
+    def carrying_sides(self, name: str) -> NDArray[np.int64]:
+        """Nodes of each side of a named face that carry its displacement, (f, n): all but middles that follow."""
+        sides = self.face(name)
+        return np.ascontiguousarray(sides[:, : QUADRILATERAL_8.nodes] if self.serendipity else sides)
 
     @property
     def _middle_count(self) -> int:

@@ -74,7 +74,12 @@ class MultiPoint:
         are left out. A row may name an unknown several times.
         """
         size = int(max(rows.max(initial=0), self.followers.max())) + 1
-        pairs = np.unique(np.stack([self.followers, self.leaders // 3], axis=1), axis=0)
+        used = np.zeros(size + 1, dtype=bool)
+        used[rows.ravel()] = True
+        there = used[self.followers] & (self.followers < size)
+        if not there.any():
+            return rows[:0]
+        pairs = np.unique(np.stack([self.followers[there], self.leaders[there] // 3], axis=1), axis=0)
         count = np.bincount(pairs[:, 0])[pairs[:, 0]]
         first = np.searchsorted(pairs[:, 0], pairs[:, 0])
         of = np.full((size + 1, int(count.max())), -1)
