@@ -62,7 +62,7 @@ class Terms:
 
     @property
     def couplings(self) -> list[Ints]:
-        """Degrees of freedom that are tied across the borders of cells, or at middles that follow, a row for each tie."""
+        """Degrees of freedom that are tied across cells or at middles that follow, a row for each tie."""
         return [term.unknowns for term in self.all if term.couples or self._ends_at_middles(term)]
 
     def _ends_at_middles(self, term: Term) -> bool:

@@ -101,6 +101,7 @@ class MultiPoint:
         follows[self.followers] = True
         columns = np.repeat(np.arange(pattern.size), np.diff(pattern.indptr))
         rows = pattern.indices.astype(np.int64)
+        follows &= _coupled(rows, columns, pattern.size)  # the stiffness of the others is zero
         sources = np.flatnonzero(follows[rows] | follows[columns])
         entry, first = _expanded(spread, rows[sources])
         source, at_first = sources[entry], spread.data[first]
@@ -112,6 +113,14 @@ class MultiPoint:
         lower = (~diagonal | (to_row >= to_column)) & (weights != 0)
         targets = locate(pattern.indptr, pattern.indices, to_row[lower].astype(np.int64), to_column[lower])
         return Places(source[lower], targets, weights[lower])
+
+
+def _coupled(rows: Ints, columns: Ints, size: int) -> NDArray[np.bool_]:
+    """Which unknowns have an entry off the diagonal."""
+    out, off = np.zeros(size, dtype=bool), rows != columns
+    out[rows[off]] = True
+    out[columns[off]] = True
+    return out
 
 
 def _expanded(spread: sp.csr_matrix, rows: Ints) -> tuple[Ints, Ints]:
