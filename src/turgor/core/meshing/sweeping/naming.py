@@ -54,7 +54,6 @@ def assemble(filling: Filling, geometry: Geometry, sweep: Sweep) -> Mesh:
         regions={name: np.flatnonzero(names[: len(solids)] == name) for name in geometry.regions},
         faces={name: number[sides[face == name]] for name in sorted({n for n in face if n is not None})},
         name=geometry.name,
-        serendipity=True,
     )
 
 

@@ -1,6 +1,7 @@
 """Swept meshes: 27-node hexahedra of a section moved along a line or turned about an axis."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import pi
 
 from turgor.core.geometry.extrusion import Sweep, Turned
@@ -53,13 +54,12 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     sweep = _sweep_of(geometry)
     section = section_of(sweep, sweep.outlines, fine)
     if not reaches_axis(sweep, section):
-        return assemble(fill(sweep, section, fine), geometry, sweep)
+        return replace(assemble(fill(sweep, section, fine), geometry, sweep), serendipity=True)
     radius = core_radius(sweep)
     section = without_core(section_of(sweep, (*sweep.outlines, core_outline(sweep)), fine), radius)
     quarters = round((sweep.layers[-1].end - sweep.layers[0].start) / QUARTER)
-    return assemble(
-        with_core(fill(sweep, section, fine, multiple=2 * quarters), sweep, section, radius, fine), geometry, sweep
-    )
+    filling = with_core(fill(sweep, section, fine, multiple=2 * quarters), sweep, section, radius, fine)
+    return replace(assemble(filling, geometry, sweep), serendipity=True)
 
 
 def check_cells(geometry: Geometry, cells: object) -> str:
