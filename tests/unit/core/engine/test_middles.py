@@ -34,7 +34,7 @@ def finger() -> tg.Mesh:
 
 def pressed(mesh: tg.Mesh) -> Model:
     """A finger on paper, whose sheet and walls have forces at middles."""
-    materials = {"body": RUBBER, "base": RUBBER, "strain_limiting_layer": tg.Shell(PAPER, thickness=0.1 * mm)}
+    materials = {"body": RUBBER, "base": RUBBER, "strain_limiting_layer": tg.Membrane(PAPER, thickness=0.1 * mm)}
     return tg.Model(mesh, materials, [tg.Fixed("fixed")], [tg.Pressure("cavity", 5 * kPa)])
 
 
