@@ -57,8 +57,9 @@ def element_of(model: Model) -> Element:
     the products of coordinates that bending makes in a wall of one cell: the cavity of a fast PneuNet with such walls
     grew 13 % too much, 1 % with values at vertices. The formulation ``"displacement"`` has none.
 
-    The trilinear mean stress leaves 27-node hexahedra volumetric modes that it does not see; the penalty of
-    `turgor.core.engine.cells.stabilization` resists them. Tetrahedra have no such modes.
+    The trilinear mean stress leaves hexahedra volumetric modes that it does not see; the penalty of
+    `turgor.core.engine.cells.stabilization` resists them. Tetrahedra have no such modes. Where the middles of a mesh
+    follow, its cells have the shape functions of 20 nodes.
     """
     mesh = model.mesh
     cells = mesh.carrying_cells

@@ -1,4 +1,4 @@
-"""Swept meshes: 27-node hexahedra of a section moved along a line or turned about an axis."""
+"""Swept meshes: hexahedra of a section moved along a line or turned about an axis."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -23,10 +23,10 @@ KINDS = ("tetrahedra", "hexahedra", "axisymmetric")
 
 
 def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
-    """Generate 27-node hexahedra that fill a geometry which is a swept section, and carry its names.
+    """Generate hexahedra that fill a geometry which is a swept section, and carry its names.
 
-    All nodes lie on the true shape. Where the section is a grid or rings, walls get one cell unless more are
-    requested; sections of other outlines get two.
+    All nodes lie on the true shape but middles of sides and cells, which follow the others. Where the section is a grid
+    or rings, walls get one cell unless more are requested; sections of other outlines get two.
 
     Parameters
     ----------
