@@ -36,7 +36,7 @@ REGULARIZATION = 1e-9
 
 #: The same where middles follow. No unknown is then within a cell alone, and factors may meet a mean stress before any
 #: displacement next to it: with 1e-8, those of a finger on paper failed in double precision.
-SERENDIPITY_REGULARIZATION = 1e-6
+SERENDIPITY_REGULARIZATION = 1e-7
 
 
 def volume_penalty(model: Model, tables: ReferenceCell, dV: Array, compliance: Array, stress: float) -> Array:
