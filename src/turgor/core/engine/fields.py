@@ -59,9 +59,9 @@ class CellFields:
 @lru_cache(maxsize=2)
 def _geometry(mesh: Mesh, points: int) -> tuple[Array, Array]:
     """Inverse Jacobian and weight at that many integration points of each cell."""
-    nodes = mesh.cell_type.nodes
-    r = tables_with(nodes, points)
-    return kernels_geometry.reference_geometry((0,) * nodes, mesh.points, mesh.cells, r.dN, r.weights)
+    cells = mesh.carrying_cells
+    r = tables_with(cells.shape[1], points)
+    return kernels_geometry.reference_geometry((0,) * cells.shape[1], mesh.points, cells, r.dN, r.weights)
 
 
 def _mean_stress(model: Model, element: Element, J: Array, mean_stress: Array, compliance: Array) -> Array:
@@ -121,7 +121,7 @@ def deformation_gradients(model: Model, displacement: Array) -> tuple[Array, Arr
     mesh, element = model.mesh, element_of(model)
     dN = element.tables.dN
     Jinv, weight = _geometry(mesh, len(element.tables.weights))
-    return kernels_geometry.deformation_gradients(element.shape, mesh.cells, displacement, dN, Jinv), weight
+    return kernels_geometry.deformation_gradients(element.shape, element.cells, displacement, dN, Jinv), weight
 
 
 def _determinant(A: Array) -> Array:
@@ -211,11 +211,11 @@ def strain_energy(
     mesh, element = model.mesh, element_of(model)
     r = element.tables
     Jinv, weight = _geometry(mesh, len(r.weights))
-    I1, I2, J = kernels_geometry.kinematics(element.shape, mesh.cells, displacement, r.dN, Jinv)
+    I1, I2, J = kernels_geometry.kinematics(element.shape, element.cells, displacement, r.dN, Jinv)
     materials = CellMaterials(model, 1.0, len(r.weights))
     mean = _mean_stress(model, element, J, mean_stress, materials.compliance)
     chosen = materials.gradient_cells
-    F = kernels_geometry.deformation_gradients(element.shape, mesh.cells[chosen], displacement, r.dN, Jinv[chosen])
+    F = kernels_geometry.deformation_gradients(element.shape, element.cells[chosen], displacement, r.dN, Jinv[chosen])
     density = materials.energy(I1, I2, F, materials.history(memory)) + 0.5 * mean**2 * materials.compliance[:, None]
     penalty = volume_penalty(model, r, weight, materials.compliance, 1.0)
     lost = penalty_energy(penalty, weight, J - 1 - mean * materials.compliance[:, None])

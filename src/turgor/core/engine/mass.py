@@ -74,10 +74,11 @@ def mass_data(system: System, density: Array | None = None) -> Array:
     """
     mesh, rubber_only = system.model.mesh, density is not None
     density = densities(system.model) if density is None else density
-    N = reference_cell(mesh.cell_type.nodes, CELL_QUADRATURE_DEGREE).N
+    nodes = mesh.carrying_cells.shape[1]
+    N = reference_cell(nodes, CELL_QUADRATURE_DEGREE).N
     weights = density[:, None] * _volumes(mesh, system.points) * (system.length**2 / system.stress_scale)
     rows, columns = np.tril_indices(system.cell_size)
-    same = (rows % 3 == columns % 3) & (rows < 3 * mesh.cell_type.nodes)
+    same = (rows % 3 == columns % 3) & (rows < 3 * nodes)
     a, b = rows[same] // 3, columns[same] // 3
     values = weights @ (N[:, a] * N[:, b])
     data = system.scattered(np.flatnonzero(same), values)
@@ -89,6 +90,6 @@ def mass_data(system: System, density: Array | None = None) -> Array:
 
 def _volumes(mesh: Mesh, points: Array) -> Array:
     """Volume (c, q) that belongs to each integration point of the mass."""
-    nodes = mesh.cell_type.nodes
-    r = reference_cell(nodes, CELL_QUADRATURE_DEGREE)
-    return np.asarray(kernels_geometry.reference_geometry((0,) * nodes, points, mesh.cells, r.dN, r.weights)[1])
+    cells = mesh.carrying_cells
+    r = reference_cell(cells.shape[1], CELL_QUADRATURE_DEGREE)
+    return np.asarray(kernels_geometry.reference_geometry((0,) * cells.shape[1], points, cells, r.dN, r.weights)[1])

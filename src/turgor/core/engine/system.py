@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.additions import Addition
 from turgor.core.engine.algebra.boundary import prescribed_components
+from turgor.core.engine.algebra.middle_ties import with_middles
 from turgor.core.engine.algebra.pattern import Pattern, build_pattern
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.internal_variables import History, Memory, friction_of, joined_memory
@@ -85,7 +86,7 @@ class System:
         self.length: float = _mean_edge(mesh.points, mesh.cells) if like is None else like.length
         stiffest = max(m.law.shear_modulus for m in model.region_materials.values())
         self.stress_scale: float = stiffest if like is None else like.stress_scale
-        supports = prescribed_components(model)
+        supports = with_middles(prescribed_components(model), mesh)
         self._supports, self._frames, self._ties = supports, supports.frames, supports.ties
         self.carriers = supports.carriers
         self.rest = with_carrier_points(mesh.points, self.carriers)

@@ -51,6 +51,8 @@ class Terms:
 
     def __init__(self, setting: Setting) -> None:
         self.all: list[Term] = [term for make in TERMS for term in make(setting)]
+        mesh = setting.model.mesh
+        self._middles = np.unique(mesh.cells[:, mesh.carrying_cells.shape[1] :])
         self._positions: list[NDArray[np.int32]] = []
 
     @property
@@ -60,8 +62,12 @@ class Terms:
 
     @property
     def couplings(self) -> list[Ints]:
-        """Degrees of freedom that are tied across the borders of cells, a row for each tie."""
-        return [term.unknowns for term in self.all if term.couples]
+        """Degrees of freedom that are tied across cells or at middles that follow, a row for each tie."""
+        return [term.unknowns for term in self.all if term.couples or self._ends_at_middles(term)]
+
+    def _ends_at_middles(self, term: Term) -> bool:
+        """Whether a term has forces on middles that follow, which no cell couples."""
+        return bool(len(self._middles)) and bool(np.isin(term.unknowns // 3, self._middles).any())
 
     def locate(self, pattern: Pattern) -> None:
         """Find where the entries of all terms go in the tangent."""

@@ -8,7 +8,16 @@ from numpy.typing import NDArray
 from turgor.core.geometry.names import cavity_names
 from turgor.core.geometry.wedge import HIGH, LOW, Wedge
 from turgor.core.meshing.bodies.enclosing import encloses_cavity
-from turgor.core.meshing.cells import TETRAHEDRON, TRIANGLE, CellType, cell_type
+from turgor.core.meshing.cells import (
+    HEXAHEDRON,
+    HEXAHEDRON_20,
+    QUADRILATERAL_8,
+    TETRAHEDRON,
+    TRIANGLE,
+    CellType,
+    cell_type,
+)
+from turgor.core.meshing.middles import middles_of
 from turgor.foundation.display import Shown, listed
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Finding
@@ -53,6 +62,9 @@ class Mesh(Shown):
     wedge : Wedge, optional
         The sector of the whole that it is, where it is one; its cut faces are ``cyclic_low`` and ``cyclic_high``, and
         the nodes of the one are those of the other, turned.
+    serendipity : bool
+        Whether the middles of sides and cells of 27-node hexahedra follow the other 20 nodes (`turgor.core.meshing.
+        middles`), which halves the unknowns. Their places follow, too.
 
     Raises
     ------
@@ -69,6 +81,7 @@ class Mesh(Shown):
     findings: tuple[Finding, ...] = ()
     revolved: str = ""
     wedge: Wedge | None = None
+    serendipity: bool = False
     vertex_count: int = field(init=False)
     cavities: tuple[str, ...] = field(init=False)
     """Names of the faces that enclose a cavity: those that begin with ``cavity`` and are no open surface."""
@@ -108,9 +121,19 @@ class Mesh(Shown):
                 f"mesh '{self.name}': {int((owner != 1).sum())} cells do not belong to exactly one region."
             )
         object.__setattr__(self, "vertex_count", len(vertices))
+        if self.serendipity:
+            self._check_middles()
+            object.__setattr__(self, "points", middles_of(self.cells).values(self.points))
         object.__setattr__(self, "cavities", self._enclosing(cavity_names(self.faces)))
         if self.wedge is not None and (self.leaders[: len(vertices)] >= len(vertices)).any():
             raise TurgorError(f"mesh '{self.name}': a vertex of '{HIGH}' lies on a mid-side node of '{LOW}'.")
+
+    def _check_middles(self) -> None:
+        if self.cell_type is not HEXAHEDRON or self.revolved or self.wedge is not None:
+            raise TurgorError(
+                f"mesh '{self.name}': middles follow in meshes of 27-node hexahedra that are neither revolved nor a "
+                "wedge."
+            )
 
     def __repr__(self) -> str:
         return f"Mesh('{self.name}', {self.counts}, regions: {listed(self.regions)}, faces: {listed(self.faces)})"
@@ -204,6 +227,20 @@ class Mesh(Shown):
         return int(2 ** len(self.symmetry_faces)) * (1 if self.wedge is None else self.wedge.fold)
 
     @property
+    def carrying_cells(self) -> NDArray[np.int64]:
+        """Nodes of each cell that carry its displacement, (c, n): all but the middles that follow."""
+        return np.ascontiguousarray(self.cells[:, : HEXAHEDRON_20.nodes]) if self.serendipity else self.cells
+
+    def carrying_sides(self, name: str) -> NDArray[np.int64]:
+        """Nodes of each side of a named face that carry its displacement, (f, n): all but middles that follow."""
+        sides = self.face(name)
+        return np.ascontiguousarray(sides[:, : QUADRILATERAL_8.nodes] if self.serendipity else sides)
+
+    @property
+    def _middle_count(self) -> int:
+        return len(np.unique(self.cells[:, HEXAHEDRON_20.nodes :])) if self.serendipity else 0
+
+    @property
     def unknown_count(self) -> int:
         """Displacement components plus mean stresses, before supports are applied.
 
@@ -213,7 +250,7 @@ class Mesh(Shown):
             own = self.leaders == np.arange(len(self.points))
             return int(3 * own.sum() + own[: self.vertex_count].sum())
         if not self.revolved:
-            return 3 * len(self.points) + self.vertex_count
+            return 3 * (len(self.points) - self._middle_count) + self.vertex_count
         axis = "xyz".index(self.revolved)
         places = np.stack([self.points[:, axis], self.radii], axis=1) / (1e-6 * np.ptp(self.points, axis=0).max())
         rings = [len(np.unique(part.round(), axis=0)) for part in (places, places[: self.vertex_count])]

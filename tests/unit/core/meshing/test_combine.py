@@ -45,7 +45,7 @@ def of_20_nodes(hexahedra: Mesh) -> Mesh:
     number = np.full(len(hexahedra.points), -1)
     number[used] = np.arange(len(used))
     faces = {name: number[sides[:, :8]] for name, sides in hexahedra.faces.items()}
-    return replace(hexahedra, points=hexahedra.points[used], cells=number[cells], faces=faces)
+    return replace(hexahedra, points=hexahedra.points[used], cells=number[cells], faces=faces, serendipity=False)
 
 
 @pytest.fixture(scope="module")

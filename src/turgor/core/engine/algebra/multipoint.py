@@ -41,16 +41,15 @@ class MultiPoint:
         if not len(self.followers):
             return unknowns
         out = unknowns.copy()
-        out[self.followers] = 0.0
-        np.add.at(out, self.followers, self.weights * unknowns[self.leaders])
+        sums = np.bincount(self.followers, self.weights * unknowns[self.leaders], minlength=len(out))
+        out[self.followers] = sums[self.followers]
         return out
 
     def gather(self, forces: Array) -> Array:
         """Forces in which each leader has those of its followers besides its own, and the followers have none."""
         if not len(self.followers):
             return forces
-        out = forces.copy()
-        np.add.at(out, self.leaders, self.weights * forces[self.followers])
+        out = forces + np.bincount(self.leaders, self.weights * forces[self.followers], minlength=len(forces))
         out[self.followers] = 0.0
         return out
 
@@ -75,7 +74,12 @@ class MultiPoint:
         are left out. A row may name an unknown several times.
         """
         size = int(max(rows.max(initial=0), self.followers.max())) + 1
-        pairs = np.unique(np.stack([self.followers, self.leaders // 3], axis=1), axis=0)
+        used = np.zeros(size + 1, dtype=bool)
+        used[rows.ravel()] = True
+        there = used[self.followers] & (self.followers < size)
+        if not there.any():
+            return rows[:0]
+        pairs = np.unique(np.stack([self.followers[there], self.leaders[there] // 3], axis=1), axis=0)
         count = np.bincount(pairs[:, 0])[pairs[:, 0]]
         first = np.searchsorted(pairs[:, 0], pairs[:, 0])
         of = np.full((size + 1, int(count.max())), -1)
@@ -97,6 +101,7 @@ class MultiPoint:
         follows[self.followers] = True
         columns = np.repeat(np.arange(pattern.size), np.diff(pattern.indptr))
         rows = pattern.indices.astype(np.int64)
+        follows &= _coupled(rows, columns, pattern.size)  # the stiffness of the others is zero
         sources = np.flatnonzero(follows[rows] | follows[columns])
         entry, first = _expanded(spread, rows[sources])
         source, at_first = sources[entry], spread.data[first]
@@ -108,6 +113,14 @@ class MultiPoint:
         lower = (~diagonal | (to_row >= to_column)) & (weights != 0)
         targets = locate(pattern.indptr, pattern.indices, to_row[lower].astype(np.int64), to_column[lower])
         return Places(source[lower], targets, weights[lower])
+
+
+def _coupled(rows: Ints, columns: Ints, size: int) -> NDArray[np.bool_]:
+    """Which unknowns have an entry off the diagonal."""
+    out, off = np.zeros(size, dtype=bool), rows != columns
+    out[rows[off]] = True
+    out[columns[off]] = True
+    return out
 
 
 def _expanded(spread: sp.csr_matrix, rows: Ints) -> tuple[Ints, Ints]:

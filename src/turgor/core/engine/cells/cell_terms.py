@@ -8,7 +8,7 @@ from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent
 from turgor.core.engine.cells.cell_materials import CellMaterials, Isochoric
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.cells.internal_variables import History
-from turgor.core.engine.cells.stabilization import REGULARIZATION, volume_penalty
+from turgor.core.engine.cells.stabilization import REGULARIZATION, SERENDIPITY_REGULARIZATION, volume_penalty
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 
@@ -47,8 +47,8 @@ class CellTerms:
     """
 
     def __init__(self, model: Model, points: Array, stress: float) -> None:
-        self.cells = np.ascontiguousarray(model.mesh.cells)
         self.element = element_of(model)
+        self.cells = np.ascontiguousarray(self.element.cells)
         e, r = self.element, self.element.tables
         self.Jinv, self.dV = kernels_geometry.reference_geometry(e.shape, points, self.cells, r.dN, r.weights)
         if not (self.dV > 0).all():
@@ -61,7 +61,8 @@ class CellTerms:
         self._loops = kernels.Cells(
             e.shape, e.modes, self.cells, e.mean, r.dN, r.M, self.Jinv, self.dV, self.materials.compliance, self.penalty
         )
-        self._regular = self._loops._replace(compliance=np.maximum(self.materials.compliance, REGULARIZATION))
+        least = SERENDIPITY_REGULARIZATION if model.mesh.serendipity else REGULARIZATION
+        self._regular = self._loops._replace(compliance=np.maximum(self.materials.compliance, least))
         chosen = self.materials.gradient_cells
         self._gradient_Jinv = self.Jinv if len(chosen) == len(self.cells) else self.Jinv[chosen]
         self.unknowns = _unknowns(self.cells, e.mean, len(points))

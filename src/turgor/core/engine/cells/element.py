@@ -22,8 +22,10 @@ class Element:
 
     Parameters
     ----------
+    cells : (c, n) int array
+        Nodes of each cell that carry its displacement.
     tables : ReferenceCell
-        Shape functions at the integration points.
+        Shape functions of these at the integration points.
     shape, modes : tuples of zeros
         As long as a cell has nodes and mean stresses; their types tell the compiler these numbers.
     mean : (c, m) int array
@@ -32,6 +34,7 @@ class Element:
         Mean stresses of the mesh.
     """
 
+    cells: Ints
     tables: ReferenceCell
     shape: tuple[int, ...]
     modes: tuple[int, ...]
@@ -54,14 +57,23 @@ def element_of(model: Model) -> Element:
     the products of coordinates that bending makes in a wall of one cell: the cavity of a fast PneuNet with such walls
     grew 13 % too much, 1 % with values at vertices. The formulation ``"displacement"`` has none.
 
-    The trilinear mean stress leaves 27-node hexahedra volumetric modes that it does not see; the penalty of
-    `turgor.core.engine.cells.stabilization` resists them. Tetrahedra have no such modes.
+    The trilinear mean stress leaves hexahedra volumetric modes that it does not see; the penalty of
+    `turgor.core.engine.cells.stabilization` resists them. Tetrahedra have no such modes. Where the middles of a mesh
+    follow, its cells have the shape functions of 20 nodes.
     """
     mesh = model.mesh
-    nodes = mesh.cell_type.nodes
+    cells = mesh.carrying_cells
+    nodes = cells.shape[1]
     if model.formulation == DISPLACEMENT:
         none = np.zeros((len(mesh.cells), 0), dtype=np.int64)
-        return Element(reference_cell(nodes, DISPLACEMENT_DEGREE[nodes]), (0,) * nodes, (), none, 0)
+        return Element(
+            cells,
+            reference_cell(nodes, CELL_QUADRATURE_DEGREE if mesh.serendipity else DISPLACEMENT_DEGREE[nodes]),
+            (0,) * nodes,
+            (),
+            none,
+            0,
+        )
     mean, count = mean_stress_numbers(model)
     tables = reference_cell(nodes, CELL_QUADRATURE_DEGREE)
-    return Element(tables, (0,) * nodes, (0,) * mean.shape[1], mean, count)
+    return Element(cells, tables, (0,) * nodes, (0,) * mean.shape[1], mean, count)

@@ -70,7 +70,7 @@ def _block(i, k, pad):
 @njit(**INNER, fastmath=FAST)
 def _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp):
     """Add Σ gₖ gₖᵀ with the gradients gₖ of the moments by displacements (k, 3, nodes) and mean stresses (k, m)."""
-    if len(shape) != PENALIZED:
+    if len(shape) < PENALIZED:
         return
     pad = K.shape[1] // 6
     for k in range(len(u_part)):

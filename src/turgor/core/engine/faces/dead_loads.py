@@ -77,8 +77,8 @@ class ScaledNodalForces:
 
     def per_volume(self, value: Callable[[Array], Array]) -> Array:
         """Forces of ``value(points) -> (n, 3) force per reference volume [N/m³]``."""
-        mesh, N = self.setting.model.mesh, element_of(self.setting.model).tables.N
-        where = np.einsum("qa,cai->cqi", N, mesh.points[mesh.cells])
+        element = element_of(self.setting.model)
+        where = np.einsum("qa,cai->cqi", element.tables.N, self.setting.model.mesh.points[element.cells])
         return self._in_cells(np.asarray(value(where.reshape(-1, 3))).reshape(where.shape))
 
     def per_mass(self, value: Callable[[Array], Array]) -> Array:
@@ -118,10 +118,10 @@ class ScaledNodalForces:
 
     def _in_cells(self, per_volume: Array) -> Array:
         """Scaled forces of a force per volume (c, q, 3) [N/m³] at the quadrature points."""
-        setting, N = self.setting, element_of(self.setting.model).tables.N
+        setting, element = self.setting, element_of(self.setting.model)
         scaled = per_volume * setting.length / setting.stress
-        local = np.einsum("cq,qa,cqi->cai", setting.dV, N, scaled)
-        return _sum_at_nodes(setting.model.mesh.cells, local, len(setting.points))
+        local = np.einsum("cq,qa,cqi->cai", setting.dV, element.tables.N, scaled)
+        return _sum_at_nodes(element.cells, local, len(setting.points))
 
     def _spread(self, sides: NDArray[np.int64], vector: Array) -> Array:
         """Forces of a scaled traction (3,)."""

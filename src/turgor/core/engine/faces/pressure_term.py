@@ -99,7 +99,7 @@ def pressure_terms(setting: Setting) -> list[PressureTerm]:
     mesh, model, terms = setting.model.mesh, setting.model, []
     leaders = mesh.leaders  # where the cut faces of a wedge are joined, a surface goes on
     for place, name in enumerate(setting.controlled):
-        sides = np.ascontiguousarray(mesh.face(name))
+        sides = mesh.carrying_sides(name)
         potential = surfaces.has_potential(setting.points, leaders[sides], setting.prescribed)
         terms.append(PressureTerm(sides, None, place, setting.stress, potential))
     alike: dict[tuple[float, History], list[Pressure]] = {}
@@ -107,7 +107,7 @@ def pressure_terms(setting: Setting) -> list[PressureTerm]:
         if load.face not in setting.controlled:
             alike.setdefault((load.pressure, load.history), []).append(load)
     for loads in alike.values():
-        sides = np.ascontiguousarray(np.concatenate([mesh.face(load.face) for load in loads]))
+        sides = np.ascontiguousarray(np.concatenate([mesh.carrying_sides(load.face) for load in loads]))
         potential = surfaces.has_potential(setting.points, leaders[sides], setting.prescribed)
         terms.append(PressureTerm(sides, loads[0], -1, setting.stress, potential))
     return terms

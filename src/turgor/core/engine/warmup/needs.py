@@ -38,7 +38,7 @@ class Needs:
         """Return the needs of a model."""
         kind = model.mesh.cell_type
         return Needs(
-            nodes=kind.nodes,
+            nodes=model.mesh.carrying_cells.shape[1],
             mixed=model.formulation != DISPLACEMENT,
             sides=kind.side.nodes if may_touch(model) else 0,
             stretches=in_stretches(model.region_materials.values()),

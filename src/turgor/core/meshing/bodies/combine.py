@@ -72,6 +72,7 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
     return Mesh(
         points=points,
         cells=np.concatenate(cells),
+        serendipity=all(mesh.serendipity for mesh in bodies.values()),
         regions=regions,
         faces=faces,
         name="; ".join(f"{body}: {mesh.name}" for body, mesh in bodies.items()),

@@ -1,4 +1,4 @@
-"""Swept meshes: 27-node hexahedra of a section moved along a line or turned about an axis."""
+"""Swept meshes: hexahedra of a section moved along a line or turned about an axis."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -25,10 +25,10 @@ KINDS = ("tetrahedra", "hexahedra", "axisymmetric")
 
 
 def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
-    """Generate 27-node hexahedra that fill a geometry which is a swept section, and carry its names.
+    """Generate hexahedra that fill a geometry which is a swept section, and carry its names.
 
-    All nodes lie on the true shape. Where the section is a grid or rings, walls get one cell unless more are
-    requested; sections of other outlines get two.
+    All nodes lie on the true shape but middles of sides and cells, which follow the others. Where the section is a grid
+    or rings, walls get one cell unless more are requested; sections of other outlines get two.
 
     Parameters
     ----------
@@ -57,13 +57,12 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     fine = short_at_edges(geometry, fine)
     section = section_of(sweep, sweep.outlines, fine)
     if not reaches_axis(sweep, section):
-        return assemble(fill(sweep, section, fine), geometry, sweep)
+        return replace(assemble(fill(sweep, section, fine), geometry, sweep), serendipity=True)
     radius = core_radius(sweep)
     section = without_core(section_of(sweep, (*sweep.outlines, core_outline(sweep)), fine), radius)
     quarters = round((sweep.layers[-1].end - sweep.layers[0].start) / QUARTER)
-    return assemble(
-        with_core(fill(sweep, section, fine, multiple=2 * quarters), sweep, section, radius, fine), geometry, sweep
-    )
+    filling = with_core(fill(sweep, section, fine, multiple=2 * quarters), sweep, section, radius, fine)
+    return replace(assemble(filling, geometry, sweep), serendipity=True)
 
 
 def short_at_edges(geometry: Geometry, fine: Fineness) -> Fineness:

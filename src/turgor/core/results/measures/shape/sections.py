@@ -59,10 +59,10 @@ def pieces_of(facts: MeshFacts, low: float, high: float, count: int) -> Pieces |
     """
     mesh = facts.mesh
     start, length = float(mesh.points[:, 0].min()), float(np.ptp(mesh.points[:, 0]))
-    table = reference_cell(mesh.cells.shape[1], CELL_QUADRATURE_DEGREE)
-    shape = (0,) * mesh.cells.shape[1]
-    _, volumes = kernels_geometry.reference_geometry(shape, mesh.points, mesh.cells, table.dN, table.weights)
-    places = np.einsum("qa,cai->cqi", table.N, mesh.points[mesh.cells])
+    table = reference_cell(mesh.carrying_cells.shape[1], CELL_QUADRATURE_DEGREE)
+    shape = (0,) * mesh.carrying_cells.shape[1]
+    _, volumes = kernels_geometry.reference_geometry(shape, mesh.points, mesh.carrying_cells, table.dN, table.weights)
+    places = np.einsum("qa,cai->cqi", table.N, mesh.points[mesh.carrying_cells])
     share = (places[..., 0] - start) / length
     cell, point = np.nonzero((share >= low) & (share <= high))
     piece = ((share[cell, point] - low) / (high - low) * count).astype(np.int64)
@@ -72,7 +72,7 @@ def pieces_of(facts: MeshFacts, low: float, high: float, count: int) -> Pieces |
     place, weight = places[cell, point], volumes[cell, point]
     middles = np.tile(_centroid(facts, place, weight), (count, 1))
     middles[:, 0] = start + length * (low + (high - low) * (np.arange(count) + 0.5) / count)
-    return Pieces(mesh.cells[cell], table.N[point], place, weight, piece, middles)
+    return Pieces(mesh.carrying_cells[cell], table.N[point], place, weight, piece, middles)
 
 
 def windows_of(facts: MeshFacts, low: float, high: float, count: int) -> Pieces:
@@ -100,24 +100,26 @@ def windows_of(facts: MeshFacts, low: float, high: float, count: int) -> Pieces:
     apart = (high - low) / (count + 1)
     centers = low + apart * (1 + np.arange(count))
     cells = _cells_between(facts, low, high)
-    long = float(np.ptp(mesh.points[mesh.cells[cells], 0], axis=1).max()) / length
+    long = float(np.ptp(mesh.points[mesh.carrying_cells[cells], 0], axis=1).max()) / length
     along = max(2, int(np.ceil(SHAPE.points_apart * long / apart)))  # two give the slope within a cell
-    table = product_rule(mesh.cells.shape[1], 2 * along - 1)
-    shape = (0,) * mesh.cells.shape[1]
-    _, volumes = kernels_geometry.reference_geometry(shape, mesh.points, mesh.cells[cells], table.dN, table.weights)
-    places = np.einsum("qa,cai->cqi", table.N, mesh.points[mesh.cells[cells]])
+    table = product_rule(mesh.carrying_cells.shape[1], 2 * along - 1)
+    shape = (0,) * mesh.carrying_cells.shape[1]
+    _, volumes = kernels_geometry.reference_geometry(
+        shape, mesh.points, mesh.carrying_cells[cells], table.dN, table.weights
+    )
+    places = np.einsum("qa,cai->cqi", table.N, mesh.points[mesh.carrying_cells[cells]])
     aside = ((places[..., 0] - start) / length - centers[:, None, None]) / apart
     piece, cell, point = np.nonzero(np.abs(aside) < 1)
     place = places[cell, point]
     weight = volumes[cell, point] * (1 - aside[piece, cell, point] ** 2) ** 2
     middles = np.tile(_centroid(facts, place, weight), (count, 1))
     middles[:, 0] = start + length * centers
-    return Pieces(mesh.cells[cells[cell]], table.N[point], place, weight, piece, middles)
+    return Pieces(mesh.carrying_cells[cells[cell]], table.N[point], place, weight, piece, middles)
 
 
 def cell_length(facts: MeshFacts, low: float, high: float) -> float:
     """Mean extent along x of the cells that reach into the part between two stations [m]."""
-    cells = facts.mesh.cells[_cells_between(facts, low, high)]
+    cells = facts.mesh.carrying_cells[_cells_between(facts, low, high)]
     return float(np.ptp(facts.mesh.points[cells, 0], axis=1).mean())
 
 

@@ -81,9 +81,9 @@ def _dead(path: Sequence[StateFields], loads: list[Load]) -> tuple[Array, Array]
 
 def _setting(model: Model) -> tuple[Setting, tuple]:
     """Setting of the loads of a model, in SI units, and its reference points."""
-    supports, table = prescribed_components(model), element_of(model).tables
-    points, shape = model.mesh.points, (0,) * model.mesh.cells.shape[1]
-    _, volume = kernels_geometry.reference_geometry(shape, points, model.mesh.cells, table.dN, table.weights)
+    supports, element, points = prescribed_components(model), element_of(model), model.mesh.points
+    table = element.tables
+    _, volume = kernels_geometry.reference_geometry(element.shape, points, element.cells, table.dN, table.weights)
     rest = with_carrier_points(points, supports.carriers)
     return Setting(model, rest, supports.along_axes, volume, 1.0, 1.0), supports.carriers
 
