@@ -34,6 +34,11 @@ class ShapePart(PointsPart):
         self.shape, self.obstacle, self.unknown = shape, obstacle, unknown
 
     @property
+    def _couples(self) -> bool:
+        """Whether a tie couples unknowns that no cell couples."""
+        return self.unknown >= 0 or not self.surface.coupled
+
+    @property
     def key_count(self) -> int:
         """Ties that are possible."""
         return len(self.surface.sides)
@@ -86,8 +91,8 @@ class ShapePart(PointsPart):
         return side
 
     def keys(self, gaps: Gaps) -> Ints:
-        """Ties that the tangent needs beyond those of the cells: of sides with a sprung body."""
-        if self.unknown < 0:
+        """Ties that the tangent needs beyond those of the cells: of sides with a sprung body or with their middles."""
+        if not self._couples:
             return np.zeros(0, dtype=np.int64)
         sides = gaps.touching[:, 0]
         if gaps.friction is not None:
@@ -96,7 +101,7 @@ class ShapePart(PointsPart):
 
     def ready_keys(self, gaps: Gaps) -> Ints:
         """Ties that the tangent may need: all sides."""
-        return np.arange(len(self.surface.sides)) if self.unknown >= 0 else np.zeros(0, dtype=np.int64)
+        return np.arange(len(self.surface.sides)) if self._couples else np.zeros(0, dtype=np.int64)
 
     def tied_unknowns(self, keys: Ints) -> Ints:
         """Unknowns of ties, in rows; −1 where the body does not move freely."""

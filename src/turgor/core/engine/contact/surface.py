@@ -1,6 +1,6 @@
 """Surface: sides that may touch, their quadrature points and how stiff they are behind."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
@@ -35,6 +35,8 @@ class Surface:
         Pressure per depth.
     height : (s,) array
         Of the cell behind each side.
+    coupled : bool
+        Whether the cells couple all nodes of a side: not the middles that follow.
     """
 
     sides: Ints
@@ -43,16 +45,13 @@ class Surface:
     weights: Array
     spring: Array
     height: Array
+    coupled: bool = True
 
     def chosen(self, which: Ints | NDArray[np.bool_]) -> "Surface":
         """Return some of the sides."""
-        return Surface(
-            np.ascontiguousarray(self.sides[which]),
-            self.N,
-            self.dN,
-            self.weights[which],
-            self.spring[which],
-            self.height[which],
+        sides = np.ascontiguousarray(self.sides[which])
+        return replace(
+            self, sides=sides, weights=self.weights[which], spring=self.spring[which], height=self.height[which]
         )
 
     @property
@@ -88,7 +87,8 @@ def whole_surface(model: Model, points: Array, volumes: Array, stress: float) ->
     modulus = np.empty(len(mesh.cells))
     for name, material in model.region_materials.items():
         modulus[mesh.regions[name]] = 3 * material.law.shear_modulus / stress
-    return Surface(sides, r.N, r.dN, weights, PENALTY.stiffness * modulus[owner] / height, height)
+    spring = PENALTY.stiffness * modulus[owner] / height
+    return Surface(sides, r.N, r.dN, weights, spring, height, coupled=not mesh.serendipity)
 
 
 def of_face(mesh: Mesh, surface: Surface, *names: str) -> NDArray[np.bool_]:
