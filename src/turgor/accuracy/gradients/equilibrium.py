@@ -193,10 +193,9 @@ def _solved_again(
     at = result.evaluation
     if at is None or not np.isfinite(result.residual):
         raise limit_point(state)
-    if result.iterations <= GRADIENTS.few_updates:
-        border.renew(at)
-    else:
+    if result.iterations > GRADIENTS.few_updates:
         border.factor(at, None, np.zeros(int(system.prescribed.sum())))
+    border.renew(at)
     return result, border
 
 

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.additions import Addition
 from turgor.core.engine.algebra.boundary import prescribed_components
-from turgor.core.engine.algebra.middle_ties import with_middles
 from turgor.core.engine.algebra.pattern import Pattern, build_pattern
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.internal_variables import History, Memory, friction_of, joined_memory
@@ -26,6 +25,7 @@ from turgor.core.engine.evaluation import (
     Evaluation as Evaluation,  # what is handed out by this class comes from here, too
 )
 from turgor.core.engine.evaluation import Stresses as Stresses
+from turgor.core.engine.middle_ties import with_middles
 from turgor.core.engine.points.motion import PointMotion, carrier_displacement, carrier_velocity
 from turgor.core.engine.points.point_unknowns import with_carrier_points
 from turgor.core.engine.term import Configuration, Setting, displacements
@@ -311,11 +311,11 @@ class System:
         """Give the tangent the sparsity that walls which touch need."""
         self.contact.prepare(self.layout, at.contacts)
 
-    def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
-        """Values of the symmetric tangent's lower triangle, supports not yet applied."""
+    def tangent_data(self, at: Evaluation, geometric: Stresses | None = None, exact: bool = False) -> Array:
+        """Values of the symmetric tangent's lower triangle, supports not yet applied; to be factored unless exact."""
         u, p = self.split(at.unknowns)
         data = np.zeros(len(self.layout.base.indices))
-        self.rubber.add_tangents(data, u, p, at.isochoric, None if geometric is None else geometric.cells)
+        self.rubber.add_tangents(data, (u, p), at.isochoric, None if geometric is None else geometric.cells, exact)
         given = None if geometric is None else geometric.terms
         self.terms.add_tangents(data, Configuration(self.points + u, at.load_factor, at.unknown_pressures), given)
         self.lay_out(at)

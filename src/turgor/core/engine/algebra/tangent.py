@@ -141,20 +141,23 @@ class Tangent:
         return self._unknowns is unknowns
 
     def renew(self, at: Evaluation) -> None:
-        """Form the tangent at a state close to that of the factors, and keep these: `product` has the new matrix.
+        """Form the exact tangent at a state close to that of the factors, and keep these: `product` has the new matrix.
 
         A solution is refined then. Where other walls touch, the factors are new as well.
         """
-        self._unknowns = None
-        self._formed(at, None, None, 0.0)
+        self._system.lay_out(at)
         if self._general is None and self._analyzed is not self._system.pattern:
-            self._factor()
+            self.factor(at)
+        self._unknowns = None
+        self._formed(at, None, None, 0.0, exact=True)
 
-    def _formed(self, at: Evaluation, geometric: Stresses | None, jump: Array | None, shift: float) -> Array:
+    def _formed(
+        self, at: Evaluation, geometric: Stresses | None, jump: Array | None, shift: float, exact: bool = False
+    ) -> Array:
         """Form the tangent; `factor` says what it returns."""
         start = perf_counter()
         system = self._system
-        data = system.tangent_data(at, geometric)
+        data = system.tangent_data(at, geometric, exact)
         skew = system.skew_matrix(at)
         coupling = np.zeros(system.size)
         if jump is not None and jump.any():

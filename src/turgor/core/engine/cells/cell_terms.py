@@ -98,13 +98,18 @@ class CellTerms:
         """Gradient of the energy of every cell (c, s) at displacements (n, 3) and mean stresses (m,)."""
         return np.asarray(kernels.residual(self._loops, u, p, self._response(laws)))
 
-    def add_tangents(self, data: Array, u: Array, p: Array, laws: Isochoric, geometric: Array | None) -> None:
-        """Add the Hessians of all cells to the tangent, with linearized stresses (c, q, 7) of their own."""
-        response, nothing = self._response(laws), np.zeros((1, 1, 6))
+    def add_tangents(
+        self, data: Array, place: tuple[Array, Array], laws: Isochoric, geometric: Array | None, exact: bool
+    ) -> None:
+        """Add the Hessians of all cells at displacements and mean stresses to the tangent.
+
+        They have linearized stresses (c, q, 7) of their own, and are regular enough to be factored, unless ``exact``.
+        """
+        response, nothing, loops = self._response(laws), np.zeros((1, 1, 6)), self._loops if exact else self._regular
         for chunk in self._chunks():
             stresses = nothing if geometric is None else geometric[chunk]
-            cells, part = self._regular.part(chunk), response.part(chunk)
-            packed = kernels_tangent.tangent(cells, u, p, part, stresses, geometric is not None)
+            cells, part = loops.part(chunk), response.part(chunk)
+            packed = kernels_tangent.tangent(cells, *place, part, stresses, geometric is not None)
             scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
 
     def add_entries(self, data: Array, entries: Integers, values: Array) -> None:
