@@ -2,7 +2,7 @@
 
 from turgor.core.engine.warmup.needs import Needs, in_stretches
 from turgor.core.materials.material import Material
-from turgor.core.meshing.cells import HEXAHEDRON_20, cell_type
+from turgor.core.meshing.cells import cell_type
 from turgor.core.meshing.default_settings import chosen_cells
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.model.sheets import Sheet
@@ -17,15 +17,12 @@ def kernel_needs(job: Job) -> Needs:
     geometry = job.geometry()
     if isinstance(geometry.shape, MeshedShape):
         kind = geometry.shape.mesh.cell_type
-        nodes = kind.nodes
     else:
-        cells = chosen_cells(geometry, job.mesh)
-        kind = cell_type(10 if cells == "tetrahedra" else 27)
-        nodes = HEXAHEDRON_20.nodes if cells == "hexahedra" else kind.nodes  # the middles of swept ones follow
+        kind = cell_type(10 if chosen_cells(geometry, job.mesh) == "tetrahedra" else 27)
     may_touch = job.contact.self_contact is not None or job.contact.obstacles or job.setup is not None
     materials = job.materials.values()
     return Needs(
-        nodes=nodes,
+        nodes=kind.nodes,
         sides=kind.side.nodes if may_touch else 0,
         stretches=in_stretches(each for each in materials if isinstance(each, Material)),
         sheets=any(isinstance(each, Sheet) for each in materials),

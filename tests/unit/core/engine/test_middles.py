@@ -11,6 +11,7 @@ from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.system import System
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.core.meshing.middles import middles_of
+from turgor.core.meshing.sizing.settings import SIZING
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
 from turgor.core.model.model import Model
@@ -20,16 +21,21 @@ RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.1 * MPa))
 PAPER = tg.from_library("paper", record="hooke-polygerinos-2020")
 
 
+def following(geometry: tg.Geometry, size: float) -> tg.Mesh:
+    """A swept mesh whose middles follow, which by themselves they do in large ones."""
+    return replace(swept_mesh(geometry, Fineness(size=size)), serendipity=True)
+
+
 @pytest.fixture(scope="module")
 def tube() -> tg.Mesh:
     """A closed tube: curved cells, and a radius that supports can fix."""
-    return swept_mesh(tg.actuators.ExtendingCylinder(length=20 * mm).build(), Fineness(size=8 * mm))
+    return following(tg.actuators.ExtendingCylinder(length=20 * mm).build(), 8 * mm)
 
 
 @pytest.fixture(scope="module")
 def finger() -> tg.Mesh:
     """A finger with a strain-limiting layer."""
-    return swept_mesh(tg.FastPneuNet(chambers=1, length=12 * mm).build(), Fineness(size=6 * mm))
+    return following(tg.FastPneuNet(chambers=1, length=12 * mm).build(), 6 * mm)
 
 
 def pressed(mesh: tg.Mesh) -> Model:
@@ -59,6 +65,15 @@ def test_swept_cells_have_the_unknowns_of_20_nodes(tube: tg.Mesh) -> None:
     follows = np.flatnonzero(system.prescribed.reshape(-1)[: 3 * len(tube.points)].reshape(-1, 3).all(axis=1))
     assert np.isin(middles, follows).all()
     assert element_of(closed(tube)).cells.shape[1] == 20
+
+
+def test_middles_follow_in_large_meshes_by_themselves() -> None:
+    """Up to a number of unknowns, middles have their own."""
+    finger = tg.FastPneuNet().build()
+    small, large = (swept_mesh(finger, Fineness(size=size)) for size in (7 * mm, 3 * mm))
+    assert not small.serendipity
+    assert large.serendipity
+    assert replace(large, serendipity=False).unknown_count > SIZING.free_middles > small.unknown_count
 
 
 def test_places_and_displacements_of_middles_follow(finger: tg.Mesh) -> None:

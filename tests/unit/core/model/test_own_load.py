@@ -127,7 +127,7 @@ def test_its_half_model_is_solved_as_the_whole(spin, tmp_path):
     fields = [tg.measure(each, "tip_displacement", "outside_work") for each in parts]
     for name in ("tip_displacement", "outside_work"):
         assert fields[0].column(name)[-1] == pytest.approx(fields[1].column(name)[-1], rel=5e-4)  # two meshes
-    assert fields[0].column("tip_displacement")[-1] > 3e-6
+    assert fields[0].column("tip_displacement")[-1] > 4e-6
     assert fields[0].column("outside_work")[-1] < 0  # it works on the actuator
     stated = BodyForce(lambda points: 1000.0 * 60.0**2 * points * (1, 1, 0), half.loads[0].history)
     by_function = tg.solve(tg.Model(half.mesh, half.materials, half.supports, [stated]), tg.Static(at=(1.0,)))

@@ -27,8 +27,8 @@ KINDS = ("tetrahedra", "hexahedra", "axisymmetric")
 def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """Generate hexahedra that fill a geometry which is a swept section, and carry its names.
 
-    All nodes lie on the true shape but middles of sides and cells, which follow the others. Where the section is a grid
-    or rings, walls get one cell unless more are requested; sections of other outlines get two.
+    All nodes lie on the true shape, but middles of sides and cells follow the others where a mesh is large. Where the
+    section is a grid or rings, walls get one cell unless more are requested; sections of other outlines get two.
 
     Parameters
     ----------
@@ -57,12 +57,17 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     fine = short_at_edges(geometry, fine)
     section = section_of(sweep, sweep.outlines, fine)
     if not reaches_axis(sweep, section):
-        return replace(assemble(fill(sweep, section, fine), geometry, sweep), serendipity=True)
+        return _few_unknowns(assemble(fill(sweep, section, fine), geometry, sweep))
     radius = core_radius(sweep)
     section = without_core(section_of(sweep, (*sweep.outlines, core_outline(sweep)), fine), radius)
     quarters = round((sweep.layers[-1].end - sweep.layers[0].start) / QUARTER)
     filling = with_core(fill(sweep, section, fine, multiple=2 * quarters), sweep, section, radius, fine)
-    return replace(assemble(filling, geometry, sweep), serendipity=True)
+    return _few_unknowns(assemble(filling, geometry, sweep))
+
+
+def _few_unknowns(mesh: Mesh) -> Mesh:
+    """Let the middles of sides and cells follow the other nodes where a mesh is large."""
+    return replace(mesh, serendipity=mesh.unknown_count > SIZING.free_middles)
 
 
 def short_at_edges(geometry: Geometry, fine: Fineness) -> Fineness:
