@@ -1,0 +1,80 @@
+"""Settings of reduced models: every number that was chosen, with its reason."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class NewtonSettings:
+    """Settings of Newton's method in reduced coordinates.
+
+    Parameters
+    ----------
+    tolerance : float
+        Size of the next update over the largest size of trained coordinates, below which a state is found.
+    iterations : int
+        Updates before a step counts as failed.
+    shortest : float
+        Shortest update, as a share of the whole.
+    substeps : int
+        How often a failed step is halved before the state is refused.
+    """
+
+    tolerance: float = 1e-7
+    iterations: int = 14
+    shortest: float = 1 / 64
+    substeps: int = 6
+
+
+NEWTON = NewtonSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class SamplingSettings:
+    """Settings of the choice of sampled points.
+
+    Parameters
+    ----------
+    tolerance : float
+        Error of the sampled forces, as an error of the coordinates over their size, at which no more cells are added.
+    most : int
+        Cells at most.
+    perturbation : float
+        Random changes of the training states, over the size of each coordinate: the energy is needed near the
+        states, too, where Newton's method passes.
+    states : int
+        Training states at most; more are thinned.
+    """
+
+    tolerance: float = 1e-3
+    most: int = 200
+    perturbation: float = 0.01
+    states: int = 120
+
+
+SAMPLING = SamplingSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class TrainingSettings:
+    """Settings of the training.
+
+    Parameters
+    ----------
+    modes : int
+        Displacement modes at most. There are half as many mean stress modes: with as many, Newton's method finds
+        nothing.
+    truncation : float
+        Share of the snapshots' square sizes that modes may miss.
+    steps : int
+        Steps of a path at least.
+    candidates : int
+        Random inputs whose full residual is looked at in each round.
+    """
+
+    modes: int = 14
+    truncation: float = 1e-8
+    steps: int = 12
+    candidates: int = 16
+
+
+TRAINING = TrainingSettings()
