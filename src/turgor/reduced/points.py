@@ -43,7 +43,7 @@ class Points:
         starts = np.searchsorted(which, self.starts)
         return Points(np.ascontiguousarray(self.gradients[which]), weights, self.laws, starts, self.stress)
 
-    def at(self, q: Array) -> "Answer | None":
+    def at(self, q: Array) -> "PointsAt | None":
         """Evaluate the laws at reduced coordinates; None where a point is turned inside out or beyond its law."""
         F = (self.gradients.reshape(-1, len(q)) @ q).reshape(-1, 3, 3)
         F += np.eye(3)
@@ -51,7 +51,7 @@ class Points:
         if not np.isfinite(I1).all():
             return None
         S, D = self._stresses(F, I1, I2)
-        return Answer(self, F, S, D) if np.isfinite(S).all() else None
+        return PointsAt(self, F, S, D) if np.isfinite(S).all() else None
 
     def _stresses(self, F: Array, I1: Array, I2: Array) -> tuple[Array, Array]:
         W, rows = np.zeros((5, len(F))), np.full(len(F), -1, dtype=np.int64)
@@ -80,7 +80,7 @@ class Points:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Answer:
+class PointsAt:
     """Isochoric stresses at the points.
 
     Parameters
