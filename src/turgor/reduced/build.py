@@ -1,6 +1,6 @@
 """Build: the equations of a reduced model from training paths."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +11,7 @@ from turgor.core.engine.system import System
 from turgor.reduced import assembly, near, sampling
 from turgor.reduced.equations import Equations, Part
 from turgor.reduced.modes import Modes, modes_of
+from turgor.reduced.polynomials import Sheets
 from turgor.reduced.settings import SAMPLING, TRAINING
 from turgor.reduced.training import Path
 
@@ -103,38 +104,99 @@ def bases(system: System, paths: Sequence[Path], modes: int) -> tuple[Modes, Mod
 
 
 def sample(whole: assembly.Whole, inputs: Array, y: Array) -> tuple[tuple[Part, ...], tuple[Part, ...], dict[str, int]]:
-    """Choose cells, sides and edges: the sampled parts, other ones to check them, and how many there are."""
-    equations, r = whole.equations, whole.exact.sizes[0]
+    """Choose cells, and sides and edges of shells: the sampled parts, other ones to check them, and how many."""
     starts = np.append(np.flatnonzero(np.diff(whole.cells, prepend=-1)), len(whole.cells))
-    columns: list[list[Array]] = [[] for _ in range(1 + len(whole.pieces))]
+    trials = list(_trials(whole, inputs, y, starts))
+    size = float(np.linalg.norm([trial.q for trial in trials], axis=1).mean())
+    tolerance = SAMPLING.tolerance * size * float(np.sqrt(len(trials)))
+    A = np.vstack([trial.rubber for trial in trials])
+    total = A.sum(axis=1)
+    allowed = tolerance / max(float(np.linalg.norm(total)), 1e-300)
+    first = sampling.choose(A, total, allowed, SAMPLING.most)
+    second = sampling.choose(A, total, allowed, SAMPLING.most, first.which)
+    counts = {"cells": len(first.which)}
+    parts: list[Part] = [_restricted(whole.rubber, starts, first)]
+    checks: list[Part] = [_restricted(whole.rubber, starts, second)]
+    if whole.pieces:
+        bending, error = bending_form([(trial.q, trial.inverse, trial.bending) for trial in trials])
+        if error <= tolerance:
+            parts.append(bending)
+            checks.append(bending)
+        else:
+            parts += whole.pieces
+            checks += whole.pieces
+            counts["sides"] = sum(len(each.term.nodes) for each in whole.pieces)
+    return tuple(parts), tuple(checks), counts
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Trial:
+    """A training state or one near it.
+
+    Parameters
+    ----------
+    q : (r,) array
+    inverse : (r, r) array
+        Of the tangent, its block of displacements.
+    rubber : (r, cells) array
+        Forces of every cell, times the inverse.
+    bending : (r,) array
+        Forces of the bending of shells.
+    """
+
+    q: Array
+    inverse: Array
+    rubber: Array
+    bending: Array
+
+
+def _trials(whole: assembly.Whole, inputs: Array, y: Array, starts: Ints) -> Iterator[Trial]:
+    """Evaluate training states, and others near them: Newton's method passes there."""
+    equations, r = whole.equations, whole.exact.sizes[0]
     random, spread = np.random.default_rng(0), np.abs(y[:, :r]).max(axis=0)
-    every = np.unique(np.linspace(0, len(y) - 1, min(len(y), SAMPLING.states)).astype(int))
-    for place in every:
+    for place in np.unique(np.linspace(0, len(y) - 1, min(len(y), SAMPLING.states)).astype(int)):
         for factor in (0.0, SAMPLING.perturbation):
             moved = y[place].copy()
             moved[:r] += factor * spread * random.standard_normal(r)
             at = equations.at(moved, inputs[place])
             if at is None:
                 continue
+            rubber, *pieces = at.parts[: 1 + len(whole.pieces)]
             inverse = np.linalg.inv(at.tangent())[:r, :r]
-            columns[0].append(inverse @ at.parts[0].forces(starts).T)  # type: ignore[call-arg]
-            for part, its in zip(at.parts[1:], columns[1:], strict=False):
-                its.append(inverse @ part.by_group().T)  # type: ignore[attr-defined]
-    size = float(np.linalg.norm(y[every][:, :r], axis=1).mean())
-    parts: list[Part] = []
-    checks: list[Part] = []
-    counts: dict[str, int] = {}
-    for name, part, its in zip(("cells", "sides", "edges", "edges_2"), (whole.rubber, *whole.pieces), columns, strict=False):
-        A = np.vstack(its)
-        b = A.sum(axis=1)
-        rows = np.sqrt(len(its))
-        tolerance = SAMPLING.tolerance * size * rows / max(float(np.linalg.norm(b)), 1e-300)
-        first = sampling.choose(A, b, min(tolerance, 0.5), SAMPLING.most)
-        second = sampling.choose(A, b, min(tolerance, 0.5), SAMPLING.most, first.which)
-        counts[name] = len(first.which)
-        for out, chosen in ((parts, first), (checks, second)):
-            out.append(_restricted(part, starts, chosen) if part is whole.rubber else part.chosen(chosen.which, chosen.factors))
-    return tuple(parts), tuple(checks), counts
+            of_cells = inverse @ rubber.forces(starts).T  # type: ignore[call-arg]
+            yield Trial(moved[:r], inverse, of_cells, np.sum([part.forces() for part in pieces], axis=0))
+
+
+def bending_form(trials: Sequence[tuple[Array, Array, Array]]) -> tuple[Sheets, float]:
+    """Fit the bending energy of shells by a quadratic polynomial, and return it with the error of the coordinates.
+
+    Sheets that bend without stretching have a quadratic energy in the displacements (Bergou and others 2006, doi
+    10.2312/SGP/SGP06/227-230); those of shells do almost.
+
+    Parameters
+    ----------
+    trials : sequence of ((r,), (r, r), (r,)) arrays
+        Coordinates, inverse tangent, forces of the bending.
+    """
+    r = len(trials[0][0])
+    i, j = np.triu_indices(r)
+    rows, right = [], []
+    for q, inverse, force in trials:
+        one = np.zeros((r, len(i)))
+        one[i, np.arange(len(i))] += q[j]
+        one[j, np.arange(len(i))] += q[i]
+        rows.append(inverse @ np.hstack([np.eye(r), one]))
+        right.append(inverse @ force)
+    A, b = np.vstack(rows), np.concatenate(right)
+    scale = 1.0 / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
+    numbers = scale * np.linalg.lstsq(A * scale, b, rcond=1e-10)[0]
+    R = r + 1
+    place = np.zeros((R, R), dtype=np.int64)
+    place[np.triu_indices(R)] = np.arange(R * (R + 1) // 2)
+    form = np.zeros((R * (R + 1) // 2,) * 2)
+    columns = np.concatenate([place[0, 1:], place[i + 1, j + 1]])
+    form[0, columns] = form[columns, 0] = numbers
+    return Sheets(form, R), float(np.linalg.norm(A @ numbers - b))
 
 
 def _restricted(rubber: assembly.Points, starts: Ints, chosen: sampling.Sample) -> Part:

@@ -32,6 +32,10 @@ class Found:
 def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Found | int:
     """Solve for inputs from a start; return the number of updates in vain where nothing is found.
 
+    The geometric stiffness has stresses linearized for the last update (Magisano, Leonetti and Garcea 2017, doi
+    10.1016/j.cma.2016.10.023). Sheets make a narrow curved valley, across which every update overshoots: so whole
+    updates are taken, and shortened only where a point would be turned inside out or the update is too long.
+
     Parameters
     ----------
     equations : Equations
@@ -45,44 +49,35 @@ def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Fo
     Found or int
     """
     at = equations.at(start, inputs)
-    if at is None:
-        return 0
-    geometric, residual, r = None, at.residual, equations.sizes[0]
+    geometric, r = None, equations.sizes[0]
     for iteration in range(1, NEWTON.iterations + 1):
+        if at is None:
+            return iteration - 1
         try:
             inverse = np.linalg.inv(at.tangent(geometric))
         except np.linalg.LinAlgError:
             return iteration
-        update = -(inverse @ residual)
-        before = float(np.linalg.norm(update[:r]))
-        if not np.isfinite(before):
+        update = -(inverse @ at.residual)
+        change = float(np.linalg.norm(update[:r]))
+        if not np.isfinite(change):
             return iteration
-        taken = _damped(equations, at, (inverse, update), inputs, before)
-        if taken is None:
-            return iteration
-        length, new, residual, after = taken
+        length = min(1.0, NEWTON.longest * size / max(change, 1e-300))
+        length, new = _inside(equations, at, length, update)
         geometric = at.linearized(length * update)
         at = new
-        if length == 1.0 and after <= NEWTON.tolerance * size:
+        if length == 1.0 and change <= NEWTON.tolerance * size and at is not None:
             return Found(at, inverse, iteration)
     return NEWTON.iterations
 
 
-def _damped(
-    equations: Equations, at: EquationsAt, step: tuple[Array, Array], inputs: Array, before: float
-) -> tuple[float, EquationsAt, Array, float] | None:
-    """Shorten an update until the next one, with the same tangent, is shorter: length, place, residual, its size."""
-    inverse, update = step
-    length = 1.0
+def _inside(equations: Equations, at: EquationsAt, length: float, update: Array) -> tuple[float, EquationsAt | None]:
+    """Shorten an update until no point is turned inside out: its length, and the place."""
     while length >= NEWTON.shortest:
-        new = equations.at(at.y + length * update, inputs)
+        new = equations.at(at.y + length * update, at.inputs)
         if new is not None:
-            residual = new.residual
-            after = float(np.linalg.norm((inverse @ residual)[: equations.sizes[0]]))
-            if after <= (1.0 - 0.25 * length) * before or after == 0.0:
-                return length, new, residual, after
+            return length, new
         length *= 0.5
-    return None
+    return length, None
 
 
 def follow(equations: Equations, start: Array, way: tuple[Array, Array], size: float) -> Found | int:

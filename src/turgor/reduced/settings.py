@@ -9,8 +9,10 @@ class NewtonSettings:
 
     Parameters
     ----------
+    longest : float
+        Longest update, over the largest size of trained coordinates.
     tolerance : float
-        Size of the next update over the largest size of trained coordinates, below which a state is found.
+        Size of the last update over the largest size of trained coordinates, below which a state is found.
     iterations : int
         Updates before a step counts as failed.
     shortest : float
@@ -19,7 +21,8 @@ class NewtonSettings:
         How often a failed step is halved before the state is refused.
     """
 
-    tolerance: float = 1e-7
+    tolerance: float = 1e-5
+    longest: float = 0.5
     iterations: int = 14
     shortest: float = 1 / 64
     substeps: int = 6
@@ -72,7 +75,7 @@ class TrainingSettings:
     """
 
     modes: int = 14
-    truncation: float = 1e-8
+    truncation: float = 1e-14
     steps: int = 12
     candidates: int = 16
 
