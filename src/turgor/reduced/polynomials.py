@@ -6,6 +6,7 @@ quadratic form of the products q̂ᵢ q̂ⱼ.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,7 +48,7 @@ class CubicsAt:
         return 6.0 * np.tensordot(factors, self.twice[:, 1:, 1:], 1)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Sheets:
     """Energy ½ zᵀ D z of sheets, z the products q̂ᵢ q̂ⱼ with i ≤ j.
 
@@ -64,7 +65,7 @@ class Sheets:
 
     def at(self, q: Array) -> "SheetsAt":
         """Stress and its derivatives at coordinates (r,)."""
-        i, j = np.triu_indices(self.size)
+        i, j = self.pairs
         one = np.concatenate([[1.0], q])
         slopes = np.zeros((len(i), self.size))
         slopes[np.arange(len(i)), i] += one[j]
@@ -72,10 +73,15 @@ class Sheets:
         stress = self.form @ (one[i] * one[j])
         return SheetsAt(self, one, stress, np.ascontiguousarray(slopes[:, 1:]))
 
+    @cached_property
+    def pairs(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Which i and j each product has."""
+        return np.triu_indices(self.size)
+
     def full(self, stress: Array) -> Array:
         """Symmetric (R, R) matrix Σ whose quadratic form q̂ᵀ Σ q̂ is zᵀ stress."""
         out = np.zeros((self.size, self.size))
-        out[np.triu_indices(self.size)] = stress
+        out[self.pairs] = stress
         return 0.5 * (out + out.T)
 
 

@@ -8,7 +8,11 @@ from numba import njit
 
 from turgor.core.engine.compiled import LOOP, calls
 from turgor.core.engine.contact import closest
-from turgor.core.engine.contact.closest import curvature, foot_point, overhang, place, shapes, unit_cross
+from turgor.core.engine.contact.closest import centers_of, curvature, foot_point, overhang, place, shapes, unit_cross
+
+#: A side leaves the plane of its corners by less than the first share of its radius, or this many times the distance of
+#: its nodes; its foot points lie within the last many radii about its center.
+FLAT, BULGE, WIDE = 1e-3, 1.5, 1.1
 
 
 @njit(**LOOP)
@@ -26,7 +30,15 @@ def find(x, points, shape, sides, limits, candidates):
     N, D, H = np.empty(nodes), np.empty((nodes, 2)), np.empty((nodes, 3))
     y, d, h, unit = np.empty(3), np.empty((2, 3)), np.empty((3, 3)), np.empty(3)
     corners, p = np.empty((nodes, 3)), np.empty(3)
-    u, v = np.empty(3), np.empty(3)
+    center, radius, normal = centers_of(x, sides, 3 if nodes == 6 else 4)
+    bulge = np.empty(len(sides))
+    for j in range(len(sides)):
+        bulge[j] = FLAT * radius[j]
+        for a in range(nodes):
+            away = 0.0
+            for i in range(3):
+                away += (x[sides[j, a], i] - center[j, i]) * normal[j, i]
+            bulge[j] = max(bulge[j], BULGE * abs(away))
     for k in range(len(points)):
         for i in range(3):
             p[i] = 0.0
@@ -35,16 +47,13 @@ def find(x, points, shape, sides, limits, candidates):
         best = np.inf
         for o in range(start[k], start[k + 1]):
             j = listed[o]
-            size, ahead = 0.0, 0.0
+            ahead, square = 0.0, 0.0
             for i in range(3):
-                u[i] = x[sides[j, 1], i] - x[sides[j, 0], i]
-                v[i] = x[sides[j, 2], i] - x[sides[j, 0], i]
-                size += u[i] * u[i] + v[i] * v[i]
-            unit_cross(u, v, unit)
-            for i in range(3):
-                ahead += (p[i] - x[sides[j, 0], i]) * unit[i]
-            size = np.sqrt(size)
-            if ahead > 0.25 * size or ahead < -depth[j] - 0.25 * size:
+                away = p[i] - center[j, i]
+                ahead += away * normal[j, i]
+                square += away * away
+            curved = bulge[j]
+            if ahead > curved or ahead < -depth[j] - curved or square > (WIDE * radius[j] + depth[j]) ** 2:
                 continue
             for a in range(nodes):
                 for i in range(3):
