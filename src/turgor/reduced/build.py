@@ -36,6 +36,8 @@ class Built:
         Parts sampled once more, at other points.
     counts : dict
         Sampled cells, sides and edges; points of contact.
+    faces : tuple of str
+        Faces whose volumes are the first cubic polynomials.
     """
 
     equations: Equations
@@ -46,6 +48,7 @@ class Built:
     y: Array
     checks: tuple[Part, ...]
     counts: dict[str, int]
+    faces: tuple[str, ...]
 
     @property
     def size(self) -> float:
@@ -85,7 +88,7 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     y = np.hstack([moved.reshape(len(moved), -1) @ basis.dual, pressed @ stresses.dual])
     sampled, checks, counts = sample(whole, inputs, y)
     counts["contact points"] = sum(len(part.rest) if hasattr(part, "slopes") else len(part.points) for part in touching)
-    return Built(whole.with_parts(sampled), whole, basis, stresses, inputs, y, checks, counts)
+    return Built(whole.with_parts(sampled), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
 
 
 def bases(system: System, paths: Sequence[Path], modes: int) -> tuple[Modes, Modes]:

@@ -18,7 +18,9 @@ class NewtonSettings:
     shortest : float
         Shortest update, as a share of the whole.
     substeps : int
-        How often a failed step is halved before the state is refused.
+        How often a failed step is halved before the start is given up.
+    starts : int
+        Training states that are tried as starts, the nearest first.
     """
 
     tolerance: float = 1e-5
@@ -26,6 +28,7 @@ class NewtonSettings:
     iterations: int = 14
     shortest: float = 1 / 64
     substeps: int = 6
+    starts: int = 3
 
 
 NEWTON = NewtonSettings()
@@ -48,8 +51,8 @@ class SamplingSettings:
         Training states at most; more are thinned.
     """
 
-    tolerance: float = 1e-3
-    most: int = 200
+    tolerance: float = 1e-4
+    most: int = 300
     perturbation: float = 0.01
     states: int = 120
 

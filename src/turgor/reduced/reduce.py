@@ -1,0 +1,286 @@
+"""reduce: make a reduced model from full solves."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import qmc
+
+from turgor.accuracy.gradients.model_keys import model_variation
+from turgor.core.engine.faces import surfaces
+from turgor.core.engine.runtime import EngineOptions, use_threads
+from turgor.core.engine.system import System
+from turgor.core.model.history import RAMP
+from turgor.core.model.model import Model
+from turgor.foundation.errors import NotSolved, TurgorError
+from turgor.reduced.assembly import check_reducible, drive_of
+from turgor.reduced.build import Built, build
+from turgor.reduced.inputs import Inputs
+from turgor.reduced.modes import Modes
+from turgor.reduced.reduced import HeldOut, Reduced
+from turgor.reduced.settings import TRAINING
+from turgor.reduced.training import Path, Trainer
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Budget:
+    """What a reduced model may cost.
+
+    Parameters
+    ----------
+    error : float [-]
+        Wanted error of the displacement, over the largest.
+    paths : int
+        Training paths at most.
+    held_out : int
+        Paths of full solves that are kept from training.
+    modes : int
+        Displacement modes at most.
+    steps : int
+        Steps of a path at least.
+    """
+
+    error: float = 0.005
+    paths: int = 24
+    held_out: int = 2
+    modes: int = TRAINING.modes
+    steps: int = TRAINING.steps
+
+    def __post_init__(self) -> None:
+        for name in ("paths", "modes", "steps"):
+            if getattr(self, name) < 1:
+                raise TurgorError(f"{name} of a reduced model is {getattr(self, name)}; allowed is 1 or more.")
+        if not 0 < self.error < 1:
+            raise TurgorError(f"error of a reduced model is {self.error:g}; allowed is more than 0 and less than 1.")
+
+
+def reduce(
+    model: Model,
+    inputs: Mapping[str, tuple[float, float]],
+    *,
+    budget: Budget | None = None,
+    options: EngineOptions | None = None,
+    say: Callable[[str], None] | None = None,
+) -> Reduced:
+    """Make a reduced model: full solves on training paths, modes of their states, sampled equations.
+
+    Training begins at the corners of the box of inputs, goes on with the random inputs at which the indicator of the
+    reduced model is worst, and ends when the error at such inputs is below the wanted one, or with the budget.
+
+    Parameters
+    ----------
+    model : Model
+    inputs : mapping of str to (float, float) [SI]
+        Range of each input by its key, as in `gradient`: ``{"loads.pressure": (0, 20e3)}``.
+    budget : Budget, optional
+        Wanted error, paths, modes.
+    options : EngineOptions, optional
+        Linear solver and threads.
+    say : callable, optional
+        Receives a sentence after each path.
+
+    Returns
+    -------
+    Reduced
+
+    Raises
+    ------
+    TurgorError
+        If the model has something that reduced models leave out, or a key is unknown or no load.
+    """
+    began, budget, options = perf_counter(), budget or Budget(), options or EngineOptions()
+    box = inputs_of(model, inputs)
+    variation = model_variation(model, list(box.keys))
+    with use_threads(options.threads):
+        training = _Training(variation.model, box, budget, options, say or _silent)
+        reduced = training.run()
+    training.say(f"{reduced!r} in {perf_counter() - began:.0f} s")
+    return reduced
+
+
+def _silent(text: str) -> None:
+    pass
+
+
+def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs:
+    """Check the ranges of the inputs of a model.
+
+    Parameters
+    ----------
+    model : Model
+    ranges : mapping of str to (float, float)
+
+    Returns
+    -------
+    Inputs
+    """
+    if not ranges:
+        raise TurgorError("a reduced model needs an input, such as 'loads.pressure' with its range.")
+    variation = model_variation(model, list(ranges))
+    for key, (low, high) in ranges.items():
+        if not key.startswith("loads."):
+            raise TurgorError(f"the input '{key}' is no load; inputs of a reduced model are loads, such as 'loads.pressure'.")
+        if not low < high:
+            raise TurgorError(f"the range of '{key}' is {low:g} to {high:g}; its end must exceed its beginning.")
+    for load in model.loads:
+        if load.history != RAMP:
+            raise TurgorError(f"reduced models have no histories of loads; {load.label} has one.")
+    low, high = np.array(list(ranges.values()), dtype=np.float64).T
+    return Inputs(tuple(ranges), low, high, tuple(variation.units.get(key, "") for key in ranges))
+
+
+@dataclass(frozen=True, slots=True)
+class _Training:
+    """The training of one reduced model."""
+
+    model_at: Callable[[Mapping[str, float]], Model]
+    box: Inputs
+    budget: Budget
+    options: EngineOptions
+    say: Callable[[str], None]
+
+    def run(self) -> Reduced:
+        """Train from the corners on, then with the worst of random inputs, then look at inputs kept from training."""
+        box, budget = self.box, self.budget
+        system = System(self.model_at(dict(zip(box.keys, box.high.tolist(), strict=True))))
+        check_reducible(system)
+        trainer = Trainer(self.model_at, box, budget.steps, self.options)
+        drive = drive_of(system, self.model_at, box)
+        paths = [self._path(trainer, corner, k) for k, corner in enumerate(corners(box)[: budget.paths], start=1)]
+        reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
+        while len(box.keys) > 1 and len(paths) < budget.paths:
+            worst = self._worst(reduced, len(paths))
+            path = self._path(trainer, worst, len(paths) + 1)
+            error = compared(reduced, path, reached_only=True).worst
+            self.say(f"  error there {error:.2g}")
+            paths.append(path)
+            reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
+            if error <= budget.error:
+                break
+        return self._looked_at(reduced, trainer)
+
+    def _path(self, trainer: Trainer, values: Array, number: int, kind: str = "training path") -> Path:
+        path = trainer.path(values)
+        text = ", ".join(f"{key} {value:g}" for key, value in zip(self.box.keys, values, strict=True))
+        end = "" if path.reached else ", which was not reached"
+        self.say(f"{kind} {number}: {text}{end}; {len(path.inputs)} states in {path.seconds:.0f} s")
+        if not len(path.inputs):
+            raise NotSolved(f"the full model finds no equilibrium on the way to {text}.")
+        return path
+
+    def _worst(self, reduced: Reduced, seed: int) -> Array:
+        """The worst of random inputs by the indicator; one that the reduced model refuses comes first."""
+        shares = qmc.Sobol(len(self.box.keys), seed=seed).random(TRAINING.candidates)
+        worst, place = -1.0, np.zeros(0)
+        trained = self.box.scaled(reduced.trained_inputs[:, 1:])
+        for share in shares:
+            values = self.box.low + share * (self.box.high - self.box.low)
+            try:
+                indicator = reduced.at(values).indicator
+            except NotSolved:
+                return values
+            distance = float(np.linalg.norm(trained - share, axis=1).min())
+            if indicator * distance > worst:
+                worst, place = indicator * distance, values
+        return place
+
+    def _looked_at(self, reduced: Reduced, trainer: Trainer) -> Reduced:
+        """Compare with full solves that training never saw."""
+        shares = qmc.Sobol(len(self.box.keys), seed=2**20).random(max(1, self.budget.held_out))
+        parts = []
+        own = replace_steps(trainer)
+        for number, share in enumerate(shares[: self.budget.held_out], start=1):
+            if len(self.box.keys) == 1:
+                share = 0.9 + 0.1 * share
+            path = self._path(own, self.box.low + share * (self.box.high - self.box.low), number, "held-out path")
+            parts.append(compared(reduced, path, reached_only=False))
+        if not parts:
+            return reduced
+        names = ("inputs", "displacement", "tip", "volume")
+        held = HeldOut(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
+        return replace(reduced, held_out=held)
+
+    def _reduced(self, system: System, built: Built, paths: Sequence[Path]) -> Reduced:
+        """Collect what answers need."""
+        mesh = system.model.mesh
+        tip = np.zeros((3, built.modes.vectors.shape[1]))
+        if "tip" in mesh.faces:
+            weights = surfaces.nodal_weights(mesh.points, mesh.face("tip"))
+            modes = built.modes.vectors.reshape(system.node_count, 3, -1)[: len(weights)]
+            tip = np.einsum("n,nir->ir", weights / weights.sum(), modes)
+        nothing = np.zeros(0)
+        return Reduced(
+            model=system.model, inputs=self.box, equations=built.equations, checks=built.checks,
+            modes=_small(built.modes)[: 3 * len(mesh.points)], stresses=_small(built.stresses),
+            scales=(system.length, system.stress_scale), faces=built.faces, tip=tip,
+            trained_inputs=built.inputs, trained=built.y, wanted=self.budget.error,
+            penalties=tuple(part.penalty_scale.astype(np.float32) for part in system.contact.parts),
+            counts=built.counts | {"training paths": len(paths)},
+            held_out=HeldOut(inputs=np.zeros((0, len(self.box.keys))), displacement=nothing, tip=nothing, volume=nothing),
+        )  # fmt: skip
+
+
+def _small(modes: Modes) -> NDArray[np.float32]:
+    return modes.vectors.astype(np.float32)
+
+
+def replace_steps(trainer: Trainer) -> Trainer:
+    """A trainer whose paths have other steps, so that held-out states lie between those of training."""
+    return replace(trainer, steps=trainer.steps + 1)
+
+
+def corners(box: Inputs) -> list[Array]:
+    """Corners of the box of inputs but the one at rest, the one with the largest values first."""
+    n = len(box.keys)
+    shares = np.array(np.meshgrid(*[[1.0, 0.0]] * n, indexing="ij")).reshape(n, -1).T if n <= 3 else None
+    if shares is None:
+        shares = np.vstack([np.ones(n), qmc.Sobol(n, seed=0).random(2 * n)])
+    values = box.low + shares * (box.high - box.low)
+    return [value for value in values if np.abs(value).max() > 0]
+
+
+def compared(reduced: Reduced, path: Path, reached_only: bool) -> HeldOut:
+    """Compare answers with the states of a path of full solves that lie in the box of inputs."""
+    length = reduced.scales[0]
+    largest = float(np.abs(reduced.modes @ reduced.trained[:, : reduced.modes.shape[1]].T).max())
+    travel = float(np.linalg.norm(reduced.tip @ reduced.trained[:, : reduced.modes.shape[1]].T, axis=0).max())
+    fixed = bool(reduced.equations.pressures[:, 0].any() or reduced.equations.forces[:, 0].any())
+    rows: list[tuple[Array, float, float, float]] = []
+    weights = _tip_weights(reduced)
+    for place, inputs in enumerate(path.inputs):
+        last = place == len(path.inputs) - 1
+        if (reached_only or fixed) and not last:
+            continue
+        try:
+            reduced.inputs.check(inputs[1:])
+            answer = reduced.at(inputs[1:])
+        except NotSolved:
+            rows.append((inputs[1:], np.inf, np.inf, np.inf))
+            continue
+        except TurgorError:
+            continue
+        full = path.displacements[place]
+        error = float(np.abs(answer.displacement / length - full).max()) / largest
+        tip = answer.tip / length - weights @ full if len(weights) else np.zeros(3)
+        volumes = [abs(answer.volumes[face] / _volume(reduced, face, full * length) - 1) for face in reduced.faces]
+        rows.append((inputs[1:], error, float(np.linalg.norm(tip)) / max(travel, 1e-300), max(volumes, default=0.0)))
+    columns = [np.array(each) for each in zip(*rows, strict=True)] if rows else [np.zeros((0, len(reduced.inputs.keys))), *[np.zeros(0)] * 3]
+    return HeldOut(inputs=columns[0], displacement=columns[1], tip=columns[2], volume=columns[3])
+
+
+def _tip_weights(reduced: Reduced) -> Array:
+    mesh = reduced.model.mesh
+    if "tip" not in mesh.faces:
+        return np.zeros(0)
+    weights = surfaces.nodal_weights(mesh.points, mesh.face("tip"))
+    return np.asarray(weights / weights.sum())
+
+
+def _volume(reduced: Reduced, face: str, displacement: Array) -> float:
+    from turgor.core.engine.chamber_volumes import cavity_volume
+
+    return cavity_volume(reduced.model.mesh, face, displacement)

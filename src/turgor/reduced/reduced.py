@@ -1,0 +1,191 @@
+"""Reduced: a model in a few coordinates, which answers in milliseconds."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.model.model import Model
+from turgor.foundation.display import Shown
+from turgor.foundation.errors import NotSolved, TurgorError
+from turgor.foundation.store.archive import Content, write_archive
+from turgor.foundation.store.codec import Encoder
+from turgor.foundation.store.saved_objects import Saved
+from turgor.reduced.answer import Answer
+from turgor.reduced.equations import Equations, Part
+from turgor.reduced.inputs import Inputs
+from turgor.reduced.newton import Found, follow
+from turgor.reduced.settings import NEWTON
+
+Array = NDArray[np.float64]
+Small = NDArray[np.float32]
+
+#: Ending of the files.
+ENDING = ".reduced"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class HeldOut:
+    """Full solves that training never saw, and how far the reduced model is from them.
+
+    Parameters
+    ----------
+    inputs : (h, n) array [SI]
+    displacement : (h,) array [-]
+        Largest error of the displacement of a node, over the largest displacement of all training states; inf where
+        the reduced model refused.
+    tip : (h,) array [-]
+        Error of the mean displacement of the face ``tip`` over its travel; zeros without such a face.
+    volume : (h,) array [-]
+        Largest error of the volume of a cavity, over that volume.
+    """
+
+    inputs: Array
+    displacement: Array
+    tip: Array
+    volume: Array
+
+    @property
+    def worst(self) -> float:
+        """Largest error of the displacement; nan where nothing was solved in full."""
+        return float(self.displacement.max()) if len(self.displacement) else float("nan")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reduced(Saved, Shown):
+    """A model in the coordinates of a few modes.
+
+    Parameters
+    ----------
+    model : Model
+        The full one.
+    inputs : Inputs
+        What varies, in which range.
+    equations : Equations
+        Sampled.
+    checks : tuple of Part
+        The sampled parts at other points, for an indicator of the error.
+    modes, stresses : (3 nodes, r), (m, k) float32 arrays
+        Modes of scaled displacement and mean stress.
+    scales : (float, float)
+        Length [m] and stress [Pa].
+    faces : tuple of str
+        Cavities and other faces under pressure.
+    tip : (3, r) array
+        Scaled mean displacement of the face ``tip`` of the modes; zeros without one.
+    trained_inputs, trained : (t, 1 + n), (t, r + k) arrays
+        Training states: share of the loads that are no inputs, inputs, coordinates.
+    penalties : tuple of float32 arrays
+        Factors on the penalty of each part of contact.
+    counts : mapping of str to int
+        Sampled cells, points of contact, full solves.
+    wanted : float [-]
+        Error that was asked for, of the displacement over its largest.
+    held_out : HeldOut
+    """
+
+    model: Model
+    inputs: Inputs
+    equations: Equations
+    checks: tuple[Part, ...]
+    modes: Small
+    stresses: Small
+    scales: tuple[float, float]
+    faces: tuple[str, ...]
+    tip: Array
+    trained_inputs: Array
+    trained: Array
+    penalties: tuple[Small, ...] = ()
+    counts: Mapping[str, int] = field(default_factory=dict)
+    wanted: float = 0.005
+    held_out: HeldOut
+
+    def __repr__(self) -> str:
+        r, m = self.equations.sizes
+        counts = ", ".join(f"{count} {name}" for name, count in self.counts.items())
+        error = f"held-out error {self.held_out.worst:.2g}" if len(self.held_out.inputs) else "nothing held out"
+        return f"Reduced('{self.model.mesh.name}', {', '.join(self.inputs.keys)}; {r} + {m} modes, {counts}; {error})"
+
+    def solve(self, values: Mapping[str, float] | float, *, start: Answer | None = None) -> Answer:
+        """Find the equilibrium at values of the inputs.
+
+        Parameters
+        ----------
+        values : mapping of str to float [SI], or float
+            By the keys of the inputs, or the ends of the keys: ``{"pressure": 10e3}``. A number where there is one
+            input.
+        start : Answer, optional
+            One to go on from, such as the last of a loop; by default the nearest training state.
+
+        Returns
+        -------
+        Answer
+
+        Raises
+        ------
+        TurgorError
+            If an input is unknown or outside of the trained range.
+        NotSolved
+            If no equilibrium was found.
+        """
+        given = values if isinstance(values, Mapping) else {self._only_input: values}
+        return self.at(self.inputs.vector(given), start)
+
+    def solve_all(self, table: Iterable[Mapping[str, float] | float]) -> list[Answer]:
+        """Find the equilibria at many values of the inputs, each from the nearest training state."""
+        return [self.solve(values) for values in table]
+
+    @property
+    def _only_input(self) -> str:
+        if len(self.inputs.keys) != 1:
+            raise TurgorError(f"there are {len(self.inputs.keys)} inputs, {', '.join(self.inputs.keys)}; name each with its value.")
+        return self.inputs.keys[0]
+
+    def at(self, vector: Array, start: Answer | None = None) -> Answer:
+        """Find the equilibrium at inputs (n,) in order; see `solve`."""
+        aim, vain = np.concatenate([[1.0], vector]), 0
+        for begin, y in self._starts(aim, start):
+            found = follow(self.equations, y, (begin, aim), self._size)
+            if isinstance(found, Found):
+                return Answer.of(self, found, vain)
+            vain += found
+        text = ", ".join(f"{key} = {value:g}" for key, value in zip(self.inputs.keys, vector, strict=True))
+        raise NotSolved(f"the reduced model finds no equilibrium at {text} [SI] within {vain} updates; train it more densely.")
+
+    def _starts(self, aim: Array, start: Answer | None) -> Iterable[tuple[Array, Array]]:
+        if start is not None:
+            yield np.concatenate([[1.0], start.inputs]), start.y
+        away = (self.trained_inputs - aim) * self._weights
+        for place in np.argsort((away**2).sum(axis=1), kind="stable")[: NEWTON.starts]:
+            yield self.trained_inputs[place], self.trained[place]
+
+    @cached_property
+    def _weights(self) -> Array:
+        """Weights of the distance to training states; the share counts where loads are no inputs."""
+        fixed = bool(self.equations.pressures[:, 0].any() or self.equations.forces[:, 0].any())
+        return np.concatenate([[1.0 if fixed else 0.0], 1.0 / (self.inputs.high - self.inputs.low)])
+
+    @cached_property
+    def _size(self) -> float:
+        return float(np.linalg.norm(self.trained[:, : self.equations.sizes[0]], axis=1).max())
+
+    @property
+    def size(self) -> float:
+        """Largest size of trained coordinates of the displacement."""
+        return self._size
+
+    def save(self, file: str | Path) -> Path:
+        """Save it to a file, which holds numbers, text and arrays, no code; the ending ``.reduced`` is added."""
+        path = Path(file)
+        path = path if path.suffix == ENDING else path.with_name(path.name + ENDING)
+        encoder = Encoder()
+        write_archive(path, Content("Reduced", encoder.encode(self, "Reduced"), encoder.arrays))
+        return path
+
+
+def together(answers: Sequence[Answer]) -> Array:
+    """Inputs (k, n) of several answers."""
+    return np.array([answer.inputs for answer in answers])
