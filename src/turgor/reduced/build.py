@@ -83,9 +83,10 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
         whole.rubber, whole.cells, whole.pieces,
         Equations((*exact.parts, *touching), exact.cubics, exact.pressures, exact.forces, exact.compliance),
     )  # fmt: skip
-    inputs = np.concatenate([path.inputs for path in paths])
+    inputs = np.concatenate([np.zeros((1, drive.pressures.shape[1])), *(path.inputs for path in paths)])
     pressed = np.concatenate([path.mean_stresses for path in paths])
     y = np.hstack([moved.reshape(len(moved), -1) @ basis.dual, pressed @ stresses.dual])
+    y = np.vstack([np.zeros_like(y[:1]), y])  # the state at rest
     sampled, checks, counts = sample(whole, inputs, y)
     counts["contact points"] = sum(len(part.rest) if hasattr(part, "slopes") else len(part.points) for part in touching)
     return Built(whole.with_parts(sampled), whole, basis, stresses, inputs, y, checks, counts, drive.faces)

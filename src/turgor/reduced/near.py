@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.contact.pair_part import PairPart
+from turgor.core.engine.contact.pair_part import PairPart, Partners
 from turgor.core.engine.contact.part import Gaps
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
@@ -90,7 +90,7 @@ def _touching(system: System, part: PairPart, near: Near, modes: Array) -> Touch
     """Points before sides, and sides around those that they met."""
     surface, partners = part.surface, part.partners
     side, q = near.points.T
-    pairs = _with_neighbors(near.pairs, partners.around)
+    pairs = _with_neighbors(near.pairs, side, partners)
     used, place = np.unique(pairs[:, 1], return_inverse=True)
     every = np.concatenate([surface.sides[side], partners.sides[used]])
     nodes, numbers = np.unique(every, return_inverse=True)
@@ -111,13 +111,21 @@ def _touching(system: System, part: PairPart, near: Near, modes: Array) -> Touch
     )
 
 
-def _with_neighbors(pairs: Ints, around: tuple[Ints, Ints]) -> Ints:
-    """Pairs of points and sides, then the sides around these; those that a point met come first."""
-    start, listed = around
+def _with_neighbors(pairs: Ints, side: Ints, partners: Partners) -> Ints:
+    """Pairs of points and sides, then the sides around these that the point may touch; those that it met come first.
+
+    ``side`` (k,) is the side of each point.
+    """
+    start, listed = partners.around
     count = start[pairs[:, 1] + 1] - start[pairs[:, 1]]
     rows = np.repeat(pairs[:, 0], count)
     at = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count) + np.repeat(start[pairs[:, 1]], count)
-    both = np.concatenate([pairs, np.column_stack([rows, listed[at]])])
-    _, first = np.unique(both, axis=0, return_index=True)
-    kept = both[np.sort(first)]
-    return kept[np.argsort(kept[:, 0], kind="stable")]
+    more = np.column_stack([rows, listed[at]])
+    first, never = partners.strangers
+    sides = len(partners.sides)
+    strange = np.repeat(np.arange(len(first) - 1), np.diff(first)) * sides + never
+    more = more[~np.isin(side[more[:, 0]] * sides + more[:, 1], strange)]
+    both = np.concatenate([pairs, more])
+    _, place = np.unique(both, axis=0, return_index=True)
+    kept = both[np.sort(place)]
+    return np.asarray(kept[np.argsort(kept[:, 0], kind="stable")])

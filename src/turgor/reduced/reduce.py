@@ -14,6 +14,7 @@ from turgor.core.engine.runtime import EngineOptions, use_threads
 from turgor.core.engine.system import System
 from turgor.core.model.history import RAMP
 from turgor.core.model.model import Model
+from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.reduced.assembly import check_reducible, drive_of
 from turgor.reduced.build import Built, build
@@ -211,7 +212,8 @@ class _Training:
         if "tip" in mesh.faces:
             weights = surfaces.nodal_weights(mesh.points, mesh.face("tip"))
             modes = built.modes.vectors.reshape(system.node_count, 3, -1)[: len(weights)]
-            tip = np.einsum("n,nir->ir", weights / weights.sum(), modes)
+            mean = np.einsum("n,nir->ri", weights / weights.sum(), modes)
+            tip = MeshFacts(mesh).of_whole(mean).T
         nothing = np.zeros(0)
         return Reduced(
             model=system.model, inputs=self.box, equations=built.equations, checks=built.checks,
@@ -250,7 +252,7 @@ def compared(reduced: Reduced, path: Path, reached_only: bool) -> HeldOut:
     travel = float(np.linalg.norm(reduced.tip @ reduced.trained[:, : reduced.modes.shape[1]].T, axis=0).max())
     fixed = bool(reduced.equations.pressures[:, 0].any() or reduced.equations.forces[:, 0].any())
     rows: list[tuple[Array, float, float, float]] = []
-    weights = _tip_weights(reduced)
+    weights, facts = _tip_weights(reduced), MeshFacts(reduced.model.mesh)
     for place, inputs in enumerate(path.inputs):
         last = place == len(path.inputs) - 1
         if (reached_only or fixed) and not last:
@@ -265,7 +267,7 @@ def compared(reduced: Reduced, path: Path, reached_only: bool) -> HeldOut:
             continue
         full = path.displacements[place]
         error = float(np.abs(answer.displacement / length - full).max()) / largest
-        tip = answer.tip / length - weights @ full if len(weights) else np.zeros(3)
+        tip = answer.tip / length - facts.of_whole(weights @ full) if len(weights) else np.zeros(3)
         volumes = [abs(answer.volumes[face] / _volume(reduced, face, full * length) - 1) for face in reduced.faces]
         rows.append((inputs[1:], error, float(np.linalg.norm(tip)) / max(travel, 1e-300), max(volumes, default=0.0)))
     columns = [np.array(each) for each in zip(*rows, strict=True)] if rows else [np.zeros((0, len(reduced.inputs.keys))), *[np.zeros(0)] * 3]
