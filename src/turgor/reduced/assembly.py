@@ -26,6 +26,9 @@ from turgor.reduced.polynomials import Cubics, Sheets
 
 Array = NDArray[np.float64]
 
+#: Scaled pressures by face and dead forces (3 nodes,) at inputs (n,).
+Loads = Callable[[Array], tuple[dict[str, float], Array]]
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Drive:
@@ -108,7 +111,18 @@ def drive_of(system: System, model_at: Callable[[Mapping[str, float]], Model], i
     forces[:, 0] -= forces[:, 1:] @ middle
     for values in (pressures, forces):  # round-off of the middle
         values[np.abs(values) < 1e-12 * np.abs(values).max(initial=1e-300)] = 0.0
+    _check_linear(loads, (pressures, forces), inputs)
     return Drive(tuple(base), pressures, forces)
+
+
+def _check_linear(loads: Loads, found: tuple[Array, Array], inputs: Inputs) -> None:
+    """Refuse inputs in which the loads are not linear, such as the direction of gravity, whose length does not count."""
+    values = inputs.low + np.linspace(0.2, 0.3, len(inputs.low)) * (inputs.high - inputs.low)
+    one = np.concatenate([[1.0], values])
+    there, dead = loads(values)
+    for got, linear in ((np.array(list(there.values())), found[0] @ one), (dead, found[1] @ one)):
+        if np.abs(got - linear).max(initial=0.0) > 1e-8 * np.abs(got).max(initial=1e-300):
+            raise TurgorError(f"the loads are not linear in the inputs {', '.join(inputs.keys)}; a reduced model needs that.")
 
 
 def assemble(system: System, drive: Drive, modes: Modes, stresses: Modes) -> Whole:

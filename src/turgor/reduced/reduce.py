@@ -175,7 +175,7 @@ class _Training:
 
     def _worst(self, reduced: Reduced, seed: int) -> Array:
         """The worst of random inputs by the indicator; one that the reduced model refuses comes first."""
-        shares = qmc.Sobol(len(self.box.keys), seed=seed).random(TRAINING.candidates)
+        shares = _random(len(self.box.keys), seed, TRAINING.candidates)
         worst, place = -1.0, np.zeros(0)
         trained = self.box.scaled(reduced.trained_inputs[:, 1:])
         for share in shares:
@@ -191,10 +191,10 @@ class _Training:
 
     def _looked_at(self, reduced: Reduced, trainer: Trainer) -> Reduced:
         """Compare with full solves that training never saw."""
-        shares = qmc.Sobol(len(self.box.keys), seed=2**20).random(max(1, self.budget.held_out))
+        shares = _random(len(self.box.keys), 2**20, self.budget.held_out)
         parts = []
         own = replace_steps(trainer)
-        for number, share in enumerate(shares[: self.budget.held_out], start=1):
+        for number, share in enumerate(shares, start=1):
             if len(self.box.keys) == 1:
                 share = 0.9 + 0.1 * share
             path = self._path(own, self.box.low + share * (self.box.high - self.box.low), number, "held-out path")
@@ -226,6 +226,12 @@ class _Training:
         )  # fmt: skip
 
 
+def _random(n: int, seed: int, count: int) -> Array:
+    """Shares (count, n) of ranges that cover the box evenly."""
+    power = int(np.ceil(np.log2(max(count, 1))))
+    return np.asarray(qmc.Sobol(n, seed=seed).random_base2(power))[:count]
+
+
 def _small(modes: Modes) -> NDArray[np.float32]:
     return modes.vectors.astype(np.float32)
 
@@ -240,7 +246,7 @@ def corners(box: Inputs) -> list[Array]:
     n = len(box.keys)
     shares = np.array(np.meshgrid(*[[1.0, 0.0]] * n, indexing="ij")).reshape(n, -1).T if n <= 3 else None
     if shares is None:
-        shares = np.vstack([np.ones(n), qmc.Sobol(n, seed=0).random(2 * n)])
+        shares = np.vstack([np.ones(n), _random(n, 0, 2 * n)])
     values = box.low + shares * (box.high - box.low)
     return [value for value in values if np.abs(value).max() > 0]
 
