@@ -85,6 +85,7 @@ if TYPE_CHECKING:
     from turgor.namespaces import sections as sections
     from turgor.namespaces import solutions as solutions
     from turgor.namespaces import supports as supports
+    from turgor.reduced.reduce import reduce as reduce
     from turgor.studies.optimization.optimize import optimize as optimize
     from turgor.studies.runs.sweep import sweep as sweep
     from turgor.views.pictures.picture import picture as picture

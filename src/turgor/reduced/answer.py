@@ -106,7 +106,15 @@ class Answer(Shown):
         return self.reduced.scales[0] ** 3 * self.reduced.model.mesh.symmetry_factor
 
     def state(self) -> State:
-        """Return it as a state of the full model, for every measure, picture and response; see `expand`."""
+        """Return it as a state of the full model, for every measure, picture and response.
+
+        Returns
+        -------
+        State
+            Its nodal forces at free nodes are what modes and sampling miss.
+        """
         from turgor.reduced.expand import expand  # here: it needs the engine
 
-        return expand(self)
+        r = self.reduced
+        values = dict(zip(r.inputs.keys, self.inputs.tolist(), strict=True))
+        return expand(r.model, values, (self.displacement, self.mean_stress), r.penalties)
