@@ -116,11 +116,13 @@ def sample(whole: assembly.Whole, inputs: Array, y: Array) -> tuple[tuple[Part, 
     A = np.vstack([trial.rubber for trial in trials])
     total = A.sum(axis=1)
     allowed = tolerance / max(float(np.linalg.norm(total)), 1e-300)
-    first = sampling.choose(A, total, allowed, SAMPLING.most)
-    second = sampling.choose(A, total, allowed, SAMPLING.most, first.which)
-    counts = {"cells": len(first.which)}
-    parts: list[Part] = [_restricted(whole.rubber, starts, first)]
-    checks: list[Part] = [_restricted(whole.rubber, starts, second)]
+    cells = sampling.choose(A, total, SAMPLING.cells * allowed, SAMPLING.most).which
+    chosen = [_points_in(whole, trials, starts, cells, (total, allowed))]
+    others = sampling.choose(A, total, SAMPLING.cells * allowed, SAMPLING.most, cells).which
+    chosen.append(_points_in(whole, trials, starts, others, (total, allowed)))
+    counts = {"points": len(chosen[0].weights), "cells": len(cells)}
+    parts: list[Part] = [chosen[0]]
+    checks: list[Part] = [chosen[1]]
     if whole.pieces:
         bending, error = bending_form([(trial.q, trial.inverse, trial.bending) for trial in trials])
         if error <= tolerance:
@@ -203,7 +205,13 @@ def bending_form(trials: Sequence[tuple[Array, Array, Array]]) -> tuple[Sheets, 
     return Sheets(form, R), float(np.linalg.norm(A @ numbers - b))
 
 
-def _restricted(rubber: assembly.Points, starts: Ints, chosen: sampling.Sample) -> Part:
-    which = np.concatenate([np.arange(starts[c], starts[c + 1]) for c in chosen.which])
-    factors = np.repeat(chosen.factors, starts[chosen.which + 1] - starts[chosen.which])
-    return rubber.chosen(which, rubber.weights[which] * factors)
+def _points_in(
+    whole: assembly.Whole, trials: Sequence[Trial], starts: Ints, cells: Ints, wanted: tuple[Array, float]
+) -> assembly.Points:
+    """Choose few of the points in some cells: the whole forces that they have to give, and the error allowed."""
+    which = np.concatenate([np.arange(starts[c], starts[c + 1]) for c in cells])
+    there = whole.rubber.chosen(which, whole.rubber.weights[which])
+    each = np.arange(len(which) + 1)
+    rows = [trial.inverse @ at.forces(each).T for trial in trials if (at := there.at(trial.q)) is not None]
+    chosen = sampling.choose(np.vstack(rows), wanted[0], wanted[1], len(which))
+    return there.chosen(chosen.which, there.weights[chosen.which] * chosen.factors)

@@ -98,11 +98,11 @@ def forces(F, S, weights, G, starts):
 
 @njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point)
-def tangent(F, S, D, weights, G):
-    """Tangent (r, r): Σ w Gᵀ (F D Fᵀ + δ S) G with the stress S (p, 6) in its geometric part."""
+def stiffened(F, S, D, weights, G):
+    """w (F D Fᵀ + δ S) G (p, 9, r), whose product with G is the tangent; S (p, 6) is the stress of the geometric part."""
     count = G.shape[2]
-    K = np.zeros((count, count))
-    FD, A, AG = np.empty((9, 6)), np.zeros((9, 9)), np.empty((9, count))
+    out = np.zeros(G.shape)
+    FD, A = np.empty((9, 6)), np.zeros((9, 9))
     for p in range(len(F)):
         push_forward(F[p], D[p], S[p], FD, A)
         for i in range(9):
@@ -110,18 +110,11 @@ def tangent(F, S, D, weights, G):
                 A[i, k] = A[k, i]
         w = weights[p]
         for i in range(9):
-            for b in range(count):
-                AG[i, b] = 0.0
             for k in range(9):
                 x = w * A[i, k]
                 for b in range(count):
-                    AG[i, b] += x * G[p, k, b]
-        for a in range(count):
-            for i in range(9):
-                x = G[p, i, a]
-                for b in range(count):
-                    K[a, b] += x * AG[i, b]
-    return K
+                    out[p, i, b] += x * G[p, k, b]
+    return out
 
 
 @njit(**LOOP, fastmath=FAST)

@@ -107,7 +107,9 @@ class PointsAt:
     def tangent(self, geometric: Array | None) -> Array:
         """Tangent (r, r), with the stress (p, 6) in its geometric part where it is given."""
         S = self.S if geometric is None else geometric
-        return np.asarray(kernels.tangent(self.F, S, self.D, self.points.weights, self.points.gradients))
+        G = self.points.gradients
+        out = kernels.stiffened(self.F, S, self.D, self.points.weights, G)
+        return np.asarray(G.reshape(-1, G.shape[2]).T @ out.reshape(-1, G.shape[2]))
 
     def linearized(self, update: Array) -> Array:
         """Stress (p, 6) linearized for an update (r,), for the next geometric part."""

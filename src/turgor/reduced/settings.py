@@ -42,6 +42,9 @@ class SamplingSettings:
     ----------
     tolerance : float
         Error of the sampled forces, as an error of the coordinates over their size, at which no more cells are added.
+    cells : float
+        Share of the tolerance with which cells are chosen first; points are chosen among theirs. All points at once
+        would need gigabytes.
     most : int
         Cells at most.
     perturbation : float
@@ -52,6 +55,7 @@ class SamplingSettings:
     """
 
     tolerance: float = 1e-4
+    cells: float = 0.5
     most: int = 300
     perturbation: float = 0.01
     states: int = 120

@@ -6,13 +6,34 @@ Energy, foot points and second derivatives are those of `turgor.core.engine.cont
 import numpy as np
 from numba import njit
 
-from turgor.core.engine.compiled import LOOP, calls
+from turgor.core.engine.compiled import INNER, LOOP, calls
 from turgor.core.engine.contact import closest
 from turgor.core.engine.contact.closest import centers_of, curvature, foot_point, overhang, place, shapes, unit_cross
 
 #: A side leaves the plane of its corners by less than the first share of its radius, or this many times the distance of
 #: its nodes; its foot points lie within the last many radii about its center.
 FLAT, BULGE, WIDE = 1e-3, 1.5, 1.1
+
+#: Points whose foot on the plane lies farther outside of a side, in its coordinates, have none on the side.
+ASIDE = 0.25
+
+
+@njit(**INNER)
+def flat_foot(p, x, side):
+    """Foot (r, s) of a point on the plane of a side, from its first corner and the two next to it."""
+    last = 2 if len(side) == 6 else 3
+    rr, rs, ss, f, g = 0.0, 0.0, 0.0, 0.0, 0.0
+    for i in range(3):
+        u = x[side[1], i] - x[side[0], i]
+        v = x[side[last], i] - x[side[0], i]
+        away = p[i] - x[side[0], i]
+        rr += u * u
+        rs += u * v
+        ss += v * v
+        f += away * u
+        g += away * v
+    determinant = rr * ss - rs * rs
+    return (ss * f - rs * g) / determinant, (rr * g - rs * f) / determinant
 
 
 @njit(**LOOP)
@@ -55,10 +76,13 @@ def find(x, points, shape, sides, limits, candidates):
             curved = bulge[j]
             if ahead > curved or ahead < -depth[j] - curved or square > (WIDE * radius[j] + depth[j]) ** 2:
                 continue
+            r, s = flat_foot(p, x, sides[j])
+            if overhang(nodes, r, s)[0] > ASIDE:
+                continue
             for a in range(nodes):
                 for i in range(3):
                     corners[a, i] = x[sides[j, a], i]
-            r, s = foot_point(p, corners, (0.33, 0.33), (N, D, H), (y, d, h))
+            r, s = foot_point(p, corners, (r, s), (N, D, H), (y, d, h))
             out, edge = overhang(nodes, r, s)
             if out > overhanging[j, edge]:
                 continue
