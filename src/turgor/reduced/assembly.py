@@ -1,7 +1,7 @@
 """Assembly: the equations of a reduced model from those of the full one, with nothing sampled yet."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,7 +69,6 @@ class Whole:
     cells: NDArray[np.int64]
     pieces: tuple[Pieces, ...]
     exact: Equations
-    caps: Array = field(default_factory=lambda: np.zeros(0))
 
     @property
     def equations(self) -> Equations:

@@ -92,8 +92,8 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     return Built(whole.with_parts(sampled), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
 
 
-def bases(system: System, paths: Sequence[Path], modes: int) -> tuple[Modes, Modes]:
-    """Modes of displacement and, half as many, of mean stress."""
+def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0) -> tuple[Modes, Modes]:
+    """Modes of displacement and, half as many by default, of mean stress."""
     at = system.evaluate(np.zeros(system.size), 0.0)
     assert at is not None
     n = 3 * system.node_count
@@ -102,7 +102,7 @@ def bases(system: System, paths: Sequence[Path], modes: int) -> tuple[Modes, Mod
     moved += [path.derivatives[0] for path in paths]
     pressed = [path.mean_stresses for path in paths] + [path.derivatives[1] for path in paths]
     basis = modes_of(np.concatenate(moved).T, stiffness, modes, TRAINING.truncation)
-    half = max(1, basis.vectors.shape[1] // 2)
+    half = of_stress or max(1, basis.vectors.shape[1] // 2)
     volumes = sp.diags(system.mean_stress_volumes).tocsr()
     return basis, modes_of(np.concatenate(pressed).T, volumes, half, 0.0)
 

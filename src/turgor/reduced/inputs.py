@@ -56,9 +56,9 @@ class Inputs:
 
     def check(self, vector: Array) -> None:
         """Refuse values outside of the trained range."""
-        slack = 1e-9 * (self.high - self.low)
-        for key, value, low, high in zip(self.keys, vector, self.low - slack, self.high + slack, strict=True):
-            if not low <= value <= high:
+        for key, value, low, high in zip(self.keys, vector, self.low, self.high, strict=True):
+            slack = 1e-9 * (high - low)
+            if not low - slack <= value <= high + slack:
                 raise TurgorError(
                     f"the input '{key}' is {value:g}, outside of the trained range from {low:g} to {high:g} [SI]."
                 )

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.contact.pair_part import PairPart, Partners
 from turgor.core.engine.contact.part import Gaps
-from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.system import System
+from turgor.reduced.settings import SAMPLING
 from turgor.reduced.touching import Facing, Touching
 
 Array = NDArray[np.float64]
@@ -57,7 +57,7 @@ def near_points(system: System, displacements: Sequence[Array]) -> list[Near]:
 
 def _near(part: PairPart | ShapePart, gaps: Gaps) -> Ints:
     """Side, quadrature point and partner (k, 3) of the points that are near."""
-    where = np.argwhere(gaps.gap < CONTACT_SEARCH.near * part.surface.height[:, None])
+    where = np.argwhere(gaps.gap < SAMPLING.near * part.surface.height[:, None])
     return np.column_stack([where, gaps.partner[where[:, 0], where[:, 1]]])
 
 

@@ -1,6 +1,6 @@
 """Reduced: a model in a few coordinates, which answers in milliseconds."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -17,8 +17,9 @@ from turgor.foundation.store.saved_objects import Saved
 from turgor.reduced.answer import Answer
 from turgor.reduced.equations import Equations, Part
 from turgor.reduced.inputs import Inputs
-from turgor.reduced.newton import Found, follow
+from turgor.reduced.newton import Found, follow, newton
 from turgor.reduced.settings import NEWTON
+from turgor.reduced.spline import Spline
 
 Array = NDArray[np.float64]
 Small = NDArray[np.float32]
@@ -147,6 +148,11 @@ class Reduced(Saved, Shown):
     def at(self, vector: Array, start: Answer | None = None) -> Answer:
         """Find the equilibrium at inputs (n,) in order; see `solve`."""
         aim, vain = np.concatenate([[1.0], vector]), 0
+        if start is None:
+            found = newton(self.equations, self._spline.at(aim * self._weights), aim, self._size)
+            if isinstance(found, Found):
+                return Answer.of(self, found, vain)
+            vain += found
         for begin, y in self._starts(aim, start):
             found = follow(self.equations, y, (begin, aim), self._size)
             if isinstance(found, Found):
@@ -169,6 +175,11 @@ class Reduced(Saved, Shown):
         return np.concatenate([[1.0 if fixed else 0.0], 1.0 / (self.inputs.high - self.inputs.low)])
 
     @cached_property
+    def _spline(self) -> Spline:
+        """Training states as a smooth function of the inputs."""
+        return Spline.through(self.trained_inputs * self._weights, self.trained)
+
+    @cached_property
     def _size(self) -> float:
         return float(np.linalg.norm(self.trained[:, : self.equations.sizes[0]], axis=1).max())
 
@@ -184,8 +195,3 @@ class Reduced(Saved, Shown):
         encoder = Encoder()
         write_archive(path, Content("Reduced", encoder.encode(self, "Reduced"), encoder.arrays))
         return path
-
-
-def together(answers: Sequence[Answer]) -> Array:
-    """Inputs (k, n) of several answers."""
-    return np.array([answer.inputs for answer in answers])
