@@ -14,6 +14,7 @@ from turgor.core.engine.faces.plate_terms import HingeTerm, PlateTerm
 from turgor.core.engine.faces.pressure_term import PressureTerm
 from turgor.core.engine.system import System
 from turgor.core.engine.term import Setting
+from turgor.core.materials.laws.laws import Law
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 from turgor.reduced import forms
@@ -146,14 +147,16 @@ def assemble(system: System, drive: Drive, modes: Modes, stresses: Modes) -> Who
 
 
 def _rubber(system: System, vectors: Array) -> tuple[Points, NDArray[np.int64]]:
-    """All Gauss points, those of one material one after the other, and the cell of each."""
+    """All Gauss points, those of one law one after the other, and the cell of each."""
     materials, regions = system.model.region_materials, system.model.mesh.regions
-    order = np.concatenate([np.sort(regions[name]) for name in materials])
-    count = system.dV.shape[1]
+    by_law: dict[Law, list[str]] = {}
+    for name, material in materials.items():
+        by_law.setdefault(material.law, []).append(name)  # type: ignore[arg-type]
+    cells = [np.sort(np.concatenate([regions[name] for name in names])) for names in by_law.values()]
+    order, count = np.concatenate(cells), system.dV.shape[1]
     G = np.concatenate([forms.gradients(system, vectors, order[part]) for part in forms.chunks(len(order))])
-    starts = np.cumsum([0, *(len(regions[name]) * count for name in materials)])
-    laws = tuple(material.law for material in materials.values())
-    points = Points(G, np.ascontiguousarray(system.dV[order].ravel()), laws, starts, system.stress_scale)  # type: ignore[arg-type]
+    starts = np.cumsum([0, *(len(each) * count for each in cells)])
+    points = Points(G, np.ascontiguousarray(system.dV[order].ravel()), tuple(by_law), starts, system.stress_scale)
     return points, np.repeat(order, count)
 
 

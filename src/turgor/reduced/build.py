@@ -1,7 +1,7 @@
 """Build: the equations of a reduced model from training paths."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
@@ -89,7 +89,17 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     y = np.vstack([np.zeros_like(y[:1]), y])  # the state at rest
     sampled, checks, counts = sample(whole, inputs, y)
     counts["contact points"] = sum(len(part.rest) if hasattr(part, "slopes") else len(part.points) for part in touching)
-    return Built(whole.with_parts(sampled), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
+    return Built(_one_sheet(whole.with_parts(sampled)), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
+
+
+def _one_sheet(equations: Equations) -> Equations:
+    """Equations with the sum of all their forms of sheets."""
+    sheets = [part for part in equations.parts if isinstance(part, Sheets)]
+    if len(sheets) < 2:
+        return equations
+    others = tuple(part for part in equations.parts if not isinstance(part, Sheets))
+    whole = Sheets(np.asarray(sum(sheet.form for sheet in sheets)), sheets[0].size)
+    return replace(equations, parts=(*others, whole))
 
 
 def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0) -> tuple[Modes, Modes]:
@@ -127,7 +137,6 @@ def sample(whole: assembly.Whole, inputs: Array, y: Array) -> tuple[tuple[Part, 
         bending, error = bending_form([(trial.q, trial.inverse, trial.bending) for trial in trials])
         if error <= tolerance:
             parts.append(bending)
-            checks.append(bending)
         else:
             parts += whole.pieces
             checks += whole.pieces

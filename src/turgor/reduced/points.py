@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,7 +58,7 @@ class Points:
         W, rows = np.zeros((5, len(F))), np.full(len(F), -1, dtype=np.int64)
         more: list[tuple[Array, Array]] = [(np.empty((0, 6)), np.empty((0, spectral.TANGENT)))]
         for law, here in self._groups():
-            if isinstance(law, InvariantLaw):
+            if _in_invariants(law):
                 for k, values in enumerate(energy_and_derivatives(law, I1[here], I2[here])[1:]):
                     W[k, here] = values / self.stress
                 continue
@@ -77,6 +78,12 @@ class Points:
     def whole(self) -> Ints:
         """One group of all points."""
         return np.array([0, len(self.weights)])
+
+
+@cache
+def _in_invariants(law: Law) -> bool:
+    """Whether the energy of a law is one of invariants; the look at its protocol takes as long as a tangent."""
+    return isinstance(law, InvariantLaw)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
