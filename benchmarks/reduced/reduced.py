@@ -16,10 +16,10 @@ import turgor as tg
 from turgor.core.model.model import Model
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.reduced.reduce import Budget, reduce
-from turgor.reduced.reduced import Reduced
-from turgor.reduced.training import Path as FullPath
-from turgor.reduced.training import Trainer
+from turgor.reduced.reduce import Budget
+from turgor.reduced.states.reduced import Reduced
+from turgor.reduced.training.trainer import Path as FullPath
+from turgor.reduced.training.trainer import Trainer
 
 JOB = Path(__file__).parents[2] / "examples" / "fast_pneunet.toml"
 PRESSURE = 22.5e3
@@ -67,21 +67,24 @@ def times(reduced: Reduced) -> np.ndarray:
     return np.array(out)
 
 
-def main(job: Path, changes: dict[str, str | int]) -> None:
+def main(job: Path, changes: dict[str, str]) -> None:
     """Train, compare, measure."""
     model, _ = prepare(read_job(job, {"mesh.size": "4 mm", **changes}), lambda text: None)
-    budget = Budget(steps=STEPS, held_out=1)
-    began = perf_counter()
-    reduced = reduce(model, {"loads.pressure": (0.0, PRESSURE)}, budget=budget, options=tg.EngineOptions(threads=1), say=print)
+    options, began = tg.EngineOptions(threads=1), perf_counter()
+    ranges = {"loads.pressure": (0.0, PRESSURE)}
+    reduced = tg.reduce(model, ranges, budget=Budget(steps=STEPS, held_out=1), options=options, say=print)
     print(f"made in {perf_counter() - began:.0f} s; {model.mesh.unknown_count} unknowns")
-    held = reduced.held_out
-    print(f"held out, {len(held.tip)} states: tip {held.tip.max():.2%}, any node {held.displacement.max():.2%}, volume {held.volume.max():.3%}")
+    held, nodes = reduced.held_out, reduced.held_out.displacement.max()
+    print(
+        f"{len(held.tip)} held-out states: tip {held.tip.max():.2%}, any node {nodes:.2%}, volume {held.volume.max():.3%}"
+    )
     reduced.solve(PRESSURE / 2)
     ms = times(reduced)
-    print(f"{1e3 / np.median(ms):.0f} states a second; median {np.median(ms):.2f} ms, 99th percentile {np.percentile(ms, 99):.1f} ms, worst {ms.max():.1f} ms")
+    median, slow = np.percentile(ms, [50, 99])
+    print(f"{1e3 / median:.0f} states a second; median {median:.2f} ms, 99th percentile {slow:.1f} ms")
     angle, path = angle_errors(model, reduced, STEPS + 3)
     full = 1e3 * path.seconds / len(path.inputs)
-    print(f"angle {angle:.3f} deg at ten held-out states; full step {full:.0f} ms, {full / np.median(ms):.0f} times")
+    print(f"angle {angle:.3f} deg at ten held-out states; full step {full:.0f} ms, {full / median:.0f} times")
     file = reduced.save(Path(sys.argv[0]).with_suffix("").name)
     print(f"file {file.stat().st_size / 1e6:.2f} MB")
     file.unlink()

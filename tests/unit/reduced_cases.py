@@ -11,13 +11,13 @@ from turgor.core.engine.system import System
 from turgor.core.model.model import Model
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.reduced.assembly import Drive, drive_of
-from turgor.reduced.build import Built, build
-from turgor.reduced.inputs import Inputs
 from turgor.reduced.reduce import Budget, reduce
-from turgor.reduced.reduced import Reduced
-from turgor.reduced.training import Path as FullPath
-from turgor.reduced.training import Trainer
+from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.states.reduced import Reduced
+from turgor.reduced.training.assembly import Drive, drive_of
+from turgor.reduced.training.build import Built, build
+from turgor.reduced.training.trainer import Path as FullPath
+from turgor.reduced.training.trainer import Trainer
 
 JOB = Path(__file__).parents[2] / "examples" / "fast_pneunet.toml"
 CHANGES = {"mesh.size": "8 mm", "actuator.chambers": 2, "actuator.length": "22 mm"}
@@ -38,7 +38,9 @@ def box() -> Inputs:
 @cache
 def path() -> FullPath:
     """Eight full solves."""
-    return Trainer(model_variation(finger(), [KEY]).model, box(), 8, EngineOptions(threads=1)).path(np.array([PRESSURE]))
+    return Trainer(model_variation(finger(), [KEY]).model, box(), 8, EngineOptions(threads=1)).path(
+        np.array([PRESSURE])
+    )
 
 
 @cache

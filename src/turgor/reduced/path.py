@@ -8,7 +8,7 @@ import numpy as np
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.solution import Solution, Status
 from turgor.foundation.errors import TurgorError
-from turgor.reduced.answer import Answer
+from turgor.reduced.states.reduced import Answer
 
 
 def solution_of(answers: Sequence[Answer]) -> Solution:

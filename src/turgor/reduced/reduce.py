@@ -16,13 +16,15 @@ from turgor.core.model.history import RAMP
 from turgor.core.model.model import Model
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.foundation.errors import NotSolved, TurgorError
-from turgor.reduced.assembly import check_reducible, drive_of
-from turgor.reduced.build import Built, build
-from turgor.reduced.inputs import Inputs
-from turgor.reduced.modes import Modes
-from turgor.reduced.reduced import HeldOut, Reduced
 from turgor.reduced.settings import TRAINING
-from turgor.reduced.training import Path, Trainer
+from turgor.reduced.states.held_out import HeldOut
+from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.states.reduced import Reduced
+from turgor.reduced.training.assembly import check_reducible, drive_of
+from turgor.reduced.training.build import Built, build
+from turgor.reduced.training.compare import compared
+from turgor.reduced.training.modes import Modes
+from turgor.reduced.training.trainer import Path, Trainer
 
 Array = NDArray[np.float64]
 
@@ -124,7 +126,9 @@ def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs
     variation = model_variation(model, list(ranges))
     for key, (low, high) in ranges.items():
         if not key.startswith("loads."):
-            raise TurgorError(f"the input '{key}' is no load; inputs of a reduced model are loads, such as 'loads.pressure'.")
+            raise TurgorError(
+                f"the input '{key}' is no load; inputs of a reduced model are loads, such as 'loads.pressure'."
+            )
         if not low < high:
             raise TurgorError(f"the range of '{key}' is {low:g} to {high:g}; its end must exceed its beginning.")
     for load in model.loads:
@@ -222,7 +226,7 @@ class _Training:
             trained_inputs=built.inputs, trained=built.y, wanted=self.budget.error,
             penalties=tuple(part.penalty_scale.astype(np.float32) for part in system.contact.parts),
             counts=built.counts | {"training paths": len(paths)},
-            held_out=HeldOut(inputs=np.zeros((0, len(self.box.keys))), displacement=nothing, tip=nothing, volume=nothing),
+            held_out=HeldOut(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing),
         )  # fmt: skip
 
 
@@ -249,46 +253,3 @@ def corners(box: Inputs) -> list[Array]:
         shares = np.vstack([np.ones(n), _random(n, 0, 2 * n)])
     values = box.low + shares * (box.high - box.low)
     return [value for value in values if np.abs(value).max() > 0]
-
-
-def compared(reduced: Reduced, path: Path, reached_only: bool) -> HeldOut:
-    """Compare answers with the states of a path of full solves that lie in the box of inputs."""
-    length = reduced.scales[0]
-    largest = float(np.abs(reduced.modes @ reduced.trained[:, : reduced.modes.shape[1]].T).max())
-    travel = float(np.linalg.norm(reduced.tip @ reduced.trained[:, : reduced.modes.shape[1]].T, axis=0).max())
-    fixed = bool(reduced.equations.pressures[:, 0].any() or reduced.equations.forces[:, 0].any())
-    rows: list[tuple[Array, float, float, float]] = []
-    weights, facts = _tip_weights(reduced), MeshFacts(reduced.model.mesh)
-    for place, inputs in enumerate(path.inputs):
-        last = place == len(path.inputs) - 1
-        if (reached_only or fixed) and not last:
-            continue
-        try:
-            reduced.inputs.check(inputs[1:])
-            answer = reduced.at(inputs[1:])
-        except NotSolved:
-            rows.append((inputs[1:], np.inf, np.inf, np.inf))
-            continue
-        except TurgorError:
-            continue
-        full = path.displacements[place]
-        error = float(np.abs(answer.displacement / length - full).max()) / largest
-        tip = answer.tip / length - facts.of_whole(weights @ full) if len(weights) else np.zeros(3)
-        volumes = [abs(answer.volumes[face] / _volume(reduced, face, full * length) - 1) for face in reduced.faces]
-        rows.append((inputs[1:], error, float(np.linalg.norm(tip)) / max(travel, 1e-300), max(volumes, default=0.0)))
-    columns = [np.array(each) for each in zip(*rows, strict=True)] if rows else [np.zeros((0, len(reduced.inputs.keys))), *[np.zeros(0)] * 3]
-    return HeldOut(inputs=columns[0], displacement=columns[1], tip=columns[2], volume=columns[3])
-
-
-def _tip_weights(reduced: Reduced) -> Array:
-    mesh = reduced.model.mesh
-    if "tip" not in mesh.faces:
-        return np.zeros(0)
-    weights = surfaces.nodal_weights(mesh.points, mesh.face("tip"))
-    return np.asarray(weights / weights.sum())
-
-
-def _volume(reduced: Reduced, face: str, displacement: Array) -> float:
-    from turgor.core.engine.chamber_volumes import cavity_volume
-
-    return cavity_volume(reduced.model.mesh, face, displacement)

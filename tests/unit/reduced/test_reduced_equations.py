@@ -2,15 +2,15 @@
 
 import numpy as np
 import pytest
-
 from reduced_cases import PRESSURE, built, drive, finger, path, system
+
 from turgor.core.engine.chamber_volumes import cavity_volume
-from turgor.reduced.assembly import assemble
-from turgor.reduced.build import bases
-from turgor.reduced.newton import Found, follow, newton
+from turgor.reduced.parts.touching import Touching
 from turgor.reduced.reduce import corners, inputs_of
-from turgor.reduced.spline import Spline
-from turgor.reduced.touching import Touching
+from turgor.reduced.states.newton import Found, follow, newton
+from turgor.reduced.states.spline import Spline
+from turgor.reduced.training.assembly import assemble
+from turgor.reduced.training.build import bases
 
 RANDOM = np.random.default_rng(5)
 
@@ -59,7 +59,9 @@ def test_contact_forces_are_the_projected_full_ones():
     assert gaps.inside.any()
     projected = made.modes.vectors.T @ part.forces(at.contacts.position, gaps).ravel()
     touching = next(each for each in made.equations.parts if isinstance(each, Touching))
-    force = touching.at(made.y[-1, : len(projected)]).forces()  # at the projection of the state, which is a bit elsewhere
+    force = touching.at(
+        made.y[-1, : len(projected)]
+    ).forces()  # at the projection of the state, which is a bit elsewhere
     assert force == pytest.approx(projected, abs=0.2 * np.abs(projected).max())
 
 

@@ -6,12 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from reduced_cases import KEY, PRESSURE, finger, reduced
 
 import turgor as tg
-from reduced_cases import KEY, PRESSURE, finger, reduced
 from refused import refused
 from turgor.reduced.path import solution_of
-from turgor.reduced.reduced import Reduced
 
 LOADS_ALONE = """
 import sys
@@ -22,7 +21,7 @@ class Blocked:
             raise ImportError(name)
 
 sys.meta_path.insert(0, Blocked())
-from turgor.reduced.reduced import Reduced
+from turgor.reduced.states.reduced import Reduced
 print(float(abs(Reduced.load(sys.argv[1]).solve(7000.0).displacement).max()))
 """
 
@@ -91,7 +90,9 @@ def test_what_is_left_out_is_refused_by_name():
     plane = tg.obstacles.Obstacle(name="floor", shape=tg.obstacles.Plane(point=(0, 0, -0.1), normal=(0, 0, 1)))
     with refused("floor"):
         tg.reduce(_with(model, contact=tg.Contact(obstacles=[plane])), {KEY: (0.0, 1e3)})
-    relaxing = replace(model.region_materials["body"], viscoelasticity=tg.laws.Prony(g=(0.2,), tau=(1.0,), moduli="instantaneous"))
+    relaxing = replace(
+        model.region_materials["body"], viscoelasticity=tg.laws.Prony(g=(0.2,), tau=(1.0,), moduli="instantaneous")
+    )
     with refused("materials.body", "viscoelasticity"):
         tg.reduce(_with(model, materials=dict(model.materials) | {"body": relaxing}), {KEY: (0.0, 1e3)})
     load = tg.Pressure("cavity", 1e3, history=((0, 0), (0.5, 1), (1, 0.5)))

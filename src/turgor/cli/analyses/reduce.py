@@ -13,7 +13,7 @@ from turgor.cli.options import Changes, Debug, JobFile, Json, check_new, command
 
 if TYPE_CHECKING:
     from turgor.cli.exits import Answer
-    from turgor.reduced.inputs import Inputs
+    from turgor.reduced.states.inputs import Inputs
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -21,7 +21,9 @@ class _Options:
     job: JobFile
     along: Annotated[
         list[str] | None,
-        often("--along", "KEY=FROM..TO", "A load and its range, such as loads.pressure='0..20 kPa'; as often as needed."),
+        often(
+            "--along", "KEY=FROM..TO", "A load and its range, such as loads.pressure='0..20 kPa'; as often as needed."
+        ),
     ] = None
     output: Annotated[Path, output_option("The file; its ending is .reduced.")] = Path("actuator.reduced")
     error: Annotated[float, typer.Option(help="Wanted error of displacements, over the largest.")] = 0.005
@@ -88,14 +90,16 @@ def _number(text: str, unit: str, key: str) -> float:
     except ValueError:
         raise TurgorError(f"--along {key}: '{text}' is no number with a unit.") from None
     if own not in COLUMN_UNITS:
-        raise TurgorError(f"--along {key}: unknown unit '{own}'; known: {', '.join(each for each in COLUMN_UNITS if each)}.")
+        raise TurgorError(
+            f"--along {key}: unknown unit '{own}'; known: {', '.join(each for each in COLUMN_UNITS if each)}."
+        )
     return value * COLUMN_UNITS[own]
 
 
 def say_prediction(file: Path, given: Sequence[str], answer: "Answer") -> None:
     """Print what a reduced model answers at inputs such as ``pressure=10 kPa``."""
     from turgor.cli.answers.reduced import answer_result
-    from turgor.reduced.reduced import Reduced
+    from turgor.reduced.states.reduced import Reduced
 
     reduced = Reduced.load(file)
     values = dict(_value(text, reduced.inputs) for text in given)
@@ -105,7 +109,9 @@ def say_prediction(file: Path, given: Sequence[str], answer: "Answer") -> None:
     if reduced.tip.any():
         typer.echo(f"displacement of the tip ({', '.join(f'{x * 1e3:.5g}' for x in found.tip)}) mm")
     typer.echo(f"largest displacement {abs(found.displacement).max() * 1e3:.5g} mm")
-    typer.echo(f"largest held-out error {reduced.held_out.worst:.2g} of the largest displacement; {found.iterations} updates")
+    typer.echo(
+        f"largest held-out error {reduced.held_out.worst:.2g} of the largest displacement; {found.iterations} updates"
+    )
     answer.give(lambda: answer_result(found))
     raise typer.Exit(DONE)
 

@@ -86,7 +86,10 @@ surrogate_command = command_of(_Options, _fit)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _PredictOptions:
-    file: Annotated[Path, typer.Argument(metavar="SURROGATE", help="File of 'turgor surrogate' or 'turgor reduce'.", show_default=False)]
+    file: Annotated[
+        Path,
+        typer.Argument(metavar="SURROGATE", help="File of 'turgor surrogate' or 'turgor reduce'.", show_default=False),
+    ]
     at: Annotated[
         list[str] | None,
         often("--at", "NAME=VALUE", "Value of a factor, such as pressure='30 kPa'; as often as needed."),
@@ -107,7 +110,7 @@ class _PredictOptions:
 
 
 def _predict(options: _PredictOptions) -> None:
-    """Print what a surrogate or a reduced model predicts for values of its factors, or which values give the target measures."""
+    """Print what a surrogate or a reduced model predicts, or which values give the target measures."""
     with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.analyses.given_study import values_given
         from turgor.cli.analyses.reduce import say_prediction

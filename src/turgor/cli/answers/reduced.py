@@ -6,8 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from turgor.reduced.answer import Answer
-    from turgor.reduced.reduced import Reduced
+    from turgor.reduced.states.reduced import Answer, Reduced
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

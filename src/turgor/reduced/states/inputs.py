@@ -56,12 +56,16 @@ class Inputs:
 
     def check(self, vector: Array) -> None:
         """Refuse values outside of the trained range."""
-        for key, value, low, high in zip(self.keys, vector, self.low, self.high, strict=True):
-            slack = 1e-9 * (high - low)
-            if not low - slack <= value <= high + slack:
-                raise TurgorError(
-                    f"the input '{key}' is {value:g}, outside of the trained range from {low:g} to {high:g} [SI]."
-                )
+        for place in self.outside(vector):
+            raise TurgorError(
+                f"the input '{self.keys[place]}' is {vector[place]:g}, outside of the trained range from "
+                f"{self.low[place]:g} to {self.high[place]:g} [SI]."
+            )
+
+    def outside(self, vector: Array) -> list[int]:
+        """Places of the values outside of the trained range; round-off does not count."""
+        slack = 1e-9 * (self.high - self.low)
+        return [int(place) for place in np.flatnonzero((vector < self.low - slack) | (vector > self.high + slack))]
 
     def scaled(self, vectors: Array) -> Array:
         """Values as shares of the ranges."""

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,45 +15,21 @@ from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.foundation.store.archive import Content, write_archive
 from turgor.foundation.store.codec import Encoder
 from turgor.foundation.store.saved_objects import Saved
-from turgor.reduced.answer import Answer
-from turgor.reduced.equations import Equations, Part
-from turgor.reduced.inputs import Inputs
-from turgor.reduced.newton import Found, follow, newton
 from turgor.reduced.settings import NEWTON
-from turgor.reduced.spline import Spline
+from turgor.reduced.states.equations import Equations, Part
+from turgor.reduced.states.held_out import HeldOut
+from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.states.newton import Found, follow, newton
+from turgor.reduced.states.spline import Spline
+
+if TYPE_CHECKING:
+    from turgor.core.solvers.solution import State
 
 Array = NDArray[np.float64]
 Small = NDArray[np.float32]
 
 #: Ending of the files.
 ENDING = ".reduced"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class HeldOut:
-    """Full solves that training never saw, and how far the reduced model is from them.
-
-    Parameters
-    ----------
-    inputs : (h, n) array [SI]
-    displacement : (h,) array [-]
-        Largest error of the displacement of a node, over the largest displacement of all training states; inf where
-        the reduced model refused.
-    tip : (h,) array [-]
-        Error of the mean displacement of the face ``tip`` over its travel; zeros without such a face.
-    volume : (h,) array [-]
-        Largest error of the volume of a cavity, over that volume.
-    """
-
-    inputs: Array
-    displacement: Array
-    tip: Array
-    volume: Array
-
-    @property
-    def worst(self) -> float:
-        """Largest error of the displacement; nan where nothing was solved in full."""
-        return float(self.displacement.max()) if len(self.displacement) else float("nan")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -110,7 +87,7 @@ class Reduced(Saved, Shown):
         error = f"held-out error {self.held_out.worst:.2g}" if len(self.held_out.inputs) else "nothing held out"
         return f"Reduced('{self.model.mesh.name}', {', '.join(self.inputs.keys)}; {r} + {m} modes, {counts}; {error})"
 
-    def solve(self, values: Mapping[str, float] | float, *, start: Answer | None = None) -> Answer:
+    def solve(self, values: Mapping[str, float] | float, *, start: "Answer | None" = None) -> "Answer":
         """Find the equilibrium at values of the inputs.
 
         Parameters
@@ -135,17 +112,19 @@ class Reduced(Saved, Shown):
         given = values if isinstance(values, Mapping) else {self._only_input: values}
         return self.at(self.inputs.vector(given), start)
 
-    def solve_all(self, table: Iterable[Mapping[str, float] | float]) -> list[Answer]:
+    def solve_all(self, table: Iterable[Mapping[str, float] | float]) -> "list[Answer]":
         """Find the equilibria at many values of the inputs, each from the nearest training state."""
         return [self.solve(values) for values in table]
 
     @property
     def _only_input(self) -> str:
         if len(self.inputs.keys) != 1:
-            raise TurgorError(f"there are {len(self.inputs.keys)} inputs, {', '.join(self.inputs.keys)}; name each with its value.")
+            raise TurgorError(
+                f"there are {len(self.inputs.keys)} inputs, {', '.join(self.inputs.keys)}; name each with its value."
+            )
         return self.inputs.keys[0]
 
-    def at(self, vector: Array, start: Answer | None = None) -> Answer:
+    def at(self, vector: Array, start: "Answer | None" = None) -> "Answer":
         """Find the equilibrium at inputs (n,) in order; see `solve`."""
         aim, vain = np.concatenate([[1.0], vector]), 0
         if start is None:
@@ -159,9 +138,11 @@ class Reduced(Saved, Shown):
                 return Answer.of(self, found, vain)
             vain += found
         text = ", ".join(f"{key} = {value:g}" for key, value in zip(self.inputs.keys, vector, strict=True))
-        raise NotSolved(f"the reduced model finds no equilibrium at {text} [SI] within {vain} updates; train it more densely.")
+        raise NotSolved(
+            f"the reduced model finds no equilibrium at {text} [SI] within {vain} updates; train it more densely."
+        )
 
-    def _starts(self, aim: Array, start: Answer | None) -> Iterable[tuple[Array, Array]]:
+    def _starts(self, aim: Array, start: "Answer | None") -> Iterable[tuple[Array, Array]]:
         if start is not None:
             yield np.concatenate([[1.0], start.inputs]), start.y
         away = (self.trained_inputs - aim) * self._weights
@@ -195,3 +176,105 @@ class Reduced(Saved, Shown):
         encoder = Encoder()
         write_archive(path, Content("Reduced", encoder.encode(self, "Reduced"), encoder.arrays))
         return path
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Answer(Shown):
+    """An equilibrium of a reduced model.
+
+    Parameters
+    ----------
+    reduced : Reduced
+    inputs : (n,) array [SI]
+    y : (r + m,) array
+        Coordinates of displacement and mean stress.
+    rates : (r + m, n) array
+        Their derivatives by the inputs.
+    indicator : float [-]
+        How far the coordinates move with other sampled points, over the largest that were trained: a share of the
+        error that the sampling makes.
+    iterations : int
+        Newton updates.
+    """
+
+    reduced: Reduced
+    inputs: Array
+    y: Array
+    rates: Array
+    indicator: float
+    iterations: int
+
+    @staticmethod
+    def of(reduced: Reduced, found: Found, vain: int) -> "Answer":
+        """Make an answer of an equilibrium of the equations, after ``vain`` updates from other starts."""
+        at, r = found.at, reduced.equations.sizes[0]
+        inverse = np.linalg.inv(at.tangent())
+        rates = -(inverse @ at.by_inputs()[:, 1:])
+        other = np.zeros(r)
+        for part, check in zip(at.parts, reduced.checks, strict=False):
+            its = check.at(at.y[:r])
+            if its is not None:
+                other += its.forces() - part.forces()
+        indicator = float(np.linalg.norm(inverse[:r, :r] @ other)) / reduced.size
+        return Answer(reduced, at.inputs[1:], at.y, rates, indicator, found.iterations + vain)
+
+    def __repr__(self) -> str:
+        r = self.reduced
+        text = ", ".join(f"{key} {value:.6g}" for key, value in zip(r.inputs.keys, self.inputs, strict=True))
+        return f"Answer({text} [SI], indicator {self.indicator:.1e}, {self.iterations} iterations)"
+
+    @property
+    def q(self) -> Array:
+        """Coordinates (r,) of the displacement."""
+        return self.y[: self.reduced.equations.sizes[0]]
+
+    @property
+    def displacement(self) -> Array:
+        """Displacement (nodes, 3) [m] of every node."""
+        return (self.reduced.modes @ self.q).reshape(-1, 3) * self.reduced.scales[0]
+
+    @property
+    def mean_stress(self) -> Array:
+        """Mean stress (m,) [Pa]."""
+        return np.asarray(self.reduced.stresses @ self.y[len(self.q) :]) * self.reduced.scales[1]
+
+    @property
+    def tip(self) -> Array:
+        """Mean displacement (3,) [m] of the face ``tip``; zeros where there is none."""
+        return self.reduced.tip @ self.q * self.reduced.scales[0]
+
+    @property
+    def tip_rates(self) -> Array:
+        """Derivatives (3, n) of `tip` by the inputs."""
+        return self.reduced.tip @ self.rates[: len(self.q)] * self.reduced.scales[0]
+
+    @property
+    def volumes(self) -> dict[str, float]:
+        """Volume of every pressed cavity of the whole actuator [m³]."""
+        values = self.reduced.equations.cubics.at(self.q).values * self._volume_scale
+        return dict(zip(self.reduced.faces, values.tolist(), strict=False))
+
+    @property
+    def volume_rates(self) -> dict[str, Array]:
+        """Derivatives (n,) of the volumes by the inputs."""
+        slopes = self.reduced.equations.cubics.at(self.q).gradients[: len(self.reduced.faces)]
+        rates = slopes @ self.rates[: len(self.q)] * self._volume_scale
+        return dict(zip(self.reduced.faces, rates, strict=True))
+
+    @property
+    def _volume_scale(self) -> float:
+        return self.reduced.scales[0] ** 3 * self.reduced.model.mesh.symmetry_factor
+
+    def state(self) -> "State":
+        """Return it as a state of the full model, for every measure, picture and response.
+
+        Returns
+        -------
+        State
+            Its nodal forces at free nodes are what modes and sampling miss.
+        """
+        from turgor.reduced.states.expand import expand  # here: it needs the engine
+
+        r = self.reduced
+        values = dict(zip(r.inputs.keys, self.inputs.tolist(), strict=True))
+        return expand(r.model, values, (self.displacement, self.mean_stress), r.penalties)

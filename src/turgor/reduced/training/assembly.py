@@ -17,13 +17,13 @@ from turgor.core.engine.term import Setting
 from turgor.core.materials.laws.laws import Law
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
-from turgor.reduced import forms
-from turgor.reduced.equations import Equations
-from turgor.reduced.inputs import Inputs
-from turgor.reduced.modes import Modes
-from turgor.reduced.pieces import Pieces
-from turgor.reduced.points import Points
-from turgor.reduced.polynomials import Cubics, Sheets
+from turgor.reduced.parts.pieces import Pieces
+from turgor.reduced.parts.points import Points
+from turgor.reduced.parts.polynomials import Cubics, Sheets
+from turgor.reduced.states.equations import Equations
+from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.training import forms
+from turgor.reduced.training.modes import Modes
 
 Array = NDArray[np.float64]
 
@@ -116,13 +116,15 @@ def drive_of(system: System, model_at: Callable[[Mapping[str, float]], Model], i
 
 
 def _check_linear(loads: Loads, found: tuple[Array, Array], inputs: Inputs) -> None:
-    """Refuse inputs in which the loads are not linear, such as the direction of gravity, whose length does not count."""
+    """Refuse inputs in which the loads are not linear, such as components of the direction of gravity."""
     values = inputs.low + np.linspace(0.2, 0.3, len(inputs.low)) * (inputs.high - inputs.low)
     one = np.concatenate([[1.0], values])
     there, dead = loads(values)
     for got, linear in ((np.array(list(there.values())), found[0] @ one), (dead, found[1] @ one)):
         if np.abs(got - linear).max(initial=0.0) > 1e-8 * np.abs(got).max(initial=1e-300):
-            raise TurgorError(f"the loads are not linear in the inputs {', '.join(inputs.keys)}; a reduced model needs that.")
+            raise TurgorError(
+                f"the loads are not linear in the inputs {', '.join(inputs.keys)}; a reduced model needs that."
+            )
 
 
 def assemble(system: System, drive: Drive, modes: Modes, stresses: Modes) -> Whole:
@@ -175,7 +177,9 @@ def check_reducible(system: System) -> None:
     for name, material in model.region_materials.items():
         for what, value in (("viscoelasticity", material.viscoelasticity), ("softening", material.stress_softening)):
             if value is not None:
-                raise TurgorError(f"materials.{name}: reduced models have no {what} yet; leave it out of '{material.name}'.")
+                raise TurgorError(
+                    f"materials.{name}: reduced models have no {what} yet; leave it out of '{material.name}'."
+                )
     if not system.element.modes:
         raise TurgorError("reduced models need mean stresses; take the formulation 'mixed' instead of 'displacement'.")
     if system.rubber.penalty.shape[2]:
@@ -190,9 +194,13 @@ def check_reducible(system: System) -> None:
         if isinstance(term, MembraneTerm) and term.field is not None:
             raise TurgorError("reduced models have no sheets that wrinkle yet.")
         if not term.symmetric:
-            raise TurgorError("reduced models need cavities that are closed or whose rim is fixed; a pressure acts on an open surface.")
+            raise TurgorError(
+                "a pressure acts on an open surface; reduced models need closed cavities, or ones with a fixed rim."
+            )
     for part in system.contact.parts:
         if part.coefficient > 0:
-            raise TurgorError(f"reduced models have no friction; contact '{part.name}' has the coefficient {part.coefficient:g}.")
+            raise TurgorError(
+                f"reduced models have no friction; contact '{part.name}' has the coefficient {part.coefficient:g}."
+            )
         if part.obstacle is not None:
             raise TurgorError(f"reduced models have no obstacles yet; the model has '{part.name}'.")

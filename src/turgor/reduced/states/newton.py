@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.reduced.equations import Equations, EquationsAt
 from turgor.reduced.settings import NEWTON
+from turgor.reduced.states.equations import Equations, EquationsAt
 
 Array = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Fo
         if at is None:
             return iteration - 1
         try:
-            inverse = np.linalg.inv(at.tangent(geometric))
+            inverse: Array = np.linalg.inv(at.tangent(geometric)).astype(np.float64)
         except np.linalg.LinAlgError:
             return iteration
         update = -(inverse @ at.residual)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells.reference import side_tables
 from turgor.core.engine.faces.membrane_term import MembraneTerm
 from turgor.core.engine.system import System
-from turgor.reduced.kernels import constraint_forms
+from turgor.reduced.parts.kernels import constraint_forms
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -75,9 +75,7 @@ def volume(system: System, sides: Ints, shift: Array, vectors: Array) -> Array:
     moved[..., 0] -= shift
     tables = side_tables(sides.shape[1])
     x = np.einsum("qa,faiR->fqiR", tables.N, moved, optimize=True).reshape(-1, 3, moved.shape[-1])
-    r, s = (
-        np.einsum("qa,faiR->fqiR", tables.dN[..., k], moved, optimize=True).reshape(x.shape) for k in range(2)
-    )
+    r, s = (np.einsum("qa,faiR->fqiR", tables.dN[..., k], moved, optimize=True).reshape(x.shape) for k in range(2))
     weights, R = np.tile(tables.weights, len(sides)), x.shape[-1]
     out = np.zeros((R, R * R))
     for i in range(3):

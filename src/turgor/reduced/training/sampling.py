@@ -64,7 +64,7 @@ def choose(A: Array, b: Array, tolerance: float, most: int, without: Ints | None
 def _inner(A: Array, b: Array, passive: list[int], x: Array) -> tuple[list[int], Array]:
     """Least squares over the passive columns; those whose factor would be negative leave."""
     while passive:
-        best = np.linalg.lstsq(A[:, passive], b, rcond=None)[0]
+        best: Array = np.linalg.lstsq(A[:, passive], b, rcond=None)[0].astype(np.float64)
         if (best > 0).all():
             return passive, best
         bad = best <= 0

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.reduced import touching_kernels
+from turgor.reduced.parts import touching_kernels
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

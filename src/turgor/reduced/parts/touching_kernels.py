@@ -3,6 +3,9 @@
 Energy, foot points and second derivatives are those of `turgor.core.engine.contact.pairs`.
 """
 
+# mypy: disallow-untyped-defs=False
+# numba infers the types of the compiled loops, as in `turgor.core.engine.cells.kernels`
+
 import numpy as np
 from numba import njit
 

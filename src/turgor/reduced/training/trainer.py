@@ -3,11 +3,13 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from math import inf
+from time import process_time
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.faces.pressure_term import PressureTerm
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
 from turgor.core.model.model import Model
@@ -15,7 +17,8 @@ from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.restart import unknowns_of
 from turgor.core.solvers.solution import State
-from turgor.reduced.inputs import Inputs
+from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.training.assembly import drive_of
 
 Array = NDArray[np.float64]
 
@@ -73,9 +76,7 @@ class Trainer:
 
     def path(self, values: Array, differentiated: bool = True) -> Path:
         """Solve from rest to some inputs (n,)."""
-        from time import perf_counter
-
-        began = perf_counter()
+        began = process_time()
         model = self.model_at(dict(zip(self.inputs.keys, values.tolist(), strict=True)))
         system = System(model)
         tangent = Tangent(system, self.options.linear_solver, self.options.threads, self.options.iteration)
@@ -93,26 +94,22 @@ class Trainer:
             derivatives=derivatives,
             scales=tuple(part.penalty_scale for part in system.contact.parts),
             reached=bool(states) and states[-1].load_factor == 1.0,
-            seconds=perf_counter() - began,
+            seconds=process_time() - began,
         )
 
     def _derivatives(self, system: System, tangent: Tangent, state: State) -> tuple[Array, Array]:
         """Derivatives of a state by the inputs, times their ranges."""
-        from turgor.core.engine.term import Configuration
-        from turgor.reduced.assembly import drive_of
-
         at = system.evaluate(unknowns_of(system, state), state.load_factor)
         assert at is not None
         tangent.factor(at)
         drive = drive_of(system, self.model_at, self.inputs)
         position = system.configuration(at).position
-        pressed = {load.face: load for load in system.model.pressures}
         rows = []
         for k, width in enumerate(self.inputs.high - self.inputs.low, start=1):
             force = drive.forces[:, k].reshape(-1, 3).copy()
             for term in system.terms.all:
-                if hasattr(term, "unit_forces") and term.load is not None and term.load.face in pressed:
-                    force += drive.pressures[drive.faces.index(term.load.face), k] * term.unit_forces(position)
+                if isinstance(term, PressureTerm) and term.load is not None:
+                    force += drive.pressures[drive.faces.index(term.load.face)][k] * term.unit_forces(position)
             rate = tangent.solve(system.joined(force) * width)
             rows.append(np.where(system.prescribed, 0.0, rate))
         n = 3 * len(system.model.mesh.points)

@@ -8,12 +8,13 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.core.engine.system import System
-from turgor.reduced import assembly, near, sampling
-from turgor.reduced.equations import Equations, Part
-from turgor.reduced.modes import Modes, modes_of
-from turgor.reduced.polynomials import Sheets
+from turgor.reduced.parts.points import Points
+from turgor.reduced.parts.polynomials import Sheets
 from turgor.reduced.settings import SAMPLING, TRAINING
-from turgor.reduced.training import Path
+from turgor.reduced.states.equations import Equations, Part
+from turgor.reduced.training import assembly, near, sampling
+from turgor.reduced.training.modes import Modes, modes_of
+from turgor.reduced.training.trainer import Path
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -77,7 +78,7 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     basis, stresses = bases(system, paths, modes)
     whole = assembly.assemble(system, drive, basis, stresses)
     moved = np.concatenate([path.displacements for path in paths])
-    touching = near.contact_parts(system, near.near_points(system, moved), basis.vectors)
+    touching = near.contact_parts(system, near.near_points(system, list(moved)), basis.vectors)
     exact = whole.exact
     whole = assembly.Whole(
         whole.rubber, whole.cells, whole.pieces,
@@ -177,8 +178,8 @@ def _trials(whole: assembly.Whole, inputs: Array, y: Array, starts: Ints) -> Ite
             if at is None:
                 continue
             rubber, *pieces = at.parts[: 1 + len(whole.pieces)]
-            inverse = np.linalg.inv(at.tangent())[:r, :r]
-            of_cells = inverse @ rubber.forces(starts).T  # type: ignore[call-arg]
+            inverse: Array = np.linalg.inv(at.tangent())[:r, :r].astype(np.float64)
+            of_cells = inverse @ np.asarray(rubber.forces(starts)).T  # type: ignore[call-arg]
             yield Trial(moved[:r], inverse, of_cells, np.sum([part.forces() for part in pieces], axis=0))
 
 
@@ -216,7 +217,7 @@ def bending_form(trials: Sequence[tuple[Array, Array, Array]]) -> tuple[Sheets, 
 
 def _points_in(
     whole: assembly.Whole, trials: Sequence[Trial], starts: Ints, cells: Ints, wanted: tuple[Array, float]
-) -> assembly.Points:
+) -> Points:
     """Choose few of the points in some cells: the whole forces that they have to give, and the error allowed."""
     which = np.concatenate([np.arange(starts[c], starts[c + 1]) for c in cells])
     there = whole.rubber.chosen(which, whole.rubber.weights[which])

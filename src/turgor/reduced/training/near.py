@@ -10,8 +10,8 @@ from turgor.core.engine.contact.pair_part import PairPart, Partners
 from turgor.core.engine.contact.part import Gaps
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.system import System
+from turgor.reduced.parts.touching import Facing, Touching
 from turgor.reduced.settings import SAMPLING
-from turgor.reduced.touching import Facing, Touching
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -71,7 +71,9 @@ def contact_parts(system: System, near: Sequence[Near], vectors: Array) -> tuple
     for part, here in zip(system.contact.parts, near, strict=True):
         if not len(here.points):
             continue
-        out.append(_touching(system, part, here, modes) if isinstance(part, PairPart) else _facing(system, part, here, modes))
+        out.append(
+            _touching(system, part, here, modes) if isinstance(part, PairPart) else _facing(system, part, here, modes)
+        )
     return tuple(out)
 
 

@@ -14,7 +14,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.reduced.polynomials import Cubics, CubicsAt
+from turgor.reduced.parts.polynomials import Cubics, CubicsAt
 
 Array = NDArray[np.float64]
 

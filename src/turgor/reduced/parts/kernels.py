@@ -2,8 +2,11 @@
 
 At a point the deformation gradient is linear in the reduced coordinates, F = I + Σ qₐ Gₐ, so forces and tangent are
 those of `turgor.core.engine.cells.kernels` contracted with G. The mean stress is no part of them: its work is an exact
-polynomial (`turgor.reduced.polynomials`).
+polynomial (`turgor.reduced.parts.polynomials`).
 """
+
+# mypy: disallow-untyped-defs=False
+# numba infers the types of the compiled loops, as in `turgor.core.engine.cells.kernels`
 
 import numpy as np
 from numba import njit
@@ -67,7 +70,7 @@ def stresses(F, W, rows, more, moduli):
 @njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point)
 def linearized(F, dF, S, D):
-    """Stress S + D : ΔE (p, 6) for an update dF (p, 3, 3) of deformation gradients; E has the squares of dF left out."""
+    """Stress S + D : ΔE (p, 6) for an update dF (p, 3, 3) of deformation gradients."""
     out, E = np.empty_like(S), np.empty(6)
     for p in range(len(F)):
         strain_change_at(F[p], dF[p], E)
@@ -99,7 +102,7 @@ def forces(F, S, weights, G, starts):
 @njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point)
 def stiffened(F, S, D, weights, G):
-    """w (F D Fᵀ + δ S) G (p, 9, r), whose product with G is the tangent; S (p, 6) is the stress of the geometric part."""
+    """w (F D Fᵀ + δ S) G (p, 9, r), whose product with G is the tangent; S is that of the geometric part."""
     count = G.shape[2]
     out = np.zeros(G.shape)
     FD, A = np.empty((9, 6)), np.zeros((9, 9))

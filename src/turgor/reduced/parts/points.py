@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells import spectral
 from turgor.core.materials.laws.derivatives import energy_and_derivatives, stretch_derivatives
 from turgor.core.materials.laws.laws import InvariantLaw, Law
-from turgor.reduced import kernels
+from turgor.reduced.parts import kernels
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -58,8 +59,8 @@ class Points:
         W, rows = np.zeros((5, len(F))), np.full(len(F), -1, dtype=np.int64)
         more: list[tuple[Array, Array]] = [(np.empty((0, 6)), np.empty((0, spectral.TANGENT)))]
         for law, here in self._groups():
-            if _in_invariants(law):
-                for k, values in enumerate(energy_and_derivatives(law, I1[here], I2[here])[1:]):
+            if _in_invariants(law):  # type: ignore[arg-type]
+                for k, values in enumerate(energy_and_derivatives(cast(InvariantLaw, law), I1[here], I2[here])[1:]):
                     W[k, here] = values / self.stress
                 continue
             bar, directions, scale = spectral.principal_stretches(F[here][:, None])
