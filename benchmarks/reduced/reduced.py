@@ -74,9 +74,10 @@ def main(job: Path, changes: dict[str, str]) -> None:
     ranges = {"loads.pressure": (0.0, PRESSURE)}
     reduced = tg.reduce(model, ranges, budget=Budget(steps=STEPS, held_out=1), options=options, say=print)
     print(f"made in {perf_counter() - began:.0f} s; {model.mesh.unknown_count} unknowns")
-    held, nodes = reduced.held_out, reduced.held_out.displacement.max()
+    errors, nodes = reduced.held_out, reduced.held_out.displacement.max()
     print(
-        f"{len(held.tip)} held-out states: tip {held.tip.max():.2%}, any node {nodes:.2%}, volume {held.volume.max():.3%}"
+        f"{len(errors.tip)} held-out states: tip {errors.tip.max():.2%}, any node {nodes:.2%}, "
+        f"volume {errors.volume.max():.3%}"
     )
     reduced.solve(PRESSURE / 2)
     ms = times(reduced)

@@ -206,8 +206,8 @@ class _Training:
         if not parts:
             return reduced
         names = ("inputs", "displacement", "tip", "volume")
-        held = HeldOut(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
-        return replace(reduced, held_out=held)
+        errors = HeldOut(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
+        return replace(reduced, held_out=errors)
 
     def _reduced(self, system: System, built: Built, paths: Sequence[Path]) -> Reduced:
         """Collect what answers need."""

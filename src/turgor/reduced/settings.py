@@ -9,10 +9,10 @@ class NewtonSettings:
 
     Parameters
     ----------
+    tolerance : float
+        Size of the last update over the largest size of trained coordinates, below which a state counts as one.
     longest : float
         Longest update, over the largest size of trained coordinates.
-    tolerance : float
-        Size of the last update over the largest size of trained coordinates, below which a state is found.
     iterations : int
         Updates before a step counts as failed.
     shortest : float

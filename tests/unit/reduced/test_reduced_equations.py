@@ -7,7 +7,7 @@ from reduced_cases import PRESSURE, built, drive, finger, path, system
 from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.reduced.parts.touching import Touching
 from turgor.reduced.reduce import corners, inputs_of
-from turgor.reduced.states.newton import Found, follow, newton
+from turgor.reduced.states.newton import Balance, follow, newton
 from turgor.reduced.states.spline import Spline
 from turgor.reduced.training.assembly import assemble
 from turgor.reduced.training.build import bases
@@ -81,7 +81,7 @@ def test_few_points_give_the_states_of_all_points():
     assert made.counts["points"] < 0.005 * len(made.whole.rubber.weights)
     for equations in (made.equations, made.whole.equations):
         found = follow(equations, made.y[3], (made.inputs[3], made.inputs[4]), made.size)
-        assert isinstance(found, Found)
+        assert isinstance(found, Balance)
         assert np.linalg.norm(found.at.y[:6] - made.y[4, :6]) < 5e-3 * made.size
 
 
@@ -93,8 +93,8 @@ def test_as_many_mean_stress_modes_as_displacement_modes_lock():
     y = np.concatenate([made.y[4, :6], stresses.dual.T @ path().mean_stresses[3]])
     found = newton(whole.equations, y, made.inputs[5], made.size)
     half = newton(made.equations, made.y[4], made.inputs[5], made.size)
-    assert isinstance(found, Found)
-    assert isinstance(half, Found)
+    assert isinstance(found, Balance)
+    assert isinstance(half, Balance)
     errors = [np.linalg.norm(each.at.y[:6] - made.y[5, :6]) for each in (found, half)]
     assert errors[0] > 5 * errors[1]
     assert np.linalg.norm(found.at.y[6:]) > 50 * np.linalg.norm(half.at.y[6:])
@@ -110,7 +110,7 @@ def test_plain_tangents_need_more_updates_next_to_a_stiff_sheet():
         if at is None or np.linalg.norm(update[:6]) < 1e-5 * made.size:
             break
     found = newton(equations, y, aim, made.size)
-    assert isinstance(found, Found)
+    assert isinstance(found, Balance)
     assert at is None or updates > found.iterations
 
 

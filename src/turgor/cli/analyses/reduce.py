@@ -49,11 +49,11 @@ def _run(options: _Options) -> None:
         budget = Budget(error=options.error, paths=options.paths, held_out=options.held_out)
         reduced = reduce(model, ranges, budget=budget, say=typer.echo)
         file = reduced.save(options.output)
-        held = reduced.held_out
-        if len(held.inputs):
+        errors = reduced.held_out
+        if len(errors.inputs):
             typer.echo(
-                f"Held-out states: {len(held.inputs)}. Largest errors: displacement {held.worst:.2g} of the largest, "
-                f"tip {held.tip.max():.2g} of its travel, volume {held.volume.max():.2g} of itself."
+                f"{len(errors.inputs)} held-out states. Largest errors: displacement {errors.worst:.2g} of the largest, "
+                f"tip {errors.tip.max():.2g} of its travel, volume {errors.volume.max():.2g} of itself."
             )
         typer.echo(f"Written to {file}.")
         answer.give(lambda: reduced_result(reduced, file))
@@ -103,16 +103,16 @@ def say_prediction(file: Path, given: Sequence[str], answer: "Answer") -> None:
 
     reduced = Reduced.load(file)
     values = dict(_value(text, reduced.inputs) for text in given)
-    found = reduced.solve(values)
-    for face, volume in found.volumes.items():
+    result = reduced.solve(values)
+    for face, volume in result.volumes.items():
         typer.echo(f"volume of {face} {volume * 1e6:.5g} mL")
     if reduced.tip.any():
-        typer.echo(f"displacement of the tip ({', '.join(f'{x * 1e3:.5g}' for x in found.tip)}) mm")
-    typer.echo(f"largest displacement {abs(found.displacement).max() * 1e3:.5g} mm")
+        typer.echo(f"displacement of the tip ({', '.join(f'{x * 1e3:.5g}' for x in result.tip)}) mm")
+    typer.echo(f"largest displacement {abs(result.displacement).max() * 1e3:.5g} mm")
     typer.echo(
-        f"largest held-out error {reduced.held_out.worst:.2g} of the largest displacement; {found.iterations} updates"
+        f"largest held-out error {reduced.held_out.worst:.2g} of the largest displacement; {result.iterations} updates"
     )
-    answer.give(lambda: answer_result(found))
+    answer.give(lambda: answer_result(result))
     raise typer.Exit(DONE)
 
 

@@ -35,8 +35,8 @@ class ReducedResult:
 
 def reduced_result(reduced: "Reduced", file: Path) -> ReducedResult:
     """Make the result of a reduction."""
-    held, box = reduced.held_out, reduced.inputs
-    largest = {name: float(getattr(held, name).max(initial=0.0)) for name in ("displacement", "tip", "volume")}
+    errors, box = reduced.held_out, reduced.inputs
+    largest = {name: float(getattr(errors, name).max(initial=0.0)) for name in ("displacement", "tip", "volume")}
     return ReducedResult(
         inputs=[
             {"key": key, "low": float(low), "high": float(high)}
@@ -45,7 +45,7 @@ def reduced_result(reduced: "Reduced", file: Path) -> ReducedResult:
         modes=reduced.equations.sizes[0],
         mean_stress_modes=reduced.equations.sizes[1],
         counts=dict(reduced.counts),
-        held_out={"states": len(held.inputs)} | largest,
+        held_out={"states": len(errors.inputs)} | largest,
         file=file,
     )
 
@@ -78,14 +78,14 @@ class ReducedAnswer:
     indicator: float
 
 
-def answer_result(found: "Answer") -> ReducedAnswer:
+def answer_result(result: "Answer") -> ReducedAnswer:
     """Make the result of an answer."""
     return ReducedAnswer(
-        inputs=dict(zip(found.reduced.inputs.keys, found.inputs.tolist(), strict=True)),
-        volumes=found.volumes,
-        volume_rates={face: rates.tolist() for face, rates in found.volume_rates.items()},
-        tip=found.tip.tolist(),
-        tip_rates=found.tip_rates.tolist(),
-        held_out_error=found.reduced.held_out.worst,
-        indicator=found.indicator,
+        inputs=dict(zip(result.reduced.inputs.keys, result.inputs.tolist(), strict=True)),
+        volumes=result.volumes,
+        volume_rates={face: rates.tolist() for face, rates in result.volume_rates.items()},
+        tip=result.tip.tolist(),
+        tip_rates=result.tip_rates.tolist(),
+        held_out_error=result.reduced.held_out.worst,
+        indicator=result.indicator,
     )

@@ -102,7 +102,7 @@ def forces(F, S, weights, G, starts):
 @njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point)
 def stiffened(F, S, D, weights, G):
-    """w (F D Fᵀ + δ S) G (p, 9, r), whose product with G is the tangent; S is that of the geometric part."""
+    """W (F D Fᵀ + δ S) G (p, 9, r), whose product with G is the tangent; S is that of the geometric part."""
     count = G.shape[2]
     out = np.zeros(G.shape)
     FD, A = np.empty((9, 6)), np.zeros((9, 9))

@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
+class Balance:
     """An equilibrium of the reduced equations.
 
     Parameters
@@ -29,7 +29,7 @@ class Found:
     iterations: int
 
 
-def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Found | int:
+def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Balance | int:
     """Solve for inputs from a start; return the number of updates in vain where nothing is found.
 
     The geometric stiffness has stresses linearized for the last update (Magisano, Leonetti and Garcea 2017, doi
@@ -46,7 +46,7 @@ def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Fo
 
     Returns
     -------
-    Found or int
+    Balance or int
     """
     at = equations.at(start, inputs)
     geometric, r = None, equations.sizes[0]
@@ -66,7 +66,7 @@ def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Fo
         geometric = at.linearized(length * update)
         at = new
         if length == 1.0 and change <= NEWTON.tolerance * size and at is not None:
-            return Found(at, inverse, iteration)
+            return Balance(at, inverse, iteration)
     return NEWTON.iterations
 
 
@@ -80,7 +80,7 @@ def _inside(equations: Equations, at: EquationsAt, length: float, update: Array)
     return length, None
 
 
-def follow(equations: Equations, start: Array, way: tuple[Array, Array], size: float) -> Found | int:
+def follow(equations: Equations, start: Array, way: tuple[Array, Array], size: float) -> Balance | int:
     """Solve at the end of a straight way of inputs from an equilibrium at its beginning, in substeps where needed.
 
     Parameters
@@ -94,21 +94,21 @@ def follow(equations: Equations, start: Array, way: tuple[Array, Array], size: f
 
     Returns
     -------
-    Found or int
+    Balance or int
         Number of updates in vain where nothing was found.
     """
     begin, end = way
     done, share, y, count = 0.0, 1.0, start, 0
     while True:
         aim = min(1.0, done + share)
-        found = newton(equations, y, begin + aim * (end - begin), size)
-        if isinstance(found, int):
-            count += found
+        result = newton(equations, y, begin + aim * (end - begin), size)
+        if isinstance(result, int):
+            count += result
             share *= 0.5
             if share < 0.5**NEWTON.substeps:
                 return count
             continue
-        count += found.iterations
+        count += result.iterations
         if aim == 1.0:
-            return Found(found.at, found.inverse, count)
-        done, y, share = aim, found.at.y, 2.0 * share
+            return Balance(result.at, result.inverse, count)
+        done, y, share = aim, result.at.y, 2.0 * share

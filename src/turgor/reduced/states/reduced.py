@@ -19,7 +19,7 @@ from turgor.reduced.settings import NEWTON
 from turgor.reduced.states.equations import Equations, Part
 from turgor.reduced.states.held_out import HeldOut
 from turgor.reduced.states.inputs import Inputs
-from turgor.reduced.states.newton import Found, follow, newton
+from turgor.reduced.states.newton import Balance, follow, newton
 from turgor.reduced.states.spline import Spline
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ class Reduced(Saved, Shown):
     counts : mapping of str to int
         Sampled cells, points of contact, full solves.
     wanted : float [-]
-        Error that was asked for, of the displacement over its largest.
+        Error that was requested, of the displacement over its largest.
     held_out : HeldOut
     """
 
@@ -128,15 +128,15 @@ class Reduced(Saved, Shown):
         """Find the equilibrium at inputs (n,) in order; see `solve`."""
         aim, vain = np.concatenate([[1.0], vector]), 0
         if start is None:
-            found = newton(self.equations, self._spline.at(aim * self._weights), aim, self._size)
-            if isinstance(found, Found):
-                return Answer.of(self, found, vain)
-            vain += found
+            result = newton(self.equations, self._spline.at(aim * self._weights), aim, self._size)
+            if isinstance(result, Balance):
+                return Answer.of(self, result, vain)
+            vain += result
         for begin, y in self._starts(aim, start):
-            found = follow(self.equations, y, (begin, aim), self._size)
-            if isinstance(found, Found):
-                return Answer.of(self, found, vain)
-            vain += found
+            result = follow(self.equations, y, (begin, aim), self._size)
+            if isinstance(result, Balance):
+                return Answer.of(self, result, vain)
+            vain += result
         text = ", ".join(f"{key} = {value:g}" for key, value in zip(self.inputs.keys, vector, strict=True))
         raise NotSolved(
             f"the reduced model finds no equilibrium at {text} [SI] within {vain} updates; train it more densely."
@@ -205,9 +205,9 @@ class Answer(Shown):
     iterations: int
 
     @staticmethod
-    def of(reduced: Reduced, found: Found, vain: int) -> "Answer":
+    def of(reduced: Reduced, result: Balance, vain: int) -> "Answer":
         """Make an answer of an equilibrium of the equations, after ``vain`` updates from other starts."""
-        at, r = found.at, reduced.equations.sizes[0]
+        at, r = result.at, reduced.equations.sizes[0]
         inverse = np.linalg.inv(at.tangent())
         rates = -(inverse @ at.by_inputs()[:, 1:])
         other = np.zeros(r)
@@ -216,7 +216,7 @@ class Answer(Shown):
             if its is not None:
                 other += its.forces() - part.forces()
         indicator = float(np.linalg.norm(inverse[:r, :r] @ other)) / reduced.size
-        return Answer(reduced, at.inputs[1:], at.y, rates, indicator, found.iterations + vain)
+        return Answer(reduced, at.inputs[1:], at.y, rates, indicator, result.iterations + vain)
 
     def __repr__(self) -> str:
         r = self.reduced

@@ -115,12 +115,12 @@ def drive_of(system: System, model_at: Callable[[Mapping[str, float]], Model], i
     return Drive(tuple(base), pressures, forces)
 
 
-def _check_linear(loads: Loads, found: tuple[Array, Array], inputs: Inputs) -> None:
+def _check_linear(loads: Loads, linear_parts: tuple[Array, Array], inputs: Inputs) -> None:
     """Refuse inputs in which the loads are not linear, such as components of the direction of gravity."""
     values = inputs.low + np.linspace(0.2, 0.3, len(inputs.low)) * (inputs.high - inputs.low)
     one = np.concatenate([[1.0], values])
     there, dead = loads(values)
-    for got, linear in ((np.array(list(there.values())), found[0] @ one), (dead, found[1] @ one)):
+    for got, linear in ((np.array(list(there.values())), linear_parts[0] @ one), (dead, linear_parts[1] @ one)):
         if np.abs(got - linear).max(initial=0.0) > 1e-8 * np.abs(got).max(initial=1e-300):
             raise TurgorError(
                 f"the loads are not linear in the inputs {', '.join(inputs.keys)}; a reduced model needs that."

@@ -179,8 +179,8 @@ def _trials(whole: assembly.Whole, inputs: Array, y: Array, starts: Ints) -> Ite
                 continue
             rubber, *pieces = at.parts[: 1 + len(whole.pieces)]
             inverse: Array = np.linalg.inv(at.tangent())[:r, :r].astype(np.float64)
-            of_cells = inverse @ np.asarray(rubber.forces(starts)).T  # type: ignore[call-arg]
-            yield Trial(moved[:r], inverse, of_cells, np.sum([part.forces() for part in pieces], axis=0))
+            of_cells: Array = np.asarray(rubber.forces(starts)) @ inverse.T  # type: ignore[call-arg]
+            yield Trial(moved[:r], inverse, of_cells.T, np.sum([part.forces() for part in pieces], axis=0))
 
 
 def bending_form(trials: Sequence[tuple[Array, Array, Array]]) -> tuple[Sheets, float]:

@@ -129,5 +129,5 @@ def _with_neighbors(pairs: Ints, side: Ints, partners: Partners) -> Ints:
     more = more[~np.isin(side[more[:, 0]] * sides + more[:, 1], strange)]
     both = np.concatenate([pairs, more])
     _, place = np.unique(both, axis=0, return_index=True)
-    kept = both[np.sort(place)]
-    return np.asarray(kept[np.argsort(kept[:, 0], kind="stable")])
+    first = both[np.sort(place)]
+    return np.asarray(first[np.argsort(first[:, 0], kind="stable")])
