@@ -58,7 +58,7 @@ def reduced_model(model: Model, pressure: float) -> Model:
 
 
 def times(reduced: Reduced) -> np.ndarray:
-    """Milliseconds of processor time of states at random pressures, each from its nearest training state, with its displacement."""
+    """Milliseconds of processor time of states at random pressures, with their displacements."""
     out = []
     for pressure in np.random.default_rng(0).uniform(0, PRESSURE, STATES):
         start = process_time()

@@ -51,9 +51,9 @@ def _run(options: _Options) -> None:
         file = reduced.save(options.output)
         errors = reduced.held_out
         if len(errors.inputs):
+            shares = f"displacement {errors.worst:.2g} of the largest, tip {errors.tip.max():.2g} of its travel"
             typer.echo(
-                f"{len(errors.inputs)} held-out states. Largest errors: displacement {errors.worst:.2g} of the largest, "
-                f"tip {errors.tip.max():.2g} of its travel, volume {errors.volume.max():.2g} of itself."
+                f"{len(errors.inputs)} held-out states. Largest errors: {shares}, volume {errors.volume.max():.2g}."
             )
         typer.echo(f"Written to {file}.")
         answer.give(lambda: reduced_result(reduced, file))
