@@ -9,5 +9,6 @@ if TYPE_CHECKING:
     from turgor.reduced.reduce import Budget as Budget
     from turgor.reduced.states.reduced import Answer as Answer
     from turgor.reduced.states.reduced import Reduced as Reduced
+    from turgor.reduced.training.path_runs import PathRuns as PathRuns
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

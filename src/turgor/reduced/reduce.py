@@ -24,6 +24,7 @@ from turgor.reduced.training.assembly import check_reducible, drive_of
 from turgor.reduced.training.build import Built, build
 from turgor.reduced.training.compare import compared
 from turgor.reduced.training.modes import Modes
+from turgor.reduced.training.path_runs import PathRuns
 from turgor.reduced.training.trainer import Path, Trainer
 
 Array = NDArray[np.float64]
@@ -67,6 +68,7 @@ def reduce(
     *,
     budget: Budget | None = None,
     options: EngineOptions | None = None,
+    runs: PathRuns | None = None,
     say: Callable[[str], None] | None = None,
 ) -> Reduced:
     """Make a reduced model: full solves on training paths, modes of their states, sampled equations.
@@ -83,6 +85,9 @@ def reduce(
         Wanted error, paths, modes.
     options : EngineOptions, optional
         Linear solver and threads.
+    runs : PathRuns, optional
+        Folder where training paths are saved as they end, so that the same call goes on after it was killed, and
+        processes that compute them at once.
     say : callable, optional
         Receives a sentence after each path.
 
@@ -99,7 +104,7 @@ def reduce(
     box = inputs_of(model, inputs)
     variation = model_variation(model, list(box.keys))
     with use_threads(options.threads):
-        training = _Training(variation.model, box, budget, options, say or _silent)
+        training = _Training(model, variation.model, box, budget, options, runs, say or _silent)
         reduced = training.run()
     training.say(f"{reduced!r} in {perf_counter() - began:.0f} s")
     return reduced
@@ -142,10 +147,12 @@ def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs
 class _Training:
     """The training of one reduced model."""
 
+    model: Model
     model_at: Callable[[Mapping[str, float]], Model]
     box: Inputs
     budget: Budget
     options: EngineOptions
+    runs: PathRuns | None
     say: Callable[[str], None]
 
     def run(self) -> Reduced:
@@ -155,11 +162,11 @@ class _Training:
         check_reducible(system)
         trainer = Trainer(self.model_at, box, budget.steps, self.options)
         drive = drive_of(system, self.model_at, box)
-        paths = [self._path(trainer, corner, k) for k, corner in enumerate(corners(box)[: budget.paths], start=1)]
+        paths = self._paths(trainer, corners(box)[: budget.paths])
         reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
         while len(box.keys) > 1 and len(paths) < budget.paths:
             worst = self._worst(reduced, len(paths))
-            path = self._path(trainer, worst, len(paths) + 1)
+            path = self._paths(trainer, [worst])[0]
             error = compared(reduced, path, reached_only=True).worst
             self.say(f"  error there {error:.2g}")
             paths.append(path)
@@ -168,14 +175,18 @@ class _Training:
                 break
         return self._looked_at(reduced, trainer)
 
-    def _path(self, trainer: Trainer, values: Array, number: int, kind: str = "training path") -> Path:
-        path = trainer.path(values)
-        text = ", ".join(f"{key} {value:g}" for key, value in zip(self.box.keys, values, strict=True))
-        end = "" if path.reached else ", which was not reached"
-        self.say(f"{kind} {number}: {text}{end}; {len(path.inputs)} states in {path.seconds:.0f} s")
-        if not len(path.inputs):
-            raise NotSolved(f"the full model finds no equilibrium on the way to {text}.")
-        return path
+    def _paths(self, trainer: Trainer, aims: Sequence[Array], kind: str = "training path") -> list[Path]:
+        """Full solves from rest to some inputs."""
+        every = (trainer.path(aim) for aim in aims) if self.runs is None else self.runs.paths(self.model, trainer, aims)
+        paths = []
+        for aim, path in zip(aims, every, strict=True):
+            text = ", ".join(f"{key} {value:g}" for key, value in zip(self.box.keys, aim, strict=True))
+            end = "" if path.reached else ", which was not reached"
+            self.say(f"{kind}: {text}{end}; {len(path.inputs)} states in {path.seconds:.0f} s")
+            if not len(path.inputs):
+                raise NotSolved(f"the full model finds no equilibrium on the way to {text}.")
+            paths.append(path)
+        return paths
 
     def _worst(self, reduced: Reduced, seed: int) -> Array:
         """The worst of random inputs by the indicator; one that the reduced model refuses comes first."""
@@ -196,15 +207,14 @@ class _Training:
     def _looked_at(self, reduced: Reduced, trainer: Trainer) -> Reduced:
         """Compare with full solves that training never saw."""
         shares = _random(len(self.box.keys), 2**20, self.budget.held_out)
-        parts = []
-        own = replace_steps(trainer)
-        for number, share in enumerate(shares, start=1):
-            if len(self.box.keys) == 1:
-                share = 0.9 + 0.1 * share
-            path = self._path(own, self.box.low + share * (self.box.high - self.box.low), number, "held-out path")
-            parts.append(compared(reduced, path, reached_only=False))
-        if not parts:
+        if len(self.box.keys) == 1:
+            shares = 0.9 + 0.1 * shares
+        if not len(shares):
             return reduced
+        aims = list(self.box.low + shares * (self.box.high - self.box.low))
+        between = replace(trainer, steps=trainer.steps + 1)  # states lie between those of training
+        paths = self._paths(between, aims, "held-out path")
+        parts = [compared(reduced, path, reached_only=False) for path in paths]
         names = ("inputs", "displacement", "tip", "volume")
         errors = HeldOut(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
         return replace(reduced, held_out=errors)
@@ -238,11 +248,6 @@ def _random(n: int, seed: int, count: int) -> Array:
 
 def _small(modes: Modes) -> NDArray[np.float32]:
     return modes.vectors.astype(np.float32)
-
-
-def replace_steps(trainer: Trainer) -> Trainer:
-    """A trainer whose paths have other steps, so that held-out states lie between those of training."""
-    return replace(trainer, steps=trainer.steps + 1)
 
 
 def corners(box: Inputs) -> list[Array]:

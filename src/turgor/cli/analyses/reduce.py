@@ -29,6 +29,10 @@ class _Options:
     error: Annotated[float, typer.Option(help="Wanted error of displacements, over the largest.")] = 0.005
     paths: Annotated[int, typer.Option(help="Training paths at most.", min=1)] = 24
     held_out: Annotated[int, typer.Option("--held-out", help="Paths of full solves kept from training.", min=0)] = 2
+    folder: Annotated[
+        Path | None, typer.Option(help="Where training paths are saved; the same call goes on.", show_default=False)
+    ] = None
+    processes: Annotated[int, typer.Option(help="Processes at once; more than one needs --folder.", min=1)] = 1
     force: Annotated[bool, typer.Option("--force", help="Replace the file.")] = False
     changes: Changes = None
     as_json: Json = False
@@ -39,15 +43,20 @@ def _run(options: _Options) -> None:
     """Train a reduced model of a job: it answers in milliseconds, with its error."""
     with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.answers.reduced import reduced_result
+        from turgor.foundation.errors import TurgorError
         from turgor.job.prepare import prepare
         from turgor.reduced.reduce import Budget, reduce
+        from turgor.reduced.training.path_runs import PathRuns
 
         check_new(options.output, options.force, "--output")
         ranges = dict(_range(text) for text in options.along or ())
         model, findings = prepare(requested_job(options.job, options.changes))
         answer.warn(findings)
         budget = Budget(error=options.error, paths=options.paths, held_out=options.held_out)
-        reduced = reduce(model, ranges, budget=budget, say=typer.echo)
+        if options.folder is None and options.processes > 1:
+            raise TurgorError(f"--processes is {options.processes}, and more than one needs --folder.")
+        runs = None if options.folder is None else PathRuns(options.folder, options.processes)
+        reduced = reduce(model, ranges, budget=budget, runs=runs, say=typer.echo)
         file = reduced.save(options.output)
         errors = reduced.held_out
         if len(errors.inputs):
