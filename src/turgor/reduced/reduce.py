@@ -46,6 +46,11 @@ class Budget:
         Displacement modes at most.
     steps : int
         Steps of a path at least.
+
+    Examples
+    --------
+    >>> Budget(error=0.01, paths=8).modes
+    14
     """
 
     error: float = 0.005

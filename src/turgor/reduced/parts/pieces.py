@@ -1,6 +1,6 @@
 """Pieces: parts of terms that are no polynomials, such as the bending of shells, on some sides or edges."""
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -10,9 +10,6 @@ from turgor.core.engine.term import Configuration, Term
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: The field of a term that holds the size of each piece, by which weights multiply.
-_SIZES = ("areas", "lengths")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,22 +39,6 @@ class Pieces:
         rows = (3 * flat[:, None] + np.arange(3)).ravel()
         return Pieces(own, points[flat], np.ascontiguousarray(vectors[rows]))
 
-    def chosen(self, which: Ints, factors: Array) -> "Pieces":
-        """Some of the pieces, their sizes multiplied by factors."""
-        count, each = self.term.nodes.shape
-        changed: dict[str, Any] = {}
-        for one in fields(self.term):
-            value = getattr(self.term, one.name)
-            if isinstance(value, np.ndarray) and len(value) == count and one.name != "moduli":
-                value = np.ascontiguousarray(value[which])
-                if one.name in _SIZES:
-                    value = value * factors.reshape(-1, *[1] * (value.ndim - 1))
-                changed[one.name] = value
-        changed["nodes"] = np.arange(len(which) * each).reshape(-1, each)
-        rows = (each * which[:, None] + np.arange(each)).ravel()
-        modes = self.modes.reshape(count * each, -1)[rows].reshape(len(rows) * 3, -1)
-        return Pieces(replace(self.term, **changed), self.rest[rows], np.ascontiguousarray(modes))
-
     def at(self, q: Array) -> "PiecesAt":
         """Evaluate at coordinates (r,)."""
         return PiecesAt(self, self.rest + (self.modes @ q).reshape(-1, 3))
@@ -69,13 +50,6 @@ class PiecesAt:
 
     pieces: Pieces
     position: Array
-
-    def by_group(self) -> Array:
-        """Forces (k, r) of every piece."""
-        out = np.zeros_like(self.position)
-        self.pieces.term.add_forces(out, Configuration(self.position))
-        count = len(self.pieces.term.nodes)
-        return (out.reshape(count, 1, -1) @ self.pieces.modes.reshape(count, out.size // count, -1))[:, 0]
 
     def forces(self) -> Array:
         """Forces (r,)."""
