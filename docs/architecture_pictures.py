@@ -22,7 +22,7 @@ ROOMS = (
     "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views", "accuracy.gradients",
     "accuracy.adaptivity", "accuracy.measure", "accuracy.laboratory", "job", "studies.runs", "studies.calibration",
     "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization", "studies.study_file",
-    "cli",
+    "reduced", "cli",
 )  # fmt: skip
 
 #: The wings above the core in the first picture: two rows, from below.
@@ -32,6 +32,7 @@ WINGS = {
     "accuracy": "mesh error, gradients",
     "job": "one run as a TOML file",
     "studies": "many runs, and their use",
+    "reduced": "answers in milliseconds",
     "cli": "one command, one file",
 }
 

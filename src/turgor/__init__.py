@@ -81,10 +81,12 @@ if TYPE_CHECKING:
     from turgor.namespaces import measures as measures
     from turgor.namespaces import obstacles as obstacles
     from turgor.namespaces import pictures as pictures
+    from turgor.namespaces import real_time as real_time
     from turgor.namespaces import rods as rods
     from turgor.namespaces import sections as sections
     from turgor.namespaces import solutions as solutions
     from turgor.namespaces import supports as supports
+    from turgor.reduced.reduce import reduce as reduce
     from turgor.studies.optimization.optimize import optimize as optimize
     from turgor.studies.runs.sweep import sweep as sweep
     from turgor.views.pictures.picture import picture as picture

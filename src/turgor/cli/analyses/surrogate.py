@@ -86,7 +86,10 @@ surrogate_command = command_of(_Options, _fit)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _PredictOptions:
-    file: Annotated[Path, typer.Argument(metavar="SURROGATE", help="File of 'turgor surrogate'.", show_default=False)]
+    file: Annotated[
+        Path,
+        typer.Argument(metavar="SURROGATE", help="File of 'turgor surrogate' or 'turgor reduce'.", show_default=False),
+    ]
     at: Annotated[
         list[str] | None,
         often("--at", "NAME=VALUE", "Value of a factor, such as pressure='30 kPa'; as often as needed."),
@@ -107,12 +110,15 @@ class _PredictOptions:
 
 
 def _predict(options: _PredictOptions) -> None:
-    """Print what a surrogate predicts for values of its factors, or which values give the target measures."""
+    """Print what a surrogate or a reduced model predicts, or which values give the target measures."""
     with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.analyses.given_study import values_given
+        from turgor.cli.analyses.reduce import say_prediction
         from turgor.foundation.errors import TurgorError
         from turgor.studies.surrogates.surrogate import Surrogate
 
+        if options.file.suffix == ".reduced":
+            say_prediction(options.file, options.at or (), answer)
         fitted = Surrogate.load(options.file)
         at = values_given(options.at, fitted.factors, "--at")
         if options.want:

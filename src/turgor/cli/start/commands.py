@@ -28,6 +28,7 @@ COMMANDS: Mapping[str, str] = {
     "sensitivity": "analyses.sensitivity.sensitivity_command",
     "surrogate": "analyses.surrogate.surrogate_command",
     "predict": "analyses.surrogate.predict_command",
+    "reduce": "analyses.reduce.reduce_command",
     "inspect": "inspect.inspect_command",
     "fit": "fitting.fit.fit_command",
     "export": "export.export_command",

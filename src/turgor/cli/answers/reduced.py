@@ -1,0 +1,91 @@
+"""Results of ``turgor reduce`` and of ``turgor predict`` with a reduced model, for programs."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from turgor.reduced.states.reduced import Answer, Reduced
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ReducedResult:
+    """``turgor reduce``: the reduced model, in SI units.
+
+    Parameters
+    ----------
+    inputs : list of tables
+        ``key``, ``low`` and ``high`` of each input.
+    modes, mean_stress_modes : int
+    counts : table
+        Sampled cells, points of contact, training paths.
+    held_out : table
+        ``states``, and the largest errors ``displacement``, ``tip`` and ``volume`` there.
+    file : str
+    """
+
+    inputs: list[dict[str, Any]]
+    modes: int
+    mean_stress_modes: int
+    counts: Mapping[str, int]
+    held_out: dict[str, float]
+    file: Path
+
+
+def reduced_result(reduced: "Reduced", file: Path) -> ReducedResult:
+    """Make the result of a reduction."""
+    errors, box = reduced.held_out, reduced.inputs
+    largest = {name: float(getattr(errors, name).max(initial=0.0)) for name in ("displacement", "tip", "volume")}
+    return ReducedResult(
+        inputs=[
+            {"key": key, "low": float(low), "high": float(high)}
+            for key, low, high in zip(box.keys, box.low, box.high, strict=True)
+        ],
+        modes=reduced.equations.sizes[0],
+        mean_stress_modes=reduced.equations.sizes[1],
+        counts=dict(reduced.counts),
+        held_out={"states": len(errors.inputs)} | largest,
+        file=file,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ReducedAnswer:
+    """``turgor predict`` with a reduced model, in SI units.
+
+    Parameters
+    ----------
+    inputs : table
+    volumes : table
+        Of every pressed cavity.
+    volume_rates : table
+        Their derivatives by the inputs, in order.
+    tip : list of float
+        Mean displacement of the tip.
+    tip_rates : list of lists
+        Its derivatives by the inputs.
+    held_out_error, indicator : float
+        Largest held-out error of the reduced model, and what other sampled points change here.
+    """
+
+    inputs: Mapping[str, float]
+    volumes: Mapping[str, float]
+    volume_rates: Mapping[str, Sequence[float]]
+    tip: Sequence[float]
+    tip_rates: Sequence[Sequence[float]]
+    held_out_error: float
+    indicator: float
+
+
+def answer_result(result: "Answer") -> ReducedAnswer:
+    """Make the result of an answer."""
+    return ReducedAnswer(
+        inputs=dict(zip(result.reduced.inputs.keys, result.inputs.tolist(), strict=True)),
+        volumes=result.volumes,
+        volume_rates={face: rates.tolist() for face, rates in result.volume_rates.items()},
+        tip=result.tip.tolist(),
+        tip_rates=result.tip_rates.tolist(),
+        held_out_error=result.reduced.held_out.worst,
+        indicator=result.indicator,
+    )

@@ -1,0 +1,14 @@
+"""Reduced models: what `turgor.reduce` makes, its budget, and paths of its answers."""
+
+from typing import TYPE_CHECKING
+
+from turgor.foundation.lazy_names import public
+
+if TYPE_CHECKING:
+    from turgor.reduced.path import solution_of as solution_of
+    from turgor.reduced.reduce import Budget as Budget
+    from turgor.reduced.states.reduced import Answer as Answer
+    from turgor.reduced.states.reduced import Reduced as Reduced
+    from turgor.reduced.training.path_runs import PathRuns as PathRuns
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -1,0 +1,1 @@
+"""Reduced models: an actuator that answers in milliseconds, from modes of full solves."""

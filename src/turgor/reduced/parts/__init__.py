@@ -1,0 +1,1 @@
+"""Parts of the equations of a reduced model: sampled rubber, polynomials, contact."""

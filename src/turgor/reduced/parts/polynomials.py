@@ -1,0 +1,108 @@
+"""Polynomials of the reduced coordinates: volumes of cavities, the volume constraint, Hooke's sheets.
+
+Positions are linear in the coordinates q, so with q̂ = (1, q) a volume is the cubic Σ Tᵢⱼₖ q̂ᵢ q̂ⱼ q̂ₖ, and so is
+∫ ψ (J − 1) dV for each mode ψ of the mean stress. The strain of a sheet is quadratic, its energy quartic: half a
+quadratic form of the products q̂ᵢ q̂ⱼ.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cubics:
+    """Cubic polynomials.
+
+    Parameters
+    ----------
+    forms : (k, R, R, R) array
+        Symmetric coefficients, R one more than there are coordinates.
+    """
+
+    forms: Array
+
+    def at(self, q: Array) -> "CubicsAt":
+        """Values and derivatives at coordinates (r,)."""
+        one = np.concatenate([[1.0], q])
+        k, R = self.forms.shape[:2]
+        twice = (self.forms.reshape(-1, R) @ one).reshape(k, R, R)
+        once = twice @ one
+        return CubicsAt(once @ one, 3.0 * once[:, 1:], twice)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CubicsAt:
+    """Values (k,) and gradients (k, r) of cubic polynomials, and what their Hessians follow from."""
+
+    values: Array
+    gradients: Array
+    twice: Array
+
+    def hessian(self, factors: Array) -> Array:
+        """Σ factorₖ times the Hessian of polynomial k, (r, r)."""
+        return 6.0 * np.tensordot(factors, self.twice[:, 1:, 1:], 1)
+
+
+@dataclass(frozen=True, eq=False)
+class Sheets:
+    """Energy ½ zᵀ D z of sheets, z the products q̂ᵢ q̂ⱼ with i ≤ j.
+
+    Parameters
+    ----------
+    form : (n, n) array
+        D.
+    size : int
+        R, one more than there are coordinates.
+    """
+
+    form: Array
+    size: int
+
+    def at(self, q: Array) -> "SheetsAt":
+        """Stress and its derivatives at coordinates (r,)."""
+        i, j = self.pairs
+        one = np.concatenate([[1.0], q])
+        slopes = np.zeros((len(i), self.size))
+        slopes[np.arange(len(i)), i] += one[j]
+        slopes[np.arange(len(i)), j] += one[i]
+        stress = self.form @ (one[i] * one[j])
+        return SheetsAt(self, one, stress, np.ascontiguousarray(slopes[:, 1:]))
+
+    @cached_property
+    def pairs(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Which i and j each product has."""
+        return np.triu_indices(self.size)
+
+    def full(self, stress: Array) -> Array:
+        """Symmetric (R, R) matrix Σ whose quadratic form q̂ᵀ Σ q̂ is zᵀ stress."""
+        out = np.zeros((self.size, self.size))
+        out[self.pairs] = stress
+        return 0.5 * (out + out.T)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SheetsAt:
+    """Sheets at coordinates: q̂, the stress D z, and the slopes ∂z/∂q."""
+
+    sheets: Sheets
+    one: Array
+    stress: Array
+    slopes: Array
+
+    def forces(self) -> Array:
+        """Forces (r,)."""
+        return self.stress @ self.slopes
+
+    def tangent(self, geometric: Array | None) -> Array:
+        """Tangent (r, r), with the stress (n,) in its geometric part where it is given."""
+        stress = self.stress if geometric is None else geometric
+        return self.slopes.T @ (self.sheets.form @ self.slopes) + 2.0 * self.sheets.full(stress)[1:, 1:]
+
+    def linearized(self, update: Array) -> Array:
+        """Stress (n,) linearized for an update (r,)."""
+        return self.stress + self.sheets.form @ (self.slopes @ update)

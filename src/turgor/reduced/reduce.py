@@ -1,0 +1,265 @@
+"""reduce: make a reduced model from full solves."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import qmc
+
+from turgor.accuracy.gradients.model_keys import model_variation
+from turgor.core.engine.faces import surfaces
+from turgor.core.engine.runtime import EngineOptions, use_threads
+from turgor.core.engine.system import System
+from turgor.core.model.history import RAMP
+from turgor.core.model.model import Model
+from turgor.core.results.fields.state_fields import MeshFacts
+from turgor.foundation.errors import NotSolved, TurgorError
+from turgor.reduced.settings import TRAINING
+from turgor.reduced.states.held_out import HeldOut
+from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.states.reduced import Reduced
+from turgor.reduced.training.assembly import check_reducible, drive_of
+from turgor.reduced.training.build import Built, build
+from turgor.reduced.training.compare import compared
+from turgor.reduced.training.modes import Modes
+from turgor.reduced.training.path_runs import PathRuns
+from turgor.reduced.training.trainer import Path, Trainer
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Budget:
+    """What a reduced model may cost.
+
+    Parameters
+    ----------
+    error : float [-]
+        Wanted error of the displacement, over the largest.
+    paths : int
+        Training paths at most.
+    held_out : int
+        Paths of full solves that are kept from training.
+    modes : int
+        Displacement modes at most.
+    steps : int
+        Steps of a path at least.
+
+    Examples
+    --------
+    >>> Budget(error=0.01, paths=8).modes
+    14
+    """
+
+    error: float = 0.005
+    paths: int = 24
+    held_out: int = 2
+    modes: int = TRAINING.modes
+    steps: int = TRAINING.steps
+
+    def __post_init__(self) -> None:
+        for name in ("paths", "modes", "steps"):
+            if getattr(self, name) < 1:
+                raise TurgorError(f"{name} of a reduced model is {getattr(self, name)}; allowed is 1 or more.")
+        if not 0 < self.error < 1:
+            raise TurgorError(f"error of a reduced model is {self.error:g}; allowed is more than 0 and less than 1.")
+
+
+def reduce(
+    model: Model,
+    inputs: Mapping[str, tuple[float, float]],
+    *,
+    budget: Budget | None = None,
+    options: EngineOptions | None = None,
+    runs: PathRuns | None = None,
+    say: Callable[[str], None] | None = None,
+) -> Reduced:
+    """Make a reduced model: full solves on training paths, modes of their states, sampled equations.
+
+    Training begins at the corners of the box of inputs, goes on with the random inputs at which the indicator of the
+    reduced model is worst, and ends when the error at such inputs is below the wanted one, or with the budget.
+
+    Parameters
+    ----------
+    model : Model
+    inputs : mapping of str to (float, float) [SI]
+        Range of each input by its key, as in `gradient`: ``{"loads.pressure": (0, 20e3)}``.
+    budget : Budget, optional
+        Wanted error, paths, modes.
+    options : EngineOptions, optional
+        Linear solver and threads.
+    runs : PathRuns, optional
+        Folder where training paths are saved as they end, so that the same call goes on after it was killed, and
+        processes that compute them at once.
+    say : callable, optional
+        Receives a sentence after each path.
+
+    Returns
+    -------
+    Reduced
+
+    Raises
+    ------
+    TurgorError
+        If the model has something that reduced models leave out, or a key is unknown or no load.
+    """
+    began, budget, options = perf_counter(), budget or Budget(), options or EngineOptions()
+    box = inputs_of(model, inputs)
+    variation = model_variation(model, list(box.keys))
+    with use_threads(options.threads):
+        training = _Training(model, variation.model, box, budget, options, runs, say or _silent)
+        reduced = training.run()
+    training.say(f"{reduced!r} in {perf_counter() - began:.0f} s")
+    return reduced
+
+
+def _silent(text: str) -> None:
+    pass
+
+
+def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs:
+    """Check the ranges of the inputs of a model.
+
+    Parameters
+    ----------
+    model : Model
+    ranges : mapping of str to (float, float)
+
+    Returns
+    -------
+    Inputs
+    """
+    if not ranges:
+        raise TurgorError("a reduced model needs an input, such as 'loads.pressure' with its range.")
+    variation = model_variation(model, list(ranges))
+    for key, (low, high) in ranges.items():
+        if not key.startswith("loads."):
+            raise TurgorError(
+                f"the input '{key}' is no load; inputs of a reduced model are loads, such as 'loads.pressure'."
+            )
+        if not low < high:
+            raise TurgorError(f"the range of '{key}' is {low:g} to {high:g}; its end must exceed its beginning.")
+    for load in model.loads:
+        if load.history != RAMP:
+            raise TurgorError(f"reduced models have no histories of loads; {load.label} has one.")
+    low, high = np.array(list(ranges.values()), dtype=np.float64).T
+    return Inputs(tuple(ranges), low, high, tuple(variation.units.get(key, "") for key in ranges))
+
+
+@dataclass(frozen=True, slots=True)
+class _Training:
+    """The training of one reduced model."""
+
+    model: Model
+    model_at: Callable[[Mapping[str, float]], Model]
+    box: Inputs
+    budget: Budget
+    options: EngineOptions
+    runs: PathRuns | None
+    say: Callable[[str], None]
+
+    def run(self) -> Reduced:
+        """Train from the corners on, then with the worst of random inputs, then look at inputs kept from training."""
+        box, budget = self.box, self.budget
+        system = System(self.model_at(dict(zip(box.keys, box.high.tolist(), strict=True))))
+        check_reducible(system)
+        trainer = Trainer(self.model_at, box, budget.steps, self.options)
+        drive = drive_of(system, self.model_at, box)
+        paths = self._paths(trainer, corners(box)[: budget.paths])
+        reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
+        while len(box.keys) > 1 and len(paths) < budget.paths:
+            worst = self._worst(reduced, len(paths))
+            path = self._paths(trainer, [worst])[0]
+            error = compared(reduced, path, reached_only=True).worst
+            self.say(f"  error there {error:.2g}")
+            paths.append(path)
+            reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
+            if error <= budget.error:
+                break
+        return self._looked_at(reduced, trainer)
+
+    def _paths(self, trainer: Trainer, aims: Sequence[Array], kind: str = "training path") -> list[Path]:
+        """Full solves from rest to some inputs."""
+        every = (trainer.path(aim) for aim in aims) if self.runs is None else self.runs.paths(self.model, trainer, aims)
+        paths = []
+        for aim, path in zip(aims, every, strict=True):
+            text = ", ".join(f"{key} {value:g}" for key, value in zip(self.box.keys, aim, strict=True))
+            end = "" if path.reached else ", which was not reached"
+            self.say(f"{kind}: {text}{end}; {len(path.inputs)} states in {path.seconds:.0f} s")
+            if not len(path.inputs):
+                raise NotSolved(f"the full model finds no equilibrium on the way to {text}.")
+            paths.append(path)
+        return paths
+
+    def _worst(self, reduced: Reduced, seed: int) -> Array:
+        """The worst of random inputs by the indicator; one that the reduced model refuses comes first."""
+        shares = _random(len(self.box.keys), seed, TRAINING.candidates)
+        worst, place = -1.0, np.zeros(0)
+        trained = self.box.scaled(reduced.trained_inputs[:, 1:])
+        for share in shares:
+            values = self.box.low + share * (self.box.high - self.box.low)
+            try:
+                indicator = reduced.at(values).indicator
+            except NotSolved:
+                return values
+            distance = float(np.linalg.norm(trained - share, axis=1).min())
+            if indicator * distance > worst:
+                worst, place = indicator * distance, values
+        return place
+
+    def _looked_at(self, reduced: Reduced, trainer: Trainer) -> Reduced:
+        """Compare with full solves that training never saw."""
+        shares = _random(len(self.box.keys), 2**20, self.budget.held_out)
+        if len(self.box.keys) == 1:
+            shares = 0.9 + 0.1 * shares
+        if not len(shares):
+            return reduced
+        aims = list(self.box.low + shares * (self.box.high - self.box.low))
+        between = replace(trainer, steps=trainer.steps + 1)  # states lie between those of training
+        paths = self._paths(between, aims, "held-out path")
+        parts = [compared(reduced, path, reached_only=False) for path in paths]
+        names = ("inputs", "displacement", "tip", "volume")
+        errors = HeldOut(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
+        return replace(reduced, held_out=errors)
+
+    def _reduced(self, system: System, built: Built, paths: Sequence[Path]) -> Reduced:
+        """Collect what answers need."""
+        mesh = system.model.mesh
+        tip = np.zeros((3, built.modes.vectors.shape[1]))
+        if "tip" in mesh.faces:
+            weights = surfaces.nodal_weights(mesh.points, mesh.face("tip"))
+            modes = built.modes.vectors.reshape(system.node_count, 3, -1)[: len(weights)]
+            mean = np.einsum("n,nir->ri", weights / weights.sum(), modes)
+            tip = MeshFacts(mesh).of_whole(mean).T
+        nothing = np.zeros(0)
+        return Reduced(
+            model=system.model, inputs=self.box, equations=built.equations, checks=built.checks,
+            modes=_small(built.modes)[: 3 * len(mesh.points)], stresses=_small(built.stresses),
+            scales=(system.length, system.stress_scale), faces=built.faces, tip=tip,
+            trained_inputs=built.inputs, trained=built.y, wanted=self.budget.error,
+            penalties=tuple(part.penalty_scale.astype(np.float32) for part in system.contact.parts),
+            counts=built.counts | {"training paths": len(paths)},
+            held_out=HeldOut(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing),
+        )  # fmt: skip
+
+
+def _random(n: int, seed: int, count: int) -> Array:
+    """Shares (count, n) of ranges that cover the box evenly."""
+    power = int(np.ceil(np.log2(max(count, 1))))
+    return np.asarray(qmc.Sobol(n, seed=seed).random_base2(power))[:count]
+
+
+def _small(modes: Modes) -> NDArray[np.float32]:
+    return modes.vectors.astype(np.float32)
+
+
+def corners(box: Inputs) -> list[Array]:
+    """Corners of the box of inputs but the one at rest, the one with the largest values first."""
+    n = len(box.keys)
+    shares = np.array(np.meshgrid(*[[1.0, 0.0]] * n, indexing="ij")).reshape(n, -1).T if n <= 3 else None
+    if shares is None:
+        shares = np.vstack([np.ones(n), _random(n, 0, 2 * n)])
+    values = box.low + shares * (box.high - box.low)
+    return [value for value in values if np.abs(value).max() > 0]

@@ -1,0 +1,1 @@
+"""A reduced model: its equations, Newton's method, answers."""

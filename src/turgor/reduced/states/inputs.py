@@ -1,0 +1,72 @@
+"""Inputs: the numbers of a model that a reduced model takes, their ranges, and how loads follow from them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.foundation.errors import TurgorError, unknown
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Inputs:
+    """Inputs of a reduced model.
+
+    Parameters
+    ----------
+    keys : tuple of str
+        Keys of the model's numbers, as in `turgor.gradient`: ``"loads.pressure"``, ``"loads.tip.force.3"``.
+    low, high : (n,) arrays [SI]
+        Range that was trained.
+    units : tuple of str
+        Units in which they are shown; empty for SI.
+    """
+
+    keys: tuple[str, ...]
+    low: Array
+    high: Array
+    units: tuple[str, ...]
+
+    def vector(self, values: Mapping[str, float]) -> Array:
+        """Values by key as a vector (n,) in order; a key may be its end, such as ``"pressure"``.
+
+        Raises
+        ------
+        TurgorError
+            If a key is unknown or missing, or a value lies outside of the trained range.
+        """
+        out = np.full(len(self.keys), np.nan)
+        for name, value in values.items():
+            out[self.place(name)] = value
+        for key, value, low, high in zip(self.keys, out, self.low, self.high, strict=True):
+            if np.isnan(value):
+                raise TurgorError(f"the input '{key}' has no value; one between {low:g} and {high:g} is needed.")
+        self.check(out)
+        return out
+
+    def place(self, name: str) -> int:
+        """Place of an input by its key or the end of its key."""
+        ends = [place for place, key in enumerate(self.keys) if key == name or key.endswith(f".{name}")]
+        if len(ends) != 1:
+            raise unknown("input", name, self.keys)
+        return ends[0]
+
+    def check(self, vector: Array) -> None:
+        """Refuse values outside of the trained range."""
+        for place in self.outside(vector):
+            raise TurgorError(
+                f"the input '{self.keys[place]}' is {vector[place]:g}, outside of the trained range from "
+                f"{self.low[place]:g} to {self.high[place]:g} [SI]."
+            )
+
+    def outside(self, vector: Array) -> list[int]:
+        """Places of the values outside of the trained range; round-off does not count."""
+        slack = 1e-9 * (self.high - self.low)
+        return [int(place) for place in np.flatnonzero((vector < self.low - slack) | (vector > self.high + slack))]
+
+    def scaled(self, vectors: Array) -> Array:
+        """Values as shares of the ranges."""
+        return np.asarray((vectors - self.low) / (self.high - self.low))

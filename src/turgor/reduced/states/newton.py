@@ -1,0 +1,114 @@
+"""Newton's method in reduced coordinates: linearized stresses, damping by the natural norm, substeps."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.reduced.settings import NEWTON
+from turgor.reduced.states.equations import Equations, EquationsAt
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Balance:
+    """An equilibrium of the reduced equations.
+
+    Parameters
+    ----------
+    at : EquationsAt
+    inverse : (r + m, r + m) array
+        Of the tangent there, or of that of the last update.
+    iterations : int
+        Updates of all substeps.
+    """
+
+    at: EquationsAt
+    inverse: Array
+    iterations: int
+
+
+def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Balance | int:
+    """Solve for inputs from a start; return the number of updates in vain where nothing is found.
+
+    The geometric stiffness has stresses linearized for the last update (Magisano, Leonetti and Garcea 2017, doi
+    10.1016/j.cma.2016.10.023). Sheets make a narrow curved valley, across which every update overshoots: so whole
+    updates are taken, and shortened only where a point would be turned inside out or the update is too long.
+
+    Parameters
+    ----------
+    equations : Equations
+    start : (r + m,) array
+    inputs : (n,) array
+    size : float
+        Size of trained coordinates.
+
+    Returns
+    -------
+    Balance or int
+    """
+    at = equations.at(start, inputs)
+    geometric, r = None, equations.sizes[0]
+    for iteration in range(1, NEWTON.iterations + 1):
+        if at is None:
+            return iteration - 1
+        try:
+            inverse: Array = np.linalg.inv(at.tangent(geometric)).astype(np.float64)
+        except np.linalg.LinAlgError:
+            return iteration
+        update = -(inverse @ at.residual)
+        change = float(np.linalg.norm(update[:r]))
+        if not np.isfinite(change):
+            return iteration
+        length = min(1.0, NEWTON.longest * size / max(change, 1e-300))
+        length, new = _inside(equations, at, length, update)
+        geometric = at.linearized(length * update)
+        at = new
+        if length == 1.0 and change <= NEWTON.tolerance * size and at is not None:
+            return Balance(at, inverse, iteration)
+    return NEWTON.iterations
+
+
+def _inside(equations: Equations, at: EquationsAt, length: float, update: Array) -> tuple[float, EquationsAt | None]:
+    """Shorten an update until no point is turned inside out: its length, and the place."""
+    while length >= NEWTON.shortest:
+        new = equations.at(at.y + length * update, at.inputs)
+        if new is not None:
+            return length, new
+        length *= 0.5
+    return length, None
+
+
+def follow(equations: Equations, start: Array, way: tuple[Array, Array], size: float) -> Balance | int:
+    """Solve at the end of a straight way of inputs from an equilibrium at its beginning, in substeps where needed.
+
+    Parameters
+    ----------
+    equations : Equations
+    start : (r + m,) array
+        The equilibrium.
+    way : ((n,), (n,)) arrays
+        Inputs at the beginning and at the end.
+    size : float
+
+    Returns
+    -------
+    Balance or int
+        Number of updates in vain where nothing was found.
+    """
+    begin, end = way
+    done, share, y, count = 0.0, 1.0, start, 0
+    while True:
+        aim = min(1.0, done + share)
+        result = newton(equations, y, begin + aim * (end - begin), size)
+        if isinstance(result, int):
+            count += result
+            share *= 0.5
+            if share < 0.5**NEWTON.substeps:
+                return count
+            continue
+        count += result.iterations
+        if aim == 1.0:
+            return Balance(result.at, result.inverse, count)
+        done, y, share = aim, result.at.y, 2.0 * share

@@ -1,0 +1,280 @@
+"""Reduced: a model in a few coordinates, which answers in milliseconds."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.model.model import Model
+from turgor.foundation.display import Shown
+from turgor.foundation.errors import NotSolved, TurgorError
+from turgor.foundation.store.archive import Content, write_archive
+from turgor.foundation.store.codec import Encoder
+from turgor.foundation.store.saved_objects import Saved
+from turgor.reduced.settings import NEWTON
+from turgor.reduced.states.equations import Equations, Part
+from turgor.reduced.states.held_out import HeldOut
+from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.states.newton import Balance, follow, newton
+from turgor.reduced.states.spline import Spline
+
+if TYPE_CHECKING:
+    from turgor.core.solvers.solution import State
+
+Array = NDArray[np.float64]
+Small = NDArray[np.float32]
+
+#: Ending of the files.
+ENDING = ".reduced"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reduced(Saved, Shown):
+    """A model in the coordinates of a few modes.
+
+    Parameters
+    ----------
+    model : Model
+        The full one.
+    inputs : Inputs
+        What varies, in which range.
+    equations : Equations
+        Sampled.
+    checks : tuple of Part
+        The sampled parts at other points, for an indicator of the error.
+    modes, stresses : (3 nodes, r), (m, k) float32 arrays
+        Modes of scaled displacement and mean stress.
+    scales : (float, float)
+        Length [m] and stress [Pa].
+    faces : tuple of str
+        Cavities and other faces under pressure.
+    tip : (3, r) array
+        Scaled mean displacement of the face ``tip`` of the modes; zeros without one.
+    trained_inputs, trained : (t, 1 + n), (t, r + k) arrays
+        Training states: share of the loads that are no inputs, inputs, coordinates.
+    penalties : tuple of float32 arrays
+        Factors on the penalty of each part of contact.
+    counts : mapping of str to int
+        Sampled cells, points of contact, full solves.
+    wanted : float [-]
+        Error that was requested, of the displacement over its largest.
+    held_out : HeldOut
+    """
+
+    model: Model
+    inputs: Inputs
+    equations: Equations
+    checks: tuple[Part, ...]
+    modes: Small
+    stresses: Small
+    scales: tuple[float, float]
+    faces: tuple[str, ...]
+    tip: Array
+    trained_inputs: Array
+    trained: Array
+    penalties: tuple[Small, ...] = ()
+    counts: Mapping[str, int] = field(default_factory=dict)
+    wanted: float = 0.005
+    held_out: HeldOut
+
+    def __repr__(self) -> str:
+        r, m = self.equations.sizes
+        counts = ", ".join(f"{count} {name}" for name, count in self.counts.items())
+        error = f"held-out error {self.held_out.worst:.2g}" if len(self.held_out.inputs) else "nothing held out"
+        return f"Reduced('{self.model.mesh.name}', {', '.join(self.inputs.keys)}; {r} + {m} modes, {counts}; {error})"
+
+    def solve(self, values: Mapping[str, float] | float, *, start: "Answer | None" = None) -> "Answer":
+        """Find the equilibrium at values of the inputs.
+
+        Parameters
+        ----------
+        values : mapping of str to float [SI], or float
+            By the keys of the inputs, or the ends of the keys: ``{"pressure": 10e3}``. A number where there is one
+            input.
+        start : Answer, optional
+            One to go on from, such as the last of a loop; by default the nearest training state.
+
+        Returns
+        -------
+        Answer
+
+        Raises
+        ------
+        TurgorError
+            If an input is unknown or outside of the trained range.
+        NotSolved
+            If no equilibrium was found.
+        """
+        given = values if isinstance(values, Mapping) else {self._only_input: values}
+        return self.at(self.inputs.vector(given), start)
+
+    def solve_all(self, table: Iterable[Mapping[str, float] | float]) -> "list[Answer]":
+        """Find the equilibria at many values of the inputs, each from the nearest training state."""
+        return [self.solve(values) for values in table]
+
+    @property
+    def _only_input(self) -> str:
+        if len(self.inputs.keys) != 1:
+            raise TurgorError(
+                f"there are {len(self.inputs.keys)} inputs, {', '.join(self.inputs.keys)}; name each with its value."
+            )
+        return self.inputs.keys[0]
+
+    def at(self, vector: Array, start: "Answer | None" = None) -> "Answer":
+        """Find the equilibrium at inputs (n,) in order; see `solve`."""
+        aim, vain = np.concatenate([[1.0], vector]), 0
+        if start is None:
+            result = newton(self.equations, self._spline.at(aim * self._weights), aim, self._size)
+            if isinstance(result, Balance):
+                return Answer.of(self, result, vain)
+            vain += result
+        for begin, y in self._starts(aim, start):
+            result = follow(self.equations, y, (begin, aim), self._size)
+            if isinstance(result, Balance):
+                return Answer.of(self, result, vain)
+            vain += result
+        text = ", ".join(f"{key} = {value:g}" for key, value in zip(self.inputs.keys, vector, strict=True))
+        raise NotSolved(
+            f"the reduced model finds no equilibrium at {text} [SI] within {vain} updates; train it more densely."
+        )
+
+    def _starts(self, aim: Array, start: "Answer | None") -> Iterable[tuple[Array, Array]]:
+        if start is not None:
+            yield np.concatenate([[1.0], start.inputs]), start.y
+        away = (self.trained_inputs - aim) * self._weights
+        for place in np.argsort((away**2).sum(axis=1), kind="stable")[: NEWTON.starts]:
+            yield self.trained_inputs[place], self.trained[place]
+
+    @cached_property
+    def _weights(self) -> Array:
+        """Weights of the distance to training states; the share counts where loads are no inputs."""
+        fixed = bool(self.equations.pressures[:, 0].any() or self.equations.forces[:, 0].any())
+        return np.concatenate([[1.0 if fixed else 0.0], 1.0 / (self.inputs.high - self.inputs.low)])
+
+    @cached_property
+    def _spline(self) -> Spline:
+        """Training states as a smooth function of the inputs."""
+        return Spline.through(self.trained_inputs * self._weights, self.trained)
+
+    @cached_property
+    def _size(self) -> float:
+        return float(np.linalg.norm(self.trained[:, : self.equations.sizes[0]], axis=1).max())
+
+    @property
+    def size(self) -> float:
+        """Largest size of trained coordinates of the displacement."""
+        return self._size
+
+    def save(self, file: str | Path) -> Path:
+        """Save it to a file, which holds numbers, text and arrays, no code; the ending ``.reduced`` is added."""
+        path = Path(file)
+        path = path if path.suffix == ENDING else path.with_name(path.name + ENDING)
+        encoder = Encoder()
+        write_archive(path, Content("Reduced", encoder.encode(self, "Reduced"), encoder.arrays))
+        return path
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Answer(Shown):
+    """An equilibrium of a reduced model.
+
+    Parameters
+    ----------
+    reduced : Reduced
+    inputs : (n,) array [SI]
+    y : (r + m,) array
+        Coordinates of displacement and mean stress.
+    rates : (r + m, n) array
+        Their derivatives by the inputs.
+    indicator : float [-]
+        How far the coordinates move with other sampled points, over the largest that were trained: a share of the
+        error that the sampling makes.
+    iterations : int
+        Newton updates.
+    """
+
+    reduced: Reduced
+    inputs: Array
+    y: Array
+    rates: Array
+    indicator: float
+    iterations: int
+
+    @staticmethod
+    def of(reduced: Reduced, result: Balance, vain: int) -> "Answer":
+        """Make an answer of an equilibrium of the equations, after ``vain`` updates from other starts."""
+        at, r = result.at, reduced.equations.sizes[0]
+        inverse = np.linalg.inv(at.tangent())
+        rates = -(inverse @ at.by_inputs()[:, 1:])
+        other = np.zeros(r)
+        for part, check in zip(at.parts, reduced.checks, strict=False):
+            its = check.at(at.y[:r])
+            if its is not None:
+                other += its.forces() - part.forces()
+        indicator = float(np.linalg.norm(inverse[:r, :r] @ other)) / reduced.size
+        return Answer(reduced, at.inputs[1:], at.y, rates, indicator, result.iterations + vain)
+
+    def __repr__(self) -> str:
+        r = self.reduced
+        text = ", ".join(f"{key} {value:.6g}" for key, value in zip(r.inputs.keys, self.inputs, strict=True))
+        return f"Answer({text} [SI], indicator {self.indicator:.1e}, {self.iterations} iterations)"
+
+    @property
+    def q(self) -> Array:
+        """Coordinates (r,) of the displacement."""
+        return self.y[: self.reduced.equations.sizes[0]]
+
+    @property
+    def displacement(self) -> Array:
+        """Displacement (nodes, 3) [m] of every node."""
+        return (self.reduced.modes @ self.q).reshape(-1, 3) * self.reduced.scales[0]
+
+    @property
+    def mean_stress(self) -> Array:
+        """Mean stress (m,) [Pa]."""
+        return np.asarray(self.reduced.stresses @ self.y[len(self.q) :]) * self.reduced.scales[1]
+
+    @property
+    def tip(self) -> Array:
+        """Mean displacement (3,) [m] of the face ``tip``; zeros where there is none."""
+        return self.reduced.tip @ self.q * self.reduced.scales[0]
+
+    @property
+    def tip_rates(self) -> Array:
+        """Derivatives (3, n) of `tip` by the inputs."""
+        return self.reduced.tip @ self.rates[: len(self.q)] * self.reduced.scales[0]
+
+    @property
+    def volumes(self) -> dict[str, float]:
+        """Volume of every pressed cavity of the whole actuator [m³]."""
+        values = self.reduced.equations.cubics.at(self.q).values * self._volume_scale
+        return dict(zip(self.reduced.faces, values.tolist(), strict=False))
+
+    @property
+    def volume_rates(self) -> dict[str, Array]:
+        """Derivatives (n,) of the volumes by the inputs."""
+        slopes = self.reduced.equations.cubics.at(self.q).gradients[: len(self.reduced.faces)]
+        rates = slopes @ self.rates[: len(self.q)] * self._volume_scale
+        return dict(zip(self.reduced.faces, rates, strict=True))
+
+    @property
+    def _volume_scale(self) -> float:
+        return self.reduced.scales[0] ** 3 * self.reduced.model.mesh.symmetry_factor
+
+    def state(self) -> "State":
+        """Return it as a state of the full model, for every measure, picture and response.
+
+        Returns
+        -------
+        State
+            Its nodal forces at free nodes are what modes and sampling miss.
+        """
+        from turgor.reduced.states.expand import expand  # here: it needs the engine
+
+        r = self.reduced
+        values = dict(zip(r.inputs.keys, self.inputs.tolist(), strict=True))
+        return expand(r.model, values, (self.displacement, self.mean_stress), r.penalties)

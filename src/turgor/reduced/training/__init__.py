@@ -1,0 +1,1 @@
+"""Training: full solves, modes, and the equations that follow from them."""

@@ -1,0 +1,227 @@
+"""Build: the equations of a reduced model from training paths."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from turgor.core.engine.system import System
+from turgor.reduced.parts.points import Points
+from turgor.reduced.parts.polynomials import Sheets
+from turgor.reduced.settings import SAMPLING, TRAINING
+from turgor.reduced.states.equations import Equations, Part
+from turgor.reduced.training import assembly, near, sampling
+from turgor.reduced.training.modes import Modes, modes_of
+from turgor.reduced.training.trainer import Path
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Built:
+    """A reduced model without its file.
+
+    Parameters
+    ----------
+    equations : Equations
+        Sampled.
+    whole : Whole
+        Before sampling.
+    modes, stresses : Modes
+    inputs, y : (k, 1 + n), (k, r + m) arrays
+        Inputs and coordinates of the training states.
+    checks : tuple of Part
+        Parts sampled once more, at other points.
+    counts : dict
+        Sampled cells, sides and edges; points of contact.
+    faces : tuple of str
+        Faces whose volumes are the first cubic polynomials.
+    """
+
+    equations: Equations
+    whole: assembly.Whole
+    modes: Modes
+    stresses: Modes
+    inputs: Array
+    y: Array
+    checks: tuple[Part, ...]
+    counts: dict[str, int]
+    faces: tuple[str, ...]
+
+    @property
+    def size(self) -> float:
+        """Largest size of the coordinates of the displacement."""
+        return float(np.linalg.norm(self.y[:, : self.modes.vectors.shape[1]], axis=1).max())
+
+
+def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: int) -> Built:
+    """Make modes and equations of training paths.
+
+    Parameters
+    ----------
+    system : System
+        Of the model; its contact takes the largest penalties of the paths.
+    drive : Drive
+    paths : sequence of Path
+    modes : int
+        Displacement modes at most.
+
+    Returns
+    -------
+    Built
+    """
+    for place, part in enumerate(system.contact.parts):
+        part.penalty_scale = np.max([path.scales[place] for path in paths], axis=0)
+    basis, stresses = bases(system, paths, modes)
+    whole = assembly.assemble(system, drive, basis, stresses)
+    moved = np.concatenate([path.displacements for path in paths])
+    touching = near.contact_parts(system, near.near_points(system, list(moved)), basis.vectors)
+    exact = whole.exact
+    whole = assembly.Whole(
+        whole.rubber, whole.cells, whole.pieces,
+        Equations((*exact.parts, *touching), exact.cubics, exact.pressures, exact.forces, exact.compliance),
+    )  # fmt: skip
+    inputs = np.concatenate([np.zeros((1, drive.pressures.shape[1])), *(path.inputs for path in paths)])
+    pressed = np.concatenate([path.mean_stresses for path in paths])
+    y = np.hstack([moved.reshape(len(moved), -1) @ basis.dual, pressed @ stresses.dual])
+    y = np.vstack([np.zeros_like(y[:1]), y])  # the state at rest
+    sampled, checks, counts = sample(whole, inputs, y)
+    counts["contact points"] = sum(len(part.rest) if hasattr(part, "slopes") else len(part.points) for part in touching)
+    return Built(_one_sheet(whole.with_parts(sampled)), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
+
+
+def _one_sheet(equations: Equations) -> Equations:
+    """Equations with the sum of all their forms of sheets."""
+    sheets = [part for part in equations.parts if isinstance(part, Sheets)]
+    if len(sheets) < 2:
+        return equations
+    others = tuple(part for part in equations.parts if not isinstance(part, Sheets))
+    whole = Sheets(np.asarray(sum(sheet.form for sheet in sheets)), sheets[0].size)
+    return replace(equations, parts=(*others, whole))
+
+
+def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0) -> tuple[Modes, Modes]:
+    """Modes of displacement and, half as many by default, of mean stress."""
+    at = system.evaluate(np.zeros(system.size), 0.0)
+    assert at is not None
+    n = 3 * system.node_count
+    stiffness = system.pattern.full(system.tangent_data(at))[:n, :n]
+    moved = [path.displacements.reshape(len(path.displacements), -1) for path in paths]
+    moved += [path.derivatives[0] for path in paths]
+    pressed = [path.mean_stresses for path in paths] + [path.derivatives[1] for path in paths]
+    basis = modes_of(np.concatenate(moved).T, stiffness, modes, TRAINING.truncation)
+    half = of_stress or max(1, basis.vectors.shape[1] // 2)
+    volumes = sp.diags(system.mean_stress_volumes).tocsr()
+    return basis, modes_of(np.concatenate(pressed).T, volumes, half, 0.0)
+
+
+def sample(whole: assembly.Whole, inputs: Array, y: Array) -> tuple[tuple[Part, ...], tuple[Part, ...], dict[str, int]]:
+    """Choose cells, and sides and edges of shells: the sampled parts, other ones to check them, and how many."""
+    starts = np.append(np.flatnonzero(np.diff(whole.cells, prepend=-1)), len(whole.cells))
+    trials = list(_trials(whole, inputs, y, starts))
+    size = float(np.linalg.norm([trial.q for trial in trials], axis=1).mean())
+    tolerance = SAMPLING.tolerance * size * float(np.sqrt(len(trials)))
+    A = np.vstack([trial.rubber for trial in trials])
+    total = A.sum(axis=1)
+    allowed = tolerance / max(float(np.linalg.norm(total)), 1e-300)
+    cells = sampling.choose(A, total, SAMPLING.cells * allowed, SAMPLING.most).which
+    chosen = [_points_in(whole, trials, starts, cells, (total, allowed))]
+    others = sampling.choose(A, total, SAMPLING.cells * allowed, SAMPLING.most, cells).which
+    chosen.append(_points_in(whole, trials, starts, others, (total, allowed)))
+    counts = {"points": len(chosen[0].weights), "cells": len(cells)}
+    parts: list[Part] = [chosen[0]]
+    checks: list[Part] = [chosen[1]]
+    if whole.pieces:
+        bending, error = bending_form([(trial.q, trial.inverse, trial.bending) for trial in trials])
+        if error <= tolerance:
+            parts.append(bending)
+        else:
+            parts += whole.pieces
+            checks += whole.pieces
+            counts["sides"] = sum(len(each.term.nodes) for each in whole.pieces)
+    return tuple(parts), tuple(checks), counts
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Trial:
+    """A training state or one near it.
+
+    Parameters
+    ----------
+    q : (r,) array
+    inverse : (r, r) array
+        Of the tangent, its block of displacements.
+    rubber : (r, cells) array
+        Forces of every cell, times the inverse.
+    bending : (r,) array
+        Forces of the bending of shells.
+    """
+
+    q: Array
+    inverse: Array
+    rubber: Array
+    bending: Array
+
+
+def _trials(whole: assembly.Whole, inputs: Array, y: Array, starts: Ints) -> Iterator[Trial]:
+    """Evaluate training states, and others near them: Newton's method passes there."""
+    equations, r = whole.equations, whole.exact.sizes[0]
+    random, spread = np.random.default_rng(0), np.abs(y[:, :r]).max(axis=0)
+    for place in np.unique(np.linspace(0, len(y) - 1, min(len(y), SAMPLING.states)).astype(int)):
+        for factor in (0.0, SAMPLING.perturbation):
+            moved = y[place].copy()
+            moved[:r] += factor * spread * random.standard_normal(r)
+            at = equations.at(moved, inputs[place])
+            if at is None:
+                continue
+            rubber, *pieces = at.parts[: 1 + len(whole.pieces)]
+            inverse: Array = np.linalg.inv(at.tangent())[:r, :r].astype(np.float64)
+            of_cells: Array = np.asarray(rubber.forces(starts)) @ inverse.T  # type: ignore[call-arg]
+            yield Trial(moved[:r], inverse, of_cells.T, np.sum([part.forces() for part in pieces], axis=0))
+
+
+def bending_form(trials: Sequence[tuple[Array, Array, Array]]) -> tuple[Sheets, float]:
+    """Fit the bending energy of shells by a quadratic polynomial, and return it with the error of the coordinates.
+
+    Sheets that bend without stretching have a quadratic energy in the displacements (Bergou and others 2006, doi
+    10.2312/SGP/SGP06/227-230); those of shells do almost.
+
+    Parameters
+    ----------
+    trials : sequence of ((r,), (r, r), (r,)) arrays
+        Coordinates, inverse tangent, forces of the bending.
+    """
+    r = len(trials[0][0])
+    i, j = np.triu_indices(r)
+    rows, right = [], []
+    for q, inverse, force in trials:
+        one = np.zeros((r, len(i)))
+        one[i, np.arange(len(i))] += q[j]
+        one[j, np.arange(len(i))] += q[i]
+        rows.append(inverse @ np.hstack([np.eye(r), one]))
+        right.append(inverse @ force)
+    A, b = np.vstack(rows), np.concatenate(right)
+    scale = 1.0 / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
+    numbers = scale * np.linalg.lstsq(A * scale, b, rcond=1e-10)[0]
+    R = r + 1
+    place = np.zeros((R, R), dtype=np.int64)
+    place[np.triu_indices(R)] = np.arange(R * (R + 1) // 2)
+    form = np.zeros((R * (R + 1) // 2,) * 2)
+    columns = np.concatenate([place[0, 1:], place[i + 1, j + 1]])
+    form[0, columns] = form[columns, 0] = numbers
+    return Sheets(form, R), float(np.linalg.norm(A @ numbers - b))
+
+
+def _points_in(
+    whole: assembly.Whole, trials: Sequence[Trial], starts: Ints, cells: Ints, wanted: tuple[Array, float]
+) -> Points:
+    """Choose few of the points in some cells: the whole forces that they have to give, and the error allowed."""
+    which = np.concatenate([np.arange(starts[c], starts[c + 1]) for c in cells])
+    there = whole.rubber.chosen(which, whole.rubber.weights[which])
+    each = np.arange(len(which) + 1)
+    rows = [trial.inverse @ at.forces(each).T for trial in trials if (at := there.at(trial.q)) is not None]
+    chosen = sampling.choose(np.vstack(rows), wanted[0], wanted[1], len(which))
+    return there.chosen(chosen.which, there.weights[chosen.which] * chosen.factors)

@@ -1,0 +1,68 @@
+"""Compare: answers of a reduced model against states of full solves."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.chamber_volumes import cavity_volume
+from turgor.core.engine.faces import surfaces
+from turgor.core.results.fields.state_fields import MeshFacts
+from turgor.foundation.errors import NotSolved
+from turgor.reduced.states.held_out import HeldOut
+from turgor.reduced.states.reduced import Reduced
+from turgor.reduced.training.trainer import Path
+
+Array = NDArray[np.float64]
+
+
+def compared(reduced: Reduced, path: Path, reached_only: bool) -> HeldOut:
+    """Compare answers with the states of a path of full solves whose inputs lie in the trained range.
+
+    Parameters
+    ----------
+    reduced : Reduced
+    path : Path
+    reached_only : bool
+        Whether the last state alone counts; so it is where some loads are no inputs, which act in part before.
+
+    Returns
+    -------
+    HeldOut
+    """
+    equations, box = reduced.equations, reduced.inputs
+    fixed = bool(equations.pressures[:, 0].any() or equations.forces[:, 0].any())
+    places = [len(path.inputs) - 1] if reached_only or fixed else range(len(path.inputs))
+    yardsticks, rows = _yardsticks(reduced), []
+    for place in places:
+        inputs = path.inputs[place, 1:]
+        if box.outside(inputs):
+            continue
+        try:
+            errors = _errors(reduced, inputs, path.displacements[place], yardsticks)
+        except NotSolved:
+            errors = (np.inf, np.inf, np.inf)
+        rows.append((inputs, errors))
+    columns = np.array([errors for _, errors in rows]).reshape(-1, 3).T
+    inputs = np.array([inputs for inputs, _ in rows]).reshape(-1, len(box.keys))
+    return HeldOut(inputs=inputs, displacement=columns[0], tip=columns[1], volume=columns[2])
+
+
+def _yardsticks(reduced: Reduced) -> tuple[float, float]:
+    """Largest displacement of a node, and travel of the tip, of all training states, scaled."""
+    q = reduced.trained[:, : reduced.modes.shape[1]].T
+    travel = float(np.linalg.norm(reduced.tip @ q, axis=0).max())
+    return float(np.abs(reduced.modes @ q).max()), travel
+
+
+def _errors(
+    reduced: Reduced, inputs: Array, full: Array, yardsticks: tuple[float, float]
+) -> tuple[float, float, float]:
+    """Errors of displacement, tip and volume of the answer at inputs, for full scaled displacements (n, 3)."""
+    answer, mesh, length = reduced.at(inputs), reduced.model.mesh, reduced.scales[0]
+    error = float(np.abs(answer.displacement / length - full).max())
+    tip = np.zeros(3)
+    if "tip" in mesh.faces:
+        weights = surfaces.nodal_weights(mesh.points, mesh.face("tip"))
+        tip = answer.tip / length - MeshFacts(mesh).of_whole(weights @ full / weights.sum())
+    volumes = [abs(answer.volumes[face] / cavity_volume(mesh, face, full * length) - 1) for face in reduced.faces]
+    share = float(np.linalg.norm(tip)) / max(yardsticks[1], 1e-300)
+    return error / yardsticks[0], share, max(volumes, default=0.0)

@@ -1,0 +1,55 @@
+"""Modes: the displacements and mean stresses that a reduced model combines."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Modes:
+    """Orthonormal modes of snapshots.
+
+    Parameters
+    ----------
+    vectors : (size, r) array
+    dual : (size, r) array
+        The inner product times the modes: coordinates of a vector are dualᵀ vector.
+    missed : float
+        Square size of the snapshots that the modes miss, over the whole.
+    """
+
+    vectors: Array
+    dual: Array
+    missed: float
+
+
+def modes_of(snapshots: Array, product: sp.spmatrix, most: int, truncation: float) -> Modes:
+    """Find the modes that miss least of snapshots (size, k).
+
+    Parameters
+    ----------
+    snapshots : (size, k) array
+    product : (size, size) sparse array
+        Inner product.
+    most : int
+    truncation : float
+        Share of the square sizes that may be missed.
+
+    Returns
+    -------
+    Modes
+    """
+    gram = snapshots.T @ (product @ snapshots)
+    values, turns = np.linalg.eigh(0.5 * (gram + gram.T))
+    values, turns = np.maximum(values[::-1], 0.0), turns[:, ::-1]
+    missed = 1.0 - np.cumsum(values) / values.sum()
+    count = min(most, int(np.searchsorted(-missed, -truncation)) + 1, int((values > 1e-13 * values[0]).sum()))
+    vectors = snapshots @ (turns[:, :count] / np.sqrt(values[:count]))
+    for _ in range(2):  # round-off of small values
+        lower = np.linalg.cholesky(vectors.T @ (product @ vectors))
+        vectors = np.linalg.solve(lower, vectors.T).T
+    return Modes(vectors, np.asarray(product @ vectors), max(0.0, float(missed[count - 1])))

@@ -1,0 +1,126 @@
+"""The equations of a reduced model are those of the full one, contracted with its modes."""
+
+import numpy as np
+import pytest
+from reduced_cases import PRESSURE, built, drive, finger, path, system
+
+from turgor.core.engine.chamber_volumes import cavity_volume
+from turgor.reduced.parts.touching import Touching
+from turgor.reduced.reduce import corners, inputs_of
+from turgor.reduced.states.newton import Balance, follow, newton
+from turgor.reduced.states.spline import Spline
+from turgor.reduced.training.assembly import assemble
+from turgor.reduced.training.build import bases
+
+RANDOM = np.random.default_rng(5)
+
+
+def somewhere() -> tuple[np.ndarray, np.ndarray]:
+    """Coordinates near a trained state that is no equilibrium, and its inputs."""
+    made = built()
+    place = len(made.y) // 2
+    return made.y[place] * (1 + 0.02 * RANDOM.standard_normal(made.y.shape[1])), made.inputs[place]
+
+
+def full_unknowns(y: np.ndarray) -> np.ndarray:
+    """Unknowns of the full model at reduced coordinates."""
+    made, r = built(), built().equations.sizes[0]
+    moved, pressed = made.modes.vectors @ y[:r], made.stresses.vectors @ y[r:]
+    return np.concatenate([moved, pressed])
+
+
+def test_volume_and_constraint_are_the_full_ones_to_round_off():
+    made, (y, _) = built(), somewhere()
+    r = made.equations.sizes[0]
+    values = made.equations.cubics.at(y[:r]).values
+    moved = (made.modes.vectors @ y[:r]).reshape(-1, 3) * system().length
+    mesh = finger().mesh
+    volume = cavity_volume(mesh, "cavity", moved) / mesh.symmetry_factor / system().length ** 3
+    assert values[0] == pytest.approx(volume, rel=1e-12)
+    at = system().evaluate(full_unknowns(y), 0.0)
+    lost = at.residual[3 * system().node_count :][: system().element.mean_count]
+    assert values[1:] == pytest.approx(made.stresses.vectors.T @ lost, abs=1e-12 * np.abs(lost).sum())
+
+
+def test_residual_without_sampling_is_the_projected_full_one():
+    made, (y, inputs) = built(), somewhere()
+    residual = made.whole.equations.at(y, inputs).residual
+    full = system().evaluate(full_unknowns(y), inputs[1] / finger().pressures[0].pressure)
+    assert not full.contacts.touch  # its search is a matter of its own
+    projected = made.modes.vectors.T @ full.residual[: 3 * system().node_count]
+    assert residual[: len(projected)] == pytest.approx(projected, abs=1e-10 * np.abs(full.residual).sum())
+
+
+def test_contact_forces_are_the_projected_full_ones():
+    made = built()
+    moved = path().displacements[-1]
+    at = system().evaluate(np.concatenate([moved.ravel(), path().mean_stresses[-1]]), 1.0)
+    part, gaps = system().contact.parts[0], at.contacts.gaps[0]
+    assert gaps.inside.any()
+    projected = made.modes.vectors.T @ part.forces(at.contacts.position, gaps).ravel()
+    touching = next(each for each in made.equations.parts if isinstance(each, Touching))
+    force = touching.at(
+        made.y[-1, : len(projected)]
+    ).forces()  # at the projection of the state, which is a bit elsewhere
+    assert force == pytest.approx(projected, abs=0.2 * np.abs(projected).max())
+
+
+@pytest.mark.parametrize("place", [3, -1])
+def test_tangents_are_derivatives(place):
+    made = built()
+    y, inputs = made.y[place], made.inputs[place]
+    for equations in (made.equations, made.whole.equations):
+        way, step = RANDOM.standard_normal(len(y)), 1e-6
+        ends = [equations.at(y + sign * step * way, inputs).residual for sign in (1, -1)]
+        difference = (ends[0] - ends[1]) / (2 * step)
+        assert equations.at(y, inputs).tangent() @ way == pytest.approx(difference, abs=1e-6 * np.abs(difference).max())
+
+
+def test_few_points_give_the_states_of_all_points():
+    made = built()
+    assert made.counts["points"] < 0.005 * len(made.whole.rubber.weights)
+    for equations in (made.equations, made.whole.equations):
+        found = follow(equations, made.y[3], (made.inputs[3], made.inputs[4]), made.size)
+        assert isinstance(found, Balance)
+        assert np.linalg.norm(found.at.y[:6] - made.y[4, :6]) < 5e-3 * made.size
+
+
+def test_as_many_mean_stress_modes_as_displacement_modes_lock():
+    """As many constraints as coordinates leave nothing to move: displacements are off, mean stresses without bounds."""
+    made = built()
+    basis, stresses = bases(system(), [path()], 6, 6)
+    whole = assemble(system(), drive(), basis, stresses)
+    y = np.concatenate([made.y[4, :6], stresses.dual.T @ path().mean_stresses[3]])
+    found = newton(whole.equations, y, made.inputs[5], made.size)
+    half = newton(made.equations, made.y[4], made.inputs[5], made.size)
+    assert isinstance(found, Balance)
+    assert isinstance(half, Balance)
+    errors = [np.linalg.norm(each.at.y[:6] - made.y[5, :6]) for each in (found, half)]
+    assert errors[0] > 5 * errors[1]
+    assert np.linalg.norm(found.at.y[6:]) > 50 * np.linalg.norm(half.at.y[6:])
+
+
+def test_plain_tangents_need_more_updates_next_to_a_stiff_sheet():
+    made = built()
+    equations, y, aim = made.whole.equations, made.y[3], made.inputs[6]
+    at, updates = equations.at(y, aim), 0
+    for updates in range(1, 31):  # noqa: B007
+        update = -np.linalg.solve(at.tangent(), at.residual)
+        at = equations.at(at.y + update, aim)
+        if at is None or np.linalg.norm(update[:6]) < 1e-5 * made.size:
+            break
+    found = newton(equations, y, aim, made.size)
+    assert isinstance(found, Balance)
+    assert at is None or updates > found.iterations
+
+
+def test_spline_goes_through_its_points_and_is_cubic_between():
+    x = np.linspace(0, 1, 9)[:, None]
+    spline = Spline.through(np.vstack([x, x[:1]]), np.vstack([np.sin(x), np.sin(x[:1])]))
+    assert spline.at(x[4]) == pytest.approx(np.sin(x[4]), abs=1e-10)
+    assert spline.at(np.array([0.45])) == pytest.approx([np.sin(0.45)], abs=1e-3)
+
+
+def test_corners_leave_rest_out():
+    box = inputs_of(finger(), {"loads.pressure": (0.0, PRESSURE)})
+    assert [corner.tolist() for corner in corners(box)] == [[PRESSURE]]

@@ -1,0 +1,107 @@
+"""A reduced model answers as the full one does at inputs that it never saw, from a file that needs few packages."""
+
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from reduced_cases import KEY, PRESSURE, finger, reduced
+
+import turgor as tg
+from refused import refused
+from turgor.reduced.path import solution_of
+
+LOADS_ALONE = """
+import sys
+
+class Blocked:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] in {"scipy", "basix", "netgen", "rslab", "OCP", "matplotlib", "pydantic", "typer"}:
+            raise ImportError(name)
+
+sys.meta_path.insert(0, Blocked())
+from turgor.reduced.states.reduced import Reduced
+print(float(abs(Reduced.load(sys.argv[1]).solve(7000.0).displacement).max()))
+"""
+
+
+def test_held_out_states_agree():
+    held = reduced().held_out
+    assert len(held.inputs) >= 8
+    assert held.worst < 0.005
+    assert held.tip.max() < 0.005
+    assert held.volume.max() < 0.002
+
+
+def test_rates_are_derivatives():
+    one = reduced().solve({"pressure": 7000.0})
+    ends = [reduced().solve(7000.0 + step, start=one) for step in (10.0, -10.0)]
+    assert one.tip_rates[:, 0] == pytest.approx((ends[0].tip - ends[1].tip) / 20, rel=1e-4, abs=1e-13)
+    slope = (ends[0].volumes["cavity"] - ends[1].volumes["cavity"]) / 20
+    assert one.volume_rates["cavity"][0] == pytest.approx(slope, rel=1e-4)
+
+
+def test_measures_read_its_states():
+    answer = reduced().solve(9000.0)
+    state = answer.state()
+    assert tg.cavity_volume(state) == pytest.approx(answer.volumes["cavity"], rel=1e-6)
+    assert tg.tip_displacement(state) == pytest.approx(np.linalg.norm(answer.tip), rel=1e-5)
+    assert state.pressures == {"cavity": 9000.0}
+    response = tg.measure(solution_of([reduced().solve(4000.0), answer]), "cavity_volume", mesh_error=False)
+    assert response.column("cavity_volume")[-1] == pytest.approx(answer.volumes["cavity"], rel=1e-6)
+
+
+def test_random_jumps_are_all_answered():
+    for pressure in np.random.default_rng(3).uniform(0, PRESSURE, 50):
+        assert reduced().solve(pressure).iterations < 30
+
+
+def test_file_answers_the_same_with_few_packages(tmp_path):
+    file = reduced().save(tmp_path / "finger")
+    assert file.name == "finger.reduced"
+    assert file.stat().st_size < 1e6
+    largest = float(np.abs(reduced().solve(7000.0).displacement).max())
+    assert float(np.abs(tg.load(file).solve(7000.0).displacement).max()) == pytest.approx(largest, rel=1e-12)
+    done = subprocess.run([sys.executable, "-c", LOADS_ALONE, str(file)], capture_output=True, text=True, check=True)
+    assert float(done.stdout) == pytest.approx(largest, rel=1e-9)
+
+
+def test_inputs_outside_are_refused():
+    with refused(KEY, 13000, 12000):
+        reduced().solve({"pressure": 13e3})
+    with refused("presure", KEY):
+        reduced().solve({"presure": 1.0})
+    with refused(KEY, 0, 12000):
+        reduced().solve({})
+
+
+def test_what_is_left_out_is_refused_by_name():
+    model = finger()
+    with refused("materials.body.C10"):
+        tg.reduce(model, {"materials.body.C10": (1e5, 2e5)})
+    with refused(KEY, "2", "1"):
+        tg.reduce(model, {KEY: (2.0, 1.0)})
+    with refused("loads.presure", KEY):
+        tg.reduce(model, {"loads.presure": (0.0, 1.0)})
+    rubbing = tg.Contact(tg.obstacles.SelfContact(friction=0.3))
+    with refused("friction", "0.3"):
+        tg.reduce(_with(model, contact=rubbing), {KEY: (0.0, 1e3)})
+    plane = tg.obstacles.Obstacle(name="floor", shape=tg.obstacles.Plane(point=(0, 0, -0.1), normal=(0, 0, 1)))
+    with refused("floor"):
+        tg.reduce(_with(model, contact=tg.Contact(obstacles=[plane])), {KEY: (0.0, 1e3)})
+    relaxing = replace(
+        model.region_materials["body"], viscoelasticity=tg.laws.Prony(g=(0.2,), tau=(1.0,), moduli="instantaneous")
+    )
+    with refused("materials.body", "viscoelasticity"):
+        tg.reduce(_with(model, materials=dict(model.materials) | {"body": relaxing}), {KEY: (0.0, 1e3)})
+    load = tg.Pressure("cavity", 1e3, history=((0, 0), (0.5, 1), (1, 0.5)))
+    with refused("cavity"):
+        tg.reduce(_with(model, loads=[load]), {KEY: (0.0, 1e3)})
+
+
+def _with(model: tg.Model, **changes: object) -> tg.Model:
+    """The model with other parts."""
+    parts = {"materials": dict(model.materials), "loads": model.loads, "contact": model.contact} | changes
+    supports = [each for each in model.supports if not each.mirror]
+    return tg.Model(model.mesh, supports=supports, **parts)

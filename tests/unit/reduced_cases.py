@@ -1,0 +1,68 @@
+"""A short finger and its reduced model, which several tests share."""
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from turgor.accuracy.gradients.model_keys import model_variation
+from turgor.core.engine.runtime import EngineOptions
+from turgor.core.engine.system import System
+from turgor.core.model.model import Model
+from turgor.job.prepare import prepare
+from turgor.job.read import read_job
+from turgor.reduced.reduce import Budget, reduce
+from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.states.reduced import Reduced
+from turgor.reduced.training.assembly import Drive, drive_of
+from turgor.reduced.training.build import Built, build
+from turgor.reduced.training.trainer import Path as FullPath
+from turgor.reduced.training.trainer import Trainer
+
+JOB = Path(__file__).parents[2] / "examples" / "fast_pneunet.toml"
+CHANGES = {"mesh.size": "8 mm", "actuator.chambers": 2, "actuator.length": "22 mm"}
+KEY, PRESSURE = "loads.pressure", 12e3
+
+
+@cache
+def finger() -> Model:
+    """Two chambers with a shell below, whose walls meet."""
+    return prepare(read_job(JOB, CHANGES), lambda text: None)[0]
+
+
+def box() -> Inputs:
+    """The pressure."""
+    return Inputs((KEY,), np.array([0.0]), np.array([PRESSURE]), ("kPa",))
+
+
+@cache
+def path() -> FullPath:
+    """Eight full solves."""
+    return Trainer(model_variation(finger(), [KEY]).model, box(), 8, EngineOptions(threads=1)).path(
+        np.array([PRESSURE])
+    )
+
+
+@cache
+def system() -> System:
+    """The full equations."""
+    return System(finger())
+
+
+@cache
+def drive() -> Drive:
+    """How the pressure follows from the input."""
+    return drive_of(system(), model_variation(finger(), [KEY]).model, box())
+
+
+@cache
+def built() -> Built:
+    """Equations in six modes, before and after sampling."""
+    return build(system(), drive(), [path()], 6)
+
+
+@cache
+def reduced() -> Reduced:
+    """A reduced model of the finger."""
+    budget = Budget(held_out=1, steps=8, modes=8)
+    return reduce(finger(), {KEY: (0.0, PRESSURE)}, budget=budget, options=EngineOptions(threads=1))
