@@ -8,15 +8,15 @@ import numpy as np
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.solution import Solution, Status
 from turgor.foundation.errors import TurgorError
-from turgor.reduced.states.reduced import Answer
+from turgor.reduced.states.reduced import ReducedState
 
 
-def solution_of(answers: Sequence[Answer]) -> Solution:
+def solution_of(answers: Sequence[ReducedState]) -> Solution:
     """Return answers as a path of the full model, the state at rest first, for `turgor.measure` and reports.
 
     Parameters
     ----------
-    answers : sequence of Answer
+    answers : sequence of ReducedState
 
     Returns
     -------

@@ -17,7 +17,7 @@ from turgor.core.model.model import Model
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.reduced.settings import TRAINING
-from turgor.reduced.states.held_out import HeldOut
+from turgor.reduced.states.held_out import HeldOutErrors
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import check_reducible, drive_of
@@ -221,7 +221,7 @@ class _Training:
         paths = self._paths(between, aims, "held-out path")
         parts = [compared(reduced, path, reached_only=False) for path in paths]
         names = ("inputs", "displacement", "tip", "volume")
-        errors = HeldOut(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
+        errors = HeldOutErrors(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
         return replace(reduced, held_out=errors)
 
     def _reduced(self, system: System, built: Built, paths: Sequence[Path]) -> Reduced:
@@ -241,7 +241,7 @@ class _Training:
             trained_inputs=built.inputs, trained=built.y, wanted=self.budget.error,
             penalties=tuple(part.penalty_scale.astype(np.float32) for part in system.contact.parts),
             counts=built.counts | {"training paths": len(paths)},
-            held_out=HeldOut(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing),
+            held_out=HeldOutErrors(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing),
         )  # fmt: skip
 
 

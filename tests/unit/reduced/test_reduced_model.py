@@ -10,7 +10,9 @@ from reduced_cases import KEY, PRESSURE, finger, reduced
 
 import turgor as tg
 from refused import refused
+from turgor.core.engine.runtime import EngineOptions
 from turgor.reduced.path import solution_of
+from turgor.reduced.verify import verified
 
 LOADS_ALONE = """
 import sys
@@ -40,6 +42,20 @@ def test_rates_are_derivatives():
     assert one.tip_rates[:, 0] == pytest.approx((ends[0].tip - ends[1].tip) / 20, rel=1e-4, abs=1e-13)
     slope = (ends[0].volumes["cavity"] - ends[1].volumes["cavity"]) / 20
     assert one.volume_rates["cavity"][0] == pytest.approx(slope, rel=1e-4)
+
+
+def test_the_full_model_verifies_an_answer():
+    """Its equilibrium is that of a path of its own, and the error of a worse model is larger."""
+    answer = reduced().solve(9500.0)
+    found = verified(answer, EngineOptions(threads=1))
+    loads = [replace(load, pressure=9500.0) for load in finger().loads]
+    end = tg.solve(replace(finger(), loads=loads)).states[-1]
+    largest = np.abs(end.displacement).max()
+    assert found.state.displacement == pytest.approx(end.displacement, abs=1e-5 * largest)
+    assert 0 < found.displacement < 0.005
+    assert found.volume < 0.002
+    worse = replace(answer, y=answer.y * 1.02)
+    assert verified(worse, EngineOptions(threads=1)).displacement == pytest.approx(0.02, rel=0.5)
 
 
 def test_measures_read_its_states():

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from turgor.reduced.states.reduced import Answer, Reduced
+    from turgor.reduced.states.reduced import Reduced, ReducedState
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,7 +78,7 @@ class ReducedAnswer:
     indicator: float
 
 
-def answer_result(result: "Answer") -> ReducedAnswer:
+def answer_result(result: "ReducedState") -> ReducedAnswer:
     """Make the result of an answer."""
     return ReducedAnswer(
         inputs=dict(zip(result.reduced.inputs.keys, result.inputs.tolist(), strict=True)),

@@ -9,7 +9,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class HeldOut:
+class HeldOutErrors:
     """Full solves that training never saw, and how far the reduced model is from them.
 
     Parameters

@@ -17,7 +17,7 @@ from turgor.foundation.store.codec import Encoder
 from turgor.foundation.store.saved_objects import Saved
 from turgor.reduced.settings import NEWTON
 from turgor.reduced.states.equations import Equations, Part
-from turgor.reduced.states.held_out import HeldOut
+from turgor.reduced.states.held_out import HeldOutErrors
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.newton import Balance, follow, newton
 from turgor.reduced.states.spline import Spline
@@ -62,7 +62,7 @@ class Reduced(Saved, Shown):
         Sampled cells, points of contact, full solves.
     wanted : float [-]
         Error that was requested, of the displacement over its largest.
-    held_out : HeldOut
+    held_out : HeldOutErrors
     """
 
     model: Model
@@ -79,7 +79,7 @@ class Reduced(Saved, Shown):
     penalties: tuple[Small, ...] = ()
     counts: Mapping[str, int] = field(default_factory=dict)
     wanted: float = 0.005
-    held_out: HeldOut
+    held_out: HeldOutErrors
 
     def __repr__(self) -> str:
         r, m = self.equations.sizes
@@ -87,7 +87,7 @@ class Reduced(Saved, Shown):
         error = f"held-out error {self.held_out.worst:.2g}" if len(self.held_out.inputs) else "nothing held out"
         return f"Reduced('{self.model.mesh.name}', {', '.join(self.inputs.keys)}; {r} + {m} modes, {counts}; {error})"
 
-    def solve(self, values: Mapping[str, float] | float, *, start: "Answer | None" = None) -> "Answer":
+    def solve(self, values: Mapping[str, float] | float, *, start: "ReducedState | None" = None) -> "ReducedState":
         """Find the equilibrium at values of the inputs.
 
         Parameters
@@ -95,12 +95,12 @@ class Reduced(Saved, Shown):
         values : mapping of str to float [SI], or float
             By the keys of the inputs, or the ends of the keys: ``{"pressure": 10e3}``. A number where there is one
             input.
-        start : Answer, optional
+        start : ReducedState, optional
             One to go on from, such as the last of a loop; by default the nearest training state.
 
         Returns
         -------
-        Answer
+        ReducedState
 
         Raises
         ------
@@ -112,7 +112,7 @@ class Reduced(Saved, Shown):
         given = values if isinstance(values, Mapping) else {self._only_input: values}
         return self.at(self.inputs.vector(given), start)
 
-    def solve_all(self, table: Iterable[Mapping[str, float] | float]) -> "list[Answer]":
+    def solve_all(self, table: Iterable[Mapping[str, float] | float]) -> "list[ReducedState]":
         """Find the equilibria at many values of the inputs, each from the nearest training state."""
         return [self.solve(values) for values in table]
 
@@ -124,25 +124,25 @@ class Reduced(Saved, Shown):
             )
         return self.inputs.keys[0]
 
-    def at(self, vector: Array, start: "Answer | None" = None) -> "Answer":
+    def at(self, vector: Array, start: "ReducedState | None" = None) -> "ReducedState":
         """Find the equilibrium at inputs (n,) in order; see `solve`."""
         aim, vain = np.concatenate([[1.0], vector]), 0
         if start is None:
             result = newton(self.equations, self._spline.at(aim * self._weights), aim, self._size)
             if isinstance(result, Balance):
-                return Answer.of(self, result, vain)
+                return ReducedState.of(self, result, vain)
             vain += result
         for begin, y in self._starts(aim, start):
             result = follow(self.equations, y, (begin, aim), self._size)
             if isinstance(result, Balance):
-                return Answer.of(self, result, vain)
+                return ReducedState.of(self, result, vain)
             vain += result
         text = ", ".join(f"{key} = {value:g}" for key, value in zip(self.inputs.keys, vector, strict=True))
         raise NotSolved(
             f"the reduced model finds no equilibrium at {text} [SI] within {vain} updates; train it more densely."
         )
 
-    def _starts(self, aim: Array, start: "Answer | None") -> Iterable[tuple[Array, Array]]:
+    def _starts(self, aim: Array, start: "ReducedState | None") -> Iterable[tuple[Array, Array]]:
         if start is not None:
             yield np.concatenate([[1.0], start.inputs]), start.y
         away = (self.trained_inputs - aim) * self._weights
@@ -179,7 +179,7 @@ class Reduced(Saved, Shown):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Answer(Shown):
+class ReducedState(Shown):
     """An equilibrium of a reduced model.
 
     Parameters
@@ -205,7 +205,7 @@ class Answer(Shown):
     iterations: int
 
     @staticmethod
-    def of(reduced: Reduced, result: Balance, vain: int) -> "Answer":
+    def of(reduced: Reduced, result: Balance, vain: int) -> "ReducedState":
         """Make an answer of an equilibrium of the equations, after ``vain`` updates from other starts."""
         at, r = result.at, reduced.equations.sizes[0]
         inverse = np.linalg.inv(at.tangent())
@@ -216,12 +216,12 @@ class Answer(Shown):
             if its is not None:
                 other += its.forces() - part.forces()
         indicator = float(np.linalg.norm(inverse[:r, :r] @ other)) / reduced.size
-        return Answer(reduced, at.inputs[1:], at.y, rates, indicator, result.iterations + vain)
+        return ReducedState(reduced, at.inputs[1:], at.y, rates, indicator, result.iterations + vain)
 
     def __repr__(self) -> str:
         r = self.reduced
         text = ", ".join(f"{key} {value:.6g}" for key, value in zip(r.inputs.keys, self.inputs, strict=True))
-        return f"Answer({text} [SI], indicator {self.indicator:.1e}, {self.iterations} iterations)"
+        return f"ReducedState({text} [SI], indicator {self.indicator:.1e}, {self.iterations} iterations)"
 
     @property
     def q(self) -> Array:

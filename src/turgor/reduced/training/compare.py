@@ -7,14 +7,14 @@ from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.engine.faces import surfaces
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.foundation.errors import NotSolved
-from turgor.reduced.states.held_out import HeldOut
-from turgor.reduced.states.reduced import Reduced
+from turgor.reduced.states.held_out import HeldOutErrors
+from turgor.reduced.states.reduced import Reduced, ReducedState
 from turgor.reduced.training.trainer import Path
 
 Array = NDArray[np.float64]
 
 
-def compared(reduced: Reduced, path: Path, reached_only: bool) -> HeldOut:
+def compared(reduced: Reduced, path: Path, reached_only: bool) -> HeldOutErrors:
     """Compare answers with the states of a path of full solves whose inputs lie in the trained range.
 
     Parameters
@@ -26,24 +26,24 @@ def compared(reduced: Reduced, path: Path, reached_only: bool) -> HeldOut:
 
     Returns
     -------
-    HeldOut
+    HeldOutErrors
     """
     equations, box = reduced.equations, reduced.inputs
     fixed = bool(equations.pressures[:, 0].any() or equations.forces[:, 0].any())
     places = [len(path.inputs) - 1] if reached_only or fixed else range(len(path.inputs))
-    yardsticks, rows = _yardsticks(reduced), []
+    rows = []
     for place in places:
         inputs = path.inputs[place, 1:]
         if box.outside(inputs):
             continue
         try:
-            errors = _errors(reduced, inputs, path.displacements[place], yardsticks)
+            errors = errors_of(reduced.at(inputs), path.displacements[place])
         except NotSolved:
             errors = (np.inf, np.inf, np.inf)
         rows.append((inputs, errors))
     columns = np.array([errors for _, errors in rows]).reshape(-1, 3).T
     inputs = np.array([inputs for inputs, _ in rows]).reshape(-1, len(box.keys))
-    return HeldOut(inputs=inputs, displacement=columns[0], tip=columns[1], volume=columns[2])
+    return HeldOutErrors(inputs=inputs, displacement=columns[0], tip=columns[1], volume=columns[2])
 
 
 def _yardsticks(reduced: Reduced) -> tuple[float, float]:
@@ -53,16 +53,17 @@ def _yardsticks(reduced: Reduced) -> tuple[float, float]:
     return float(np.abs(reduced.modes @ q).max()), travel
 
 
-def _errors(
-    reduced: Reduced, inputs: Array, full: Array, yardsticks: tuple[float, float]
-) -> tuple[float, float, float]:
-    """Errors of displacement, tip and volume of the answer at inputs, for full scaled displacements (n, 3)."""
-    answer, mesh, length = reduced.at(inputs), reduced.model.mesh, reduced.scales[0]
+def errors_of(answer: ReducedState, full: Array) -> tuple[float, float, float]:
+    """Errors of an answer's displacement, tip and volume, for full scaled displacements (n, 3).
+
+    Displacement and tip are shares of the largest ones in training; volume is the worst of all faces.
+    """
+    reduced, (largest, travel) = answer.reduced, _yardsticks(answer.reduced)
+    mesh, length = reduced.model.mesh, reduced.scales[0]
     error = float(np.abs(answer.displacement / length - full).max())
     tip = np.zeros(3)
     if "tip" in mesh.faces:
         weights = surfaces.nodal_weights(mesh.points, mesh.face("tip"))
         tip = answer.tip / length - MeshFacts(mesh).of_whole(weights @ full / weights.sum())
     volumes = [abs(answer.volumes[face] / cavity_volume(mesh, face, full * length) - 1) for face in reduced.faces]
-    share = float(np.linalg.norm(tip)) / max(yardsticks[1], 1e-300)
-    return error / yardsticks[0], share, max(volumes, default=0.0)
+    return error / largest, float(np.linalg.norm(tip)) / max(travel, 1e-300), max(volumes, default=0.0)
