@@ -14,7 +14,9 @@ from turgor.core.meshing.middles import middles_of
 from turgor.core.meshing.sizing.settings import SIZING
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
+from turgor.core.model.contact import Contact
 from turgor.core.model.model import Model
+from turgor.core.model.obstacles import Obstacle, Sphere
 from turgor.units import MPa, kPa, mm
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.1 * MPa))
@@ -95,6 +97,30 @@ def test_tangent_is_the_derivative_of_the_residual(name: str, request: pytest.Fi
     exact = system.tangent(at, 0.7) @ along
     numeric = (system.residual(at + step * along, 0.7) - system.residual(at - step * along, 0.7)) / (2 * step)
     assert exact[free] == pytest.approx(numeric[free], abs=1e-6 * np.abs(numeric).max())
+
+
+def test_tangent_has_the_middles_that_a_rigid_shape_presses(finger: tg.Mesh) -> None:
+    """No cell couples middles; without room for them Newton's method converged linearly, or not at all."""
+    top = finger.points[finger.face_nodes("tip")].mean(axis=0)
+    ball = Obstacle(name="ball", shape=Sphere(center=tuple(top + [2.5 * mm, 0, 0]), radius=3 * mm))
+    system = System(replace(pressed(finger), contact=Contact(False, [ball])))
+    at, along, free = 0.0 * random_unknowns(system, 1.0), random_unknowns(system, 1.0), ~system.prescribed
+    exact = system.tangent(at, 0.0) @ along
+    step = 1e-6
+    numeric = (system.residual(at + step * along, 0.0) - system.residual(at - step * along, 0.0)) / (2 * step)
+    assert len(system.evaluate(at, 0.0).contacts.gaps[0].touching) > 3
+    assert exact[free] == pytest.approx(numeric[free], abs=1e-5 * np.abs(numeric).max())
+
+
+def test_exact_tangent_has_no_compressibility_of_its_own(tube: tg.Mesh) -> None:
+    """Factors need some, which an adjoint must not see."""
+    system = System(closed(tube))
+    at = system.evaluate(random_unknowns(system, 1e-4), 0.5)
+    means = slice(3 * system.node_count, 3 * system.node_count + system.element.mean_count)
+    regular, exact = (
+        np.abs(system.pattern.full(system.tangent_data(at, exact=which))[means, means]).max() for which in (False, True)
+    )
+    assert 0 == exact < regular < 1e-6
 
 
 def test_rigid_rotation_has_no_stress(tube: tg.Mesh) -> None:
