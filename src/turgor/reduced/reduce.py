@@ -139,13 +139,15 @@ def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs
             raise TurgorError(
                 f"the input '{key}' is no load; inputs of a reduced model are loads, such as 'loads.pressure'."
             )
-        if not low < high:
-            raise TurgorError(f"the range of '{key}' is {low:g} to {high:g}; its end must exceed its beginning.")
     for load in model.loads:
         if load.history != RAMP:
             raise TurgorError(f"reduced models have no histories of loads; {load.label} has one.")
     low, high = np.array(list(ranges.values()), dtype=np.float64).T
-    return Inputs(tuple(ranges), low, high, tuple(variation.units.get(key, "") for key in ranges))
+    box = Inputs(tuple(ranges), low, high, tuple(variation.units.get(key, "") for key in ranges))
+    for place in np.flatnonzero(~(low < high)):
+        begin, end = box.shown(place, low[place]), box.shown(place, high[place])
+        raise TurgorError(f"the range of '{box.keys[place]}' is {begin} to {end}; its end must exceed its beginning.")
+    return box
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,7 +187,7 @@ class _Training:
         every = (trainer.path(aim) for aim in aims) if self.runs is None else self.runs.paths(self.model, trainer, aims)
         paths = []
         for aim, path in zip(aims, every, strict=True):
-            text = ", ".join(f"{key} {value:g}" for key, value in zip(self.box.keys, aim, strict=True))
+            text = self.box.text(aim)
             end = "" if path.reached else ", which was not reached"
             self.say(f"{kind}: {text}{end}; {len(path.inputs)} states in {path.seconds:.0f} s")
             if not len(path.inputs):
@@ -240,7 +242,7 @@ class _Training:
             scales=(system.length, system.stress_scale), faces=built.faces, tip=tip,
             trained_inputs=built.inputs, trained=built.y, wanted=self.budget.error,
             penalties=tuple(part.penalty_scale.astype(np.float32) for part in system.contact.parts),
-            counts=built.counts | {"training paths": len(paths)},
+            counts=built.counts | {"training paths" if len(paths) > 1 else "training path": len(paths)},
             held_out=HeldOutErrors(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing),
         )  # fmt: skip
 

@@ -84,11 +84,11 @@ def test_file_answers_the_same_with_few_packages(tmp_path):
 
 
 def test_inputs_outside_are_refused():
-    with refused(KEY, 13000, 12000):
+    with refused(KEY, "13 kPa", "12 kPa"):
         reduced().solve({"pressure": 13e3})
     with refused("presure", KEY):
         reduced().solve({"presure": 1.0})
-    with refused(KEY, 0, 12000):
+    with refused(KEY, "0 kPa", "12 kPa"):
         reduced().solve({})
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.response import COLUMN_UNITS
 
 Array = NDArray[np.float64]
 
@@ -43,7 +44,9 @@ class Inputs:
             out[self.place(name)] = value
         for key, value, low, high in zip(self.keys, out, self.low, self.high, strict=True):
             if np.isnan(value):
-                raise TurgorError(f"the input '{key}' has no value; one between {low:g} and {high:g} is needed.")
+                place = self.keys.index(key)
+                bounds = f"{self.shown(place, low)} and {self.shown(place, high)}"
+                raise TurgorError(f"the input '{key}' has no value; one between {bounds} is needed.")
         self.check(out)
         return out
 
@@ -58,9 +61,18 @@ class Inputs:
         """Refuse values outside of the trained range."""
         for place in self.outside(vector):
             raise TurgorError(
-                f"the input '{self.keys[place]}' is {vector[place]:g}, outside of the trained range from "
-                f"{self.low[place]:g} to {self.high[place]:g} [SI]."
+                f"the input '{self.keys[place]}' is {self.shown(place, vector[place])}, outside of the trained range "
+                f"from {self.shown(place, self.low[place])} to {self.shown(place, self.high[place])}."
             )
+
+    def shown(self, place: int, value: float) -> str:
+        """A value of an input with its unit."""
+        unit = self.units[place]
+        return f"{value / COLUMN_UNITS[unit]:.6g} {unit}".strip()
+
+    def text(self, vector: Array) -> str:
+        """All values with their keys and units."""
+        return ", ".join(f"{key} = {self.shown(place, vector[place])}" for place, key in enumerate(self.keys))
 
     def outside(self, vector: Array) -> list[int]:
         """Places of the values outside of the trained range; round-off does not count."""

@@ -137,9 +137,9 @@ class Reduced(Saved, Shown):
             if isinstance(result, Balance):
                 return ReducedState.of(self, result, vain)
             vain += result
-        text = ", ".join(f"{key} = {value:g}" for key, value in zip(self.inputs.keys, vector, strict=True))
         raise NotSolved(
-            f"the reduced model finds no equilibrium at {text} [SI] within {vain} updates; train it more densely."
+            f"the reduced model finds no equilibrium at {self.inputs.text(vector)} within {vain} updates; "
+            "train it more densely."
         )
 
     def _starts(self, aim: Array, start: "ReducedState | None") -> Iterable[tuple[Array, Array]]:
@@ -219,9 +219,8 @@ class ReducedState(Shown):
         return ReducedState(reduced, at.inputs[1:], at.y, rates, indicator, result.iterations + vain)
 
     def __repr__(self) -> str:
-        r = self.reduced
-        text = ", ".join(f"{key} {value:.6g}" for key, value in zip(r.inputs.keys, self.inputs, strict=True))
-        return f"ReducedState({text} [SI], indicator {self.indicator:.1e}, {self.iterations} iterations)"
+        text = self.reduced.inputs.text(self.inputs)
+        return f"ReducedState({text}, indicator {self.indicator:.1e}, {self.iterations} iterations)"
 
     @property
     def q(self) -> Array:
