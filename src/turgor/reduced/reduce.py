@@ -134,7 +134,7 @@ def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs
     if not ranges:
         raise TurgorError("a reduced model needs an input, such as 'loads.pressure' with its range.")
     variation = model_variation(model, list(ranges))
-    for key, (low, high) in ranges.items():
+    for key in ranges:
         if not key.startswith("loads."):
             raise TurgorError(
                 f"the input '{key}' is no load; inputs of a reduced model are loads, such as 'loads.pressure'."
@@ -144,7 +144,7 @@ def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs
             raise TurgorError(f"reduced models have no histories of loads; {load.label} has one.")
     low, high = np.array(list(ranges.values()), dtype=np.float64).T
     box = Inputs(tuple(ranges), low, high, tuple(variation.units.get(key, "") for key in ranges))
-    for place in np.flatnonzero(~(low < high)):
+    for place in np.flatnonzero(~(low < high)).tolist():
         begin, end = box.shown(place, low[place]), box.shown(place, high[place])
         raise TurgorError(f"the range of '{box.keys[place]}' is {begin} to {end}; its end must exceed its beginning.")
     return box

@@ -96,8 +96,8 @@ def test_what_is_left_out_is_refused_by_name():
     model = finger()
     with refused("materials.body.C10"):
         tg.reduce(model, {"materials.body.C10": (1e5, 2e5)})
-    with refused(KEY, "2", "1"):
-        tg.reduce(model, {KEY: (2.0, 1.0)})
+    with refused(KEY, "2 kPa", "1 kPa"):
+        tg.reduce(model, {KEY: (2e3, 1e3)})
     with refused("loads.presure", KEY):
         tg.reduce(model, {"loads.presure": (0.0, 1.0)})
     rubbing = tg.Contact(tg.obstacles.SelfContact(friction=0.3))
