@@ -1,64 +1,61 @@
 """A reduced model of the demo finger: its held-out error, and how many states it gives in a second.
 
+    python benchmarks/reduced/reduced.py            the page reduced.md again; five minutes
+
 One process with one thread trains a fast PneuNet of 28,000 unknowns up to 22.5 kPa, walls in contact from 8 kPa, and
-compares it with full solves at pressures that training never saw. The full step is the mean of the training path.
-Targets: tip within 0.5 % of its travel, angle within 0.5°, volume within 0.2 %; 150 states a second in the median, the
-99th percentile within 15 ms; 300 times the full step. Run: python benchmarks/reduced/reduced.py [JOB key=value ...].
+compares it with full solves at pressures that training never saw.
 """
 
 import sys
+from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from time import perf_counter, process_time
 
 import numpy as np
+from numpy.typing import NDArray
 
+sys.path.insert(0, str(Path(__file__).parents[2]))  # so that `benchmarks` is found
 import turgor as tg
+from benchmarks.shared.machine import machine
+from benchmarks.shared.tables import table
+from turgor.accuracy.gradients.model_keys import with_number
 from turgor.core.model.model import Model
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.reduced.reduce import Budget
 from turgor.reduced.states.reduced import Reduced
-from turgor.reduced.training.trainer import Path as FullPath
 from turgor.reduced.training.trainer import Trainer
 
-JOB = Path(__file__).parents[2] / "examples" / "fast_pneunet.toml"
-PRESSURE = 22.5e3
+JOB, PAGE = Path(__file__).parents[2] / "examples" / "fast_pneunet.toml", Path(__file__).with_suffix(".md")
+KEY, PRESSURE = "loads.pressure", 22.5e3
 STEPS, STATES = 45, 1000
+OPTIONS = tg.EngineOptions(threads=1)
+HEAD = """# Reduced model of the demo finger
+
+Written by `python benchmarks/reduced/reduced.py` in one run with one thread. The full step is the mean of another path of
+full solves, whose steps are as long as those of training. Times of states are processor time, with the displacement of
+every node.
+
+"""
 
 
-def angle_errors(model: Model, reduced: Reduced, steps: int) -> tuple[float, FullPath]:
-    """Largest error of the bending angle [deg] at ten full states that training never saw."""
-    trainer = Trainer(
-        lambda values: reduced_model(model, values["loads.pressure"]),
-        reduced.inputs, steps, tg.EngineOptions(threads=1),
-    )  # fmt: skip
+def angle_error(model: Model, reduced: Reduced) -> tuple[float, float]:
+    """Largest error of the bending angle [deg] at ten full states that training never saw; processor time of a step [s]."""
+    trainer = Trainer(lambda values: with_number(model, KEY, values[KEY]), reduced.inputs, STEPS + 3, OPTIONS)
+    began = process_time()
     path = trainer.path(np.array([0.97 * PRESSURE]), differentiated=False)
-    worst = 0.0
+    step, worst = (process_time() - began) / len(path.inputs), 0.0
     for place in np.linspace(0, len(path.inputs) - 1, 10).astype(int):
         state = reduced.at(path.inputs[place, 1:]).state()
-        angle = tg.bending_angle(state)
-        full = tg.bending_angle(with_displacement(state, path.displacements[place] * reduced.scales[0]))
-        difference = np.rad2deg(angle - full)
+        full = replace(state, displacement=path.displacements[place] * reduced.scales[0])
+        difference = np.rad2deg(tg.bending_angle(state) - tg.bending_angle(full))
         worst = max(worst, abs((difference + 180) % 360 - 180))
-    return worst, path
+    return worst, step
 
 
-def with_displacement(state: object, displacement: object) -> object:
-    """The state with another displacement."""
-    from dataclasses import replace
-
-    return replace(state, displacement=displacement)  # type: ignore[type-var]
-
-
-def reduced_model(model: Model, pressure: float) -> Model:
-    """The model at a pressure."""
-    from turgor.accuracy.gradients.model_keys import with_number
-
-    return with_number(model, "loads.pressure", pressure)
-
-
-def times(reduced: Reduced) -> np.ndarray:
-    """Milliseconds of processor time of states at random pressures, with their displacements."""
+def times(reduced: Reduced) -> NDArray[np.float64]:
+    """Processor time [ms] of states at random pressures, with their displacements."""
     out = []
     for pressure in np.random.default_rng(0).uniform(0, PRESSURE, STATES):
         start = process_time()
@@ -67,30 +64,36 @@ def times(reduced: Reduced) -> np.ndarray:
     return np.array(out)
 
 
-def main(job: Path, changes: dict[str, str]) -> None:
-    """Train, compare, measure."""
-    model, _ = prepare(read_job(job, {"mesh.size": "4 mm", **changes}), lambda text: None)
-    options, began = tg.EngineOptions(threads=1), perf_counter()
-    ranges = {"loads.pressure": (0.0, PRESSURE)}
-    reduced = tg.reduce(model, ranges, budget=Budget(steps=STEPS, held_out=1), options=options, say=print)
-    print(f"made in {perf_counter() - began:.0f} s; {model.mesh.unknown_count} unknowns")
-    errors, nodes = reduced.held_out, reduced.held_out.displacement.max()
-    print(
-        f"{len(errors.tip)} held-out states: tip {errors.tip.max():.2%}, any node {nodes:.2%}, "
-        f"volume {errors.volume.max():.3%}"
-    )
-    reduced.solve(PRESSURE / 2)
-    ms = times(reduced)
+def main() -> None:
+    """Train, compare, measure, and write the page."""
+    model, _ = prepare(read_job(JOB, {"mesh.size": "4 mm"}), lambda text: None)
+    began, budget = perf_counter(), Budget(steps=STEPS, held_out=1)
+    reduced = tg.reduce(model, {KEY: (0.0, PRESSURE)}, budget=budget, options=OPTIONS, say=print)
+    made = perf_counter() - began
+    reduced.solve(PRESSURE / 2)  # compiled loops are loaded
+    ms, errors = times(reduced), reduced.held_out
+    angle, step = angle_error(model, reduced)
+    with TemporaryDirectory() as folder:
+        size = reduced.save(Path(folder) / "finger").stat().st_size
+    modes, means = reduced.equations.sizes
     median, slow = np.percentile(ms, [50, 99])
-    print(f"{1e3 / median:.0f} states a second; median {median:.2f} ms, 99th percentile {slow:.1f} ms")
-    angle, path = angle_errors(model, reduced, STEPS + 3)
-    full = 1e3 * path.seconds / len(path.inputs)
-    print(f"angle {angle:.3f} deg at ten held-out states; full step {full:.0f} ms, {full / median:.0f} times")
-    file = reduced.save(Path(sys.argv[0]).with_suffix("").name)
-    print(f"file {file.stat().st_size / 1e6:.2f} MB")
-    file.unlink()
+    rows = [
+        ("unknowns of the full model", f"{model.mesh.unknown_count:,}", ""),
+        ("modes of displacement and mean stress", f"{modes} + {means}", ""),
+        ("training and held-out path", f"{made:.0f} s", ""),
+        (f"tip, {len(errors.tip)} held-out states", f"{errors.tip.max():.2%} of its travel", "0.5 %"),
+        ("any node", f"{errors.displacement.max():.2%} of the largest displacement", ""),
+        ("volume", f"{errors.volume.max():.3%}", "0.2 %"),
+        ("bending angle, ten states of another path", f"{angle:.3f}°", "0.5°"),
+        (f"states a second, median of {STATES:,} random pressures", f"{1e3 / median:.0f}", "150"),
+        ("99th percentile of their time", f"{slow:.1f} ms", "15 ms"),
+        ("full step over a state", f"{1e3 * step / median:.0f}", "300"),
+        ("file", f"{size / 1e6:.2f} MB", "5 MB"),
+    ]
+    facts = "\n".join(f"- {name}: {value}" for name, value in machine().items())
+    PAGE.write_text(HEAD + table(("quantity", "measured", "target"), rows) + "\n\n" + facts + "\n", encoding="utf-8")
+    print(PAGE.read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":
-    where = Path(sys.argv[1]) if len(sys.argv) > 1 else JOB
-    main(where, dict(item.split("=", 1) for item in sys.argv[2:]))
+    main()
