@@ -33,15 +33,14 @@ STEPS, STATES = 45, 1000
 OPTIONS = tg.EngineOptions(threads=1)
 HEAD = """# Reduced model of the demo finger
 
-Written by `python benchmarks/reduced/reduced.py` in one run with one thread. The full step is the mean of another path of
-full solves, whose steps are as long as those of training. Times of states are processor time, with the displacement of
-every node.
+Written by `python benchmarks/reduced/reduced.py` in one run with one thread. The full step is the mean of another path
+of full solves, with steps as in training. Times of states are processor time, with the displacement of every node.
 
 """
 
 
 def angle_error(model: Model, reduced: Reduced) -> tuple[float, float]:
-    """Largest error of the bending angle [deg] at ten full states that training never saw; processor time of a step [s]."""
+    """Largest error of the bending angle [deg] at ten states of another path; processor time of its steps [s]."""
     trainer = Trainer(lambda values: with_number(model, KEY, values[KEY]), reduced.inputs, STEPS + 3, OPTIONS)
     began = process_time()
     path = trainer.path(np.array([0.97 * PRESSURE]), differentiated=False)
