@@ -82,7 +82,7 @@ class TrainingSettings:
     steps : int
         Steps of a path at least.
     candidates : int
-        Random inputs whose full residual is looked at in each round.
+        Random inputs whose indicator is looked at in each round.
     """
 
     modes: int = 14

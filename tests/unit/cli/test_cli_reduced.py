@@ -39,8 +39,28 @@ def test_reduce_makes_a_file(tmp_path):
     assert code == 0, text
 
 
-def test_a_range_that_is_none_is_refused():
-    for given in ("loads.pressure", "loads.pressure=3 kPa", "loads.pressure=0..3 kPaa"):
-        code, text = run("reduce", str(JOB), "--along", given)
-        assert code == 1
-        assert "--along" in text
+@pytest.mark.parametrize(
+    ("given", "facts"),
+    [
+        ("loads.pressure", ["--along", "KEY=FROM..TO"]),
+        ("loads.pressure=3 kPa", ["--along", "KEY=FROM..TO"]),
+        ("loads.pressure=0..3 kPaa", ["--along loads.pressure", "kPaa", "kPa"]),
+        ("loads.pressure=0..3 mm", ["--along loads.pressure", "mm", "kPa"]),
+        ("loads.pressure=0..3", ["--along loads.pressure", "unit"]),
+        ("loads.presure=0..3 kPa", ["loads.presure", "loads.pressure"]),
+        ("loads.pressure=3..0 kPa", ["loads.pressure", "3 kPa", "0 kPa"]),
+    ],
+)
+def test_a_range_that_is_none_is_refused(given, facts):
+    sets = [item for key, value in CHANGES.items() for item in ("--set", f"{key}={value}")]
+    code, text = run("reduce", str(JOB), *sets, "--along", given)
+    assert code == 1
+    for fact in facts:
+        assert fact in text
+
+
+@pytest.mark.parametrize("option", [("--at", "pressure=7 mm"), ("--want", "tip=1 mm"), ("--extrapolate",)])
+def test_predict_refuses_what_a_reduced_model_does_not_take(option, tmp_path):
+    code, text = run("predict", str(reduced().save(tmp_path / "finger")), *option)
+    assert code == 1
+    assert option[0] in text

@@ -13,6 +13,7 @@ from turgor.cli.options import Changes, Debug, JobFile, Json, check_new, command
 
 if TYPE_CHECKING:
     from turgor.cli.exits import Answer
+    from turgor.core.model.model import Model
     from turgor.reduced.states.inputs import Inputs
 
 
@@ -28,6 +29,7 @@ class _Options:
     output: Annotated[Path, output_option("The file; its ending is .reduced.")] = Path("actuator.reduced")
     error: Annotated[float, typer.Option(help="Wanted error of displacements, over the largest.")] = 0.005
     paths: Annotated[int, typer.Option(help="Training paths at most.", min=1)] = 24
+    steps: Annotated[int, typer.Option(help="Steps of a path at least; with one input they decide.", min=1)] = 12
     held_out: Annotated[int, typer.Option("--held-out", help="Paths of full solves kept from training.", min=0)] = 2
     folder: Annotated[
         Path | None, typer.Option(help="Where training paths are saved; the same call goes on.", show_default=False)
@@ -49,10 +51,10 @@ def _run(options: _Options) -> None:
         from turgor.reduced.training.path_runs import PathRuns
 
         check_new(options.output, options.force, "--output")
-        ranges = dict(_range(text) for text in options.along or ())
         model, findings = prepare(requested_job(options.job, options.changes))
+        ranges = _ranges(options.along or (), model)
         answer.warn(findings)
-        budget = Budget(error=options.error, paths=options.paths, held_out=options.held_out)
+        budget = Budget(error=options.error, paths=options.paths, held_out=options.held_out, steps=options.steps)
         if options.folder is None and options.processes > 1:
             raise TurgorError(f"--processes is {options.processes}, and more than one needs --folder.")
         runs = None if options.folder is None else PathRuns(options.folder, options.processes)
@@ -64,6 +66,8 @@ def _run(options: _Options) -> None:
             typer.echo(
                 f"{len(errors.inputs)} held-out states. Largest errors: {shares}, volume {errors.volume.max():.2g}."
             )
+        if errors.worst > options.error:
+            typer.echo(f"The wanted error {options.error:g} is not reached; take more --steps or --paths.")
         typer.echo(f"Written to {file}.")
         answer.give(lambda: reduced_result(reduced, file))
         raise typer.Exit(DONE)
@@ -72,37 +76,32 @@ def _run(options: _Options) -> None:
 reduce_command = command_of(_Options, _run)
 
 
-def _range(text: str) -> tuple[str, tuple[float, float]]:
-    """Read what ``--along`` states, such as ``loads.pressure=0..20 kPa``."""
+def _ranges(texts: Sequence[str], model: "Model") -> dict[str, tuple[float, float]]:
+    """Read what ``--along`` states, such as ``loads.pressure=0..20 kPa``; the first may have the other's unit."""
+    from turgor.accuracy.gradients.model_keys import model_variation
     from turgor.foundation.errors import TurgorError
+    from turgor.units import split_quantity
 
-    key, sign, values = (part.strip() for part in text.partition("="))
-    first, dots, last = (part.strip() for part in values.partition(".."))
-    if not (sign and key and dots and first and last):
-        raise TurgorError(f"--along is '{text}'; write KEY=FROM..TO, such as --along loads.pressure='0..20 kPa'.")
-    return key, (_number(first, _unit(last), key), _number(last, "", key))
+    ranges = {}
+    for text in texts:
+        key, sign, values = (part.strip() for part in text.partition("="))
+        first, dots, last = (part.strip() for part in values.partition(".."))
+        if not (sign and key and dots and first and last):
+            raise TurgorError(f"--along is '{text}'; write KEY=FROM..TO, such as --along loads.pressure='0..20 kPa'.")
+        unit = model_variation(model, [key]).units.get(key, "")
+        given = split_quantity(last)
+        if unit and given is not None and first.removeprefix("-").replace(".", "", 1).isdigit():
+            first = f"{first} {given[1]}"
+        high = _number(last, key, unit, "--along")
+        ranges[key] = (_number(first, key, unit, "--along"), high)
+    return ranges
 
 
-def _unit(text: str) -> str:
-    """Unit at the end of a quantity; empty where there is none."""
-    return text.lstrip("+-0123456789.eE ").strip()
+def _number(text: str, key: str, unit: str, option: str) -> float:
+    """Read a value with its unit; a number in SI units where the key has none."""
+    from turgor.studies.runs.jobs.job_numbers import JobNumber, read_number
 
-
-def _number(text: str, unit: str, key: str) -> float:
-    """Read a quantity [SI]; a number without a unit takes the one of the other end, or is in SI units."""
-    from turgor.foundation.errors import TurgorError
-    from turgor.foundation.response import COLUMN_UNITS
-
-    own = _unit(text) or unit
-    try:
-        value = float(text.removesuffix(own)) if text.endswith(own) and own else float(text)
-    except ValueError:
-        raise TurgorError(f"--along {key}: '{text}' is no number with a unit.") from None
-    if own not in COLUMN_UNITS:
-        raise TurgorError(
-            f"--along {key}: unknown unit '{own}'; known: {', '.join(each for each in COLUMN_UNITS if each)}."
-        )
-    return value * COLUMN_UNITS[own]
+    return read_number(text, JobNumber(key=key, value=0.0, unit=unit), f"{option} {key}")
 
 
 def say_prediction(file: Path, given: Sequence[str], answer: "Answer") -> None:
@@ -131,5 +130,5 @@ def _value(text: str, inputs: "Inputs") -> tuple[str, float]:
     name, sign, value = (part.strip() for part in text.partition("="))
     if not (sign and name and value):
         raise TurgorError(f"--at is '{text}'; write NAME=VALUE, such as --at pressure='10 kPa'.")
-    key = inputs.keys[inputs.place(name)]
-    return key, _number(value, "", key)
+    place = inputs.place(name)
+    return inputs.keys[place], _number(value, inputs.keys[place], inputs.units[place], "--at")

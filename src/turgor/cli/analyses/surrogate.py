@@ -118,6 +118,10 @@ def _predict(options: _PredictOptions) -> None:
         from turgor.studies.surrogates.surrogate import Surrogate
 
         if options.file.suffix == ".reduced":
+            if options.want or options.prefer or options.extrapolate:
+                raise TurgorError(
+                    "a reduced model takes --at alone; --want, --prefer and --extrapolate are for surrogates."
+                )
             say_prediction(options.file, options.at or (), answer)
         fitted = Surrogate.load(options.file)
         at = values_given(options.at, fitted.factors, "--at")

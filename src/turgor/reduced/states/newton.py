@@ -1,4 +1,4 @@
-"""Newton's method in reduced coordinates: linearized stresses, damping by the natural norm, substeps."""
+"""Newton's method in reduced coordinates: linearized stresses, whole updates, substeps."""
 
 from dataclasses import dataclass
 

@@ -1,7 +1,7 @@
 """Assembly: the equations of a reduced model from those of the full one, with nothing sampled yet."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ from turgor.foundation.errors import TurgorError
 from turgor.reduced.parts.pieces import Pieces
 from turgor.reduced.parts.points import Points
 from turgor.reduced.parts.polynomials import Cubics, Sheets
-from turgor.reduced.states.equations import Equations
+from turgor.reduced.states.equations import Equations, Part
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.training import forms
 from turgor.reduced.training.modes import Modes
@@ -76,10 +76,9 @@ class Whole:
         """The equations without sampling."""
         return self.with_parts((self.rubber, *self.pieces))
 
-    def with_parts(self, sampled: tuple[object, ...]) -> Equations:
+    def with_parts(self, sampled: tuple[Part, ...]) -> Equations:
         """The equations with sampled parts."""
-        e = self.exact
-        return Equations((*sampled, *e.parts), e.cubics, e.pressures, e.forces, e.compliance)  # type: ignore[arg-type]
+        return replace(self.exact, parts=(*sampled, *self.exact.parts))
 
 
 def drive_of(system: System, model_at: Callable[[Mapping[str, float]], Model], inputs: Inputs) -> Drive:
@@ -183,7 +182,7 @@ def check_reducible(system: System) -> None:
     if not system.element.modes:
         raise TurgorError("reduced models need mean stresses; take the formulation 'mixed' instead of 'displacement'.")
     if system.rubber.penalty.shape[2]:
-        raise TurgorError("reduced models know tetrahedra only; the mesh has hexahedra.")
+        raise TurgorError('reduced models know tetrahedra only; the mesh has hexahedra; state cells = "tetrahedra".')
     if model.points:
         raise TurgorError(f"reduced models have no reference points yet; the model has '{next(iter(model.points))}'.")
     if system.prescribed_values(1.0).any():

@@ -79,11 +79,7 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     whole = assembly.assemble(system, drive, basis, stresses)
     moved = np.concatenate([path.displacements for path in paths])
     touching = near.contact_parts(system, near.near_points(system, list(moved)), basis.vectors)
-    exact = whole.exact
-    whole = assembly.Whole(
-        whole.rubber, whole.cells, whole.pieces,
-        Equations((*exact.parts, *touching), exact.cubics, exact.pressures, exact.forces, exact.compliance),
-    )  # fmt: skip
+    whole = replace(whole, exact=replace(whole.exact, parts=(*whole.exact.parts, *touching)))
     inputs = np.concatenate([np.zeros((1, drive.pressures.shape[1])), *(path.inputs for path in paths)])
     pressed = np.concatenate([path.mean_stresses for path in paths])
     y = np.hstack([moved.reshape(len(moved), -1) @ basis.dual, pressed @ stresses.dual])

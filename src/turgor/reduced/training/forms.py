@@ -88,7 +88,7 @@ def volume(system: System, sides: Ints, shift: Array, vectors: Array) -> Array:
 
 
 def sheet(system: System, term: MembraneTerm, vectors: Array) -> Array:
-    """Form (n, n) of the energy of a sheet of Hooke's material; see `turgor.reduced.polynomials.Sheets`."""
+    """Form (n, n) of the energy of a sheet of Hooke's material; see `turgor.reduced.parts.polynomials.Sheets`."""
     moved = positions(system, vectors)[term.nodes]
     t = np.einsum("fqak,faiR->fqkiR", term.gradients, moved, optimize=True).reshape(-1, 2, 3, moved.shape[-1])
     i, j = np.triu_indices(moved.shape[-1])
