@@ -194,7 +194,8 @@ def _written(
     finally:
         pool.shutdown(wait=False)  # an interrupt does not wait for it
     findings = outcome.findings
-    before = (*mesh_error_findings(response, findings, outcome.job.mesh.quality), *refined, *unknown)
+    hexahedra = solution.model.mesh.cell_type.corners == 8
+    before = (*mesh_error_findings(response, findings, outcome.job.mesh.quality, hexahedra), *refined, *unknown)
     reported = by_weight((*before, *not_reported(solution.findings, findings)))
     outcome = _outcome(files, solution, response, reported)
     return replace(outcome, files=write_results(outcome, files.say, path))

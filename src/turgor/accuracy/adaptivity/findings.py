@@ -12,11 +12,16 @@ from turgor.foundation.response import Column, Response
 #: Measures that do not converge, or whose value may be nearly zero.
 UNJUDGED = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "contact_area", "bearing_distance")
 
+#: Advice where a mesh has none.
+HEXAHEDRA = 'hexahedra where the family has them (cells = "hexahedra"; the default where no size is given), or '
+
 #: Finding that is reported only where the mesh error is.
 ONLY_WITH_ERROR = "G01"
 
 
-def mesh_error_findings(response: Response, before: Sequence[Finding], quality: str = "normal") -> tuple[Finding, ...]:
+def mesh_error_findings(
+    response: Response, before: Sequence[Finding], quality: str = "normal", hexahedra: bool = False
+) -> tuple[Finding, ...]:
     """Report measures that miss the requested quality (N02), and keep the findings about the mesh that matter.
 
     Parameters
@@ -27,6 +32,8 @@ def mesh_error_findings(response: Response, before: Sequence[Finding], quality: 
         Findings about the mesh, before the solve.
     quality : str
         The one of the mesh settings.
+    hexahedra : bool
+        Whether the mesh has them already.
 
     Returns
     -------
@@ -54,9 +61,8 @@ def mesh_error_findings(response: Response, before: Sequence[Finding], quality: 
             code="N02",
             severity=Severity.WARNING if doubted else Severity.NOTE,
             message=f"The estimated mesh error at the last state is above {100 * requested:g} %: {listed}.",
-            advice='Use hexahedra where the family has them (cells = "hexahedra"; the default where no size is given), '
-            f"or a {_finer(quality)}smaller mesh size, or let the mesh be refined where the error comes from: target = "
-            f'"{100 * requested:g} %" in [mesh], or mesh_to in Python.',
+            advice=f"Use {'' if hexahedra else HEXAHEDRA}a {_finer(quality)}smaller mesh size, or let the mesh be "
+            f'refined where the error comes from: target = "{100 * requested:g} %" in [mesh], or mesh_to in Python.',
         ),
     )
 

@@ -186,6 +186,10 @@ def test_the_advice_names_the_next_quality_and_the_requested_error():
     (fine,) = mesh_error_findings(_response(0.011), (), "fine")
     assert fine.severity is Severity.NOTE
     assert "quality =" not in fine.advice
+    assert "hexahedra" in fine.advice
+    (has_them,) = mesh_error_findings(_response(0.26), (), "draft", hexahedra=True)
+    assert "hexahedra" not in has_them.advice
+    assert "Use a better quality" in has_them.advice
     assert 'target = "0.5 %"' in fine.advice
 
 
