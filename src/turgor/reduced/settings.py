@@ -55,6 +55,8 @@ class SamplingSettings:
     near : float
         Points of a surface that came nearer to another than this share of the cell behind it may touch. On the demo
         finger 0.1 and 0.5 give the same answers, with 607 and 1,627 points.
+    moments : float
+        Share of the moments of the lost volume of hexahedra that their combinations may miss.
     """
 
     tolerance: float = 1e-4
@@ -63,6 +65,7 @@ class SamplingSettings:
     perturbation: float = 0.01
     states: int = 120
     near: float = 0.2
+    moments: float = 1e-4
 
 
 SAMPLING = SamplingSettings()

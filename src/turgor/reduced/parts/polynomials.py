@@ -106,3 +106,12 @@ class SheetsAt:
     def linearized(self, update: Array) -> Array:
         """Stress (n,) linearized for an update (r,)."""
         return self.stress + self.sheets.form @ (self.slopes @ update)
+
+
+def symmetric(packed: Array, R: int) -> Array:
+    """Symmetric forms (k, R, R, R) of their entries (k, triples i ≤ j ≤ k)."""
+    i, j, k = np.array([(i, j, k) for i in range(R) for j in range(i, R) for k in range(j, R)]).T
+    out = np.empty((len(packed), R, R, R))
+    for a, b, c in ((i, j, k), (i, k, j), (j, i, k), (j, k, i), (k, i, j), (k, j, i)):
+        out[:, a, b, c] = packed
+    return out

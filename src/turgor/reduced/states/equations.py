@@ -14,6 +14,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.reduced.parts.moments import Moments, MomentsAt
 from turgor.reduced.parts.polynomials import Cubics, CubicsAt
 
 Array = NDArray[np.float64]
@@ -54,6 +55,8 @@ class Equations:
         Dead forces by the same inputs.
     compliance : (m, m) array
         C, zero for incompressible rubber.
+    moments : Moments or None
+        Of the lost volume of hexahedra.
     """
 
     parts: tuple[Part, ...]
@@ -61,6 +64,7 @@ class Equations:
     pressures: Array
     forces: Array
     compliance: Array
+    moments: Moments | None = None
 
     @property
     def sizes(self) -> tuple[int, int]:
@@ -76,7 +80,8 @@ class Equations:
             if at is None:
                 return None
             ats.append(at)
-        return EquationsAt(self, y, inputs, tuple(ats), self.cubics.at(q))
+        moments = None if self.moments is None else self.moments.at(y)
+        return EquationsAt(self, y, inputs, tuple(ats), self.cubics.at(q), moments)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -88,6 +93,7 @@ class EquationsAt:
     inputs: Array
     parts: tuple[PartAt, ...]
     cubics: CubicsAt
+    moments: MomentsAt | None
 
     @property
     def factors(self) -> Array:
@@ -104,7 +110,7 @@ class EquationsAt:
         for part in self.parts:
             out[:r] += part.forces()
         out[r:] = self.cubics.values[len(e.pressures) :] - e.compliance @ self.y[r:]
-        return out
+        return out if self.moments is None else out + self.moments.forces()
 
     def tangent(self, geometric: Sequence[Array | None] | None = None) -> Array:
         """Tangent (r + m, r + m), with given stresses of the parts in the geometric part."""
@@ -115,11 +121,14 @@ class EquationsAt:
             out[:r, :r] += part.tangent(None if geometric is None else geometric[place])
         rows = self.cubics.gradients[len(e.pressures) :]
         out[r:, :r], out[:r, r:], out[r:, r:] = rows, rows.T, -e.compliance
+        if self.moments is not None:
+            out += self.moments.tangent(None if geometric is None else geometric[-1])
         return out
 
     def linearized(self, update: Array) -> list[Array | None]:
-        """Stresses of the parts linearized for an update (r + m,)."""
-        return [part.linearized(update[: len(self.equations.forces)]) for part in self.parts]
+        """Stresses of the parts linearized for an update (r + m,), then the moments."""
+        out = [part.linearized(update[: len(self.equations.forces)]) for part in self.parts]
+        return out if self.moments is None else [*out, self.moments.linearized(update)]
 
     def by_inputs(self) -> Array:
         """Derivative (r + m, n) of the residual by the inputs."""

@@ -141,7 +141,8 @@ def assemble(system: System, drive: Drive, modes: Modes, stresses: Modes) -> Who
     exact = []
     if sheets:
         exact.append(Sheets(np.asarray(sum(forms.sheet(system, term, vectors) for term in sheets)), R))
-    equations = Equations(tuple(exact), Cubics(cubics), drive.pressures, vectors.T @ drive.forces, compliance)
+    equations = Equations(tuple(exact), Cubics(cubics), drive.pressures, vectors.T @ drive.forces, compliance,
+                          forms.moments(system, vectors, stresses.vectors))  # fmt: skip
     bending = (term for term in system.terms.all if isinstance(term, PlateTerm | HingeTerm))
     pieces = tuple(Pieces.of(term, system.points, vectors) for term in bending)
     return Whole(*_rubber(system, vectors), pieces, equations)
@@ -181,8 +182,6 @@ def check_reducible(system: System) -> None:
                 )
     if not system.element.modes:
         raise TurgorError("reduced models need mean stresses; take the formulation 'mixed' instead of 'displacement'.")
-    if system.rubber.penalty.shape[2]:
-        raise TurgorError('reduced models know tetrahedra only; the mesh has hexahedra; state cells = "tetrahedra".')
     if model.points:
         raise TurgorError(f"reduced models have no reference points yet; the model has '{next(iter(model.points))}'.")
     if system.prescribed_values(1.0).any():

@@ -13,7 +13,7 @@ from turgor.reduced.parts.polynomials import Sheets
 from turgor.reduced.settings import SAMPLING, TRAINING
 from turgor.reduced.states.equations import Equations, Part
 from turgor.reduced.training import assembly, near, sampling
-from turgor.reduced.training.modes import Modes, modes_of
+from turgor.reduced.training.modes import Modes, modes_of, rest_stiffness
 from turgor.reduced.training.trainer import Path
 
 Array = NDArray[np.float64]
@@ -84,6 +84,9 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     pressed = np.concatenate([path.mean_stresses for path in paths])
     y = np.hstack([moved.reshape(len(moved), -1) @ basis.dual, pressed @ stresses.dual])
     y = np.vstack([np.zeros_like(y[:1]), y])  # the state at rest
+    if whole.exact.moments is not None:
+        few = whole.exact.moments.combined(y, SAMPLING.moments)
+        whole = replace(whole, exact=replace(whole.exact, moments=few))
     sampled, checks, counts = sample(whole, inputs, y)
     counts["contact points"] = sum(len(part.rest) if hasattr(part, "slopes") else len(part.points) for part in touching)
     return Built(_one_sheet(whole.with_parts(sampled)), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
@@ -101,10 +104,7 @@ def _one_sheet(equations: Equations) -> Equations:
 
 def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0) -> tuple[Modes, Modes]:
     """Modes of displacement and, half as many by default, of mean stress."""
-    at = system.evaluate(np.zeros(system.size), 0.0)
-    assert at is not None
-    n = 3 * system.node_count
-    stiffness = system.pattern.full(system.tangent_data(at))[:n, :n]
+    stiffness = rest_stiffness(system)
     moved = [path.displacements.reshape(len(path.displacements), -1) for path in paths]
     moved += [path.derivatives[0] for path in paths]
     pressed = [path.mean_stresses for path in paths] + [path.derivatives[1] for path in paths]

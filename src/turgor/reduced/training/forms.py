@@ -9,6 +9,8 @@ from turgor.core.engine.cells.reference import side_tables
 from turgor.core.engine.faces.membrane_term import MembraneTerm
 from turgor.core.engine.system import System
 from turgor.reduced.parts.kernels import constraint_forms
+from turgor.reduced.parts.moments import Moments
+from turgor.reduced.parts.polynomials import symmetric
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -54,16 +56,7 @@ def constraint(system: System, vectors: Array, stresses: Array) -> tuple[Array, 
         constraint_forms(F, np.ascontiguousarray(weighted.reshape(-1, m)), packed)
         compliance += np.einsum("c,cqk,cql->kl", system.materials.compliance[cells], weighted, psi, optimize=True)
         packed[0] -= weighted.sum(axis=(0, 1))
-    return symmetric(packed, R), compliance
-
-
-def symmetric(packed: Array, R: int) -> Array:
-    """Symmetric forms (m, R, R, R) of their entries (triples i ≤ j ≤ k, m)."""
-    i, j, k = np.array([(i, j, k) for i in range(R) for j in range(i, R) for k in range(j, R)]).T
-    out = np.empty((packed.shape[1], R, R, R))
-    for a, b, c in ((i, j, k), (i, k, j), (j, i, k), (j, k, i), (k, i, j), (k, j, i)):
-        out[:, a, b, c] = packed.T
-    return out
+    return symmetric(packed.T, R), compliance
 
 
 def volume(system: System, sides: Ints, shift: Array, vectors: Array) -> Array:
@@ -104,3 +97,31 @@ def sheet(system: System, term: MembraneTerm, vectors: Array) -> Array:
     stresses = np.einsum("p,vw,pwn->pvn", areas, term.moduli, strains, optimize=True)
     n = len(i)
     return np.asarray(strains.reshape(-1, n).T @ stresses.reshape(-1, n))
+
+
+def moments(system: System, vectors: Array, stresses: Array) -> Moments | None:
+    """Moments of the lost volume of hexahedra, as many as there are coefficients; None where cells have none.
+
+    The energy is half the sum of the squares of all moments of all cells, so an orthogonal turn of them changes
+    nothing: QR factors of some cells at a time keep as many rows as there are columns.
+    """
+    penalty, tables, R = system.rubber.penalty, system.element.tables, vectors.shape[1] + 1
+    if not penalty.shape[2]:
+        return None
+    count, m = R * (R + 1) * (R + 2) // 6, stresses.shape[1]
+    triangle = np.zeros((0, count + m))
+    for cells in chunks(len(system.cells)):
+        psi = np.einsum("qm,cmk->cqk", tables.M, stresses[system.element.mean[cells]])
+        weighted = system.dV[cells][:, :, None] * penalty[cells]
+        slopes = -np.einsum("c,cqk,cqm->ckm", system.materials.compliance[cells], weighted, psi, optimize=True)
+        moved = gradients(system, vectors, cells).reshape(len(cells), -1, 9, R - 1)
+        rows = np.zeros((len(cells), penalty.shape[2], count + m))
+        rows[..., count:] = slopes
+        for c in range(len(cells)):
+            F = np.concatenate([np.broadcast_to(np.eye(3).ravel(), (len(moved[c]), 1, 9)), moved[c].swapaxes(1, 2)], 1)
+            packed = np.zeros((count, penalty.shape[2]))
+            constraint_forms(np.ascontiguousarray(F), np.ascontiguousarray(weighted[c]), packed)
+            packed[0] -= weighted[c].sum(axis=0)
+            rows[c, :, :count] = packed.T
+        triangle = np.linalg.qr(np.vstack([triangle, rows.reshape(-1, count + m)]), mode="r")
+    return Moments(triangle[:, :count], triangle[:, count:])

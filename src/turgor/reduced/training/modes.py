@@ -6,6 +6,9 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from turgor.core.engine.system import System
+from turgor.core.engine.term import Configuration
+
 Array = NDArray[np.float64]
 
 
@@ -53,3 +56,14 @@ def modes_of(snapshots: Array, product: sp.spmatrix, most: int, truncation: floa
         lower = np.linalg.cholesky(vectors.T @ (product @ vectors))
         vectors = np.linalg.solve(lower, vectors.T).T
     return Modes(vectors, np.asarray(product @ vectors), max(0.0, float(missed[count - 1])))
+
+
+def rest_stiffness(system: System) -> sp.csc_matrix:
+    """Stiffness (3 n, 3 n) of the nodes at rest along x, y and z, without supports, ties and contact."""
+    at = system.evaluate(np.zeros(system.size), 0.0)
+    assert at is not None
+    base, n = system.layout.base, 3 * system.node_count
+    data = np.zeros(len(base.indices))
+    system.rubber.add_tangents(data, system.split(at.unknowns), at.isochoric, None, False)
+    system.terms.add_tangents(data, Configuration(system.points), None)
+    return base.full(data)[:n, :n]
