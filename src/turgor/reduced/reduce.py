@@ -107,7 +107,7 @@ def reduce(
     """
     began, budget, options = perf_counter(), budget or Budget(), options or EngineOptions()
     box = inputs_of(model, inputs)
-    variation = model_variation(model, list(box.keys))
+    variation = model_variation(model, list(box.keys), places=True)
     with use_threads(options.threads):
         training = _Training(model, variation.model, box, budget, options, runs, say or _silent)
         reduced = training.run()
@@ -133,11 +133,12 @@ def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs
     """
     if not ranges:
         raise TurgorError("a reduced model needs an input, such as 'loads.pressure' with its range.")
-    variation = model_variation(model, list(ranges))
+    variation = model_variation(model, list(ranges), places=True)
     for key in ranges:
-        if not key.startswith("loads."):
+        if not key.startswith(("loads.", "obstacles.")):
             raise TurgorError(
-                f"the input '{key}' is no load; inputs of a reduced model are loads, such as 'loads.pressure'."
+                f"the input '{key}' is no load; inputs of a reduced model are loads, such as 'loads.pressure', and "
+                "places of obstacles."
             )
     for load in model.loads:
         if load.history != RAMP:
@@ -171,14 +172,14 @@ class _Training:
         drive = drive_of(system, self.model_at, box)
         paths = self._paths(trainer, corners(box)[: budget.paths])
         reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
-        while len(box.keys) > 1 and len(paths) < budget.paths:
+        while not _one_path(box) and len(paths) < budget.paths:
             worst = self._worst(reduced, len(paths))
             path = self._paths(trainer, [worst])[0]
-            error = compared(reduced, path, reached_only=True).worst
-            self.say(f"  error there {error:.2g}")
+            errors = compared(reduced, path, reached_only=True)
+            self.say(f"  error there {errors.worst:.2g}" + _forces_text(errors))
             paths.append(path)
             reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
-            if error <= budget.error:
+            if errors.worst <= budget.error and errors.force.max(initial=0.0) <= TRAINING.force:
                 break
         return self._looked_at(reduced, trainer)
 
@@ -214,7 +215,7 @@ class _Training:
     def _looked_at(self, reduced: Reduced, trainer: Trainer) -> Reduced:
         """Compare with full solves that training never saw."""
         shares = _random(len(self.box.keys), 2**20, self.budget.held_out)
-        if len(self.box.keys) == 1:
+        if _one_path(self.box):
             shares = 0.9 + 0.1 * shares
         if not len(shares):
             return reduced
@@ -222,7 +223,7 @@ class _Training:
         between = replace(trainer, steps=trainer.steps + 1)  # states lie between those of training
         paths = self._paths(between, aims, "held-out path")
         parts = [compared(reduced, path, reached_only=False) for path in paths]
-        names = ("inputs", "displacement", "tip", "volume")
+        names = ("inputs", "displacement", "tip", "volume", "force")
         errors = HeldOutErrors(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
         return replace(reduced, held_out=errors)
 
@@ -243,7 +244,8 @@ class _Training:
             trained_inputs=built.inputs, trained=built.y, wanted=self.budget.error,
             penalties=tuple(part.penalty_scale.astype(np.float32) for part in system.contact.parts),
             counts=built.counts | {"training paths" if len(paths) > 1 else "training path": len(paths)},
-            held_out=HeldOutErrors(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing),
+            held_out=HeldOutErrors(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing,
+                                   force=nothing),
         )  # fmt: skip
 
 
@@ -264,4 +266,15 @@ def corners(box: Inputs) -> list[Array]:
     if shares is None:
         shares = np.vstack([np.ones(n), _random(n, 0, 2 * n)])
     values = box.low + shares * (box.high - box.low)
-    return [value for value in values if np.abs(value).max() > 0]
+    loads = ~box.places
+    return [value for value in values if not loads.any() or np.abs(value[loads]).max() > 0]
+
+
+def _one_path(box: Inputs) -> bool:
+    """Whether one path passes all inputs: those of one load."""
+    return len(box.keys) == 1 and not box.places.any()
+
+
+def _forces_text(errors: HeldOutErrors) -> str:
+    """Error of the forces on obstacles in words; nothing without any."""
+    return f", of the force {errors.force.max():.2g}" if errors.force.any() else ""

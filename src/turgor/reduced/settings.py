@@ -55,6 +55,8 @@ class SamplingSettings:
     near : float
         Points of a surface that came nearer to another than this share of the cell behind it may touch. On the demo
         finger 0.1 and 0.5 give the same answers, with 607 and 1,627 points.
+    near_obstacles : float
+        The same for obstacles, whose places may lie between those of training.
     moments : float
         Share of the moments of the lost volume of hexahedra that their combinations may miss.
     """
@@ -65,6 +67,7 @@ class SamplingSettings:
     perturbation: float = 0.01
     states: int = 120
     near: float = 0.2
+    near_obstacles: float = 1.0
     moments: float = 1e-4
 
 
@@ -84,6 +87,8 @@ class TrainingSettings:
         Share of the snapshots' square sizes that modes may miss.
     steps : int
         Steps of a path at least.
+    force : float
+        Wanted error of the force on an obstacle, over the largest in training.
     candidates : int
         Random inputs whose indicator is looked at in each round.
     """
@@ -91,6 +96,7 @@ class TrainingSettings:
     modes: int = 14
     truncation: float = 1e-14
     steps: int = 12
+    force: float = 0.05
     candidates: int = 16
 
 

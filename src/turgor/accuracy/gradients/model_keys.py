@@ -12,6 +12,7 @@ from turgor.core.materials.material import Material
 from turgor.core.model.drive import common_pressure
 from turgor.core.model.loads import Pressure
 from turgor.core.model.model import Model
+from turgor.core.model.obstacles import Obstacle, Plate
 from turgor.core.model.sheets import Membrane, Shell
 from turgor.foundation.errors import TurgorError, unknown
 
@@ -24,8 +25,11 @@ COMMON = "loads.pressure"
 #: What is no quantity that could change by little: ranges of validity, histories, counts.
 _EXCLUDED = ("source", "stretch_range", "history", "starts", "viscoelasticity", "stress_softening")
 
-#: Fields whose content counts as that of the whole: constants of the law of a material, of the material of a sheet.
-_THROUGH = {Material: ("law",), Shell: ("material",), Membrane: ("material",)}
+#: Fields whose content counts as that of the whole: constants of the law of a material, of the material of a sheet, the
+#: shape of an obstacle.
+_THROUGH = {
+    Material: ("law",), Shell: ("material",), Membrane: ("material",), Obstacle: ("shape",), Plate: ("shape",)
+}  # fmt: skip
 
 #: Units in which numbers are shown, by the last part of their key.
 _UNITS = (
@@ -57,6 +61,22 @@ def model_numbers(model: Model) -> dict[str, float]:
     return numbers
 
 
+def place_numbers(model: Model) -> dict[str, float]:
+    """Find where the obstacles of a model are, by keys as in a job file: ``"obstacles.floor.point.3"``.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    dict of str to float [m]
+        Coordinates of the point of a plane, of the center of other shapes.
+    """
+    every = dict(_numbers("obstacles", model.contact.obstacles))
+    return {key: value for key, value in every.items() if re.fullmatch(r".+\.(point|center)\.[123]", key)}
+
+
 def with_number(model: Model, key: str, value: float) -> Model:
     """Return a model with another number.
 
@@ -64,7 +84,7 @@ def with_number(model: Model, key: str, value: float) -> Model:
     ----------
     model : Model
     key : str
-        One of `model_numbers`, or several with commas between them, which have one number.
+        One of `model_numbers` or `place_numbers`, or several with commas between them, which have one number.
     value : float [SI]
 
     Returns
@@ -74,7 +94,7 @@ def with_number(model: Model, key: str, value: float) -> Model:
     return reduce(lambda changed, single: _with_one(changed, single, value), key.split(","), model)
 
 
-def model_variation(model: Model, keys: Sequence[str]) -> Variation:
+def model_variation(model: Model, keys: Sequence[str], places: bool = False) -> Variation:
     """Return a model as a function of some of its numbers.
 
     Parameters
@@ -82,6 +102,8 @@ def model_variation(model: Model, keys: Sequence[str]) -> Variation:
     model : Model
     keys : sequence of str
         Of `model_numbers`; several with commas between them are one number.
+    places : bool
+        Whether those of `place_numbers` are allowed, too.
 
     Returns
     -------
@@ -92,7 +114,7 @@ def model_variation(model: Model, keys: Sequence[str]) -> Variation:
     TurgorError
         If the model has no such number, with the near match, or keys that stand for one have different numbers.
     """
-    known = model_numbers(model)
+    known = model_numbers(model) | (place_numbers(model) if places else {})
     values: dict[str, float] = {}
     for key in keys:
         equal = [_number_of(known, single) for single in key.split(",")]
@@ -116,6 +138,8 @@ def _number_of(known: Mapping[str, float], key: str) -> float:
 
 def _unit_of(key: str) -> str:
     """Unit in which a number is shown; empty for SI."""
+    if key.startswith("obstacles."):
+        return "mm"
     parts = [part for part in key.split(",")[0].split(".") if not part.isdigit()]
     return next((unit for pattern, unit in _UNITS if re.fullmatch(pattern, parts[-1])), "")
 
@@ -125,6 +149,9 @@ def _with_one(model: Model, key: str, value: float) -> Model:
         pressed = (replace(each, pressure=value) if isinstance(each, Pressure) else each for each in model.loads)
         return replace(model, loads=tuple(pressed))
     head, *rest = key.split(".")
+    if head == "obstacles":
+        moved = _put(model.contact.obstacles, rest, value)
+        return replace(model, contact=model.contact.with_obstacles(moved))
     attribute = _PARTS[head]
     return replace(model, **{attribute: _put(getattr(model, attribute), rest, value)})
 

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.reduced.parts.moments import Moments, MomentsAt
+from turgor.reduced.parts.obstacles import Obstructing, ObstructingAt
 from turgor.reduced.parts.polynomials import Cubics, CubicsAt
 
 Array = NDArray[np.float64]
@@ -57,6 +58,7 @@ class Equations:
         C, zero for incompressible rubber.
     moments : Moments or None
         Of the lost volume of hexahedra.
+    obstacles : tuple of Obstructing
     """
 
     parts: tuple[Part, ...]
@@ -65,6 +67,7 @@ class Equations:
     forces: Array
     compliance: Array
     moments: Moments | None = None
+    obstacles: tuple[Obstructing, ...] = ()
 
     @property
     def sizes(self) -> tuple[int, int]:
@@ -74,12 +77,13 @@ class Equations:
     def at(self, y: Array, inputs: Array) -> "EquationsAt | None":
         """Evaluate at unknowns (r + m,) and inputs (n,); None where a part cannot."""
         q = y[: len(self.forces)]
-        ats = []
+        ats: list[PartAt] = []
         for part in self.parts:
             at = part.at(q)
             if at is None:
                 return None
             ats.append(at)
+        ats += [obstacle.at(q, inputs) for obstacle in self.obstacles]
         moments = None if self.moments is None else self.moments.at(y)
         return EquationsAt(self, y, inputs, tuple(ats), self.cubics.at(q), moments)
 
@@ -135,4 +139,10 @@ class EquationsAt:
         e, r = self.equations, len(self.equations.forces)
         out = np.zeros((len(self.y), len(self.inputs)))
         out[:r] = -(self.cubics.gradients[: len(e.pressures)].T @ e.pressures) - e.forces
+        out[:r] += sum(obstacle.by_inputs() for obstacle in self.obstacles)
         return out
+
+    @property
+    def obstacles(self) -> tuple[ObstructingAt, ...]:
+        """What the obstacles do."""
+        return tuple(part for part in self.parts if isinstance(part, ObstructingAt))

@@ -22,12 +22,15 @@ class HeldOutErrors:
         Error of the mean displacement of the face ``tip`` over its travel; zeros without such a face.
     volume : (h,) array [-]
         Largest error of the volume of a cavity, over that volume.
+    force : (h,) array [-]
+        Largest error of the force on an obstacle, over the largest force in training; zeros without obstacles.
     """
 
     inputs: Array
     displacement: Array
     tip: Array
     volume: Array
+    force: Array
 
     @property
     def worst(self) -> float:

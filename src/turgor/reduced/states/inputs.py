@@ -50,6 +50,15 @@ class Inputs:
         self.check(out)
         return out
 
+    @property
+    def places(self) -> NDArray[np.bool_]:
+        """Which inputs are places of obstacles; these stay along a training path, where loads rise."""
+        return np.array([key.startswith("obstacles.") for key in self.keys])
+
+    def on_path(self, values: Array, factor: float) -> Array:
+        """Share of the loads that are no inputs, and inputs (1 + n,) of a path to values (n,), at a load factor."""
+        return np.concatenate([[factor], np.where(self.places, 1.0, factor) * values])
+
     def place(self, name: str) -> int:
         """Place of an input by its key or the end of its key."""
         ends = [place for place, key in enumerate(self.keys) if key == name or key.endswith(f".{name}")]

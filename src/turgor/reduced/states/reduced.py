@@ -1,6 +1,6 @@
 """Reduced: a model in a few coordinates, which answers in milliseconds."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -15,6 +15,7 @@ from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.foundation.store.archive import Content, write_archive
 from turgor.foundation.store.codec import Encoder
 from turgor.foundation.store.saved_objects import Saved
+from turgor.reduced.parts.obstacles import ObstructingAt
 from turgor.reduced.settings import NEWTON
 from turgor.reduced.states.equations import Equations, Part
 from turgor.reduced.states.held_out import HeldOutErrors
@@ -259,6 +260,21 @@ class ReducedState(Shown):
         slopes = self.reduced.equations.cubics.at(self.q).gradients[: len(self.reduced.faces)]
         rates = slopes @ self.rates[: len(self.q)] * self._volume_scale
         return dict(zip(self.reduced.faces, rates, strict=True))
+
+    @property
+    def obstacle_forces(self) -> dict[str, Array]:
+        """Force (3,) [N] of the whole actuator on every obstacle that was near in training."""
+        return self._of_obstacles(lambda at: at.force())
+
+    @property
+    def obstacle_force_rates(self) -> dict[str, Array]:
+        """Derivatives (3, n) of these forces by the inputs."""
+        rates = np.column_stack([np.zeros(len(self.q)), self.rates[: len(self.q)]])
+        return self._of_obstacles(lambda at: at.force_rates(rates)[:, 1:])
+
+    def _of_obstacles(self, value: Callable[[ObstructingAt], Array]) -> dict[str, Array]:
+        inputs = np.concatenate([[1.0], self.inputs])
+        return {part.name: value(part.at(self.q, inputs)) for part in self.reduced.equations.obstacles}
 
     @property
     def _volume_scale(self) -> float:

@@ -1,7 +1,7 @@
 """Assembly: the equations of a reduced model from those of the full one, with nothing sampled yet."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,7 @@ from turgor.reduced.states.equations import Equations, Part
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.training import forms
 from turgor.reduced.training.modes import Modes
+from turgor.reduced.training.places import Place, places_of
 
 Array = NDArray[np.float64]
 
@@ -43,11 +44,14 @@ class Drive:
         Scaled pressures by the inputs.
     forces : (3 nodes, n + 1) array
         Scaled dead forces on the nodes.
+    places : mapping of str to Place
+        Of the obstacles.
     """
 
     faces: tuple[str, ...]
     pressures: Array
     forces: Array
+    places: Mapping[str, Place] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -111,7 +115,7 @@ def drive_of(system: System, model_at: Callable[[Mapping[str, float]], Model], i
     for values in (pressures, forces):  # round-off of the middle
         values[np.abs(values) < 1e-12 * np.abs(values).max(initial=1e-300)] = 0.0
     _check_linear(loads, (pressures, forces), inputs)
-    return Drive(tuple(base), pressures, forces)
+    return Drive(tuple(base), pressures, forces, places_of(system, model_at, inputs))
 
 
 def _check_linear(loads: Loads, linear_parts: tuple[Array, Array], inputs: Inputs) -> None:
@@ -200,5 +204,5 @@ def check_reducible(system: System) -> None:
             raise TurgorError(
                 f"reduced models have no friction; contact '{part.name}' has the coefficient {part.coefficient:g}."
             )
-        if part.obstacle is not None:
-            raise TurgorError(f"reduced models have no obstacles yet; the model has '{part.name}'.")
+        if part.unknown >= 0:
+            raise TurgorError(f"reduced models have no obstacles on springs yet; the model has '{part.name}'.")

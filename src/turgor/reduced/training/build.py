@@ -78,18 +78,29 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     basis, stresses = bases(system, paths, modes)
     whole = assembly.assemble(system, drive, basis, stresses)
     moved = np.concatenate([path.displacements for path in paths])
-    touching = near.contact_parts(system, near.near_points(system, list(moved)), basis.vectors)
-    whole = replace(whole, exact=replace(whole.exact, parts=(*whole.exact.parts, *touching)))
-    inputs = np.concatenate([np.zeros((1, drive.pressures.shape[1])), *(path.inputs for path in paths)])
+    trained = np.concatenate([path.inputs for path in paths])
+    close = near.near_points(system, list(moved), list(trained), drive.places)
+    touching, obstacles = near.contact_parts(system, close, basis.vectors, drive.places)
+    exact = replace(whole.exact, parts=(*whole.exact.parts, *touching), obstacles=obstacles)
+    whole = replace(whole, exact=exact)
+    rest = _at_rest(exact, paths)
+    inputs = np.concatenate([rest, trained])
     pressed = np.concatenate([path.mean_stresses for path in paths])
     y = np.hstack([moved.reshape(len(moved), -1) @ basis.dual, pressed @ stresses.dual])
-    y = np.vstack([np.zeros_like(y[:1]), y])  # the state at rest
+    y = np.vstack([np.zeros((len(rest), y.shape[1])), y])
     if whole.exact.moments is not None:
-        few = whole.exact.moments.combined(y, SAMPLING.moments)
+        few = whole.exact.moments.combined(list(y), SAMPLING.moments)
         whole = replace(whole, exact=replace(whole.exact, moments=few))
     sampled, checks, counts = sample(whole, inputs, y)
-    counts["contact points"] = sum(len(part.rest) if hasattr(part, "slopes") else len(part.points) for part in touching)
+    counts["contact points"] = sum(len(each.points) for each in close)
     return Built(_one_sheet(whole.with_parts(sampled)), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
+
+
+def _at_rest(equations: Equations, paths: Sequence[Path]) -> Array:
+    """Inputs (k, 1 + n) of the state at rest, for each place of the obstacles where it touches none."""
+    rows = np.unique([path.rest for path in paths], axis=0)
+    still = np.zeros(len(equations.forces))
+    return rows[[not any(each.at(still, row).every.any() for each in equations.obstacles) for row in rows]]
 
 
 def _one_sheet(equations: Equations) -> Equations:

@@ -37,13 +37,31 @@ def compared(reduced: Reduced, path: Path, reached_only: bool) -> HeldOutErrors:
         if box.outside(inputs):
             continue
         try:
-            errors = errors_of(reduced.at(inputs), path.displacements[place])
+            answer = reduced.at(inputs)
+            errors = *errors_of(answer, path.displacements[place]), force_error(answer, path.obstacle_forces[place])
         except NotSolved:
-            errors = (np.inf, np.inf, np.inf)
+            errors = (np.inf, np.inf, np.inf, np.inf)
         rows.append((inputs, errors))
-    columns = np.array([errors for _, errors in rows]).reshape(-1, 3).T
+    columns = np.array([errors for _, errors in rows]).reshape(-1, 4).T
     inputs = np.array([inputs for inputs, _ in rows]).reshape(-1, len(box.keys))
-    return HeldOutErrors(inputs=inputs, displacement=columns[0], tip=columns[1], volume=columns[2])
+    return HeldOutErrors(inputs=inputs, displacement=columns[0], tip=columns[1], volume=columns[2], force=columns[3])
+
+
+def force_error(answer: ReducedState, full: Array) -> float:
+    """Largest error of the force on an obstacle, for full forces (o, 3) [N], over the largest in training."""
+    reduced, forces = answer.reduced, answer.obstacle_forces
+    if not len(full):
+        return 0.0
+    names = [obstacle.name for obstacle in reduced.model.contact.obstacles]
+    none = np.zeros(3)
+    away = [float(np.linalg.norm(forces.get(name, none) - true)) for name, true in zip(names, full, strict=True)]
+    r = reduced.equations.sizes[0]
+    every = [
+        float(np.linalg.norm(part.at(y[:r], inputs).force()))
+        for inputs, y in zip(reduced.trained_inputs, reduced.trained, strict=True)
+        for part in reduced.equations.obstacles
+    ]
+    return max(away) / max([1e-300, *every])
 
 
 def _yardsticks(reduced: Reduced) -> tuple[float, float]:

@@ -123,5 +123,5 @@ def moments(system: System, vectors: Array, stresses: Array) -> Moments | None:
             constraint_forms(np.ascontiguousarray(F), np.ascontiguousarray(weighted[c]), packed)
             packed[0] -= weighted[c].sum(axis=0)
             rows[c, :, :count] = packed.T
-        triangle = np.linalg.qr(np.vstack([triangle, rows.reshape(-1, count + m)]), mode="r")
+        triangle = np.asarray(np.linalg.qr(np.vstack([triangle, rows.reshape(-1, count + m)]), mode="r"))
     return Moments(triangle[:, :count], triangle[:, count:])

@@ -1,6 +1,6 @@
 """Near points: which points of a surface ever came near something along the training paths."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,8 +10,11 @@ from turgor.core.engine.contact.pair_part import PairPart, Partners
 from turgor.core.engine.contact.part import Gaps
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.system import System
+from turgor.core.results.fields.state_fields import MeshFacts
+from turgor.reduced.parts.obstacles import Obstructing, Shaped
 from turgor.reduced.parts.touching import Facing, Touching
 from turgor.reduced.settings import SAMPLING
+from turgor.reduced.training.places import Place
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -33,19 +36,30 @@ class Near:
     pairs: Ints
 
 
-def near_points(system: System, displacements: Sequence[Array]) -> list[Near]:
-    """Find the points of each part of contact that came near something in states, given by scaled displacements (n, 3).
+def near_points(
+    system: System, displacements: Sequence[Array], inputs: Sequence[Array], places: Mapping[str, Place]
+) -> list[Near]:
+    """Find the points of each part of contact that came near something in states.
+
+    Parameters
+    ----------
+    system : System
+    displacements : sequence of (n, 3) arrays
+        Scaled.
+    inputs : sequence of (1 + n,) arrays
+    places : mapping of str to Place
+        Of the obstacles.
 
     Returns
     -------
     list of Near
     """
     every: list[list[Ints]] = [[] for _ in system.contact.parts]
-    for displacement in displacements:
+    for displacement, values in zip(displacements, inputs, strict=True):
         position = system.points + displacement
         for part, seen in zip(system.contact.parts, every, strict=True):
-            gaps = part.look(position, np.zeros(3))
-            seen.append(_near(part, gaps))
+            where = np.zeros(3) if part.obstacle is None else places[part.name].at(values)
+            seen.append(_near(part, part.look(position, where)))
     out = []
     for seen in every:
         rows, count = np.unique(np.concatenate([np.zeros((0, 3), dtype=np.int64), *seen]), axis=0, return_counts=True)
@@ -57,24 +71,49 @@ def near_points(system: System, displacements: Sequence[Array]) -> list[Near]:
 
 def _near(part: PairPart | ShapePart, gaps: Gaps) -> Ints:
     """Side, quadrature point and partner (k, 3) of the points that are near."""
-    where = np.argwhere(gaps.gap < SAMPLING.near * part.surface.height[:, None])
+    near = SAMPLING.near if part.obstacle is None else SAMPLING.near_obstacles
+    where = np.argwhere(gaps.gap < near * part.surface.height[:, None])
     return np.column_stack([where, gaps.partner[where[:, 0], where[:, 1]]])
 
 
-def contact_parts(system: System, near: Sequence[Near], vectors: Array) -> tuple[Touching | Facing, ...]:
-    """Make the reduced parts of contact of the points that came near, for modes (3 n, r).
+def contact_parts(
+    system: System, near: Sequence[Near], vectors: Array, places: Mapping[str, Place]
+) -> tuple[tuple[Touching | Facing, ...], tuple[Obstructing, ...]]:
+    """Make the reduced parts of contact of the points that came near, for modes (3 n, r), and the obstacles.
 
     Their stiffness is that of the system at present: the largest that the training needed.
     """
     modes = vectors.reshape(system.node_count, 3, -1)
-    out: list[Touching | Facing] = []
+    own: list[Touching | Facing] = []
+    obstacles: list[Obstructing] = []
+    facts, force = MeshFacts(system.model.mesh), system.stress_scale * system.length**2
+    whole = force * system.model.mesh.symmetry_factor * facts.of_whole(np.eye(3)).T
     for part, here in zip(system.contact.parts, near, strict=True):
         if not len(here.points):
             continue
-        out.append(
-            _touching(system, part, here, modes) if isinstance(part, PairPart) else _facing(system, part, here, modes)
-        )
-    return tuple(out)
+        if part.obstacle is None:
+            make = _touching if isinstance(part, PairPart) else _facing
+            own.append(make(system, part, here, modes))  # type: ignore[operator]
+            continue
+        make_body, place = _touching if isinstance(part, PairPart) else _shaped, places[part.name]
+        body = make_body(system, part, here, with_body(modes))  # type: ignore[operator]
+        obstacles.append(Obstructing(part.name, body, place.origin, place.by_inputs, whole))
+    return tuple(own), tuple(obstacles)
+
+
+def with_body(modes: Array) -> Array:
+    """Modes (n, 3, r), and those (n, 3, 3) of the translation of a body, which moves no node of the mesh."""
+    return np.concatenate([modes, np.zeros((len(modes), 3, 3))], axis=2)
+
+
+def _shaped(system: System, part: ShapePart, near: Near, modes: Array) -> Shaped:
+    """Points before a shape with a formula; they move against the body's translation."""
+    side, q = near.points.T
+    nodes, N = part.surface.sides[side], part.surface.N[q]
+    x, moved = np.einsum("ka,kai->ki", N, system.points[nodes]), np.einsum("ka,kair->kir", N, modes[nodes])
+    moved[:, :, -3:] -= np.eye(3)
+    stiff = part.surface.spring[side] * part.penalty_scale[side] * part.surface.weights[side, q]
+    return Shaped(x, np.ascontiguousarray(moved), stiff, part.shape)
 
 
 def _facing(system: System, part: ShapePart, near: Near, modes: Array) -> Facing:
@@ -94,19 +133,25 @@ def _touching(system: System, part: PairPart, near: Near, modes: Array) -> Touch
     side, q = near.points.T
     pairs = _with_neighbors(near.pairs, side, partners)
     used, place = np.unique(pairs[:, 1], return_inverse=True)
-    every = np.concatenate([surface.sides[side], partners.sides[used]])
-    nodes, numbers = np.unique(every, return_inverse=True)
-    numbers = numbers.reshape(every.shape)
+    mine, theirs = surface.sides[side], partners.sides[used]
+    nodes, numbers = np.unique(np.concatenate([mine.ravel(), theirs.ravel()]), return_inverse=True)
+    numbers = numbers.ravel()
+    points, side_springs = system.points, surface.spring
+    if part.rigid is not None:  # its nodes follow those of the mesh, and it has no spring of its own
+        translation = np.zeros((len(part.rigid.points), 3, modes.shape[2]))
+        translation[:, :, -3:] = np.eye(3)
+        points, modes = np.vstack([points, part.rigid.points]), np.concatenate([modes, translation])
+        side_springs = np.full(len(partners.sides), np.inf)
     scale = part.penalty_scale[side]
     return Touching(
-        rest=system.points[nodes],
+        rest=points[nodes],
         modes=np.ascontiguousarray(modes[nodes]),
-        points=np.ascontiguousarray(numbers[: len(side)]),
+        points=np.ascontiguousarray(numbers[: mine.size].reshape(mine.shape)),
         shape=np.ascontiguousarray(surface.N[q]),
         springs=surface.spring[side],
         areas=part.share * scale * surface.weights[side, q],
-        sides=np.ascontiguousarray(numbers[len(side) :]),
-        side_springs=surface.spring[used],
+        sides=np.ascontiguousarray(numbers[mine.size :].reshape(theirs.shape)),
+        side_springs=side_springs[used],
         depth=partners.depth[used],
         overhang=partners.overhang[used],
         candidates=(np.searchsorted(pairs[:, 0], np.arange(len(side) + 1)), place.ravel().astype(np.int64)),

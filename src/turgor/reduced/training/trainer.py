@@ -1,6 +1,6 @@
 """Training: full solves along paths, whose accepted states are the snapshots of a reduced model."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 from time import process_time
@@ -9,10 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.contact.pair_part import PairPart
+from turgor.core.engine.contact.part import Gaps
+from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.faces.pressure_term import PressureTerm
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
 from turgor.core.model.model import Model
+from turgor.core.results.fields.contact import contact_force
+from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.restart import unknowns_of
@@ -39,6 +44,10 @@ class Path:
         Scaled.
     derivatives : (d, nodes 3), (d, m) arrays
         Derivatives of some states by the inputs, times their ranges.
+    rest : (1 + n,) array
+        Inputs at rest: none but the places of obstacles.
+    obstacle_forces : (k, o, 3) array [N]
+        Force of the whole actuator on each obstacle.
     scales : tuple of arrays
         Factors on the penalty of each part of contact at the end.
     reached : bool
@@ -50,6 +59,8 @@ class Path:
     displacements: Array
     mean_stresses: Array
     derivatives: tuple[Array, Array]
+    rest: Array
+    obstacle_forces: Array
     scales: tuple[Array, ...]
     reached: bool
     seconds: float
@@ -88,10 +99,12 @@ class Trainer:
         if differentiated and states:
             derivatives = self._derivatives(system, tangent, states[-1])
         return Path(
-            inputs=np.array([state.load_factor * np.concatenate([[1.0], values]) for state in states]),
+            inputs=np.array([self.inputs.on_path(values, state.load_factor) for state in states]),
             displacements=np.array([state.displacement for state in states]).reshape(-1, nodes, 3) / system.length,
             mean_stresses=np.array([state.mean_stress for state in states]).reshape(-1, m) / system.stress_scale,
             derivatives=derivatives,
+            rest=self.inputs.on_path(values, 0.0),
+            obstacle_forces=_obstacle_forces(model, states),
             scales=tuple(part.penalty_scale for part in system.contact.parts),
             reached=bool(states) and states[-1].load_factor == 1.0,
             seconds=process_time() - began,
@@ -110,8 +123,27 @@ class Trainer:
             for term in system.terms.all:
                 if isinstance(term, PressureTerm) and term.load is not None:
                     force += drive.pressures[drive.faces.index(term.load.face)][k] * term.unit_forces(position)
+            for part, gaps in zip(system.contact.parts, at.contacts.gaps, strict=True):
+                if part.obstacle is not None:
+                    force -= _by_place(part, position, gaps, drive.places[part.name].by_inputs[:, k])
             rate = tangent.solve(system.joined(force) * width)
             rows.append(np.where(system.prescribed, 0.0, rate))
         n = 3 * len(system.model.mesh.points)
         moved = np.array([system.split(row)[0][: n // 3].ravel() for row in rows])
         return moved, np.array([system.split(row)[1] for row in rows])
+
+
+def _by_place(part: PairPart | ShapePart, position: Array, gaps: Gaps, way: Array) -> Array:
+    """Derivative (n, 3) of the internal forces of an obstacle that moves along a way (3,)."""
+    step, size = 1e-6, float(np.linalg.norm(way))
+    if not size:
+        return np.zeros_like(position)
+    ends = [part.forces(position, part.look(position, gaps.place + sign * step / size * way)) for sign in (1, -1)]
+    return (ends[0] - ends[1])[: len(position)] / (2 * step / size)
+
+
+def _obstacle_forces(model: Model, states: Sequence[State]) -> Array:
+    """Forces (k, o, 3) [N] on the obstacles of a model in some states."""
+    names = [obstacle.name for obstacle in model.contact.obstacles]
+    forces = [[contact_force(StateFields(state), name) for name in names] for state in states]
+    return np.array(forces, dtype=np.float64).reshape(len(states), len(names), 3)

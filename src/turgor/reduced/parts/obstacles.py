@@ -1,0 +1,150 @@
+"""Obstacles: rigid bodies without friction that the actuator may touch, in places that inputs may move.
+
+The translation of a body is three coordinates more, whose values follow from the inputs. So the force on the body and
+its derivatives come with those of the actuator.
+"""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.model.obstacles import RigidShape
+
+Array = NDArray[np.float64]
+
+
+class BodyAt(Protocol):
+    """What touching a body does."""
+
+    def forces(self) -> Array:
+        """Forces (r + 3,), those of the body's translation last."""
+
+    def tangent(self, geometric: Array | None) -> Array:
+        """Tangent (r + 3, r + 3)."""
+
+
+class Body(Protocol):
+    """Points of the actuator and a body that they may touch."""
+
+    def at(self, q: Array) -> BodyAt:
+        """Find what touches at coordinates (r,) and a translation (3,) of the body, one after the other."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shaped:
+    """Points that may touch a shape whose distance is a formula.
+
+    Parameters
+    ----------
+    rest : (k, 3) array
+        Scaled positions at rest.
+    modes : (k, 3, r + 3) array
+        How they move with the coordinates, and against the translation of the body.
+    stiff : (k,) array
+        Force per depth.
+    shape : RigidShape
+        Scaled.
+    """
+
+    rest: Array
+    modes: Array
+    stiff: Array
+    shape: RigidShape
+
+    def at(self, q: Array) -> "ShapedAt":
+        """Measure the gaps."""
+        x = self.rest + (self.modes.reshape(-1, len(q)) @ q).reshape(-1, 3)
+        gap, normal, bend = self.shape.signed_distance(x)
+        inside = gap < 0.0
+        return ShapedAt(self.modes[inside], self.stiff[inside], gap[inside], normal[inside], bend[inside])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ShapedAt:
+    """Points in a body: how they move, stiffness, gaps with first and second derivatives."""
+
+    modes: Array
+    stiff: Array
+    gap: Array
+    normal: Array
+    bend: Array
+
+    def forces(self) -> Array:
+        """Forces (r + 3,)."""
+        return np.asarray((self.stiff * self.gap) @ self._slopes)
+
+    def tangent(self, geometric: Array | None) -> Array:
+        """Tangent (r + 3, r + 3)."""
+        slopes = self._slopes
+        out = (slopes.T * self.stiff) @ slopes
+        if self.bend.any():
+            turned = (self.stiff * self.gap)[:, None, None] * (self.bend @ self.modes)
+            out += self.modes.reshape(-1, out.shape[0]).T @ turned.reshape(-1, out.shape[0])
+        return np.asarray(out)
+
+    @property
+    def _slopes(self) -> Array:
+        return np.asarray((self.normal[:, None, :] @ self.modes)[:, 0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Obstructing:
+    """An obstacle, and where it is.
+
+    Parameters
+    ----------
+    name : str
+    body : Body
+    origin : (3,) array
+        Scaled translation of the body where all inputs are zero.
+    place : (3, 1 + n) array
+        How it translates with the inputs, the share of the loads that are no inputs first.
+    whole : (3, 3) array [N]
+        Force on the body from the whole actuator, of a scaled one from the modeled part.
+    """
+
+    name: str
+    body: Body
+    origin: Array
+    place: Array
+    whole: Array
+
+    def at(self, q: Array, inputs: Array) -> "ObstructingAt":
+        """Find what touches at coordinates (r,) and inputs (1 + n,)."""
+        at = self.body.at(np.concatenate([q, self.origin + self.place @ inputs]))
+        return ObstructingAt(self, at.forces(), at.tangent(None))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ObstructingAt:
+    """Forces and tangent of an obstacle by the coordinates and its translation."""
+
+    obstacle: Obstructing
+    every: Array
+    stiffness: Array
+
+    def forces(self) -> Array:
+        """Forces (r,)."""
+        return self.every[:-3]
+
+    def tangent(self, geometric: Array | None) -> Array:
+        """Tangent (r, r)."""
+        return self.stiffness[:-3, :-3]
+
+    def linearized(self, update: Array) -> None:
+        """No stresses enter the geometric part."""
+
+    def by_inputs(self) -> Array:
+        """Derivative (r, 1 + n) of the forces by the inputs."""
+        return self.stiffness[:-3, -3:] @ self.obstacle.place
+
+    def force(self) -> Array:
+        """Force (3,) [N] of the whole actuator on the obstacle."""
+        return -self.obstacle.whole @ self.every[-3:]
+
+    def force_rates(self, rates: Array) -> Array:
+        """Derivatives (3, 1 + n) of that force by the inputs, from those of the coordinates (r, 1 + n)."""
+        by_place = self.stiffness[-3:, -3:] @ self.obstacle.place
+        return -self.obstacle.whole @ (self.stiffness[-3:, :-3] @ rates + by_place)
