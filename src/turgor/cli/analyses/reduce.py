@@ -23,7 +23,9 @@ class _Options:
     along: Annotated[
         list[str] | None,
         often(
-            "--along", "KEY=FROM..TO", "A load and its range, such as loads.pressure='0..20 kPa'; as often as needed."
+            "--along",
+            "KEY=FROM..TO",
+            "A load or the place of an obstacle, and its range: loads.pressure='0..20 kPa'; as often as needed.",
         ),
     ] = None
     output: Annotated[Path, output_option("The file; its ending is .reduced.")] = Path("actuator.reduced")
@@ -66,6 +68,8 @@ def _run(options: _Options) -> None:
             typer.echo(
                 f"{len(errors.inputs)} held-out states. Largest errors: {shares}, volume {errors.volume.max():.2g}."
             )
+            if errors.force.any():
+                typer.echo(f"Forces on obstacles: {errors.force.max():.2g} of the largest.")
         if errors.worst > options.error:
             typer.echo(f"The wanted error {options.error:g} is not reached; take more --steps or --paths.")
         typer.echo(f"Written to {file}.")
@@ -88,7 +92,7 @@ def _ranges(texts: Sequence[str], model: "Model") -> dict[str, tuple[float, floa
         first, dots, last = (part.strip() for part in values.partition(".."))
         if not (sign and key and dots and first and last):
             raise TurgorError(f"--along is '{text}'; write KEY=FROM..TO, such as --along loads.pressure='0..20 kPa'.")
-        unit = model_variation(model, [key]).units.get(key, "")
+        unit = model_variation(model, [key], places=True).units.get(key, "")
         given = split_quantity(last)
         if unit and given is not None and first.removeprefix("-").replace(".", "", 1).isdigit():
             first = f"{first} {given[1]}"
@@ -116,6 +120,8 @@ def say_prediction(file: Path, given: Sequence[str], answer: "Answer") -> None:
         typer.echo(f"volume of {face} {volume * 1e6:.5g} mL")
     if reduced.tip.any():
         typer.echo(f"displacement of the tip ({', '.join(f'{x * 1e3:.5g}' for x in result.tip)}) mm")
+    for obstacle, force in result.obstacle_forces.items():
+        typer.echo(f"force on {obstacle} ({', '.join(f'{x:.5g}' for x in force)}) N")
     typer.echo(f"largest displacement {abs(result.displacement).max() * 1e3:.5g} mm")
     typer.echo(
         f"largest held-out error {reduced.held_out.worst:.2g} of the largest displacement; {result.iterations} updates"

@@ -9,6 +9,10 @@ if TYPE_CHECKING:
     from turgor.reduced.states.reduced import Reduced, ReducedState
 
 
+#: Errors of held-out states, by their names in `HeldOutErrors`.
+ERRORS = ("displacement", "tip", "volume", "force")
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReducedResult:
     """``turgor reduce``: the reduced model, in SI units.
@@ -21,7 +25,7 @@ class ReducedResult:
     counts : table
         Sampled cells, points of contact, training paths.
     held_out : table
-        ``states``, and the largest errors ``displacement``, ``tip`` and ``volume`` there.
+        ``states``, and the largest errors ``displacement``, ``tip``, ``volume`` and ``force`` there.
     file : str
     """
 
@@ -36,7 +40,7 @@ class ReducedResult:
 def reduced_result(reduced: "Reduced", file: Path) -> ReducedResult:
     """Make the result of a reduction."""
     errors, box = reduced.held_out, reduced.inputs
-    largest = {name: float(getattr(errors, name).max(initial=0.0)) for name in ("displacement", "tip", "volume")}
+    largest = {name: float(getattr(errors, name).max(initial=0.0)) for name in ERRORS}
     return ReducedResult(
         inputs=[
             {"key": key, "low": float(low), "high": float(high)}
@@ -65,6 +69,10 @@ class ReducedAnswer:
         Mean displacement of the tip.
     tip_rates : list of lists
         Its derivatives by the inputs.
+    obstacle_forces : table
+        Force of the actuator on every obstacle.
+    obstacle_force_rates : table
+        Their derivatives by the inputs.
     held_out_error, indicator : float
         Largest held-out error of the reduced model, and what other sampled points change here.
     """
@@ -74,6 +82,8 @@ class ReducedAnswer:
     volume_rates: Mapping[str, Sequence[float]]
     tip: Sequence[float]
     tip_rates: Sequence[Sequence[float]]
+    obstacle_forces: Mapping[str, Sequence[float]]
+    obstacle_force_rates: Mapping[str, Sequence[Sequence[float]]]
     held_out_error: float
     indicator: float
 
@@ -86,6 +96,8 @@ def answer_result(result: "ReducedState") -> ReducedAnswer:
         volume_rates={face: rates.tolist() for face, rates in result.volume_rates.items()},
         tip=result.tip.tolist(),
         tip_rates=result.tip_rates.tolist(),
+        obstacle_forces={name: force.tolist() for name, force in result.obstacle_forces.items()},
+        obstacle_force_rates={name: rates.tolist() for name, rates in result.obstacle_force_rates.items()},
         held_out_error=result.reduced.held_out.worst,
         indicator=result.indicator,
     )

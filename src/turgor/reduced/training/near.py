@@ -11,7 +11,7 @@ from turgor.core.engine.contact.part import Gaps
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.system import System
 from turgor.core.results.fields.state_fields import MeshFacts
-from turgor.reduced.parts.obstacles import Obstructing, Shaped
+from turgor.reduced.parts.obstacles import Body, Obstructing, Shaped
 from turgor.reduced.parts.touching import Facing, Touching
 from turgor.reduced.settings import SAMPLING
 from turgor.reduced.training.places import Place
@@ -92,13 +92,19 @@ def contact_parts(
         if not len(here.points):
             continue
         if part.obstacle is None:
-            make = _touching if isinstance(part, PairPart) else _facing
-            own.append(make(system, part, here, modes))  # type: ignore[operator]
+            own.append(_own(system, part, here, modes))
             continue
-        make_body, place = _touching if isinstance(part, PairPart) else _shaped, places[part.name]
-        body = make_body(system, part, here, with_body(modes))  # type: ignore[operator]
+        place, moved = places[part.name], with_body(modes)
+        body: Body = (
+            _touching(system, part, here, moved) if isinstance(part, PairPart) else _shaped(system, part, here, moved)
+        )
         obstacles.append(Obstructing(part.name, body, place.origin, place.by_inputs, whole))
     return tuple(own), tuple(obstacles)
+
+
+def _own(system: System, part: PairPart | ShapePart, near: Near, modes: Array) -> Touching | Facing:
+    """Contact of the actuator with itself, or with its image in a mirror plane."""
+    return _touching(system, part, near, modes) if isinstance(part, PairPart) else _facing(system, part, near, modes)
 
 
 def with_body(modes: Array) -> Array:
