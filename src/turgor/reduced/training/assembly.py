@@ -12,6 +12,7 @@ from turgor.core.engine.faces.membrane_term import MembraneTerm
 from turgor.core.engine.faces.openings import mirror_point
 from turgor.core.engine.faces.plate_terms import HingeTerm, PlateTerm
 from turgor.core.engine.faces.pressure_term import PressureTerm
+from turgor.core.engine.fibers.fiber_term import BendingTerm, FiberTerm
 from turgor.core.engine.system import System
 from turgor.core.engine.term import Setting
 from turgor.core.materials.laws.laws import Law
@@ -23,6 +24,7 @@ from turgor.reduced.parts.polynomials import Cubics, Sheets
 from turgor.reduced.states.equations import Equations, Part
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.training import forms
+from turgor.reduced.training.layers import Layer, layers_of
 from turgor.reduced.training.modes import Modes
 from turgor.reduced.training.places import Place, places_of
 
@@ -68,17 +70,20 @@ class Whole:
         All sides and edges of shells.
     exact : Equations
         All that needs no sampling.
+    layers : tuple of Layer
+        Fibers and sheets that wrinkle.
     """
 
     rubber: Points
     cells: NDArray[np.int64]
     pieces: tuple[Pieces, ...]
     exact: Equations
+    layers: tuple[Layer, ...] = ()
 
     @property
     def equations(self) -> Equations:
         """The equations without sampling."""
-        return self.with_parts((self.rubber, *self.pieces))
+        return self.with_parts((self.rubber, *self.pieces, *(layer.part for layer in self.layers)))
 
     def with_parts(self, sampled: tuple[Part, ...]) -> Equations:
         """The equations with sampled parts."""
@@ -141,7 +146,7 @@ def assemble(system: System, drive: Drive, modes: Modes, stresses: Modes) -> Who
     caps = np.array([v - form[0, 0, 0] for v, form in zip(whole, volumes, strict=True)])
     cubics = np.concatenate([np.array(volumes).reshape(-1, R, R, R), constraint])
     cubics[: len(caps), 0, 0, 0] += caps
-    sheets = [term for term in system.terms.all if isinstance(term, MembraneTerm)]
+    sheets = [term for term in system.terms.all if isinstance(term, MembraneTerm) and term.field is None]
     exact = []
     if sheets:
         exact.append(Sheets(np.asarray(sum(forms.sheet(system, term, vectors) for term in sheets)), R))
@@ -149,7 +154,7 @@ def assemble(system: System, drive: Drive, modes: Modes, stresses: Modes) -> Who
                           forms.moments(system, vectors, stresses.vectors))  # fmt: skip
     bending = (term for term in system.terms.all if isinstance(term, PlateTerm | HingeTerm))
     pieces = tuple(Pieces.of(term, system.points, vectors) for term in bending)
-    return Whole(*_rubber(system, vectors), pieces, equations)
+    return Whole(*_rubber(system, vectors), pieces, equations, layers_of(system, vectors))
 
 
 def _rubber(system: System, vectors: Array) -> tuple[Points, NDArray[np.int64]]:
@@ -167,7 +172,7 @@ def _rubber(system: System, vectors: Array) -> tuple[Points, NDArray[np.int64]]:
 
 
 #: Terms that a reduced model knows.
-KNOWN = (PressureTerm, MembraneTerm, PlateTerm, HingeTerm, DeadTerm)
+KNOWN = (PressureTerm, MembraneTerm, PlateTerm, HingeTerm, DeadTerm, FiberTerm)
 
 
 def check_reducible(system: System) -> None:
@@ -191,10 +196,10 @@ def check_reducible(system: System) -> None:
     if system.prescribed_values(1.0).any():
         raise TurgorError("reduced models have no supports that move yet; a displacement of the model is prescribed.")
     for term in system.terms.all:
+        if isinstance(term, BendingTerm):
+            raise TurgorError("reduced models have no fibers that resist bending yet; leave their bending out.")
         if not isinstance(term, KNOWN):
             raise TurgorError(f"reduced models have no {type(term).__name__.removesuffix('Term').lower()} yet.")
-        if isinstance(term, MembraneTerm) and term.field is not None:
-            raise TurgorError("reduced models have no sheets that wrinkle yet.")
         if not term.symmetric:
             raise TurgorError(
                 "a pressure acts on an open surface; reduced models need closed cavities, or ones with a fixed rim."

@@ -13,6 +13,7 @@ from turgor.reduced.parts.polynomials import Sheets
 from turgor.reduced.settings import SAMPLING, TRAINING
 from turgor.reduced.states.equations import Equations, Part
 from turgor.reduced.training import assembly, near, sampling
+from turgor.reduced.training.layers import sampled
 from turgor.reduced.training.modes import Modes, modes_of, rest_stiffness
 from turgor.reduced.training.trainer import Path
 
@@ -91,9 +92,9 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     if whole.exact.moments is not None:
         few = whole.exact.moments.combined(list(y), SAMPLING.moments)
         whole = replace(whole, exact=replace(whole.exact, moments=few))
-    sampled, checks, counts = sample(whole, inputs, y)
+    chosen, checks, counts = sample(whole, inputs, y)
     counts["contact points"] = sum(len(each.points) for each in close)
-    return Built(_one_sheet(whole.with_parts(sampled)), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
+    return Built(_one_sheet(whole.with_parts(chosen)), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
 
 
 def _at_rest(equations: Equations, paths: Sequence[Path]) -> Array:
@@ -141,6 +142,12 @@ def sample(whole: assembly.Whole, inputs: Array, y: Array) -> tuple[tuple[Part, 
     counts = {"points": len(chosen[0].weights), "cells": len(cells)}
     parts: list[Part] = [chosen[0]]
     checks: list[Part] = [chosen[1]]
+    for layer in whole.layers:
+        places = [(trial.q, trial.inverse) for trial in trials]
+        part, sides = sampled(layer, places, tolerance)
+        parts.append(part)
+        checks.append(sampled(layer, places, tolerance, sides)[0])
+        counts["pieces of layers"] = counts.get("pieces of layers", 0) + len(part.weights)
     if whole.pieces:
         bending, error = bending_form([(trial.q, trial.inverse, trial.bending) for trial in trials])
         if error <= tolerance:
