@@ -23,6 +23,7 @@ from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import check_reducible, drive_of
 from turgor.reduced.training.build import Built, build
 from turgor.reduced.training.compare import compared
+from turgor.reduced.training.components import components_of
 from turgor.reduced.training.modes import Modes
 from turgor.reduced.training.path_runs import PathRuns
 from turgor.reduced.training.trainer import Path, Trainer
@@ -85,7 +86,9 @@ def reduce(
     ----------
     model : Model
     inputs : mapping of str to (float, float) [SI]
-        Range of each input by its key, as in `gradient`: ``{"loads.pressure": (0, 20e3)}``.
+        Range of each input by its key, as in `gradient`: ``{"loads.pressure": (0, 20e3)}``. A key without its last
+        number stands for the three components of a vector, ``"loads.tip.vector"``; so does ``"loads.gravity.falling"``,
+        the acceleration of gravity as a vector.
     budget : Budget, optional
         Wanted error, paths, modes.
     options : EngineOptions, optional
@@ -107,7 +110,7 @@ def reduce(
     """
     began, budget, options = perf_counter(), budget or Budget(), options or EngineOptions()
     box = inputs_of(model, inputs)
-    variation = model_variation(model, list(box.keys), places=True)
+    variation = model_variation(model, list(box.keys), inputs=True)
     with use_threads(options.threads):
         training = _Training(model, variation.model, box, budget, options, runs, say or _silent)
         reduced = training.run()
@@ -133,7 +136,8 @@ def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs
     """
     if not ranges:
         raise TurgorError("a reduced model needs an input, such as 'loads.pressure' with its range.")
-    variation = model_variation(model, list(ranges), places=True)
+    ranges = {single: limits for key, limits in ranges.items() for single in components_of(model, key)}
+    variation = model_variation(model, list(ranges), inputs=True)
     for key in ranges:
         if not key.startswith(("loads.", "obstacles.")):
             raise TurgorError(

@@ -4,13 +4,13 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from functools import reduce
-from math import isfinite
+from math import hypot, isfinite
 from typing import Any
 
 from turgor.accuracy.gradients.variation import Variation
 from turgor.core.materials.material import Material
 from turgor.core.model.drive import common_pressure
-from turgor.core.model.loads import Pressure
+from turgor.core.model.loads import Gravity, Pressure
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle, Plate
 from turgor.core.model.sheets import Membrane, Shell
@@ -18,6 +18,9 @@ from turgor.foundation.errors import TurgorError, unknown
 
 #: Parts of a model that hold numbers, by the name that they have in job files.
 _PARTS = {"materials": "materials", "loads": "loads", "fibers": "reinforcements", "supports": "supports"}
+
+#: Key of the acceleration of gravity as a vector.
+FALLING = "falling"
 
 #: The key of the pressure where all pressed faces share one.
 COMMON = "loads.pressure"
@@ -61,8 +64,8 @@ def model_numbers(model: Model) -> dict[str, float]:
     return numbers
 
 
-def place_numbers(model: Model) -> dict[str, float]:
-    """Find where the obstacles of a model are, by keys as in a job file: ``"obstacles.floor.point.3"``.
+def input_numbers(model: Model) -> dict[str, float]:
+    """Find further numbers of a model that inputs of reduced models may be: ``"obstacles.floor.point.3"``.
 
     Parameters
     ----------
@@ -70,11 +73,18 @@ def place_numbers(model: Model) -> dict[str, float]:
 
     Returns
     -------
-    dict of str to float [m]
-        Coordinates of the point of a plane, of the center of other shapes.
+    dict of str to float [SI]
+        Coordinates of the point of a plane, of the center of other shapes; components of gravity, as an acceleration.
     """
     every = dict(_numbers("obstacles", model.contact.obstacles))
-    return {key: value for key, value in every.items() if re.fullmatch(r".+\.(point|center)\.[123]", key)}
+    places = {key: value for key, value in every.items() if re.fullmatch(r".+\.(point|center)\.[123]", key)}
+    weights = {
+        f"loads.{name}.{FALLING}.{axis}": value
+        for name, load in zip(_names(model.loads), model.loads, strict=True)
+        if isinstance(load, Gravity)
+        for axis, value in enumerate(load.falling, start=1)
+    }
+    return places | weights
 
 
 def with_number(model: Model, key: str, value: float) -> Model:
@@ -84,7 +94,7 @@ def with_number(model: Model, key: str, value: float) -> Model:
     ----------
     model : Model
     key : str
-        One of `model_numbers` or `place_numbers`, or several with commas between them, which have one number.
+        One of `model_numbers` or `input_numbers`, or several with commas between them, which have one number.
     value : float [SI]
 
     Returns
@@ -94,7 +104,7 @@ def with_number(model: Model, key: str, value: float) -> Model:
     return reduce(lambda changed, single: _with_one(changed, single, value), key.split(","), model)
 
 
-def model_variation(model: Model, keys: Sequence[str], places: bool = False) -> Variation:
+def model_variation(model: Model, keys: Sequence[str], inputs: bool = False) -> Variation:
     """Return a model as a function of some of its numbers.
 
     Parameters
@@ -102,8 +112,8 @@ def model_variation(model: Model, keys: Sequence[str], places: bool = False) -> 
     model : Model
     keys : sequence of str
         Of `model_numbers`; several with commas between them are one number.
-    places : bool
-        Whether those of `place_numbers` are allowed, too.
+    inputs : bool
+        Whether those of `input_numbers` are allowed, too.
 
     Returns
     -------
@@ -114,7 +124,7 @@ def model_variation(model: Model, keys: Sequence[str], places: bool = False) -> 
     TurgorError
         If the model has no such number, with the near match, or keys that stand for one have different numbers.
     """
-    known = model_numbers(model) | (place_numbers(model) if places else {})
+    known = model_numbers(model) | (input_numbers(model) if inputs else {})
     values: dict[str, float] = {}
     for key in keys:
         equal = [_number_of(known, single) for single in key.split(",")]
@@ -126,7 +136,8 @@ def model_variation(model: Model, keys: Sequence[str], places: bool = False) -> 
     def model_of(numbers: Mapping[str, float]) -> Model:
         return reduce(lambda changed, key: with_number(changed, key, numbers[key]), numbers, model)
 
-    return Variation(model_of, values, units)
+    scales = {key: 1.0 for key, value in values.items() if inputs and not value}  # their steps follow from ranges
+    return Variation(model_of, values, units, scales)
 
 
 def _number_of(known: Mapping[str, float], key: str) -> float:
@@ -202,11 +213,20 @@ def _own_name(value: Any) -> str:
     return type(value).__name__.lower() if is_dataclass(value) else ""
 
 
+def _falling(gravity: Gravity, axis: int, number: float) -> Gravity:
+    """Gravity with another component of its acceleration; without any, its direction stays for the next component."""
+    x, y, z = (number if place == axis else part for place, part in enumerate(gravity.falling))
+    size = hypot(x, y, z)
+    return replace(gravity, direction=(x, y, z) if size else gravity.direction, acceleration=size)
+
+
 def _put(value: Any, parts: Sequence[str], number: float) -> Any:
     """Return a value in which a number is another one."""
     if not parts:
         return number
     first, rest = parts[0], parts[1:]
+    if isinstance(value, Gravity) and first == FALLING:
+        return _falling(value, int(rest[0]) - 1, number)
     if isinstance(value, Mapping):
         return {name: _put(each, rest, number) if str(name) == first else each for name, each in value.items()}
     if isinstance(value, tuple | list):

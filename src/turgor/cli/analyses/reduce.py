@@ -84,6 +84,7 @@ def _ranges(texts: Sequence[str], model: "Model") -> dict[str, tuple[float, floa
     """Read what ``--along`` states, such as ``loads.pressure=0..20 kPa``; the first may have the other's unit."""
     from turgor.accuracy.gradients.model_keys import model_variation
     from turgor.foundation.errors import TurgorError
+    from turgor.reduced.training.components import components_of
     from turgor.units import split_quantity
 
     ranges = {}
@@ -92,7 +93,8 @@ def _ranges(texts: Sequence[str], model: "Model") -> dict[str, tuple[float, floa
         first, dots, last = (part.strip() for part in values.partition(".."))
         if not (sign and key and dots and first and last):
             raise TurgorError(f"--along is '{text}'; write KEY=FROM..TO, such as --along loads.pressure='0..20 kPa'.")
-        unit = model_variation(model, [key], places=True).units.get(key, "")
+        single = components_of(model, key)[0]
+        unit = model_variation(model, [single], inputs=True).units.get(single, "")
         given = split_quantity(last)
         if unit and given is not None and first.removeprefix("-").replace(".", "", 1).isdigit():
             first = f"{first} {given[1]}"
@@ -114,7 +116,7 @@ def say_prediction(file: Path, given: Sequence[str], answer: "Answer") -> None:
     from turgor.reduced.states.reduced import Reduced
 
     reduced = Reduced.load(file)
-    values = dict(_value(text, reduced.inputs) for text in given)
+    values = dict(pair for text in given for pair in _values(text, reduced.inputs))
     result = reduced.solve(values)
     for face, volume in result.volumes.items():
         typer.echo(f"volume of {face} {volume * 1e6:.5g} mL")
@@ -130,11 +132,17 @@ def say_prediction(file: Path, given: Sequence[str], answer: "Answer") -> None:
     raise typer.Exit(DONE)
 
 
-def _value(text: str, inputs: "Inputs") -> tuple[str, float]:
+def _values(text: str, inputs: "Inputs") -> list[tuple[str, float]]:
+    """Read ``NAME=VALUE``, or values of all components of a vector with commas between them."""
     from turgor.foundation.errors import TurgorError
 
     name, sign, value = (part.strip() for part in text.partition("="))
     if not (sign and name and value):
         raise TurgorError(f"--at is '{text}'; write NAME=VALUE, such as --at pressure='10 kPa'.")
-    place = inputs.place(name)
-    return inputs.keys[place], _number(value, inputs.keys[place], inputs.units[place], "--at")
+    places, parts = inputs.components(name), [part.strip() for part in value.split(",")]
+    if len(places) != len(parts):
+        raise TurgorError(f"--at {name} has {len(parts)} values; {len(places)} are needed, with commas between them.")
+    return [
+        (inputs.keys[place], _number(part, inputs.keys[place], inputs.units[place], "--at"))
+        for place, part in zip(places, parts, strict=True)
+    ]

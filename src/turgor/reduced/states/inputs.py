@@ -1,6 +1,7 @@
 """Inputs: the numbers of a model that a reduced model takes, their ranges, and how loads follow from them."""
 
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,8 +32,10 @@ class Inputs:
     high: Array
     units: tuple[str, ...]
 
-    def vector(self, values: Mapping[str, float]) -> Array:
+    def vector(self, values: Mapping[str, float | Sequence[float]]) -> Array:
         """Values by key as a vector (n,) in order; a key may be its end, such as ``"pressure"``.
+
+        A key without its last number stands for all its components, in order: ``"tip.vector"`` with three numbers.
 
         Raises
         ------
@@ -41,7 +44,10 @@ class Inputs:
         """
         out = np.full(len(self.keys), np.nan)
         for name, value in values.items():
-            out[self.place(name)] = value
+            places = self.components(name)
+            if np.size(value) != len(places):
+                raise TurgorError(f"the input '{name}' has {np.size(value)} values; {len(places)} are needed.")
+            out[places] = value
         for key, value, low, high in zip(self.keys, out, self.low, self.high, strict=True):
             if np.isnan(value):
                 place = self.keys.index(key)
@@ -58,6 +64,14 @@ class Inputs:
     def on_path(self, values: Array, factor: float) -> Array:
         """Share of the loads that are no inputs, and inputs (1 + n,) of a path to values (n,), at a load factor."""
         return np.concatenate([[factor], np.where(self.places, 1.0, factor) * values])
+
+    def components(self, name: str) -> list[int]:
+        """Places of the components of a vector by its key or the end of its key, or of one input."""
+        single = [re.sub(r"\.[123]$", "", key) for key in self.keys]
+        vectors = [key for key in set(single) - set(self.keys) if key == name or key.endswith(f".{name}")]
+        if len(vectors) != 1:
+            return [self.place(name)]
+        return [place for place, key in enumerate(single) if key == vectors[0]]
 
     def place(self, name: str) -> int:
         """Place of an input by its key or the end of its key."""

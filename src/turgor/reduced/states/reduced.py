@@ -1,6 +1,6 @@
 """Reduced: a model in a few coordinates, which answers in milliseconds."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -88,14 +88,16 @@ class Reduced(Saved, Shown):
         error = f"held-out error {self.held_out.worst:.2g}" if len(self.held_out.inputs) else "nothing held out"
         return f"Reduced('{self.model.mesh.name}', {', '.join(self.inputs.keys)}; {r} + {m} modes, {counts}; {error})"
 
-    def solve(self, values: Mapping[str, float] | float, *, start: "ReducedState | None" = None) -> "ReducedState":
+    def solve(
+        self, values: Mapping[str, float | Sequence[float]] | float, *, start: "ReducedState | None" = None
+    ) -> "ReducedState":
         """Find the equilibrium at values of the inputs.
 
         Parameters
         ----------
         values : mapping of str to float [SI], or float
-            By the keys of the inputs, or the ends of the keys: ``{"pressure": 10e3}``. A number where there is one
-            input.
+            By the keys of the inputs, or the ends of the keys: ``{"pressure": 10e3}``; a vector has all its components,
+            ``{"tip.vector": (0, 0, 0.02)}``. A number where there is one input.
         start : ReducedState, optional
             One to go on from, such as the last of a loop; by default the nearest training state.
 
@@ -113,7 +115,7 @@ class Reduced(Saved, Shown):
         given = values if isinstance(values, Mapping) else {self._only_input: values}
         return self.at(self.inputs.vector(given), start)
 
-    def solve_all(self, table: Iterable[Mapping[str, float] | float]) -> "list[ReducedState]":
+    def solve_all(self, table: Iterable[Mapping[str, float | Sequence[float]] | float]) -> "list[ReducedState]":
         """Find the equilibria at many values of the inputs, each from the nearest training state."""
         return [self.solve(values) for values in table]
 

@@ -73,7 +73,7 @@ def path_run(
     """Compute one path of a saved model, and save its states in the folder."""
     model = Model.load(file)
     box = Inputs(tuple(keys), np.array(low), np.array(high), ("",) * len(keys))
-    model_at = model_variation(model, keys, places=True).model
+    model_at = model_variation(model, keys, inputs=True).model
     with use_threads(1):
         path = Trainer(model_at, box, steps, EngineOptions(threads=1)).path(np.array(aim))
     encoder = Encoder()
