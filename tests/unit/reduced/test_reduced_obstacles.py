@@ -16,6 +16,7 @@ from turgor.core.model.obstacles import Box, Obstacle, Plane, RigidSurface, Sphe
 from turgor.core.results.measures.contact_measures import force_on
 from turgor.reduced.path import solution_of
 from turgor.reduced.reduce import Budget, corners, inputs_of, reduce
+from turgor.reduced.states.newton import Balance, newton
 from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.near import contact_parts, near_points
 from turgor.reduced.training.places import Place
@@ -75,6 +76,24 @@ def test_rates_of_forces_are_derivatives() -> None:
         slope = (ends[0].obstacle_forces["plate"] - ends[1].obstacle_forces["plate"]) / (2 * step)
         assert one.obstacle_force_rates["plate"][:, place] == pytest.approx(slope, rel=1e-3)
         assert one.tip_rates[:, place] == pytest.approx((ends[0].tip - ends[1].tip) / (2 * step), rel=1e-3)
+
+
+def test_random_jumps_into_the_plate_are_all_answered() -> None:
+    box = pressing().inputs
+    for share in np.random.default_rng(3).uniform(size=(40, 2)):
+        assert pressing().at(box.low + share * (box.high - box.low)).iterations < 40
+
+
+def test_updates_end_before_points_are_deep_in_the_plate() -> None:
+    """From rest to all of the pressure at once; a whole update passes the plate by millimeters."""
+    reduced = pressing()
+    equations, inputs = reduced.equations, np.array([1.0, 5 * kPa, LENGTH + 1 * mm])
+    rest = np.zeros(sum(equations.sizes))
+    at = equations.at(rest, inputs)
+    whole = equations.at(rest - np.linalg.solve(at.tangent(), at.residual), inputs)
+    assert at.obstacles[0].share(whole.obstacles[0]) < 0.6
+    assert at.obstacles[0].share(at.obstacles[0]) == 1.0
+    assert isinstance(newton(equations, rest, inputs, reduced.size), Balance)
 
 
 def test_file_has_its_obstacles(tmp_path) -> None:

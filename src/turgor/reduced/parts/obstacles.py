@@ -10,6 +10,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.contact.settings import PENALTY
 from turgor.core.model.obstacles import RigidShape
 
 Array = NDArray[np.float64]
@@ -44,6 +45,8 @@ class Shaped:
         How they move with the coordinates, and against the translation of the body.
     stiff : (k,) array
         Force per depth.
+    deeper : (k,) array
+        How much deeper one update of Newton's method may bring each.
     shape : RigidShape
         Scaled.
     """
@@ -51,25 +54,36 @@ class Shaped:
     rest: Array
     modes: Array
     stiff: Array
+    deeper: Array
     shape: RigidShape
 
     def at(self, q: Array) -> "ShapedAt":
         """Measure the gaps."""
         x = self.rest + (self.modes.reshape(-1, len(q)) @ q).reshape(-1, 3)
         gap, normal, bend = self.shape.signed_distance(x)
-        inside = gap < 0.0
-        return ShapedAt(self.modes[inside], self.stiff[inside], gap[inside], normal[inside], bend[inside])
+        inside = np.flatnonzero(gap < 0.0)
+        touching = self.modes[inside], self.stiff[inside], gap[inside], normal[inside], bend[inside]
+        return ShapedAt(*touching, gap, self.deeper)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShapedAt:
-    """Points in a body: how they move, stiffness, gaps with first and second derivatives."""
+    """Points in a body: how they move, stiffness, gaps with first and second derivatives; then gaps of all points."""
 
     modes: Array
     stiff: Array
     gap: Array
     normal: Array
     bend: Array
+    gaps: Array
+    deeper: Array
+
+    def share(self, new: "ShapedAt") -> float:
+        """Share of the way to another place after which no point is deeper by more than it may be; 1 if none is."""
+        allowed = np.minimum(self.gaps, 0.0) - self.deeper
+        bad = new.gaps < allowed - (PENALTY.margin - 1) * self.deeper
+        way = (self.gaps[bad] - allowed[bad]) / (self.gaps[bad] - new.gaps[bad])
+        return max(float(way.min(initial=1.0)), PENALTY.shortest)
 
     def forces(self) -> Array:
         """Forces (r + 3,)."""
@@ -103,6 +117,8 @@ class Obstructing:
         How it translates with the inputs, the share of the loads that are no inputs first.
     whole : (3, 3) array [N]
         Force on the body from the whole actuator, of a scaled one from the modeled part.
+    largest : float [N]
+        Largest force on it in training.
     """
 
     name: str
@@ -110,11 +126,12 @@ class Obstructing:
     origin: Array
     place: Array
     whole: Array
+    largest: float = 0.0
 
     def at(self, q: Array, inputs: Array) -> "ObstructingAt":
         """Find what touches at coordinates (r,) and inputs (1 + n,)."""
         at = self.body.at(np.concatenate([q, self.origin + self.place @ inputs]))
-        return ObstructingAt(self, at.forces(), at.tangent(None))
+        return ObstructingAt(self, at.forces(), at.tangent(None), at)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -124,6 +141,12 @@ class ObstructingAt:
     obstacle: Obstructing
     every: Array
     stiffness: Array
+    body: BodyAt
+
+    def share(self, new: "ObstructingAt") -> float:
+        """Share of the way to another place after which no point is too much deeper in the body; 1 if none is."""
+        one, other = self.body, new.body
+        return one.share(other) if isinstance(one, ShapedAt) and isinstance(other, ShapedAt) else 1.0
 
     def forces(self) -> Array:
         """Forces (r,)."""

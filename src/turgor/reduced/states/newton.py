@@ -71,11 +71,14 @@ def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Ba
 
 
 def _inside(equations: Equations, at: EquationsAt, length: float, update: Array) -> tuple[float, EquationsAt | None]:
-    """Shorten an update until no point is turned inside out: its length, and the place."""
+    """Shorten an update until no point is turned inside out or too much deeper in an obstacle: length, and place."""
     while length >= NEWTON.shortest:
         new = equations.at(at.y + length * update, at.inputs)
         if new is not None:
-            return length, new
+            share = min([1.0, *(one.share(other) for one, other in zip(at.obstacles, new.obstacles, strict=True))])
+            if share == 1.0:
+                return length, new
+            return length * share, equations.at(at.y + length * share * update, at.inputs)
         length *= 0.5
     return length, None
 

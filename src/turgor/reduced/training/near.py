@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.contact.pair_part import PairPart, Partners
 from turgor.core.engine.contact.part import Gaps
+from turgor.core.engine.contact.settings import PENALTY
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.system import System
 from turgor.core.results.fields.state_fields import MeshFacts
@@ -119,7 +120,7 @@ def _shaped(system: System, part: ShapePart, near: Near, modes: Array) -> Shaped
     x, moved = np.einsum("ka,kai->ki", N, system.points[nodes]), np.einsum("ka,kair->kir", N, modes[nodes])
     moved[:, :, -3:] -= np.eye(3)
     stiff = part.surface.spring[side] * part.penalty_scale[side] * part.surface.weights[side, q]
-    return Shaped(x, np.ascontiguousarray(moved), stiff, part.shape)
+    return Shaped(x, np.ascontiguousarray(moved), stiff, PENALTY.deeper * part.surface.height[side], part.shape)
 
 
 def _facing(system: System, part: ShapePart, near: Near, modes: Array) -> Facing:
