@@ -13,6 +13,8 @@ from turgor.core.engine.faces.openings import mirror_point
 from turgor.core.engine.faces.plate_terms import HingeTerm, PlateTerm
 from turgor.core.engine.faces.pressure_term import PressureTerm
 from turgor.core.engine.fibers.fiber_term import BendingTerm, FiberTerm
+from turgor.core.engine.points.average_term import AverageTerm
+from turgor.core.engine.points.rigid_term import RigidTerm
 from turgor.core.engine.system import System
 from turgor.core.engine.term import Setting
 from turgor.core.materials.laws.laws import Law
@@ -27,6 +29,7 @@ from turgor.reduced.training import forms
 from turgor.reduced.training.layers import Layer, layers_of
 from turgor.reduced.training.modes import Modes
 from turgor.reduced.training.places import Place, places_of
+from turgor.reduced.training.reference_points import check_points, rigid_faces
 
 Array = NDArray[np.float64]
 
@@ -150,6 +153,9 @@ def assemble(system: System, drive: Drive, modes: Modes, stresses: Modes) -> Who
     exact = []
     if sheets:
         exact.append(Sheets(np.asarray(sum(forms.sheet(system, term, vectors) for term in sheets)), R))
+    rigid = rigid_faces(system, vectors)
+    if rigid is not None:
+        exact.append(Sheets(rigid, R))
     equations = Equations(tuple(exact), Cubics(cubics), drive.pressures, vectors.T @ drive.forces, compliance,
                           forms.moments(system, vectors, stresses.vectors))  # fmt: skip
     bending = (term for term in system.terms.all if isinstance(term, PlateTerm | HingeTerm))
@@ -172,7 +178,7 @@ def _rubber(system: System, vectors: Array) -> tuple[Points, NDArray[np.int64]]:
 
 
 #: Terms that a reduced model knows.
-KNOWN = (PressureTerm, MembraneTerm, PlateTerm, HingeTerm, DeadTerm, FiberTerm)
+KNOWN = (PressureTerm, MembraneTerm, PlateTerm, HingeTerm, DeadTerm, FiberTerm, RigidTerm, AverageTerm)
 
 
 def check_reducible(system: System) -> None:
@@ -191,8 +197,7 @@ def check_reducible(system: System) -> None:
                 )
     if not system.element.modes:
         raise TurgorError("reduced models need mean stresses; take the formulation 'mixed' instead of 'displacement'.")
-    if model.points:
-        raise TurgorError(f"reduced models have no reference points yet; the model has '{next(iter(model.points))}'.")
+    check_points(system)
     if system.prescribed_values(1.0).any():
         raise TurgorError("reduced models have no supports that move yet; a displacement of the model is prescribed.")
     for term in system.terms.all:

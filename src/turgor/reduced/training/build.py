@@ -15,6 +15,7 @@ from turgor.reduced.states.equations import Equations, Part
 from turgor.reduced.training import assembly, near, sampling
 from turgor.reduced.training.layers import sampled
 from turgor.reduced.training.modes import Modes, modes_of, rest_stiffness
+from turgor.reduced.training.reference_points import with_points
 from turgor.reduced.training.trainer import Path
 
 Array = NDArray[np.float64]
@@ -126,6 +127,7 @@ def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0)
     basis = modes_of(np.concatenate(moved).T, stiffness, modes, TRAINING.truncation)
     half = of_stress or max(1, basis.vectors.shape[1] // 2)
     volumes = sp.diags(system.mean_stress_volumes).tocsr()
+    basis = replace(basis, vectors=with_points(system, basis.vectors))
     return basis, modes_of(np.concatenate(pressed).T, volumes, half, 0.0)
 
 

@@ -59,10 +59,10 @@ def modes_of(snapshots: Array, product: sp.spmatrix, most: int, truncation: floa
 
 
 def rest_stiffness(system: System) -> sp.csc_matrix:
-    """Stiffness (3 n, 3 n) of the nodes at rest along x, y and z, without supports, ties and contact."""
+    """Stiffness (3 n, 3 n) of the nodes of the mesh at rest along x, y and z, without supports, ties and contact."""
     at = system.evaluate(np.zeros(system.size), 0.0)
     assert at is not None
-    base, n = system.layout.base, 3 * system.node_count
+    base, n = system.layout.base, 3 * len(system.model.mesh.points)
     data = np.zeros(len(base.indices))
     system.rubber.add_tangents(data, system.split(at.unknowns), at.isochoric, None, False)
     system.terms.add_tangents(data, Configuration(system.points), None)

@@ -57,7 +57,8 @@ def near_points(
     """
     every: list[list[Ints]] = [[] for _ in system.contact.parts]
     for displacement, values in zip(displacements, inputs, strict=True):
-        position = system.points + displacement
+        position = system.points.copy()
+        position[: len(displacement)] += displacement
         for part, seen in zip(system.contact.parts, every, strict=True):
             where = np.zeros(3) if part.obstacle is None else places[part.name].at(values)
             seen.append(_near(part, part.look(position, where)))
