@@ -74,10 +74,6 @@ class SamplingSettings:
 SAMPLING = SamplingSettings()
 
 
-#: Stiffness that keeps the face of a rigid reference point rigid, over the shear modulus of the stiffest rubber.
-RIGIDITY = 1e3
-
-
 @dataclass(frozen=True, slots=True)
 class TrainingSettings:
     """Settings of the training.

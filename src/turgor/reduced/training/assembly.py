@@ -29,7 +29,7 @@ from turgor.reduced.training import forms
 from turgor.reduced.training.layers import Layer, layers_of
 from turgor.reduced.training.modes import Modes
 from turgor.reduced.training.places import Place, places_of
-from turgor.reduced.training.reference_points import check_points, rigid_faces
+from turgor.reduced.training.reference_points import check_points
 
 Array = NDArray[np.float64]
 
@@ -153,9 +153,6 @@ def assemble(system: System, drive: Drive, modes: Modes, stresses: Modes) -> Who
     exact = []
     if sheets:
         exact.append(Sheets(np.asarray(sum(forms.sheet(system, term, vectors) for term in sheets)), R))
-    rigid = rigid_faces(system, vectors)
-    if rigid is not None:
-        exact.append(Sheets(rigid, R))
     equations = Equations(tuple(exact), Cubics(cubics), drive.pressures, vectors.T @ drive.forces, compliance,
                           forms.moments(system, vectors, stresses.vectors))  # fmt: skip
     bending = (term for term in system.terms.all if isinstance(term, PlateTerm | HingeTerm))
