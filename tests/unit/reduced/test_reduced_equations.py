@@ -11,6 +11,7 @@ from turgor.reduced.states.newton import Balance, follow, newton
 from turgor.reduced.states.spline import Spline
 from turgor.reduced.training.assembly import assemble
 from turgor.reduced.training.build import bases
+from turgor.reduced.training.sampling import choose
 
 RANDOM = np.random.default_rng(5)
 
@@ -98,6 +99,23 @@ def test_as_many_mean_stress_modes_as_displacement_modes_lock():
     errors = [np.linalg.norm(each.at.y[:6] - made.y[5, :6]) for each in (found, half)]
     assert errors[0] > 5 * errors[1]
     assert np.linalg.norm(found.at.y[6:]) > 50 * np.linalg.norm(half.at.y[6:])
+
+
+def test_rows_without_weights_amplify_soft_directions():
+    """As many cells chosen by their forces, not by what these move: the error of the coordinates is larger."""
+    made = built()
+    whole, r = made.whole, made.equations.sizes[0]
+    starts = np.append(np.flatnonzero(np.diff(whole.cells, prepend=-1)), len(whole.cells))
+    ats = [whole.equations.at(y, inputs) for y, inputs in zip(made.y, made.inputs, strict=True)]
+    inverses = [np.linalg.inv(at.tangent())[:r, :r] for at in ats]
+    plain = [at.parts[0].forces(starts).T for at in ats]
+    rows = np.vstack([inverse @ forces for inverse, forces in zip(inverses, plain, strict=True)])
+    errors = []
+    for matrix in (rows, np.vstack(plain)):
+        chosen = choose(matrix, matrix.sum(axis=1), 0.0, 10)
+        assert len(chosen.which) == 10
+        errors.append(np.linalg.norm(rows[:, chosen.which] @ chosen.factors - rows.sum(axis=1)))
+    assert errors[1] > 3 * errors[0]
 
 
 def test_plain_tangents_need_more_updates_next_to_a_stiff_sheet():

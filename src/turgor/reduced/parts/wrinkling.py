@@ -66,8 +66,8 @@ class WrinklingAt:
         out = self.slopes.reshape(-1, count).T @ (moduli @ self.slopes).reshape(-1, count)
         turning = s.weights[:, None] * stress
         pairs = np.stack([turning[:, 0], turning[:, 2], turning[:, 2], turning[:, 1]], axis=1).reshape(-1, 2, 2)
-        carried = pairs @ s.modes.reshape(len(pairs), 2, -1)
-        return np.asarray(out + s.modes.reshape(-1, count).T @ carried.reshape(-1, count))
+        turned = pairs @ s.modes.reshape(len(pairs), 2, -1)
+        return np.asarray(out + s.modes.reshape(-1, count).T @ turned.reshape(-1, count))
 
     def linearized(self, update: Array) -> Array:
         """Stress (p, 3) linearized for an update (r,)."""
