@@ -103,9 +103,6 @@ def test_what_is_left_out_is_refused_by_name():
     rubbing = tg.Contact(tg.obstacles.SelfContact(friction=0.3))
     with refused("friction", "0.3"):
         tg.reduce(_with(model, contact=rubbing), {KEY: (0.0, 1e3)})
-    plane = tg.obstacles.Obstacle(name="floor", shape=tg.obstacles.Plane(point=(0, 0, -0.1), normal=(0, 0, 1)))
-    with refused("floor"):
-        tg.reduce(_with(model, contact=tg.Contact(obstacles=[plane])), {KEY: (0.0, 1e3)})
     relaxing = replace(
         model.region_materials["body"], viscoelasticity=tg.laws.Prony(g=(0.2,), tau=(1.0,), moduli="instantaneous")
     )
