@@ -49,5 +49,38 @@ class SolverSettings:
     most_switches: int = 120_000
 
 
+@dataclass(frozen=True, slots=True)
+class PerformanceSettings:
+    """How the performance of an actuator is found.
+
+    Parameters
+    ----------
+    empty : float [-]
+        Share of the wanted pressure at which a chamber counts as vented.
+    longest : float [s]
+        Longest time to fill or vent.
+    band : float [-]
+        Missing pressure at which the valve of a regulator is fully open, over the wanted one.
+    slow : float [-]
+        Frequency at which the lag is stated, over the bandwidth.
+    octave : float [-]
+        Interval of the logarithm of the bandwidth: 1 %.
+    samples, fine : int
+        States of a period, and of a fill, at which integrals are taken.
+    tolerance : float [-]
+        Relative error of a step: the amplitude is right to 1e-4.
+    """
+
+    empty: float = 0.05
+    longest: float = 3600.0
+    band: float = 0.02
+    slow: float = 1 / 3
+    octave: float = 0.004
+    samples: int = 100
+    fine: int = 400
+    tolerance: float = 1e-5
+
+
 FLOW = FlowSettings()
 SOLVER = SolverSettings()
+PERFORMANCE = PerformanceSettings()

@@ -79,31 +79,40 @@ def simulate(
             f"times reach from {stored[0]:g} to {stored[-1]:g} s; allowed is 0 to the end, {until:g} s."
         )
     equations = Equations(network, until)
-    states, evaluations = integrate(equations, stored, until, tolerance, method)
+    states, evaluations, _ = integrate(equations, stored, tolerance, method)
     return History(equations=equations, time=stored, unknowns=states, evaluations=evaluations)
 
 
 def integrate(
-    equations: Equations, times: Array, until: float, tolerance: float, method: str
-) -> tuple[Array, int]:
-    """Integrate from break to break; return unknowns (n, m) at times, and the number of evaluations."""
-    y, begin, evaluations = equations.first, 0.0, 0
-    states = np.zeros((len(times), equations.size))
-    errors = equations.scales * tolerance
+    equations: Equations,
+    times: Array,
+    tolerance: float = SOLVER.tolerance,
+    method: str = "LSODA",
+    event: "Callable[[float, Array], float] | None" = None,
+) -> tuple[Array, int, float]:
+    """Integrate from break to break; return unknowns (n, m) at times, the number of evaluations, and the end.
+
+    Where there is an event, the end is where it rises through zero, if it does; later times have no unknowns.
+    """
+    y, begin, evaluations, until = equations.first, 0.0, 0, equations.around.until
+    states = np.full((len(times), equations.size), np.nan)
+    how = (tolerance, equations.scales * tolerance, method)
     for end in (*equations.breaks, until):
-        inner = (times >= begin) & (times < end) if end < until else times >= begin
-        solution = _between(equations.rates, (begin, end), y, (tolerance, errors, method))
+        solution = _between(equations.rates, (begin, end), y, how, event)
         evaluations += solution.nfev
         if not solution.success:
             raise NotSolved(f"the network cannot be followed beyond {solution.t[-1]:.4g} s: {solution.message}")
-        y = solution.y[:, -1]
+        y, stop = solution.y[:, -1], float(solution.t[-1])
+        inner = (times >= begin) & ((times < stop) if stop < until else True)
         if inner.any():
             states[inner] = solution.sol(times[inner]).T
-        text = equations.outside(end, y.tolist())
+        text = equations.outside(stop, y.tolist())
         if text:
-            raise NotSolved(f"at {end:.4g} s or before, {text}.")
+            raise NotSolved(f"at {stop:.4g} s or before, {text}.")
+        if solution.status == 1:
+            return states, evaluations, stop
         begin = end
-    return states, evaluations
+    return states, evaluations, until
 
 
 def _between(
@@ -111,6 +120,7 @@ def _between(
     span: tuple[float, float],
     y: Array,
     how: tuple[float, Array, str],
+    event: Callable[[float, Array], float] | None,
 ) -> Any:
     """Integrate a smooth stretch; the times at its ends belong to it, as seen from within."""
     begin, end = span
@@ -120,4 +130,6 @@ def _between(
         return rates(min(max(time, begin + inside), end - inside), unknowns)
 
     tolerance, errors, method = how
-    return solve_ivp(within, span, y, method, rtol=tolerance, atol=errors, dense_output=True)
+    if event is not None:
+        event.terminal, event.direction = True, 1.0  # type: ignore[attr-defined]
+    return solve_ivp(within, span, y, method, rtol=tolerance, atol=errors, dense_output=True, events=event)
