@@ -5,6 +5,9 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.systems.air.driven import driven as driven
+    from turgor.systems.air.file.read import AirFile as AirFile
+    from turgor.systems.air.file.read import read_air as read_air
     from turgor.systems.air.fluids import AIR as AIR
     from turgor.systems.air.fluids import FLUIDS as FLUIDS
     from turgor.systems.air.fluids import WATER as WATER
@@ -32,6 +35,9 @@ if TYPE_CHECKING:
     from turgor.systems.air.parts.valves import OnOffValve as OnOffValve
     from turgor.systems.air.parts.valves import ProportionalValve as ProportionalValve
     from turgor.systems.air.parts.valves import ThreeWayValve as ThreeWayValve
+    from turgor.systems.air.performance import Performance as Performance
+    from turgor.systems.air.performance import Wider as Wider
+    from turgor.systems.air.performance import performance as performance
     from turgor.systems.air.signals import Pwm as Pwm
     from turgor.systems.air.signals import Signal as Signal
     from turgor.systems.air.signals import Sine as Sine

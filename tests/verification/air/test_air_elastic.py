@@ -103,7 +103,10 @@ def test_two_spheres_fill_in_sequence(record_verification):
         (p1, k1), (p2, k2) = pressure_of(v[0]), pressure_of(v[1], 0.7 * MU)
         p1, p2 = p1 + AMBIENT, p2 + AMBIENT
         through = factor * (p1**2 - p2**2)
-        return [((inflow if t <= 2.0 else 0.0) - through) / (p1 + k1 * (v[0] + dead)), through / (p2 + k2 * (v[1] + dead))]
+        return [
+            ((inflow if t <= 2.0 else 0.0) - through) / (p1 + k1 * (v[0] + dead)),
+            through / (p2 + k2 * (v[1] + dead)),
+        ]
 
     how = {"method": "Radau", "rtol": 1e-11, "atol": 1e-18}
     pump = solve_ivp(rates, (0.0, 2.0), [REST, REST], t_eval=time[time <= 2.0], **how)

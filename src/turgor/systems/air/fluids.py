@@ -117,7 +117,7 @@ class Liquid:
     Examples
     --------
     >>> round(WATER.density(1.1e6, 293.15), 2)
-    998.68
+    998.66
     """
 
     name: str

@@ -120,6 +120,6 @@ class History(Shown):
 
     def plot(self) -> Any:
         """Draw pressures, flows and volumes against time; the figure is that of matplotlib."""
-        from turgor.views.plots.air_plot import air_figure  # few need it
+        from turgor.views.plots.systems.air_plot import air_figure  # few need it
 
         return air_figure(self.response())

@@ -63,6 +63,7 @@ class Network:
         if not any(isinstance(node, Chamber) for node in self.nodes.values()):
             raise TurgorError("the network has no chamber; one node at least must store fluid.")
         self._check_parts()
+        self._check_fluid()
         self._check_pressures()
         self._check_volumes()
         self._check_supplies()
@@ -119,6 +120,14 @@ class Network:
             if name in known:
                 raise TurgorError(f"'{name}' is the name of a node and of a part; rename one of them.")
 
+    def _check_fluid(self) -> None:
+        for name, part in self.parts.items():
+            for each in part.parts(name).values():
+                try:
+                    each.flow(self.around(1e-9))
+                except TurgorError as error:
+                    raise TurgorError(f"part '{name}': {error}") from None
+
     def _check_pressures(self) -> None:
         for name, node in self.nodes.items():
             values = values_in(node.pressure) if isinstance(node, Supply) else (getattr(node, "pressure", 0.0),)
@@ -161,6 +170,8 @@ class Network:
                 why = "no part ends there" if not ends else "no command opens a valve there"
                 raise TurgorError(f"supply '{name}' is closed for ever: {why}.")
         for name, node in self.nodes.items():
-            still = isinstance(node, Chamber) and not any(name in part.ends for part in parts)
-            if still and not (isinstance(node.volume, Rigid) and not isinstance(node.volume.volume, float)):
+            if not isinstance(node, Chamber) or any(name in part.ends for part in parts):
+                continue
+            moved = isinstance(node.volume, Rigid) and not isinstance(node.volume.volume, float)
+            if not moved:
                 raise TurgorError(f"no part ends at node '{name}', so that nothing happens there.")

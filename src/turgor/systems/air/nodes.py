@@ -1,7 +1,7 @@
 """Nodes: where fluid is stored, at one pressure and one temperature."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Protocol, TypeAlias
 
 from turgor.foundation.errors import TurgorError, unknown
@@ -40,8 +40,8 @@ class Supply:
     []
     """
 
-    pressure: AnySignal
-    temperature: float | None = None
+    pressure: AnySignal = field(metadata={"dimension": "pressure"})
+    temperature: float | None = field(default=None, metadata={"dimension": "temperature"})
 
     def breaks(self, until: float) -> Sequence[float]:
         """Times at which the pressure bends or jumps."""
@@ -73,10 +73,10 @@ class Chamber:
     """
 
     volume: Volume | None
-    pressure: float = 0.0
+    pressure: float = field(default=0.0, metadata={"dimension": "pressure"})
     process: str | float = "isothermal"
-    heat: float = 0.0
-    temperature: float | None = None
+    heat: float = field(default=0.0, metadata={"dimension": "heat conductance"})
+    temperature: float | None = field(default=None, metadata={"dimension": "temperature"})
 
     def __post_init__(self) -> None:
         if isinstance(self.process, str) and self.process not in PROCESSES:
@@ -86,7 +86,9 @@ class Chamber:
         if not self.heat >= 0:
             raise TurgorError(f"heat is {self.heat:g} W/K; allowed is 0 or more.")
         if isinstance(self.volume, CoupledChamber) and self.process == "adiabatic":
-            raise TurgorError("process of a coupled chamber is adiabatic; isothermal, isentropic or an exponent is needed.")
+            raise TurgorError(
+                "process of a coupled chamber is adiabatic; isothermal, isentropic or an exponent is needed."
+            )
         if isinstance(self.volume, int | float):
             object.__setattr__(self, "volume", Rigid(float(self.volume)))
 

@@ -165,9 +165,7 @@ AnySignal: TypeAlias = float | Signal | Pwm | Sine
 
 def signal_of(value: AnySignal) -> Signal | Pwm | Sine:
     """Return a signal; a number is a constant one."""
-    if isinstance(value, bool) or isinstance(value, int | float):
-        return Signal((0.0,), (float(value),))
-    return value
+    return value if isinstance(value, Signal | Pwm | Sine) else Signal((0.0,), (float(value),))
 
 
 def values_in(value: AnySignal) -> Iterable[float]:

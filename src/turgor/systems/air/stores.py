@@ -3,6 +3,7 @@
 The unknowns are what has flowed in since the start. Errors are then relative to it, and liquids keep their digits.
 """
 
+import itertools
 from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
@@ -15,7 +16,7 @@ from turgor.systems.air.nodes import Chamber, Supply
 from turgor.systems.air.parts.part import Around, Port
 from turgor.systems.air.settings import SOLVER
 from turgor.systems.air.signals import signal_of
-from turgor.systems.air.volumes.coupled import Coupled
+from turgor.systems.air.volumes.coupled import Coupled, CoupledChamber
 from turgor.systems.air.volumes.law import Law
 
 #: Density, its derivative by the pressure, and the temperature at an absolute pressure.
@@ -85,14 +86,14 @@ class MassStore:
 
     def __init__(self, chamber: Chamber, dead: float, around: Around) -> None:
         law = chamber.law
-        assert law is not None and not hasattr(law, "table")  # others have a store of their own
-        self.law: Law = law  # type: ignore[assignment]
+        assert law is not None and not isinstance(law, CoupledChamber)  # those have a store of their own
+        self.law: Law = law
         self.dead, self.around = dead, around
         self._process = process_of(chamber, around)
         self._place = self.law.place(chamber.pressure, 0.0)
         content, slope = self._content(self._place, 0.0)
         self.start = content
-        p, volume, rise, _ = self.law.at(self._place, 0.0)
+        _p, volume, rise, _ = self.law.at(self._place, 0.0)
         around_density = around.fluid.density(around.ambient, around.temperature)
         whole = around_density * (volume + dead)
         self.scales = [min(whole, abs(slope / rise) * around.ambient) if rise else whole]
@@ -107,7 +108,10 @@ class MassStore:
     def place(self, time: float, y: Sequence[float]) -> float:
         """Coordinate at a mass."""
         self._place = solved(
-            lambda place: self._content(place, time), self.start + y[0], self._place, self.law.bounds(self.around.ambient)
+            lambda place: self._content(place, time),
+            self.start + y[0],
+            self._place,
+            self.law.bounds(self.around.ambient),
         )
         return self._place
 
@@ -248,7 +252,7 @@ def check_rising(chamber: Chamber, name: str, dead: float, around: Around) -> No
         return
     process, ambient = process_of(chamber, around), around.ambient
     law: Law = chamber.law  # type: ignore[assignment]
-    fine = np.concatenate([np.linspace(a, b, 5)[:-1] for a, b in zip(knots, knots[1:], strict=False)])
+    fine = np.concatenate([np.linspace(a, b, 5)[:-1] for a, b in itertools.pairwise(knots)])
     content = [process(max(law.at(v, 0.0)[0] + ambient, VACUUM))[0] * (v + dead) for v in fine.tolist()]
     falls = np.flatnonzero(np.diff(content) <= 0)
     if len(falls):
@@ -280,4 +284,3 @@ def solved(
                 return after
         place = after
     return place
-

@@ -37,9 +37,7 @@ def test_delays_shift_edges_and_swallow_short_pulses():
 def test_pulses_let_through_their_share():
     """Choked: half of the pulses is half of the flow."""
     whole = network(supply=600 * kPa, volume=1.0, valve=tg.air.Connection("supply", "tank", C))
-    pulses = network(
-        supply=600 * kPa, volume=1.0, valve=tg.air.OnOffValve("supply", "tank", C, tg.air.Pwm(50.0, 0.5))
-    )
+    pulses = network(supply=600 * kPa, volume=1.0, valve=tg.air.OnOffValve("supply", "tank", C, tg.air.Pwm(50.0, 0.5)))
     first, second = (tg.air.simulate(net, 1.0).received("tank")[-1] for net in (whole, pulses))
     assert second == pytest.approx(first / 2, rel=1e-4)
     assert len(Equations(pulses, 1.0).breaks) == 99
@@ -76,7 +74,9 @@ def test_a_check_valve_stops_flow_back():
 @pytest.mark.parametrize("order", [0, 1, 2])
 def test_a_regulator_reaches_its_pressure(order):
     steps = tg.air.Signal((0.0, 1.0), (80 * kPa, 40 * kPa))
-    regulator = tg.air.Regulator("supply", "tank", C, steps, band=2 * kPa, exhaust="ambient", order=order, frequency=300)
+    regulator = tg.air.Regulator(
+        "supply", "tank", C, steps, band=2 * kPa, exhaust="ambient", order=order, frequency=300
+    )
     run = tg.air.simulate(network(reg=regulator), 3.0, times=[0.0, 0.99, 3.0])
     p = run.pressure("tank")
     assert p[1] == pytest.approx(80 * kPa, rel=0.02)
@@ -125,7 +125,11 @@ def test_coupled_chambers_press_each_other():
     first, second = np.meshgrid(p, p, indexing="ij")
     volumes = np.stack([10e-6 + 2e-10 * first - 5e-11 * second, 10e-6 + 2e-10 * second - 5e-11 * first], axis=-1)
     table = tg.air.Coupled([p, p], volumes)
-    nodes = {"supply": tg.air.Supply(40e3), "a": tg.air.Chamber(table.chamber(0)), "b": tg.air.Chamber(table.chamber(1))}
+    nodes = {
+        "supply": tg.air.Supply(40e3),
+        "a": tg.air.Chamber(table.chamber(0)),
+        "b": tg.air.Chamber(table.chamber(1)),
+    }
     parts = {"valve": tg.air.Connection("supply", "a", C), "leak": tg.air.leak("b", 1e-12, 50e3)}
     run = tg.air.simulate(tg.air.Network(nodes=nodes, parts=parts), 0.5)
     pb = run.pressure("b")[-1]

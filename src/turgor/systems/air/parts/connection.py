@@ -1,6 +1,6 @@
 """Connections: passages that are always open, or open by what an opening says."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 from turgor.foundation.errors import TurgorError
@@ -25,7 +25,7 @@ class Connection(Part):
     ('valve', 'finger')
     """
 
-    kind: ClassVar[str] = "connection"
+    kind: ClassVar[str] = ""
 
     passage: Passage
 
@@ -43,9 +43,9 @@ class Connection(Part):
 
         return flow
 
-    def widened(self, factor: float) -> "Connection":
-        """Return it with a wider passage."""
-        return replace(self, passage=self.passage.widened(factor))
+    def widened(self, factor: float) -> "Connection | None":
+        """Return it with a wider passage; a leak is left as it is."""
+        return None if isinstance(self.passage, Leakage) else replace(self, passage=self.passage.widened(factor))
 
 
 def leak(start: str, flow: float, pressure: float, end: str = "ambient") -> Connection:
@@ -87,8 +87,8 @@ class CheckValve(Connection):
 
     kind: ClassVar[str] = "check_valve"
 
-    cracking: float = 1e3
-    full: float = 3e3
+    cracking: float = field(default=1e3, metadata={"dimension": "pressure"})
+    full: float = field(default=3e3, metadata={"dimension": "pressure"})
 
     def __post_init__(self) -> None:
         if not 0 <= self.cracking < self.full:

@@ -1,7 +1,7 @@
 """Long line: a tube in which fluid has inertia and is compressed, as segments in series."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, ClassVar
 
 from turgor.foundation.errors import TurgorError
@@ -24,7 +24,7 @@ class HeavyTube(Part):
     tube : Tube
     """
 
-    kind: ClassVar[str] = "heavy_tube"
+    kind: ClassVar[str] = ""
 
     tube: Tube
 
@@ -73,8 +73,8 @@ class LongLine(Part):
 
     kind: ClassVar[str] = "long_line"
 
-    diameter: float
-    length: float
+    diameter: float = field(metadata={"dimension": "length"})
+    length: float = field(metadata={"dimension": "length"})
     segments: int = 10
     exponent: float | None = None
 

@@ -48,7 +48,8 @@ class Part:
         Names of nodes; flow from start to end is positive.
     """
 
-    kind: ClassVar[str] = "part"
+    #: Its ``type`` in files; empty for parts of parts.
+    kind: ClassVar[str] = ""
 
     start: str
     end: str

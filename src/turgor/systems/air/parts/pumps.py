@@ -1,8 +1,9 @@
 """Pumps: flow against a difference of pressures."""
 
+import itertools
 from bisect import bisect_right
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 from turgor.foundation.errors import TurgorError
@@ -30,14 +31,14 @@ class Pump(Part):
     Examples
     --------
     >>> pump = Pump("ambient", "finger", rise=(0.0, 40e3), volume_flow=(2e-5, 0.0))
-    >>> pump.volume_flow_at(10e3)
-    1.5e-05
+    >>> pump.volume_flow_at(20e3)
+    1e-05
     """
 
     kind: ClassVar[str] = "pump"
 
-    rise: Sequence[float]
-    volume_flow: Sequence[float]
+    rise: Sequence[float] = field(metadata={"dimension": "pressure"})
+    volume_flow: Sequence[float] = field(metadata={"dimension": "flow rate"})
     speed: AnySignal = 1.0
 
     def __post_init__(self) -> None:
@@ -45,10 +46,12 @@ class Pump(Part):
         object.__setattr__(self, "rise", rise)
         object.__setattr__(self, "volume_flow", flow)
         if len(rise) != len(flow) or len(rise) < 2:
-            raise TurgorError(f"a pump curve has {len(rise)} rises and {len(flow)} flows; two or more of each are needed.")
-        if any(b <= a for a, b in zip(rise, rise[1:], strict=False)):
+            raise TurgorError(
+                f"a pump curve has {len(rise)} rises and {len(flow)} flows; two or more of each are needed."
+            )
+        if any(b <= a for a, b in itertools.pairwise(rise)):
             raise TurgorError("rise of a pump must grow from point to point.")
-        if any(b > a for a, b in zip(flow, flow[1:], strict=False)) or flow[-1] != 0.0:
+        if any(b > a for a, b in itertools.pairwise(flow)) or flow[-1] != 0.0:
             raise TurgorError(f"volume_flow of a pump must fall to 0; its last value is {flow[-1]:g} m³/s.")
 
     def volume_flow_at(self, rise: float) -> float:
@@ -88,7 +91,7 @@ class FlowSource(Part):
 
     kind: ClassVar[str] = "flow_source"
 
-    volume_flow: AnySignal
+    volume_flow: AnySignal = field(metadata={"dimension": "flow rate"})
 
     def breaks(self, until: float) -> Sequence[float]:
         """Times at which the flow bends or jumps."""

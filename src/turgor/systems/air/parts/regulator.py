@@ -1,7 +1,7 @@
 """Regulator: a valve that opens until the pressure behind it is that which is set."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import pi
 from typing import ClassVar
 
@@ -9,7 +9,7 @@ from turgor.foundation.errors import TurgorError
 from turgor.systems.air.parts.connection import Connection
 from turgor.systems.air.parts.part import Around, Part, PartFlow, PartRates, Port
 from turgor.systems.air.parts.passages import Passage
-from turgor.systems.air.signals import AnySignal, signal_of
+from turgor.systems.air.signals import AnySignal, Signal, Sine, signal_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +34,7 @@ class Gate(Connection):
         Of the oscillator.
     """
 
-    kind: ClassVar[str] = "gate"
+    kind: ClassVar[str] = ""
 
     pressure: AnySignal
     band: float
@@ -120,12 +120,12 @@ class Regulator(Part):
     kind: ClassVar[str] = "regulator"
 
     passage: Passage
-    pressure: AnySignal
-    band: float = 5e3
+    pressure: AnySignal = field(metadata={"dimension": "pressure"})
+    band: float = field(default=5e3, metadata={"dimension": "pressure"})
     exhaust: str | None = None
-    dead_band: float = 1e3
+    dead_band: float = field(default=1e3, metadata={"dimension": "pressure"})
     order: int = 0
-    frequency: float = 10.0
+    frequency: float = field(default=10.0, metadata={"dimension": "frequency"})
     damping: float = 0.7
 
     def __post_init__(self) -> None:
@@ -161,8 +161,6 @@ class Regulator(Part):
 
 def _raised(signal: AnySignal, by: float) -> AnySignal:
     """Return a signal that is higher by a constant."""
-    from turgor.systems.air.signals import Signal, Sine
-
     if isinstance(signal, Sine):
         return replace(signal, mean=signal.mean + by)
     if isinstance(signal, Signal):

@@ -2,7 +2,7 @@
 
 from bisect import bisect_right
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 from turgor.foundation.errors import TurgorError
@@ -31,9 +31,9 @@ class OnOffValve(Connection):
 
     kind: ClassVar[str] = "on_off_valve"
 
-    command: AnySignal
-    on_delay: float = 0.0
-    off_delay: float = 0.0
+    command: AnySignal = field(metadata={"signal": "steps"})
+    on_delay: float = field(default=0.0, metadata={"dimension": "time"})
+    off_delay: float = field(default=0.0, metadata={"dimension": "time"})
     sign: float = 1.0
 
     def __post_init__(self) -> None:
@@ -88,8 +88,8 @@ class ProportionalValve(Connection):
 
     kind: ClassVar[str] = "proportional_valve"
 
-    command: AnySignal
-    time_constant: float = 0.0
+    command: AnySignal = field(metadata={"signal": "lines"})
+    time_constant: float = field(default=0.0, metadata={"dimension": "time"})
     dead_band: float = 0.0
     sign: float = 1.0
 
@@ -164,13 +164,13 @@ class ThreeWayValve(Part):
     kind: ClassVar[str] = "three_way_valve"
 
     passage: Passage
-    command: AnySignal
+    command: AnySignal = field(metadata={"signal": "steps"})
     exhaust: str = "ambient"
     vent: Passage | None = None
-    on_delay: float = 0.0
-    off_delay: float = 0.0
+    on_delay: float = field(default=0.0, metadata={"dimension": "time"})
+    off_delay: float = field(default=0.0, metadata={"dimension": "time"})
     proportional: bool = False
-    time_constant: float = 0.0
+    time_constant: float = field(default=0.0, metadata={"dimension": "time"})
 
     def __post_init__(self) -> None:
         self.parts("")

@@ -83,7 +83,9 @@ class Coupled:
             raise TurgorError(
                 f"the inputs of the reduced model are {', '.join(reduced.inputs.keys)}; each must be a pressure."
             )
-        axes = [np.linspace(low, high, points) for low, high in zip(reduced.inputs.low, reduced.inputs.high, strict=True)]
+        axes = [
+            np.linspace(low, high, points) for low, high in zip(reduced.inputs.low, reduced.inputs.high, strict=True)
+        ]
         table, last = np.zeros((points,) * k + (k,)), None
         for place in product(range(points), repeat=k):
             at = np.array([axis[n] for axis, n in zip(axes, place, strict=True)])
