@@ -6,6 +6,9 @@ from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
     from turgor.systems.air.driven import driven as driven
+    from turgor.systems.air.file.keys import AirKey as AirKey
+    from turgor.systems.air.file.keys import AirTable as AirTable
+    from turgor.systems.air.file.keys import file_tables as file_tables
     from turgor.systems.air.file.read import AirFile as AirFile
     from turgor.systems.air.file.read import read_air as read_air
     from turgor.systems.air.fluids import AIR as AIR

@@ -31,6 +31,7 @@ class Supply:
     Parameters
     ----------
     pressure : float or Signal [Pa], gauge
+        What it is, whatever flows.
     temperature : float, optional [K]
         That of the network by default.
 

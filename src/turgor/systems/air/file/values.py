@@ -55,14 +55,14 @@ class Key:
     @property
     def kind(self) -> str:
         """What its value is, in words."""
-        what = self.dimension or ("number" if self.item.type in (float, AnySignal, str | float) else "")
+        what = self.dimension or ("number" if self.item.type in (float, float | None, AnySignal) else "")
         if self.item.type == AnySignal:
             return f"{what or 'number'}, or a signal"
         if self.item.type == Sequence[float]:
             return f"list: {what}"
         if self.item.type in (Passage, Passage | None):
             return "table: passage"
-        words: Mapping[Any, str] = {int: "whole number", bool: "true or false"}
+        words: Mapping[Any, str] = {int: "whole number", bool: "true or false", str | float: "text or number"}
         return what or words.get(self.item.type, "text")
 
     def read(self, value: Any) -> Any:
@@ -73,7 +73,7 @@ class Key:
             return tuple(quantity(each, self.dimension) for each in listed(value))
         if self.item.type in (Passage, Passage | None):
             return read_valve_passage(table(value))
-        if self.item.type is float or self.dimension:
+        if self.item.type in (float, float | None) or self.dimension:
             return quantity(value, self.dimension)
         if self.item.type in (bool, int) and type(value) is not self.item.type:
             raise TurgorError(f"{shown(value)} is no {self.kind}.")

@@ -15,7 +15,7 @@ class Connection(Part):
     Parameters
     ----------
     start, end : str
-        Names of nodes.
+        A node; flow from start to end is positive.
     passage : Restriction, Orifice, Tube or Leakage
 
     Examples

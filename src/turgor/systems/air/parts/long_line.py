@@ -65,6 +65,7 @@ class LongLine(Part):
     ----------
     start, end : str
     diameter, length : float [m]
+        Of the bore.
     segments : int
         Frequencies up to about c · segments / (6 length) are resolved.
     exponent : float, optional

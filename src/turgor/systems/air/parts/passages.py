@@ -102,6 +102,7 @@ class Orifice:
     Parameters
     ----------
     diameter : float [m]
+        Of the hole.
     discharge : float [-]
         Discharge coefficient, in (0, 1].
 
@@ -147,6 +148,7 @@ class Tube:
     Parameters
     ----------
     diameter, length : float [m]
+        Of the bore.
 
     Examples
     --------
