@@ -1,7 +1,8 @@
 """Equations: rates of masses, energies and states of parts of a network."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,9 @@ from turgor.systems.air.volumes.coupled import Coupled, CoupledChamber
 
 Array = NDArray[np.float64]
 
+#: Step of differences, over the size of an unknown: the root of the round-off.
+STEP = 1.5e-8
+
 
 @dataclass(frozen=True, slots=True)
 class _Placed:
@@ -22,6 +26,7 @@ class _Placed:
 
     store: Store
     first: int
+    last: int
     nodes: tuple[int, ...]
 
 
@@ -83,7 +88,7 @@ class Equations:
             self._add(store, tuple(numbers[name] for name in names))
 
     def _add(self, store: Store, nodes: tuple[int, ...]) -> None:
-        self._stores.append(_Placed(store, self.size, nodes))
+        self._stores.append(_Placed(store, self.size, self.size + store.size, nodes))
         for k, node in enumerate(nodes):
             self.mass_place[node] = self.size + k
         if isinstance(store, EnergyStore):
@@ -111,7 +116,7 @@ class Equations:
         """Unknowns at the start."""
         return np.array([0.0] * (self.size - len(self._first)) + self._first)
 
-    @property
+    @cached_property
     def scales(self) -> Array:
         """Sizes of the unknowns, for their errors."""
         scales = [scale for each in self._stores for scale in each.store.scales]
@@ -125,7 +130,10 @@ class Equations:
         """Absolute pressure and temperature of every node."""
         ports: list[Port] = [(0.0, 0.0)] * len(self.names)
         for each in self._stores:
-            its = each.store.ports(time, y[each.first : each.first + each.store.size])
+            its = each.store.ports(time, y[each.first : each.last])
+            if len(its) == 1:
+                ports[each.nodes[0]] = its[0]
+                continue
             for node, port in zip(each.nodes, its, strict=True):
                 ports[node] = port
         return ports
@@ -138,8 +146,14 @@ class Equations:
     def rates(self, time: float, unknowns: Array) -> list[float]:
         """Rates of the unknowns."""
         y = unknowns.tolist()
-        ports, rates = self.ports(time, y), [0.0] * self.size
-        for part in self._parts:
+        return self._rates(time, y, self.ports(time, y), self._parts, self.energy_place)
+
+    def _rates(
+        self, time: float, y: list[float], ports: list[Port], parts: Sequence[_Running], heated: Iterable[int]
+    ) -> list[float]:
+        """Share of some parts, and of the heat of some nodes, in the rates."""
+        rates = [0.0] * self.size
+        for part in parts:
             a, b = ports[part.start], ports[part.end]
             own = y[part.own]
             flow = part.flow(time, own, a, b)
@@ -149,9 +163,35 @@ class Equations:
                 self._carry(rates, part, flow * (a if flow > 0 else b)[1])
             if part.rates is not None:
                 rates[part.own] = part.rates(time, own, a, b)
-        for node, place in self.energy_place.items():
-            rates[place] += self._heating(node, time, ports[node])
+        for node in heated:
+            rates[self.energy_place[node]] += self._heating(node, time, ports[node])
         return rates
+
+    def jacobian(self, time: float, unknowns: Array) -> Array:
+        """Derivatives (n, n) of the rates by the unknowns: differences, of what an unknown touches only."""
+        y = unknowns.tolist()
+        ports, result = self.ports(time, y), np.zeros((self.size, self.size))
+        steps = (STEP * np.maximum(np.abs(unknowns), self.scales)).tolist()
+        for each in self._stores:
+            if isinstance(each.store, FixedStore):
+                continue  # its pressure is prescribed
+            parts = [part for part in self._parts if part.start in each.nodes or part.end in each.nodes]
+            heated = [node for node in each.nodes if node in self.energy_place]
+            first = np.array(self._rates(time, y, ports, parts, heated))
+            for k in range(each.first, each.last):
+                moved, there = y.copy(), ports.copy()
+                moved[k] += steps[k]
+                its = each.store.ports(time, moved[each.first : each.last])
+                for node, port in zip(each.nodes, its, strict=True):
+                    there[node] = port
+                result[:, k] = (np.array(self._rates(time, moved, there, parts, heated)) - first) / steps[k]
+        for part in self._parts:
+            for k in range(part.own.start, part.own.stop):
+                moved = y.copy()
+                moved[k] += steps[k]
+                both = [np.array(self._rates(time, state, ports, [part], ())) for state in (y, moved)]
+                result[:, k] = (both[1] - both[0]) / steps[k]
+        return result
 
     def _carry(self, rates: list[float], part: _Running, flow_temperature: float) -> None:
         """Add the enthalpy that a flow carries."""
@@ -171,7 +211,7 @@ class Equations:
         """Read a value of every node from the stores."""
         result = [0.0] * len(self.names)
         for each in self._stores:
-            its = values(each.store, y[each.first : each.first + each.store.size])
+            its = values(each.store, y[each.first : each.last])
             for node, value in zip(each.nodes, its, strict=True):
                 result[node] = value
         return result
@@ -179,7 +219,7 @@ class Equations:
     def outside(self, time: float, y: Sequence[float]) -> str:
         """Say which chamber leaves what is known of it; empty where none does."""
         for each in self._stores:
-            text = each.store.outside(time, y[each.first : each.first + each.store.size])
+            text = each.store.outside(time, y[each.first : each.last])
             if text:
                 names = ", ".join(self.names[node] for node in each.nodes)
                 return f"{names} reaches {text}"

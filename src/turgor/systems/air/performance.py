@@ -192,7 +192,7 @@ class _Case:
                 return -1.0
             return sign * (equations.ports(time, y.tolist())[node][0] - ambient - level)
 
-        end = integrate(equations, np.zeros(0), event=event)[2]
+        end = integrate(equations, np.zeros(0), PERFORMANCE.event_tolerance, event=event)[2]
         if end >= begin + PERFORMANCE.longest:
             raise NotSolved(
                 f"'{self.chamber}' does not {'reach' if rising else 'fall to'} {level / 1e3:.4g} kPa within "

@@ -28,7 +28,7 @@ class SolverSettings:
     Parameters
     ----------
     tolerance : float [-]
-        Relative error of a step: pressures are then right to about 1e-5.
+        Relative error of a step: pressures of six chambers are then right to 3e-5 (`benchmarks/systems/air.md`).
     settled : float [-]
         Step of Newton's method, over the size of the unknown, that is the last one: the next would be its square.
     updates : int
@@ -41,7 +41,7 @@ class SolverSettings:
         Most switching times of a network: a valve of 1 kHz for a minute has as many.
     """
 
-    tolerance: float = 1e-6
+    tolerance: float = 1e-5
     settled: float = 1e-9
     updates: int = 200
     beyond: float = 1e-3
@@ -67,8 +67,8 @@ class PerformanceSettings:
         Interval of the logarithm of the bandwidth: 1 %.
     samples, fine : int
         States of a period, and of a fill, at which integrals are taken.
-    tolerance : float [-]
-        Relative error of a step: the amplitude is right to 1e-4.
+    tolerance, event_tolerance : float [-]
+        Relative error of a step: that of an amplitude is 1e-4, that of a time 1e-6.
     """
 
     empty: float = 0.05
@@ -79,6 +79,7 @@ class PerformanceSettings:
     samples: int = 100
     fine: int = 400
     tolerance: float = 1e-5
+    event_tolerance: float = 1e-6
 
 
 FLOW = FlowSettings()

@@ -96,14 +96,16 @@ def integrate(
     states = np.full((len(times), equations.size), np.nan)
     how = (tolerance, equations.scales * tolerance, method)
     for end in (*equations.breaks, until):
-        solution = _between(equations.rates, (begin, end), y, how, event)
+        inner = times[(times >= begin) & (times <= end)]
+        solution = _between(equations, np.unique([begin, *inner, end]), y, how, event)
         evaluations += solution.nfev
         if not solution.success:
             raise NotSolved(f"the network cannot be followed beyond {solution.t[-1]:.4g} s: {solution.message}")
-        y, stop = solution.y[:, -1], float(solution.t[-1])
-        inner = (times >= begin) & ((times < stop) if stop < until else True)
-        if inner.any():
-            states[inner] = solution.sol(times[inner]).T
+        places = np.flatnonzero((times >= begin) & (times <= solution.t[-1]))
+        states[places] = solution.y[:, np.searchsorted(solution.t, times[places])].T
+        y, stop = solution.y[:, -1], end
+        if solution.status == 1:
+            y, stop = solution.y_events[0][0], float(solution.t_events[0][0])
         text = equations.outside(stop, y.tolist())
         if text:
             raise NotSolved(f"at {stop:.4g} s or before, {text}.")
@@ -114,20 +116,27 @@ def integrate(
 
 
 def _between(
-    rates: Callable[[float, Array], Sequence[float]],
-    span: tuple[float, float],
+    equations: Equations,
+    times: Array,
     y: Array,
     how: tuple[float, Array, str],
     event: Callable[[float, Array], float] | None,
 ) -> Any:
     """Integrate a smooth stretch; the times at its ends belong to it, as seen from within."""
-    begin, end = span
+    begin, end = times[0], times[-1]
     inside = max(1e-12 * (end - begin), 4 * ulp(end))
 
-    def within(time: float, unknowns: Array) -> Sequence[float]:
-        return rates(min(max(time, begin + inside), end - inside), unknowns)
+    def within(time: float) -> float:
+        return min(max(time, begin + inside), end - inside)
+
+    def rates(time: float, unknowns: Array) -> Sequence[float]:
+        return equations.rates(within(time), unknowns)
+
+    def jacobian(time: float, unknowns: Array) -> Array:
+        return equations.jacobian(within(time), unknowns)
 
     tolerance, errors, method = how
     if event is not None:
         event.terminal, event.direction = True, 1.0  # type: ignore[attr-defined]
-    return solve_ivp(within, span, y, method, rtol=tolerance, atol=errors, dense_output=True, events=event)
+    more = {"rtol": tolerance, "atol": errors, "events": event, "jac": jacobian}
+    return solve_ivp(rates, (begin, end), y, method, times, **more)

@@ -18,6 +18,7 @@ from turgor.systems.air.settings import SOLVER
 from turgor.systems.air.signals import signal_of
 from turgor.systems.air.volumes.coupled import Coupled, CoupledChamber
 from turgor.systems.air.volumes.law import Law
+from turgor.systems.air.volumes.rigid import Rigid
 
 #: Density, its derivative by the pressure, and the temperature at an absolute pressure.
 Process: TypeAlias = Callable[[float], tuple[float, float, float]]
@@ -30,8 +31,11 @@ def process_of(chamber: Chamber, around: Around) -> Process:
     """Return how density and temperature follow from the pressure."""
     fluid, start = around.fluid, chamber.temperature or around.temperature
     exponent = chamber.process
-    if exponent in ("isothermal", "adiabatic") or exponent == 1 or not isinstance(fluid, Gas):
+    if not isinstance(fluid, Gas):
         return lambda p: (fluid.density(p, start), fluid.compression(p, start), start)
+    if exponent in ("isothermal", "adiabatic", 1):
+        factor = fluid.compression(0.0, start)  # this runs a thousand times: no calls within
+        return lambda p: (factor * p, factor, start)
     n = fluid.heat_ratio if isinstance(exponent, str) else exponent
     first = chamber.pressure + around.ambient
     density = fluid.density(first, start)
@@ -91,8 +95,12 @@ class MassStore:
         self.dead, self.around = dead, around
         self._process = process_of(chamber, around)
         self._place = self.law.place(chamber.pressure, 0.0)
+        self._bounds = self.law.bounds(around.ambient)
         content, slope = self._content(self._place, 0.0)
         self.start = content
+        rigid = isinstance(law, Rigid) and isinstance(law.volume, float) and isinstance(around.fluid, Gas)
+        isothermal = chamber.process in ("isothermal", "adiabatic", 1)
+        self._by_mass = 1.0 / slope if rigid and isothermal else 0.0  # p = m R T/V needs no search
         _p, volume, rise, _ = self.law.at(self._place, 0.0)
         around_density = around.fluid.density(around.ambient, around.temperature)
         whole = around_density * (volume + dead)
@@ -107,17 +115,15 @@ class MassStore:
 
     def place(self, time: float, y: Sequence[float]) -> float:
         """Coordinate at a mass."""
-        self._place = solved(
-            lambda place: self._content(place, time),
-            self.start + y[0],
-            self._place,
-            self.law.bounds(self.around.ambient),
-        )
+        if self._by_mass:
+            return (self.start + y[0]) * self._by_mass - self.around.ambient
+        self._place = solved(lambda place: self._content(place, time), self.start + y[0], self._place, self._bounds)
         return self._place
 
     def ports(self, time: float, y: Sequence[float]) -> list[Port]:
         """Pressure and temperature."""
-        p = max(self.law.at(self.place(time, y), time)[0] + self.around.ambient, VACUUM)
+        place = self.place(time, y)
+        p = max((place if self._by_mass else self.law.at(place, time)[0]) + self.around.ambient, VACUUM)
         return [(p, self._process(p)[2])]
 
     def volumes(self, time: float, y: Sequence[float]) -> list[float]:
@@ -162,7 +168,7 @@ class EnergyStore(MassStore):
         """Coordinate at an energy."""
         self._place = solved(
             lambda place: self._energy(place, time),
-            self.first_energy + y[1], self._place, self.law.bounds(self.around.ambient),
+            self.first_energy + y[1], self._place, self._bounds,
         )  # fmt: skip
         return self._place
 
