@@ -49,18 +49,20 @@ def page() -> str:
 AIR = """\
 # Keys of an air file
 
-`turgor air FILE.toml` reads a network of supplies, valves, tubes and chambers. The file is TOML; a quantity is a text with its
-unit, as in [job files](job-file.md). Keys that are not listed here are refused with the nearest one that is. Pressures are
-gauge pressures unless they are called absolute. [Air and liquid](../howto/air.md) has examples.
+`turgor air FILE.toml` reads a network of supplies, valves, tubes and chambers. The file is TOML; a quantity is a
+text with its unit, as in [job files](job-file.md). Keys that are not listed here are refused with the nearest one
+that is. Pressures are gauge pressures unless they are called absolute. [Air and liquid](../howto/air.md) has
+examples.
 
 Names of nodes and parts are chosen by you; the node `ambient` is there always.
 
-A **signal** is a value, or a list of points `[["0 s", 1], ["0.5 s", -1]]`, or a table: `{ points = [...], period = "1 s" }`
-repeats, `{ frequency = "20 Hz", duty = 0.3 }` are pulses, `{ mean = ..., amplitude = ..., frequency = "1 Hz" }` is a sine.
-Commands of valves that are open or closed go in steps from point to point; all other values change along straight lines.
+A **signal** is a value, or a list of points `[["0 s", 1], ["0.5 s", -1]]`, or a table: `{ points = [...], period =
+"1 s" }` repeats, `{ frequency = "20 Hz", duty = 0.3 }` are pulses, `{ mean = ..., amplitude = ..., frequency = "1
+Hz" }` is a sine. Commands of valves that are open or closed go in steps from point to point; all other values
+change along straight lines.
 
-How wide a **valve** is: `conductance` (and `critical_ratio`, `exponent`) of a restriction by ISO 6358, or `diameter` (and
-`discharge`) of an orifice.
+How wide a **valve** is: `conductance` (and `critical_ratio`, `exponent`) of a restriction by ISO 6358, or
+`diameter` (and `discharge`) of an orifice.
 """
 
 
@@ -72,12 +74,15 @@ def air_page() -> str:
 def air_section(table: tg.air.AirTable) -> str:
     """Write a table of an air file with its keys."""
     rows = "".join(
-        f"| `{key.name}` | {cell(key.kind) or '–'} | "
-        f"{key.default if key.default in ('', 'needed', 'one of both') else code(key.default)} | {cell(key.meaning)} |\n"
-        for key in table.keys
+        f"| `{key.name}` | {cell(key.kind) or '–'} | {air_default(key)} | {cell(key.meaning)} |\n" for key in table.keys
     )
     head = "| key | type | default | meaning |\n|---|---|---|---|\n"
     return f"## {table.header[:1].upper()}{table.header[1:]}\n\n{table.words}\n\n{head}{rows}"
+
+
+def air_default(key: tg.air.AirKey) -> str:
+    """Write the default of a key, or that it is needed."""
+    return code(key.default) if key.default and not key.default.endswith(("needed", "both")) else key.default
 
 
 def words(family: str) -> str:

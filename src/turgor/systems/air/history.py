@@ -7,13 +7,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.display import Shown
-from turgor.foundation.errors import unknown
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.systems.air.equations import Equations
 from turgor.systems.air.nodes import Chamber
+from turgor.systems.air.volumes.curve import Curve
 
 Array = NDArray[np.float64]
+
+#: Columns of a table that say how an actuator is bent.
+SHAPES = ("bending_angle", "twist_angle", "curvature_y", "curvature_z", "twist", "stretch", "tip_displacement")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -81,6 +85,22 @@ class History(Shown):
         place = self.equations.part_names.index(name)
         return np.array([self.equations.flows(time, y)[place] for time, y in self._rows()])
 
+    def measure(self, node: str, name: str) -> Array:
+        """Measure (n,) of an actuator, such as its ``bending_angle``, from the response that is its table."""
+        law = getattr(self.equations.network.all_nodes[self.equations.names[self._node(node)]], "volume", None)
+        if not isinstance(law, Curve):
+            raise TurgorError(f"node '{node}' has no table of measures; a `Curve.of_response` is needed.")
+        return law.measure(name, self.volume(node))
+
+    def _shapes(self, node: str) -> list[Column]:
+        """Columns of the shape of an actuator."""
+        law = getattr(self.equations.network.all_nodes[node], "volume", None)
+        table = law.table if isinstance(law, Curve) else None
+        if table is None:
+            return []
+        columns = [table.find(name) for name in SHAPES if name in table]
+        return [Column(f"{each.name}_{node}", each.unit, self.measure(node, each.name)) for each in columns]
+
     def balance(self) -> float:
         """Largest error of the balance of mass, over the largest mass that a node received."""
         places = list(self.equations.mass_place.values())
@@ -88,7 +108,9 @@ class History(Shown):
         return float(np.abs(self.unknowns[:, places].sum(axis=1)).max()) / moved if moved else 0.0
 
     def response(self, name: str = "") -> Response:
-        """Return it as columns: time, gauge pressures, volumes and temperatures that change, flows.
+        """Return it as columns: time, gauge pressures, volumes and temperatures that change, shapes, flows.
+
+        Shapes are bending angle, twist and displacement of the tip, where a response is the table of a chamber.
 
         Flows are volumes at 100 kPa and 20 °C, as data sheets state them; those of liquids at the pressure around.
 
@@ -113,6 +135,7 @@ class History(Shown):
         for n in shown:
             if isinstance(nodes[eq.names[n]], Chamber) and np.ptp(ports[:, n, 1]) > 1e-9:
                 columns.append(Column(f"temperature_{eq.names[n]}", "K", ports[:, n, 1]))
+        columns += [each for n in shown for each in self._shapes(eq.names[n])]
         for n, part in enumerate(eq.part_names):
             if "_part_" not in part:
                 columns.append(Column(f"flow_{part}", "L/min", flows[:, n]))

@@ -1,10 +1,14 @@
 """Networks: bad ones are refused with the name of what is wrong; tables, histories and responses."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import turgor as tg
 from refused import refused
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
 from turgor.units import kPa, mL, mm
 
 C = tg.air.Restriction(conductance=0.5e-8)
@@ -120,3 +124,52 @@ def test_plungers_that_repeat_stay_in_balance():
     net = tg.air.Network(nodes={"barrel": barrel, "tank": tank}, parts=parts)
     run = tg.air.simulate(net, 1.0, times=[0.0, 0.5, 1.0], tolerance=1e-9)
     assert run.temperature("barrel") == pytest.approx(np.array([1.0, 2**0.4, 1.0]) * 293.15, rel=1e-4)
+
+
+def test_the_shape_follows_from_the_table():
+    """The angle of the response at each volume; the last state is that of the supply's pressure."""
+    volumes, pressures = np.linspace(10.0, 12.0, 6) * mL, np.linspace(0.0, 60e3, 6)
+    columns = (
+        Column("pressure", "kPa", pressures),
+        Column("bending_angle", "deg", np.linspace(0.0, 1.2, 6)),
+        Column("cavity_volume", "mL", volumes),
+    )
+    curve = tg.air.Curve.of_response(Response(columns=columns, source=Source(text="a test")))
+    run = tg.air.simulate(network({"supply": SUPPLY, "tank": tg.air.Chamber(curve)}), 0.5)
+    assert run.measure("tank", "bending_angle")[-1] == pytest.approx(1.0, rel=1e-3)
+    response = run.response()
+    assert response["bending_angle_tank_deg"][-1] == pytest.approx(np.rad2deg(1.0), rel=1e-3)
+    assert len(run.plot().axes) == 4
+    with refused("twst", "pressure"):
+        run.measure("tank", "twst")
+    with refused("supply"):
+        run.measure("supply", "bending_angle")
+
+
+class Stub:
+    """Volumes as a reduced model gives them: two cavities that press each other, or both under one pressure."""
+
+    def __init__(self, keys):
+        n = len(keys)
+        self.faces = ("cavity_1", "cavity_2")
+        self.inputs = SimpleNamespace(keys=keys, low=np.full(n, -1e3), high=np.full(n, 20e3))
+        drives = np.eye(2) if n == 2 else np.ones((2, 1))
+        self.equations = SimpleNamespace(pressures=np.column_stack([np.zeros(2), drives]))
+
+    def at(self, values, start=None):
+        p = np.broadcast_to(values, 2)
+        return SimpleNamespace(
+            volumes={"cavity_1": 1e-5 + 1e-10 * p[0] - 1e-11 * p[1], "cavity_2": 2e-5 + 1e-10 * p[1]}
+        )
+
+    def solve_all(self, table):
+        return [self.at(np.array([value])) for value in table]
+
+
+def test_reduced_models_become_tables():
+    curve = tg.air.Curve.of_reduced(Stub(["p"]))
+    assert curve.volume_at(10e3) == pytest.approx(3e-5 + 1.9e-10 * 10e3)
+    table = tg.air.Coupled.of_reduced(Stub(["a", "b"]), points=5)
+    volumes, slopes = table.at(np.array([5e3, 7e3]))
+    assert volumes == pytest.approx([1e-5 + 5e-7 - 7e-8, 2e-5 + 7e-7])
+    assert slopes == pytest.approx(np.array([[1e-10, -1e-11], [0.0, 1e-10]]), abs=1e-16)

@@ -44,6 +44,7 @@ SOURCES: Mapping[str, str] = {
     "volume": "Volume of a rigid vessel.",
     "points": 'Table of pressures and volumes, such as [["0 kPa", "18 mL"], ["50 kPa", "30 mL"]]; volumes rise.',
     "table": "CSV file with pressures and volumes, such as `response.csv` of a run.",
+    "job": "Job file: its actuator is solved, and gives pressures and volumes.",
     "reduced": "Reduced model, whose inputs are pressures.",
 }
 
@@ -167,6 +168,8 @@ class NodeReader:
             return Curve(np.array(pressures), np.array([quantity(row[1], "volume") for row in rows]))
         if not isinstance(value, str):
             raise TurgorError(f"{value!r} is no path of a file.")
+        if source == "job":
+            return _solved(self.folder / value)
         if source == "table":
             pressure = str(content.get("pressure_column", "pressure"))
             volume = str(content.get("volume_column", "cavity_volume"))
@@ -185,6 +188,20 @@ class NodeReader:
         if type(number) is not int or not 1 <= number <= count:
             raise Wrong("chamber", f"{number!r} is not a number from 1 to {count}, those of the reduced model.")
         return self.tables[path].chamber(number - 1)
+
+
+def _solved(path: Path) -> Curve:
+    """Solve the actuator of a job, and read its curve."""
+    from turgor.core.results.measures.measures import cavity_volume, find_measure, measure  # here: it loads the engine
+    from turgor.core.solvers.solve import solve
+    from turgor.job.prepare import prepare
+    from turgor.job.read import read_job
+
+    job = read_job(path)
+    model, _ = prepare(job)
+    names = [name for name in ("bending_angle", "tip_displacement") if name in job.output.measures]
+    solution = solve(model, job.procedure, progress=False)
+    return Curve.of_response(measure(solution, cavity_volume, *map(find_measure, names)))
 
 
 def _type(content: Mapping[str, Any], known: Iterable[str]) -> str:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline, PchipInterpolator, PPoly
 
 from turgor.foundation.errors import TurgorError
-from turgor.foundation.response import Response
+from turgor.foundation.response import Column, Response
 from turgor.systems.air.settings import SOLVER
 
 if TYPE_CHECKING:
@@ -28,6 +28,8 @@ class Curve:
     pressure : (n,) array [Pa], gauge
     volume : (n,) array [m³]
         In rising order.
+    table : Response, optional
+        What else is known at these volumes, such as the bending angle.
 
     Raises
     ------
@@ -43,6 +45,7 @@ class Curve:
 
     pressure: ArrayLike
     volume: ArrayLike
+    table: Response | None = field(default=None, repr=False)
     knots: list[float] = field(init=False, repr=False)
     pieces: list[tuple[float, ...]] = field(init=False, repr=False)
     energy: PPoly = field(init=False, repr=False)
@@ -82,7 +85,9 @@ class Curve:
         p, v = response.column(pressure), response.column(volume) * factor
         rows = np.isfinite(p) & np.isfinite(v)
         first = np.concatenate([[True], np.diff(v[rows]) > 0])
-        return cls(p[rows][first], v[rows][first])
+        known = np.flatnonzero(rows)[first]
+        columns = tuple(Column(each.name, each.unit, each.values[known]) for each in response.columns)
+        return cls(p[known], v[known], Response(columns=columns, source=response.source))
 
     @classmethod
     def of_function(cls, volume: Callable[[float], float], low: float, high: float, points: int = 200) -> "Curve":
@@ -146,6 +151,12 @@ class Curve:
     def volume_at(self, pressure: float) -> float:
         """The first volume [m³] with a gauge pressure [Pa]."""
         return self.place(pressure, 0.0)
+
+    def measure(self, name: str, volumes: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return another column of its table at volumes, along straight lines."""
+        if self.table is None:
+            raise TurgorError("the chamber has a curve without further columns; `Curve.of_response` has them.")
+        return np.interp(volumes, self.knots, self.table.column(name))
 
     def bounds(self, ambient: float) -> tuple[float, float]:
         """Beyond the table by its own length, so that steps may overshoot."""

@@ -12,11 +12,9 @@ from turgor.views.plots.styling import INK, style_axes
 
 #: Panels: the first word of the columns, and the title of the axis.
 PANELS = {
-    "pressure": "gauge pressure",
-    "volume": "volume",
-    "temperature": "temperature",
-    "flow": "flow at 100 kPa, 20 °C",
-}
+    "pressure": "gauge pressure", "volume": "volume", "temperature": "temperature", "bending_angle": "bending angle",
+    "twist_angle": "twist", "tip_displacement": "displacement of tip", "flow": "flow at 100 kPa, 20 °C",
+}  # fmt: skip
 
 
 def air_figure(response: Response, title: str = "") -> Figure:
