@@ -56,10 +56,15 @@ examples.
 
 Names of nodes and parts are chosen by you; the node `ambient` is there always.
 
-A **signal** is a value, or a list of points `[["0 s", 1], ["0.5 s", -1]]`, or a table: `{ points = [...], period =
-"1 s" }` repeats, `{ frequency = "20 Hz", duty = 0.3 }` are pulses, `{ mean = ..., amplitude = ..., frequency = "1
-Hz" }` is a sine. Commands of valves that are open or closed go in steps from point to point; all other values
-change along straight lines.
+A **signal** is a value or one of
+
+- `[["0 s", 1], ["0.5 s", -1]]`: points in time,
+- `{ points = [["0 s", 1], ["0.5 s", -1]], period = "1 s" }`: points that repeat,
+- `{ frequency = "20 Hz", duty = 0.3 }`: pulses,
+- `{ mean = "50 kPa", amplitude = "20 kPa", frequency = "1 Hz" }`: a sine.
+
+Commands of valves that are open or closed go in steps from point to point; all other values change along straight
+lines.
 
 How wide a **valve** is: `conductance` (and `critical_ratio`, `exponent`) of a restriction by ISO 6358, or
 `diameter` (and `discharge`) of an orifice.

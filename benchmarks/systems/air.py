@@ -209,7 +209,8 @@ def main() -> None:
     text = HEAD + table(("quantity", "measured", "target"), rows)
     text += (
         "\n\nThe finger has two chambers. The moving finite elements have its mesh, density and inertia and are "
-        "driven by the pressures of the network: where their volume is the network's, both together solve the coupled problem. "
+        "driven by the pressures of the network: where their volume is the network's, both together solve the "
+        "coupled problem. "
         "A chamber of a network has no inertia, which shows where it fills within a few hundredths of a second."
         "\n\n## Slow and fast PneuNets\n\n"
         f"Four chambers in the same envelope, filled until they bend by {angle:g}°, which is {angle * 11 / 4:g}° of "
