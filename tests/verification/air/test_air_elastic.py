@@ -149,3 +149,16 @@ def test_steady_state_is_that_of_finite_elements(record_verification, elements):
         exact = state.pressures["cavity"]
         record_verification(f"sphere of finite elements, {name}: pressure [Pa]", "finite elements", exact, got, "1e-4")
         assert got == pytest.approx(exact, rel=1e-4)
+
+
+def test_energy_of_an_insulated_sphere(record_verification):
+    """What flows in brings c_p T: it is in the gas and in the work on the walls."""
+    gas = tg.air.AIR
+    network = tg.air.driven(sphere(), 40e3, tg.air.Restriction(conductance=1e-10), process="adiabatic")
+    run = tg.air.simulate(network, 1.0, times=np.linspace(0.0, 1.0, 4001), tolerance=1e-9)
+    p, v = run.pressure("actuator") + AMBIENT, run.volume("actuator")
+    brought = gas.heat_capacity * T * (run.mass("actuator")[-1] - run.mass("actuator")[0])
+    got = (p[-1] * v[-1] - p[0] * v[0]) / (gas.heat_ratio - 1) + np.trapezoid(p, v)
+    record_verification("insulated sphere: energy in gas and walls [J]", "exact", brought, got, "1e-6")
+    assert got == pytest.approx(brought, rel=1e-6)
+    assert run.temperature("actuator").max() > 300.0

@@ -61,6 +61,7 @@ class Equations:
         self._stores: list[_Placed] = []
         self.mass_place: dict[int, int] = {}
         self.energy_place: dict[int, int] = {}
+        self._energies: dict[int, EnergyStore] = {}
         self.size = 0
         self._add_stores()
         self._parts = self._running()
@@ -93,6 +94,7 @@ class Equations:
             self.mass_place[node] = self.size + k
         if isinstance(store, EnergyStore):
             self.energy_place[nodes[0]] = self.size + 1
+            self._energies[nodes[0]] = store
         self.size += store.size
 
     def _running(self) -> list[_Running]:
@@ -164,7 +166,7 @@ class Equations:
             if part.rates is not None:
                 rates[part.own] = part.rates(time, own, a, b)
         for node in heated:
-            rates[self.energy_place[node]] += self._heating(node, time, ports[node])
+            rates[self.energy_place[node]] += self._energies[node].heating(time, ports[node])
         return rates
 
     def jacobian(self, time: float, unknowns: Array) -> Array:
@@ -201,11 +203,6 @@ class Equations:
             rates[self.energy_place[part.start]] -= enthalpy
         if part.end in self.energy_place:
             rates[self.energy_place[part.end]] += enthalpy
-
-    def _heating(self, node: int, time: float, port: Port) -> float:
-        store = next(each.store for each in self._stores if each.nodes == (node,))
-        assert isinstance(store, EnergyStore)
-        return store.heating(time, port)
 
     def read(self, values: Callable[[Store, Sequence[float]], Sequence[float]], y: Sequence[float]) -> list[float]:
         """Read a value of every node from the stores."""
