@@ -27,12 +27,12 @@ def driven(
 
     Parameters
     ----------
-    volume : float [m³], Curve or Rigid
+    volume : float [m³], tg.air.Curve or Rigid
         The chamber.
     supply : float [Pa], gauge
     valve : Restriction or Orifice
         Each way of the valve, when it is open.
-    tube : Tube, optional
+    tube : tg.air.Tube, optional
         From the valve to the actuator.
     fluid : Gas or Liquid
     process : str or float

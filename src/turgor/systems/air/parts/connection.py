@@ -16,7 +16,7 @@ class Connection(Part):
     ----------
     start, end : str
         A node; flow from start to end is positive.
-    passage : Restriction, Orifice, Tube or Leakage
+    passage : Restriction, Orifice, tg.air.Tube or Leakage
 
     Examples
     --------
@@ -77,7 +77,7 @@ class CheckValve(Connection):
     ----------
     start, end : str
         Flow from start to end only.
-    passage : Restriction, Orifice or Tube
+    passage : Restriction, Orifice or tg.air.Tube
         What it is when it is open.
     cracking : float [Pa]
         Difference of pressures at which it begins to open.

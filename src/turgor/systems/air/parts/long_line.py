@@ -21,7 +21,7 @@ class HeavyTube(Part):
     Parameters
     ----------
     start, end : str
-    tube : Tube
+    tube : tg.air.Tube
     """
 
     kind: ClassVar[str] = ""
