@@ -216,8 +216,10 @@ def main() -> None:
         f"Four chambers in the same envelope, filled until they bend by {angle:g}°, which is {angle * 11 / 4:g}° of "
         "eleven; 25 times faster is published (Mosadegh et al. 2014). The time ratio is the product of the gas that is "
         "needed and of the mean flow. The gas decides: the slow one needs eight to twelve times as much, for more "
-        "volume at more pressure. The flow varies: a supply that hardly exceeds the pressure of the slow one has little "
-        "left to drive it, and at one level the ratio is the published one (first row). The times are those of the air: "
+        "volume at more pressure. The flow varies: a supply that hardly exceeds the pressure of the "
+        "slow one has little "
+        "left to drive it, and at one level the ratio is the published one (first row). The times are "
+        "those of the air: "
         "a finger that fills within a few hundredths of a second is late by its own inertia. The mesh leaves the angle "
         "of the slow one uncertain by a tenth.\n\n"
     )
