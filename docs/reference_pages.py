@@ -1,6 +1,6 @@
-"""The reference page of job files, written from the code that reads them: `make reference` renews it.
+"""The reference pages of job files and air files, written from the code that reads them: `make reference` renews them.
 
-A test compares the page with what this script writes, so it cannot fall behind.
+A test compares the pages with what this script writes, so they cannot fall behind.
 """
 
 from pathlib import Path
@@ -46,6 +46,50 @@ def page() -> str:
     return "\n".join([INTRO + units, top, FAMILIES + families, *tables])
 
 
+AIR = """\
+# Keys of an air file
+
+`turgor air FILE.toml` reads a network of supplies, valves, tubes and chambers. The file is TOML; a quantity is a
+text with its unit, as in [job files](job-file.md). Keys that are not listed here are refused with the nearest one
+that is. Pressures are gauge pressures unless they are called absolute. [Air and liquid](../howto/air.md) has
+examples.
+
+Names of nodes and parts are chosen by you; the node `ambient` is there always.
+
+A **signal** is a value or one of
+
+- `[["0 s", 1], ["0.5 s", -1]]`: points in time,
+- `{ points = [["0 s", 1], ["0.5 s", -1]], period = "1 s" }`: points that repeat,
+- `{ frequency = "20 Hz", duty = 0.3 }`: pulses,
+- `{ mean = "50 kPa", amplitude = "20 kPa", frequency = "1 Hz" }`: a sine.
+
+Commands of valves that are open or closed go in steps from point to point; all other values change along straight
+lines.
+
+How wide a **valve** is: `conductance` (and `critical_ratio`, `exponent`) of a restriction by ISO 6358, or
+`diameter` (and `discharge`) of an orifice.
+"""
+
+
+def air_page() -> str:
+    """Write the page of air files."""
+    return "\n".join([AIR, *(air_section(table) for table in tg.air.file_tables())])
+
+
+def air_section(table: tg.air.AirTable) -> str:
+    """Write a table of an air file with its keys."""
+    rows = "".join(
+        f"| `{key.name}` | {cell(key.kind) or '–'} | {air_default(key)} | {cell(key.meaning)} |\n" for key in table.keys
+    )
+    head = "| key | type | default | meaning |\n|---|---|---|---|\n"
+    return f"## {table.header[:1].upper()}{table.header[1:]}\n\n{table.words}\n\n{head}{rows}"
+
+
+def air_default(key: tg.air.AirKey) -> str:
+    """Write the default of a key, or that it is needed."""
+    return code(key.default) if key.default and not key.default.endswith(("needed", "both")) else key.default
+
+
 def words(family: str) -> str:
     """Write what a family is."""
     return cell(tg.jobs.family_table(family).words)
@@ -78,8 +122,9 @@ def cell(text: str) -> str:
 
 
 def main() -> None:
-    """Write the page."""
+    """Write the pages."""
     (REFERENCE / "job-file.md").write_text(page(), encoding="utf-8")
+    (REFERENCE / "air-file.md").write_text(air_page(), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -70,6 +70,7 @@ if TYPE_CHECKING:
     from turgor.foundation.errors import TurgorError as TurgorError
     from turgor.foundation.response import Response as Response
     from turgor.namespaces import actuators as actuators
+    from turgor.namespaces import air as air
     from turgor.namespaces import bodies as bodies
     from turgor.namespaces import cad as cad
     from turgor.namespaces import commands as commands

@@ -103,6 +103,15 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         ),
         "inertia": MappingProxyType({"kg m²": 1.0, "kg m2": 1.0, "kg mm²": mm**2, "kg mm2": mm**2, "g mm²": g * mm**2}),
         "contact stiffness": MappingProxyType({"Pa/m": 1.0, "kPa/mm": 1e6, "MPa/mm": 1e9}),
+        "conductance": MappingProxyType(
+            {
+                **{"m³/(s Pa)": 1.0, "m3/(s Pa)": 1.0, "dm³/(s bar)": 1e-8, "dm3/(s bar)": 1e-8},
+                **{"L/(s bar)": 1e-8, "L/(min bar)": 1e-8 / 60},
+            }
+        ),
+        "frequency": MappingProxyType({"Hz": 1.0, "kHz": 1e3}),
+        "temperature": MappingProxyType({"K": 1.0}),
+        "heat conductance": MappingProxyType({"W/K": 1.0, "mW/K": 1e-3}),
     }
 )
 
@@ -128,6 +137,10 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "rotational stiffness": "0.5 N m/rad",
         "inertia": "2 kg mm²",
         "contact stiffness": "10 MPa/mm",
+        "conductance": "0.5 dm³/(s bar)",
+        "frequency": "20 Hz",
+        "temperature": "293.15 K",
+        "heat conductance": "5 mW/K",
     }
 )
 

@@ -25,14 +25,15 @@ COLUMN_UNITS: Mapping[str, float] = MappingProxyType(
         "": 1.0, "m": units.m, "mm": units.mm, "um": units.um, "1/m": 1.0, "rad": units.rad, "deg": units.deg,
         "Pa": units.Pa, "kPa": units.kPa, "MPa": units.MPa, "m2": 1.0, "mm2": 1e-6, "m3": 1.0,
         "L": units.L, "mL": units.mL, "N": units.N, "mN": units.mN, "Nm": 1.0, "J": 1.0, "mJ": 1e-3,
-        "N/m": 1.0, "kg": units.kg, "g": units.g, "s": units.s, "ms": units.ms, "mL/min": units.mL / 60,
+        "N/m": 1.0, "kg": units.kg, "g": units.g, "s": units.s, "ms": units.ms, "m3/s": 1.0,
+        "L/min": units.L / 60, "mL/min": units.mL / 60, "K": 1.0,
     }
 )  # fmt: skip
 
 #: Units of one kind, the SI unit first; every other unit is the only one of its kind.
 _KINDS = (
     ("m", "mm", "um"), ("rad", "deg"), ("Pa", "kPa", "MPa"), ("m2", "mm2"), ("m3", "L", "mL"), ("N", "mN"),
-    ("J", "mJ"), ("kg", "g"), ("s", "ms"),
+    ("J", "mJ"), ("kg", "g"), ("s", "ms"), ("m3/s", "L/min", "mL/min"),
 )  # fmt: skip
 
 #: Signs of units at an axis and in a table, where they differ from those in files.

@@ -37,6 +37,8 @@ def tables():
 def test_page_is_what_the_code_says():
     written = (DOCS / "reference" / "job-file.md").read_text(encoding="utf-8")
     assert written == reference_pages.page(), "run `make reference`"
+    written = (DOCS / "reference" / "air-file.md").read_text(encoding="utf-8")
+    assert written == reference_pages.air_page(), "run `make reference`"
 
 
 def test_every_section_has_its_table(tables):

@@ -1,0 +1,1 @@
+"""Air and liquid: networks of supplies, valves, tubes and chambers through time."""

@@ -1,0 +1,1 @@
+"""Parts of a network: each states the mass flow between two nodes."""

@@ -1,0 +1,1 @@
+"""Volumes of chambers against their pressures."""
