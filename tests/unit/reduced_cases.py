@@ -11,7 +11,7 @@ from turgor.core.engine.system import System
 from turgor.core.model.model import Model
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.reduced.reduce import Budget, reduce
+from turgor.reduced.reduce import Budget, Training, reduce
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import Drive, drive_of
@@ -59,6 +59,21 @@ def drive() -> Drive:
 def built() -> Built:
     """Equations in six modes, before and after sampling."""
     return build(system(), drive(), [path()], 6)
+
+
+@cache
+def other_path() -> FullPath:
+    """Full solves at pressures between those of `path`."""
+    trainer = Trainer(model_variation(finger(), [KEY]).model, box(), 9, EngineOptions(threads=1))
+    return trainer.path(np.array([0.97 * PRESSURE]), differentiated=False)
+
+
+@cache
+def reduced_of(modes: int) -> Reduced:
+    """A reduced model in some modes of one path."""
+    at = model_variation(finger(), [KEY]).model
+    training = Training(finger(), at, box(), Budget(), EngineOptions(threads=1), None, print)
+    return training.reduced(system(), build(system(), drive(), [path()], modes), [path()])
 
 
 @cache

@@ -22,7 +22,7 @@ from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import check_reducible, drive_of
 from turgor.reduced.training.build import Built, build
-from turgor.reduced.training.compare import compared
+from turgor.reduced.training.compare import aim_of, compared, known_errors
 from turgor.reduced.training.modes import Modes
 from turgor.reduced.training.path_runs import PathRuns
 from turgor.reduced.training.trainer import Path, Trainer
@@ -43,24 +43,28 @@ class Budget:
     held_out : int
         Paths of full solves that are kept from training.
     modes : int
-        Displacement modes at most.
+        Displacement modes at most; they become more where the error at training states exceeds the wanted one.
     steps : int
         Steps of a path at least.
+    checks : int
+        Paths in a row, each to the worst of many random inputs, on which the error must be the wanted one. With one
+        input a path passes all values, and one is enough.
 
     Examples
     --------
     >>> Budget(error=0.01, paths=8).modes
-    14
+    26
     """
 
     error: float = 0.005
     paths: int = 24
     held_out: int = 2
-    modes: int = TRAINING.modes
+    modes: int = TRAINING.most
     steps: int = TRAINING.steps
+    checks: int = 3
 
     def __post_init__(self) -> None:
-        for name in ("paths", "modes", "steps"):
+        for name in ("paths", "modes", "steps", "checks"):
             if getattr(self, name) < 1:
                 raise TurgorError(f"{name} of a reduced model is {getattr(self, name)}; allowed is 1 or more.")
         if not 0 < self.error < 1:
@@ -78,8 +82,9 @@ def reduce(
 ) -> Reduced:
     """Make a reduced model: full solves on training paths, modes of their states, sampled equations.
 
-    Training begins at the corners of the box of inputs, goes on with the random inputs at which the indicator of the
-    reduced model is worst, and ends when the error at such inputs is below the wanted one, or with the budget.
+    Training begins at the corners of the box of inputs. It goes on with full solves to the random inputs at which the
+    estimated error is worst, and ends when the errors of several such paths in a row are the wanted one, or with the
+    budget.
 
     Parameters
     ----------
@@ -109,7 +114,7 @@ def reduce(
     box = inputs_of(model, inputs)
     variation = model_variation(model, list(box.keys))
     with use_threads(options.threads):
-        training = _Training(model, variation.model, box, budget, options, runs, say or _silent)
+        training = Training(model, variation.model, box, budget, options, runs, say or _silent)
         reduced = training.run()
     training.say(f"{reduced!r} in {perf_counter() - began:.0f} s")
     return reduced
@@ -151,7 +156,7 @@ def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs
 
 
 @dataclass(frozen=True, slots=True)
-class _Training:
+class Training:
     """The training of one reduced model."""
 
     model: Model
@@ -170,17 +175,19 @@ class _Training:
         trainer = Trainer(self.model_at, box, budget.steps, self.options)
         drive = drive_of(system, self.model_at, box)
         paths = self._paths(trainer, corners(box)[: budget.paths])
-        reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
-        while len(box.keys) > 1 and len(paths) < budget.paths:
-            worst = self._worst(reduced, len(paths))
-            path = self._paths(trainer, [worst])[0]
-            error = compared(reduced, path, reached_only=True).worst
+        count = min(TRAINING.modes, budget.modes)
+        reduced = self.reduced(system, build(system, drive, paths, count), paths)
+        good, needed = 0, 1 if len(box.keys) == 1 else budget.checks
+        while good < needed and len(paths) < budget.paths:
+            path = self._paths(trainer, [self._worst(reduced, paths)])[0]
+            error = compared(reduced, path, reached_only=False).worst
             self.say(f"  error there {error:.2g}")
+            good = good + 1 if error <= budget.error else 0
             paths.append(path)
-            reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
-            if error <= budget.error:
-                break
-        return self._looked_at(reduced, trainer)
+            if reduced.known.errors.max() > budget.error:
+                count = min(count + TRAINING.more, budget.modes)
+            reduced = self.reduced(system, build(system, drive, paths, count), paths)
+        return self._looked_at(reduced, trainer, paths)
 
     def _paths(self, trainer: Trainer, aims: Sequence[Array], kind: str = "training path") -> list[Path]:
         """Full solves from rest to some inputs."""
@@ -195,23 +202,28 @@ class _Training:
             paths.append(path)
         return paths
 
-    def _worst(self, reduced: Reduced, seed: int) -> Array:
-        """The worst of random inputs by the indicator; one that the reduced model refuses comes first."""
-        shares = _random(len(self.box.keys), seed, TRAINING.candidates)
-        worst, place = -1.0, np.zeros(0)
-        trained = self.box.scaled(reduced.trained_inputs[:, 1:])
+    def _worst(self, reduced: Reduced, paths: Sequence[Path]) -> Array:
+        """The worst of random inputs by the estimated error; one that the reduced model refuses comes first.
+
+        Inputs near those that the full model did not reach are left out.
+        """
+        shares = _random(len(self.box.keys), len(paths), TRAINING.candidates)
+        for path in paths:
+            if not path.reached:
+                away = np.linalg.norm(shares - self.box.scaled(aim_of(path)[1:]), axis=1)
+                shares = shares[away > TRAINING.apart] if (away > TRAINING.apart).any() else shares
+        worst, place = -1.0, self.box.high
         for share in shares:
             values = self.box.low + share * (self.box.high - self.box.low)
             try:
-                indicator = reduced.at(values).indicator
+                estimate = reduced.at(values).estimate
             except NotSolved:
-                return values
-            distance = float(np.linalg.norm(trained - share, axis=1).min())
-            if indicator * distance > worst:
-                worst, place = indicator * distance, values
+                return np.asarray(values)
+            if estimate > worst:
+                worst, place = estimate, values
         return place
 
-    def _looked_at(self, reduced: Reduced, trainer: Trainer) -> Reduced:
+    def _looked_at(self, reduced: Reduced, trainer: Trainer, trained: Sequence[Path]) -> Reduced:
         """Compare with full solves that training never saw."""
         shares = _random(len(self.box.keys), 2**20, self.budget.held_out)
         if len(self.box.keys) == 1:
@@ -224,9 +236,9 @@ class _Training:
         parts = [compared(reduced, path, reached_only=False) for path in paths]
         names = ("inputs", "displacement", "tip", "volume")
         errors = HeldOutErrors(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
-        return replace(reduced, held_out=errors)
+        return replace(reduced, held_out=errors, known=known_errors(reduced, [*trained, *paths]))
 
-    def _reduced(self, system: System, built: Built, paths: Sequence[Path]) -> Reduced:
+    def reduced(self, system: System, built: Built, paths: Sequence[Path]) -> Reduced:
         """Collect what answers need."""
         mesh = system.model.mesh
         tip = np.zeros((3, built.modes.vectors.shape[1]))
@@ -236,7 +248,7 @@ class _Training:
             mean = np.einsum("n,nir->ri", weights / weights.sum(), modes)
             tip = MeshFacts(mesh).of_whole(mean).T
         nothing = np.zeros(0)
-        return Reduced(
+        reduced = Reduced(
             model=system.model, inputs=self.box, equations=built.equations, checks=built.checks,
             modes=_small(built.modes)[: 3 * len(mesh.points)], stresses=_small(built.stresses),
             scales=(system.length, system.stress_scale), faces=built.faces, tip=tip,
@@ -245,6 +257,7 @@ class _Training:
             counts=built.counts | {"training paths" if len(paths) > 1 else "training path": len(paths)},
             held_out=HeldOutErrors(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing),
         )  # fmt: skip
+        return replace(reduced, known=known_errors(reduced, paths))
 
 
 def _random(n: int, seed: int, count: int) -> Array:

@@ -75,20 +75,71 @@ class TrainingSettings:
     Parameters
     ----------
     modes : int
-        Displacement modes at most. There are half as many mean stress modes: with as many, Newton's method finds
+        Displacement modes at first. There are half as many mean stress modes: with as many, Newton's method finds
         nothing.
+    more : int
+        Modes that are added where the error at the training states themselves exceeds the wanted one.
+    most : int
+        Displacement modes at most.
     truncation : float
         Share of the snapshots' square sizes that modes may miss.
     steps : int
         Steps of a path at least.
     candidates : int
-        Random inputs whose indicator is looked at in each round.
+        Random inputs whose estimated error is looked at in each round.
+    apart : float
+        Distance, over the ranges, within which inputs count as those that the full model did not reach.
     """
 
     modes: int = 14
+    more: int = 4
+    most: int = 26
     truncation: float = 1e-14
     steps: int = 12
-    candidates: int = 16
+    candidates: int = 1000
+    apart: float = 0.15
 
 
 TRAINING = TrainingSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class EstimateSettings:
+    """Settings of the estimate of the error of an answer.
+
+    Parameters
+    ----------
+    length : float
+        Length of correlation of the errors, over the ranges, times the root of the number of inputs. Lengths from 0.3
+        to 0.7 gave the same estimates on a short finger with one and two inputs.
+    noise : float
+        Part of the logarithm of the errors that does not depend on the inputs.
+    deviations : float
+        Standard deviations that are added: 0.5 makes the median of estimate over error 1.0 there; 0 gives 0.8, and 1
+        gives 1.2.
+    rest : float
+        Size of the answer, over the largest, below which the error no longer falls in proportion.
+    smallest : float
+        Errors below this count as this.
+    spread : float
+        Standard deviation of the logarithms at least.
+    most : int
+        Known errors at most; more are thinned.
+    factor : float
+        The error may be this many times the estimate.
+    doubt : float
+        Error that an answer may not have without a flag.
+    """
+
+    length: float = 0.5
+    noise: float = 0.1
+    deviations: float = 0.5
+    rest: float = 0.1
+    smallest: float = 1e-8
+    spread: float = 0.1
+    most: int = 400
+    factor: float = 3.0
+    doubt: float = 0.02
+
+
+ESTIMATE = EstimateSettings()

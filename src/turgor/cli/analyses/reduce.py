@@ -29,7 +29,7 @@ class _Options:
     output: Annotated[Path, output_option("The file; its ending is .reduced.")] = Path("actuator.reduced")
     error: Annotated[float, typer.Option(help="Wanted error of displacements, over the largest.")] = 0.005
     paths: Annotated[int, typer.Option(help="Training paths at most.", min=1)] = 24
-    steps: Annotated[int, typer.Option(help="Steps of a path at least; with one input they decide.", min=1)] = 12
+    steps: Annotated[int, typer.Option(help="Steps of a path at least.", min=1)] = 12
     held_out: Annotated[int, typer.Option("--held-out", help="Paths of full solves kept from training.", min=0)] = 2
     folder: Annotated[
         Path | None, typer.Option(help="Where training paths are saved; the same call goes on.", show_default=False)
@@ -117,6 +117,11 @@ def say_prediction(file: Path, given: Sequence[str], answer: "Answer") -> None:
     if reduced.tip.any():
         typer.echo(f"displacement of the tip ({', '.join(f'{x * 1e3:.5g}' for x in result.tip)}) mm")
     typer.echo(f"largest displacement {abs(result.displacement).max() * 1e3:.5g} mm")
+    typer.echo(f"estimated error of the displacement {result.estimate:.2g} of the largest in training")
+    if result.doubtful:
+        typer.echo(
+            "This answer is doubtful: its error may be more than 2 %; train more densely, or solve the full model."
+        )
     typer.echo(
         f"largest held-out error {reduced.held_out.worst:.2g} of the largest displacement; {result.iterations} updates"
     )

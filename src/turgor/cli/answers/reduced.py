@@ -65,6 +65,10 @@ class ReducedAnswer:
         Mean displacement of the tip.
     tip_rates : list of lists
         Its derivatives by the inputs.
+    estimate : float
+        Estimated error of the displacement here, over the largest displacement in training.
+    doubtful : bool
+        Whether that error may be more than two percent.
     held_out_error, indicator : float
         Largest held-out error of the reduced model, and what other sampled points change here.
     """
@@ -74,6 +78,8 @@ class ReducedAnswer:
     volume_rates: Mapping[str, Sequence[float]]
     tip: Sequence[float]
     tip_rates: Sequence[Sequence[float]]
+    estimate: float
+    doubtful: bool
     held_out_error: float
     indicator: float
 
@@ -86,6 +92,8 @@ def answer_result(result: "ReducedState") -> ReducedAnswer:
         volume_rates={face: rates.tolist() for face, rates in result.volume_rates.items()},
         tip=result.tip.tolist(),
         tip_rates=result.tip_rates.tolist(),
+        estimate=result.estimate,
+        doubtful=result.doubtful,
         held_out_error=result.reduced.held_out.worst,
         indicator=result.indicator,
     )

@@ -15,8 +15,9 @@ from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.foundation.store.archive import Content, write_archive
 from turgor.foundation.store.codec import Encoder
 from turgor.foundation.store.saved_objects import Saved
-from turgor.reduced.settings import NEWTON
+from turgor.reduced.settings import ESTIMATE, NEWTON
 from turgor.reduced.states.equations import Equations, Part
+from turgor.reduced.states.estimate import KnownErrors
 from turgor.reduced.states.held_out import HeldOutErrors
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.newton import Balance, follow, newton
@@ -63,6 +64,8 @@ class Reduced(Saved, Shown):
     wanted : float [-]
         Error that was requested, of the displacement over its largest.
     held_out : HeldOutErrors
+    known : KnownErrors
+        Errors at training and held-out states, from which the error of an answer is estimated.
     """
 
     model: Model
@@ -80,6 +83,7 @@ class Reduced(Saved, Shown):
     counts: Mapping[str, int] = field(default_factory=dict)
     wanted: float = 0.005
     held_out: HeldOutErrors
+    known: KnownErrors = field(default_factory=KnownErrors)
 
     def __repr__(self) -> str:
         r, m = self.equations.sizes
@@ -126,9 +130,13 @@ class Reduced(Saved, Shown):
 
     def at(self, vector: Array, start: "ReducedState | None" = None) -> "ReducedState":
         """Find the equilibrium at inputs (n,) in order; see `solve`."""
-        aim, vain = np.concatenate([[1.0], vector]), 0
+        return self.under(np.concatenate([[1.0], vector]), start)
+
+    def under(self, aim: Array, start: "ReducedState | None" = None) -> "ReducedState":
+        """Find the equilibrium at a share of the loads that are no inputs, and inputs: (1 + n,); see `solve`."""
+        vain = 0
         if start is None:
-            result = newton(self.equations, self._spline.at(aim * self._weights), aim, self._size)
+            result = newton(self.equations, self._spline.at(aim * self.weights), aim, self._size)
             if isinstance(result, Balance):
                 return ReducedState.of(self, result, vain)
             vain += result
@@ -138,19 +146,19 @@ class Reduced(Saved, Shown):
                 return ReducedState.of(self, result, vain)
             vain += result
         raise NotSolved(
-            f"the reduced model finds no equilibrium at {self.inputs.text(vector)} within {vain} updates; "
+            f"the reduced model finds no equilibrium at {self.inputs.text(aim[1:])} within {vain} updates; "
             "train it more densely."
         )
 
     def _starts(self, aim: Array, start: "ReducedState | None") -> Iterable[tuple[Array, Array]]:
         if start is not None:
             yield np.concatenate([[1.0], start.inputs]), start.y
-        away = (self.trained_inputs - aim) * self._weights
+        away = (self.trained_inputs - aim) * self.weights
         for place in np.argsort((away**2).sum(axis=1), kind="stable")[: NEWTON.starts]:
             yield self.trained_inputs[place], self.trained[place]
 
     @cached_property
-    def _weights(self) -> Array:
+    def weights(self) -> Array:
         """Weights of the distance to training states; the share counts where loads are no inputs."""
         fixed = bool(self.equations.pressures[:, 0].any() or self.equations.forces[:, 0].any())
         return np.concatenate([[1.0 if fixed else 0.0], 1.0 / (self.inputs.high - self.inputs.low)])
@@ -158,7 +166,7 @@ class Reduced(Saved, Shown):
     @cached_property
     def _spline(self) -> Spline:
         """Training states as a smooth function of the inputs."""
-        return Spline.through(self.trained_inputs * self._weights, self.trained)
+        return Spline.through(self.trained_inputs * self.weights, self.trained)
 
     @cached_property
     def _size(self) -> float:
@@ -193,6 +201,8 @@ class ReducedState(Shown):
     indicator : float [-]
         How far the coordinates move with other sampled points, over the largest that were trained: a share of the
         error that the sampling makes.
+    estimate : float [-]
+        Estimated error of the displacement of a node, over the largest displacement in training.
     iterations : int
         Newton updates.
     """
@@ -202,6 +212,7 @@ class ReducedState(Shown):
     y: Array
     rates: Array
     indicator: float
+    estimate: float
     iterations: int
 
     @staticmethod
@@ -216,11 +227,18 @@ class ReducedState(Shown):
             if its is not None:
                 other += its.forces() - part.forces()
         indicator = float(np.linalg.norm(inverse[:r, :r] @ other)) / reduced.size
-        return ReducedState(reduced, at.inputs[1:], at.y, rates, indicator, result.iterations + vain)
+        known = reduced.known.at(at.inputs * reduced.weights, float(np.linalg.norm(at.y[:r])) / reduced.size)
+        estimate = max(known, indicator)
+        return ReducedState(reduced, at.inputs[1:], at.y, rates, indicator, estimate, result.iterations + vain)
 
     def __repr__(self) -> str:
         text = self.reduced.inputs.text(self.inputs)
-        return f"ReducedState({text}, indicator {self.indicator:.1e}, {self.iterations} iterations)"
+        return f"ReducedState({text}, estimated error {self.estimate:.1e}, {self.iterations} iterations)"
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether the error of the displacement may be more than two percent of the largest displacement."""
+        return self.estimate * ESTIMATE.factor > ESTIMATE.doubt
 
     @property
     def q(self) -> Array:
