@@ -1,5 +1,6 @@
 """A short finger and its reduced model, which several tests share."""
 
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import Drive, drive_of
 from turgor.reduced.training.build import Built, build
+from turgor.reduced.training.masses import masses_of
 from turgor.reduced.training.trainer import Path as FullPath
 from turgor.reduced.training.trainer import Trainer
 
@@ -71,9 +73,21 @@ def other_path() -> FullPath:
 @cache
 def reduced_of(modes: int) -> Reduced:
     """A reduced model in some modes of one path."""
+    return _of_path(path(), modes)
+
+
+@cache
+def moving() -> Reduced:
+    """A reduced model with modes for motion."""
+    trainer = Trainer(model_variation(finger(), [KEY]).model, box(), 8, EngineOptions(threads=1), motion=True)
+    made = _of_path(trainer.path(np.array([PRESSURE])), 8)
+    return replace(made, masses=masses_of(system(), made.modes.astype(np.float64)))
+
+
+def _of_path(path: FullPath, modes: int) -> Reduced:
     at = model_variation(finger(), [KEY]).model
     training = Training(finger(), at, box(), Budget(), EngineOptions(threads=1), None, print)
-    return training.reduced(system(), build(system(), drive(), [path()], modes), [path()])
+    return training.reduced(system(), build(system(), drive(), [path], modes), [path])
 
 
 @cache

@@ -23,6 +23,7 @@ from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import check_reducible, drive_of
 from turgor.reduced.training.build import Built, build
 from turgor.reduced.training.compare import aim_of, compared, known_errors
+from turgor.reduced.training.masses import masses_of
 from turgor.reduced.training.modes import Modes
 from turgor.reduced.training.path_runs import PathRuns
 from turgor.reduced.training.trainer import Path, Trainer
@@ -49,6 +50,8 @@ class Budget:
     checks : int
         Paths in a row, each to the worst of many random inputs, on which the error must be the wanted one. With one
         input a path passes all values, and one is enough.
+    motion : bool
+        Whether there are modes for motion with inertia, too; every material needs a density.
 
     Examples
     --------
@@ -62,6 +65,7 @@ class Budget:
     modes: int = TRAINING.most
     steps: int = TRAINING.steps
     checks: int = 3
+    motion: bool = False
 
     def __post_init__(self) -> None:
         for name in ("paths", "modes", "steps", "checks"):
@@ -172,7 +176,7 @@ class Training:
         box, budget = self.box, self.budget
         system = System(self.model_at(dict(zip(box.keys, box.high.tolist(), strict=True))))
         check_reducible(system)
-        trainer = Trainer(self.model_at, box, budget.steps, self.options)
+        trainer = Trainer(self.model_at, box, budget.steps, self.options, budget.motion)
         drive = drive_of(system, self.model_at, box)
         paths = self._paths(trainer, corners(box)[: budget.paths])
         count = min(TRAINING.modes, budget.modes)
@@ -187,6 +191,8 @@ class Training:
             if reduced.known.errors.max() > budget.error:
                 count = min(count + TRAINING.more, budget.modes)
             reduced = self.reduced(system, build(system, drive, paths, count), paths)
+        if budget.motion:
+            reduced = replace(reduced, masses=masses_of(system, reduced.modes.astype(np.float64)))
         return self._looked_at(reduced, trainer, paths)
 
     def _paths(self, trainer: Trainer, aims: Sequence[Array], kind: str = "training path") -> list[Path]:

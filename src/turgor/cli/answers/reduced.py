@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from turgor.reduced.states.reduced import Reduced, ReducedState
+    from turgor.reduced.states.answer import ReducedState
+    from turgor.reduced.states.reduced import Reduced
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

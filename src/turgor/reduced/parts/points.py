@@ -58,7 +58,7 @@ class Points:
     def _stresses(self, F: Array, I1: Array, I2: Array) -> tuple[Array, Array]:
         W, rows = np.zeros((5, len(F))), np.full(len(F), -1, dtype=np.int64)
         more: list[tuple[Array, Array]] = [(np.empty((0, 6)), np.empty((0, spectral.TANGENT)))]
-        for law, here in self._groups():
+        for law, here in self.groups:
             if _in_invariants(law):  # type: ignore[arg-type]
                 for k, values in enumerate(energy_and_derivatives(cast(InvariantLaw, law), I1[here], I2[here])[1:]):
                     W[k, here] = values / self.stress
@@ -71,7 +71,9 @@ class Points:
         stress, moduli = (np.ascontiguousarray(np.concatenate(each)) for each in zip(*more, strict=True))
         return kernels.stresses(F, W, rows, stress, moduli)
 
-    def _groups(self) -> Sequence[tuple[Law, slice]]:
+    @property
+    def groups(self) -> Sequence[tuple[Law, slice]]:
+        """Each law with its points."""
         ends = zip(self.laws, self.starts[:-1], self.starts[1:], strict=True)
         return [(law, slice(a, b)) for law, a, b in ends if b > a]
 
@@ -103,6 +105,19 @@ class PointsAt:
     F: Array
     S: Array
     D: Array
+
+    def energy(self) -> float:
+        """Isochoric energy."""
+        p, out = self.points, 0.0
+        I1, I2 = kernels.invariants(self.F)
+        for law, here in p.groups:
+            if _in_invariants(law):  # type: ignore[arg-type]
+                density = energy_and_derivatives(cast(InvariantLaw, law), I1[here], I2[here])[0]
+            else:
+                bar, _, _ = spectral.principal_stretches(self.F[here][:, None])
+                density = stretch_derivatives(law, *bar)[0][:, 0]
+            out += float(p.weights[here] @ density) / p.stress
+        return out
 
     def forces(self, starts: Ints | None = None) -> Array:
         """Forces (r,) on the reduced coordinates, or (g, r) of groups of points."""

@@ -50,14 +50,15 @@ class KnownErrors:
         near = self._likeness(place[None])[0]
         left = float(1.0 - near @ inverse @ near)
         value = mean + float(near @ weights) + ESTIMATE.deviations * spread * max(left, 0.0) ** 0.5
-        return float(np.exp(value)) * _lifted(size)
+        return float(np.exp(value) * _lifted(size))
 
     @cached_property
     def _process(self) -> tuple[float, float, Array, Array]:
         """Mean and deviation of the logarithms, and the inverse of their correlation, alone and times them."""
         logs = np.log(np.maximum(self.errors, ESTIMATE.smallest) / _lifted(self.sizes))
         mean, spread = float(logs.mean()), max(float(logs.std()), ESTIMATE.spread)
-        inverse = np.linalg.inv(self._likeness(self.places) + ESTIMATE.noise**2 * np.eye(len(logs)))
+        likeness = self._likeness(self.places) + ESTIMATE.noise**2 * np.eye(len(logs))
+        inverse: Array = np.linalg.inv(likeness).astype(np.float64)
         return mean, spread, inverse, np.asarray(inverse @ (logs - mean))
 
     def _likeness(self, places: Array) -> Array:

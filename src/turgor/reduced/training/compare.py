@@ -10,9 +10,10 @@ from turgor.core.engine.faces import surfaces
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.foundation.errors import NotSolved
 from turgor.reduced.settings import ESTIMATE
+from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.estimate import KnownErrors
 from turgor.reduced.states.held_out import HeldOutErrors
-from turgor.reduced.states.reduced import Reduced, ReducedState
+from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.trainer import Path
 
 Array = NDArray[np.float64]
@@ -62,15 +63,19 @@ def known_errors(reduced: Reduced, paths: Sequence[Path]) -> KnownErrors:
     """
     every = [(path, place) for path in paths for place in range(len(path.inputs))]
     thinned = np.unique(np.linspace(0, len(every) - 1, min(len(every), ESTIMATE.most)).astype(int))
-    r, places, errors, sizes = reduced.equations.sizes[0], [], [], []
+    r = reduced.equations.sizes[0]
+    places: list[Array] = []
+    errors: list[float] = []
+    sizes: list[float] = []
     for path, place in (every[each] for each in thinned):
         aim = path.inputs[place]
         try:
             answer = reduced.under(aim)
-            error, size = errors_of(answer, path.displacements[place])[0], np.linalg.norm(answer.y[:r]) / reduced.size
+            error = errors_of(answer, path.displacements[place])[0]
+            size = float(np.linalg.norm(answer.y[:r])) / reduced.size
         except NotSolved:
             error, size = 1.0, 1.0
-        places, errors, sizes = [*places, aim], [*errors, error], [*sizes, float(size)]
+        places, errors, sizes = [*places, aim], [*errors, error], [*sizes, size]
     for path in paths:
         if not path.reached:
             places, errors, sizes = [*places, aim_of(path)], [*errors, 1.0], [*sizes, 1.0]

@@ -53,3 +53,32 @@ def modes_of(snapshots: Array, product: sp.spmatrix, most: int, truncation: floa
         lower = np.linalg.cholesky(vectors.T @ (product @ vectors))
         vectors = np.linalg.solve(lower, vectors.T).T
     return Modes(vectors, np.asarray(product @ vectors), max(0.0, float(missed[count - 1])))
+
+
+def with_more(modes: Modes, vectors: Array, product: sp.spmatrix, most: int) -> Modes:
+    """Add modes of what is left of other vectors (size, k).
+
+    Parameters
+    ----------
+    modes : Modes
+    vectors : (size, k) array
+    product : (size, size) sparse array
+        Inner product.
+    most : int
+        Modes that are added at most.
+
+    Returns
+    -------
+    Modes
+    """
+    left = vectors - modes.vectors @ (modes.dual.T @ vectors)
+    more = modes_of(left, product, most, 1e-4).vectors
+    more = more - modes.vectors @ (modes.dual.T @ more)
+    both = np.hstack([modes.vectors, more])
+    return Modes(both, np.asarray(product @ both), modes.missed)
+
+
+def normalized(vectors: Array, product: sp.spmatrix) -> tuple[Array, Array]:
+    """Vectors (size, k) of a size of one in an inner product, and the sizes that they had."""
+    sizes = np.sqrt(np.einsum("nk,nk->k", vectors, product @ vectors))
+    return vectors / sizes, np.asarray(sizes)
