@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from turgor.reduced.states.answer import ReducedState
+    from turgor.reduced.states.following import Followed
     from turgor.reduced.states.reduced import Reduced
 
 
@@ -97,4 +98,39 @@ def answer_result(result: "ReducedState") -> ReducedAnswer:
         doubtful=result.doubtful,
         held_out_error=result.reduced.held_out.worst,
         indicator=result.indicator,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FollowedAnswer:
+    """``turgor predict --history`` with a reduced model, in SI units.
+
+    Parameters
+    ----------
+    times : list of float
+    tip : list of lists
+        Mean displacement of the tip at each time.
+    estimate : float
+        Largest estimated error of the displacement, over the largest in training.
+    doubtful : int
+        States whose error may be more than two percent.
+    file : str
+        The table.
+    """
+
+    times: Sequence[float]
+    tip: Sequence[Sequence[float]]
+    estimate: float
+    doubtful: int
+    file: Path
+
+
+def followed_result(followed: "Followed", file: Path) -> FollowedAnswer:
+    """Make the result of a history."""
+    return FollowedAnswer(
+        times=followed.times.tolist(),
+        tip=followed.tip.tolist(),
+        estimate=max(each.estimate for each in followed.answers),
+        doubtful=sum(each.doubtful for each in followed.answers),
+        file=file,
     )
