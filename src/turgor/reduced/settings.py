@@ -97,6 +97,8 @@ class TrainingSettings:
     moving, responses : int
         For motion: states along a path at which responses to inertia are computed, and how many in a row for each
         input.
+    sudden : float
+        Duration of a sudden load and unloading, over the shortest relaxation time.
     inertial : int
         Modes of these responses at most, besides those of the states.
     """
@@ -110,6 +112,7 @@ class TrainingSettings:
     apart: float = 0.15
     moving: int = 4
     responses: int = 3
+    sudden: float = 1e-3
     inertial: int = 8
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from math import inf
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,6 +12,7 @@ from turgor.core.solvers.dynamics.generalized_alpha import Motion, TimeStep, Wei
 from turgor.core.solvers.energies import Energies
 from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.reduced.parts.inertia import Inertia, InertiaAt
+from turgor.reduced.parts.points import Points, PointsAt
 from turgor.reduced.settings import ESTIMATE, NEWTON
 from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.energy import stored
@@ -86,9 +88,10 @@ class Followed:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Now:
-    """Where a history has arrived."""
+    """Where a history has arrived; the equations have the internal variables there."""
 
     time: float
+    equations: Equations
     at: EquationsAt
     inverse: Array
     motion: Motion
@@ -127,14 +130,15 @@ class _Run:
 
     def begin(self, start: ReducedState) -> _Now:
         """Begin in an equilibrium."""
-        at = self.reduced.equations.at(start.y, self.table[0])
+        equations = _stepped(self.reduced.equations, inf)
+        at = equations.at(start.y, self.table[0])
         assert at is not None  # it was found before
         none = np.zeros(len(start.q))
         energy = stored(at) * self._unit if self.moving else 0.0
         energies = Energies(kinetic=0.0, strain=energy, dissipated=0.0, work=energy)
         motion = Motion(start.q, none, none, none)
         inverse: Array = np.linalg.inv(at.tangent()).astype(np.float64)
-        return _Now(float(self.times[0]), at, inverse, motion, energies, none)
+        return _Now(float(self.times[0]), _remembering(equations, at), at, inverse, motion, energies, none)
 
     @property
     def _unit(self) -> float:
@@ -159,29 +163,26 @@ class _Run:
 
     def _step(self, now: _Now, end: float) -> _Now | None:
         reduced, inputs, r = self.reduced, self.inputs(end), len(now.motion.unknowns)
+        equations = _stepped(now.equations, end - now.time)
         if self.moving is None:
             start = now.at.y - now.inverse @ (now.at.by_inputs() @ (inputs - now.at.inputs))
-            result = newton(reduced.equations, start, inputs, reduced.size)
-            if isinstance(result, int):
-                result = newton(reduced.equations, now.at.y, inputs, reduced.size)
-            if isinstance(result, int):
-                return None
-            return replace(now, time=end, at=result.at, inverse=result.inverse)
+            for begin in (start, now.at.y):
+                result = newton(equations, begin, inputs, reduced.size)
+                if isinstance(result, Balance):
+                    last = _remembering(equations, result.at)
+                    return replace(now, time=end, equations=last, at=result.at, inverse=result.inverse)
+            return None
         rule = TimeStep(Weights.of(self.moving.spectral_radius), now.motion, end - now.time, np.ones(r))
         start = np.concatenate([rule.prediction(), now.at.y[r:]])
-        equations = self._equations(rule)
+        assert reduced.masses is not None
+        inertia = Inertia(reduced.masses, rule, self.moving.mass_damping, self.moving.stiffness_damping)
+        with_inertia = replace(equations, parts=(*equations.parts, inertia))
         for begin in (start, now.at.y):
-            result = newton(equations, begin, inputs, reduced.size)
+            result = newton(with_inertia, begin, inputs, reduced.size)
             if isinstance(result, Balance):
-                return self._moved(now, result, rule, end)
+                moved = self._moved(now, result, rule, end)
+                return replace(moved, equations=_remembering(equations, moved.at))
         return None
-
-    def _equations(self, rule: TimeStep) -> Equations:
-        """The equations with inertia in one step."""
-        assert self.moving is not None and self.reduced.masses is not None
-        inertia = Inertia(self.reduced.masses, rule, self.moving.mass_damping, self.moving.stiffness_damping)
-        equations = self.reduced.equations
-        return replace(equations, parts=(*equations.parts, inertia))
 
     def _moved(self, now: _Now, result: Balance, rule: TimeStep, end: float) -> _Now:
         """The end of a step, with its energies; work by the trapezoidal rule."""
@@ -197,18 +198,39 @@ class _Run:
             dissipated=before.dissipated + 0.5 * self._unit * float((now.damping + inertia.damping) @ moved),
             work=before.work + self._unit * float(loads @ moved),
         )
-        return _Now(end, still, result.inverse, motion, energies, inertia.damping)
+        return _Now(end, now.equations, still, result.inverse, motion, energies, inertia.damping)
 
     def answer(self, now: _Now) -> ReducedState:
         """The answer where the history is."""
-        answer = ReducedState.of(self.reduced, Balance(now.at, now.inverse, 0), 0)
-        if self.moving is None:
+        at = self.reduced.equations.at(now.at.y, now.at.inputs)
+        assert at is not None  # it was found before
+        answer = ReducedState.of(self.reduced, Balance(at, now.inverse, 0), 0)
+        if self.moving is None and now.equations is self.reduced.equations:
             return answer
         away = np.linalg.norm(self.reduced.trained[:, : len(answer.q)] - answer.q, axis=1) / self.reduced.size
         near = int(away.argmin())
         place = self.reduced.trained_inputs[near] * self.reduced.weights
         known = self.reduced.known.at(place, float(np.linalg.norm(answer.q)) / self.reduced.size)
         return replace(answer, estimate=max(known, answer.indicator, ESTIMATE.away * float(away[near])))
+
+
+def _stepped(equations: Equations, length: float) -> Equations:
+    """Equations with the internal variables for a step of a length [s]; the same where no rubber remembers."""
+    if not any(isinstance(part, Points) and part.materials for part in equations.parts):
+        return equations
+    parts = (part.stepped(length) if isinstance(part, Points) and part.materials else part for part in equations.parts)
+    return replace(equations, parts=tuple(parts))
+
+
+def _remembering(equations: Equations, at: EquationsAt) -> Equations:
+    """Equations with the internal variables at the end of a step."""
+    new = (
+        its.remembered() if isinstance(its, PointsAt) and its.points.memories else part
+        for part, its in zip(equations.parts, at.parts, strict=False)
+    )
+    parts = tuple(new)
+    same = all(a is b for a, b in zip(parts, equations.parts, strict=True))
+    return equations if same else replace(equations, parts=parts)
 
 
 def checked_history(times: Sequence[float] | Array, table: Array) -> Array:

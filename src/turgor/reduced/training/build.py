@@ -78,14 +78,18 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     basis, stresses = bases(system, paths, modes)
     whole = assembly.assemble(system, drive, basis, stresses)
     moved = np.concatenate([path.displacements for path in paths])
-    touching = near.contact_parts(system, near.near_points(system, list(moved)), basis.vectors)
+    seen = np.concatenate([moved, *(path.cycle[0] for path in paths)])
+    touching = near.contact_parts(system, near.near_points(system, list(seen)), basis.vectors)
     whole = replace(whole, exact=replace(whole.exact, parts=(*whole.exact.parts, *touching)))
     inputs = np.concatenate([np.zeros((1, drive.pressures.shape[1])), *(path.inputs for path in paths)])
     pressed = np.concatenate([path.mean_stresses for path in paths])
     y = np.hstack([moved.reshape(len(moved), -1) @ basis.dual, pressed @ stresses.dual])
     y = np.vstack([np.zeros_like(y[:1]), y])  # the state at rest
     swings = np.concatenate([path.inertial[0] @ basis.dual for path in paths if len(path.inertial[0])] or [y[:0, :1]])
-    sampled, checks, counts = sample(whole, inputs, y, swings)
+    cycled = [(np.tile(path.inputs[-1], (len(path.cycle[0]), 1)), *path.cycle) for path in paths]
+    at = np.vstack([inputs, *(each for each, _, _ in cycled)])
+    trials = [np.hstack([u.reshape(len(u), -1) @ basis.dual, p @ stresses.dual]) for _, u, p in cycled]
+    sampled, checks, counts = sample(whole, at, np.vstack([y, *trials]), swings)
     counts["contact points"] = sum(len(part.rest) if hasattr(part, "slopes") else len(part.points) for part in touching)
     return Built(_one_sheet(whole.with_parts(sampled)), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
 
@@ -108,7 +112,9 @@ def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0)
     stiffness = system.pattern.full(system.tangent_data(at))[:n, :n]
     moved = [path.displacements.reshape(len(path.displacements), -1) for path in paths]
     moved += [path.derivatives[0] for path in paths]
+    moved += [path.cycle[0].reshape(len(path.cycle[0]), -1) for path in paths if len(path.cycle[0])]
     pressed = [path.mean_stresses for path in paths] + [path.derivatives[1] for path in paths]
+    pressed += [path.cycle[1] for path in paths if len(path.cycle[0])]
     basis = modes_of(np.concatenate(moved).T, stiffness, modes, TRAINING.truncation)
     responses = [path.inertial for path in paths if len(path.inertial[0])]
     if responses:

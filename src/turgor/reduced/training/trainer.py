@@ -1,7 +1,7 @@
 """Training: full solves along paths, whose accepted states are the snapshots of a reduced model."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import inf
 from time import process_time
 
@@ -13,6 +13,7 @@ from turgor.core.engine.faces.pressure_term import PressureTerm
 from turgor.core.engine.mass import mass_data
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
+from turgor.core.model.history import with_history
 from turgor.core.model.model import Model
 from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.static import Static
@@ -48,6 +49,8 @@ class Path:
     seconds : float
     inertial : (d, nodes 3), (d, m) arrays
         Responses to the inertia of motions along the path, each of a size of one; empty without motion.
+    cycle : (j, nodes, 3), (j, m) arrays
+        States of a sudden load to the end of the path and back, where rubber relaxes or softens.
     """
 
     inputs: Array
@@ -58,6 +61,7 @@ class Path:
     reached: bool
     seconds: float
     inertial: tuple[Array, Array] = field(default_factory=lambda: (np.zeros((0, 0)), np.zeros((0, 0))))
+    cycle: tuple[Array, Array] = field(default_factory=lambda: (np.zeros((0, 0, 3)), np.zeros((0, 0))))
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +111,25 @@ class Trainer:
             reached=bool(states) and states[-1].load_factor == 1.0,
             seconds=process_time() - began,
             inertial=inertial,
+            cycle=self._cycle(model),
         )
+
+    def _cycle(self, model: Model) -> tuple[Array, Array]:
+        """Scaled states of a sudden load and unloading; none where no rubber remembers."""
+        loads = [with_history(load, ((0.0, 0.0), (0.5, 1.0), (1.0, 0.0))) for load in model.loads]
+        system = System(replace(model, loads=tuple(loads)))
+        if not system.materials.remembers:
+            return np.zeros((0, len(model.mesh.points), 3)), np.zeros((0, system.element.mean_count))
+        series = [material.viscoelasticity for material in model.region_materials.values()]
+        times = [min(each.tau) for each in series if each is not None]
+        sudden = None if not times else TRAINING.sudden * min(times)
+        tangent = Tangent(system, self.options.linear_solver, self.options.threads, self.options.iteration)
+        problem = Problem(system=system, tangent=tangent, history=system.history(step=inf))
+        step = 1 / (2 * self.steps)
+        Static(first_step=step, max_step=step, duration=sudden).follow(problem)
+        states = [state for state in problem.states if state.load_factor > 0]
+        moved = np.array([state.displacement for state in states]) / system.length
+        return moved, np.array([state.mean_stress for state in states]) / system.stress_scale
 
     def _inertial(self, system: System, tangent: Tangent, states: Sequence[State]) -> Array:
         """Responses to the inertia of motions along the path, then to that of these, at states along it."""
