@@ -85,9 +85,15 @@ def moving() -> Reduced:
 
 
 def _of_path(path: FullPath, modes: int) -> Reduced:
-    at = model_variation(finger(), [KEY]).model
-    training = Training(finger(), at, box(), Budget(), EngineOptions(threads=1), None, print)
-    return training.reduced(system(), build(system(), drive(), [path], modes), [path])
+    return trained(finger(), system(), path, modes)
+
+
+def trained(model: Model, equations: System, path: FullPath, modes: int) -> Reduced:
+    """A reduced model of one path of a model."""
+    at = model_variation(model, [KEY]).model
+    training = Training(model, at, box(), Budget(), EngineOptions(threads=1), None, print)
+    made = build(equations, drive_of(equations, at, box()), [path], modes)
+    return training.reduced(equations, made, [path])
 
 
 @cache
