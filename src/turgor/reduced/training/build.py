@@ -88,7 +88,7 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     swings = np.concatenate([path.inertial[0] @ basis.dual for path in paths if len(path.inertial[0])] or [y[:0, :1]])
     cycled = [(np.tile(path.inputs[-1], (len(path.cycle[0]), 1)), *path.cycle) for path in paths]
     at = np.vstack([inputs, *(each for each, _, _ in cycled)])
-    trials = [np.hstack([u.reshape(len(u), -1) @ basis.dual, p @ stresses.dual]) for _, u, p in cycled]
+    trials = [np.hstack([u.reshape(len(u), len(basis.dual)) @ basis.dual, p @ stresses.dual]) for _, u, p in cycled]
     sampled, checks, counts = sample(whole, at, np.vstack([y, *trials]), swings)
     counts["contact points"] = sum(len(part.rest) if hasattr(part, "slopes") else len(part.points) for part in touching)
     return Built(_one_sheet(whole.with_parts(sampled)), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
