@@ -58,8 +58,8 @@ class ReducedState(Shown):
             if its is not None:
                 other += its.forces() - part.forces()
         indicator = float(np.linalg.norm(inverse[:r, :r] @ other)) / reduced.size
-        known = reduced.known.at(at.inputs * reduced.weights, float(np.linalg.norm(at.y[:r])) / reduced.size)
-        estimate = max(known, indicator)
+        size = float(np.linalg.norm(at.y[:r])) / reduced.size
+        estimate = reduced.known.with_sampling(at.inputs * reduced.weights, size, indicator)
         return ReducedState(reduced, at.inputs[1:], at.y, rates, indicator, estimate, result.iterations + vain)
 
     def __repr__(self) -> str:

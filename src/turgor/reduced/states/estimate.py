@@ -42,6 +42,11 @@ class KnownErrors:
     errors: Array = field(default_factory=_nothing)
     sizes: Array = field(default_factory=_nothing)
 
+    def with_sampling(self, place: Array, size: float, indicator: float) -> float:
+        """Estimate the error where the sampling makes one like the indicator: a larger one raises it by its root."""
+        known = self.at(place, size)
+        return max(known, (known * indicator) ** 0.5) if len(self.errors) else indicator
+
     def at(self, place: Array, size: float) -> float:
         """Estimate the error at a place (1 + n,) of an answer of a size; 0 where nothing is known."""
         if not len(self.errors):
