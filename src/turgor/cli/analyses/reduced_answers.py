@@ -1,6 +1,6 @@
 """Answers of reduced models for ``turgor predict``: at some inputs, and along histories of them."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import typer
 
@@ -9,7 +9,6 @@ from turgor.cli.exits import DONE
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from turgor.cli.analyses.surrogate import PredictOptions
     from turgor.cli.exits import Answer
     from turgor.core.model.history import History
     from turgor.foundation.response import Response
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
 ROWS = 50
 
 
-def say_prediction(chosen: "PredictOptions", answer: "Answer") -> None:
+def say_prediction(chosen: Any, answer: "Answer") -> None:
     """Print what a reduced model answers at inputs such as ``pressure=10 kPa``, or along histories of them."""
     from turgor.cli.answers.reduced import answer_result
     from turgor.foundation.errors import TurgorError
@@ -50,7 +49,7 @@ def say_prediction(chosen: "PredictOptions", answer: "Answer") -> None:
     raise typer.Exit(DONE)
 
 
-def _say_history(reduced: "Reduced", values: dict[str, float], chosen: "PredictOptions", answer: "Answer") -> None:
+def _say_history(reduced: "Reduced", values: dict[str, float], chosen: Any, answer: "Answer") -> None:
     """Follow histories of the inputs and write the table."""
     from turgor.cli.answers.reduced import followed_result
 
@@ -73,7 +72,7 @@ def _table(
     reduced: "Reduced",
     values: dict[str, float],
     histories: "dict[str, str | list[tuple[float, float]]]",
-    chosen: "PredictOptions",
+    chosen: Any,
 ) -> "tuple[NDArray, NDArray]":
     """Times (k,) and inputs (k, n)."""
     import numpy as np
@@ -129,7 +128,7 @@ def _history(text: str, inputs: "Inputs") -> "tuple[str, str | list[tuple[float,
     return key, points
 
 
-def _moving(chosen: "PredictOptions") -> "Moving | None":
+def _moving(chosen: Any) -> "Moving | None":
     from turgor.foundation.errors import TurgorError
     from turgor.reduced.states.following import Moving
 

@@ -1,7 +1,7 @@
 """Answer: an equilibrium of a reduced model, with its rates and its estimated error."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,6 @@ from turgor.reduced.states.newton import Balance
 
 if TYPE_CHECKING:
     from turgor.core.solvers.solution import State
-    from turgor.reduced.states.reduced import Reduced
 
 Array = NDArray[np.float64]
 
@@ -38,7 +37,7 @@ class ReducedState(Shown):
         Newton updates.
     """
 
-    reduced: "Reduced"
+    reduced: Any
     inputs: Array
     y: Array
     rates: Array
@@ -47,7 +46,7 @@ class ReducedState(Shown):
     iterations: int
 
     @staticmethod
-    def of(reduced: "Reduced", result: Balance, vain: int) -> "ReducedState":
+    def of(reduced: Any, result: Balance, vain: int) -> "ReducedState":
         """Make an answer of an equilibrium of the equations, after ``vain`` updates from other starts."""
         at, r = result.at, reduced.equations.sizes[0]
         inverse = np.linalg.inv(at.tangent())

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import inf
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +18,6 @@ from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.energy import stored
 from turgor.reduced.states.equations import Equations, EquationsAt
 from turgor.reduced.states.newton import Balance, newton
-
-if TYPE_CHECKING:
-    from turgor.reduced.states.reduced import Reduced
 
 Array = NDArray[np.float64]
 
@@ -99,9 +96,7 @@ class _Now:
     damping: Array
 
 
-def follow_history(
-    reduced: "Reduced", times: Array, table: Array, moving: Moving | None, start: ReducedState
-) -> Followed:
+def follow_history(reduced: Any, times: Array, table: Array, moving: Moving | None, start: ReducedState) -> Followed:
     """Follow inputs (k, n) at times (k,) from the equilibrium at the first of them; between them inputs are linear."""
     run = _Run(reduced, times, np.column_stack([np.ones(len(times)), table]), moving)
     now = run.begin(start)
@@ -119,7 +114,7 @@ def follow_history(
 class _Run:
     """Constants of a run."""
 
-    reduced: "Reduced"
+    reduced: Any
     times: Array
     table: Array
     moving: Moving | None
