@@ -1,5 +1,6 @@
 """A short finger and its reduced model, which several tests share."""
 
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -11,11 +12,12 @@ from turgor.core.engine.system import System
 from turgor.core.model.model import Model
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.reduced.reduce import Budget, reduce
+from turgor.reduced.reduce import Budget, Training, reduce
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import Drive, drive_of
 from turgor.reduced.training.build import Built, build
+from turgor.reduced.training.masses import masses_of
 from turgor.reduced.training.trainer import Path as FullPath
 from turgor.reduced.training.trainer import Trainer
 
@@ -59,6 +61,39 @@ def drive() -> Drive:
 def built() -> Built:
     """Equations in six modes, before and after sampling."""
     return build(system(), drive(), [path()], 6)
+
+
+@cache
+def other_path() -> FullPath:
+    """Full solves at pressures between those of `path`."""
+    trainer = Trainer(model_variation(finger(), [KEY]).model, box(), 9, EngineOptions(threads=1))
+    return trainer.path(np.array([0.97 * PRESSURE]), differentiated=False)
+
+
+@cache
+def reduced_of(modes: int) -> Reduced:
+    """A reduced model in some modes of one path."""
+    return _of_path(path(), modes)
+
+
+@cache
+def moving() -> Reduced:
+    """A reduced model with modes for motion."""
+    trainer = Trainer(model_variation(finger(), [KEY]).model, box(), 8, EngineOptions(threads=1), motion=True)
+    made = _of_path(trainer.path(np.array([PRESSURE])), 8)
+    return replace(made, masses=masses_of(system(), made.modes.astype(np.float64)))
+
+
+def _of_path(path: FullPath, modes: int) -> Reduced:
+    return trained(finger(), system(), path, modes)
+
+
+def trained(model: Model, equations: System, path: FullPath, modes: int) -> Reduced:
+    """A reduced model of one path of a model."""
+    at = model_variation(model, [KEY]).model
+    training = Training(model, at, box(), Budget(), EngineOptions(threads=1), None, print)
+    made = build(equations, drive_of(equations, at, box()), [path], modes)
+    return training.reduced(equations, made, [path])
 
 
 @cache

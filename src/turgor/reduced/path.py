@@ -8,7 +8,7 @@ import numpy as np
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.solution import Solution, Status
 from turgor.foundation.errors import TurgorError
-from turgor.reduced.states.reduced import ReducedState
+from turgor.reduced.states.answer import ReducedState
 
 
 def solution_of(answers: Sequence[ReducedState]) -> Solution:

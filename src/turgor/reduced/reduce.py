@@ -22,8 +22,9 @@ from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import check_reducible, drive_of
 from turgor.reduced.training.build import Built, build
-from turgor.reduced.training.compare import compared
+from turgor.reduced.training.compare import aim_of, compared, known_errors
 from turgor.reduced.training.components import components_of
+from turgor.reduced.training.masses import masses_of
 from turgor.reduced.training.modes import Modes
 from turgor.reduced.training.path_runs import PathRuns
 from turgor.reduced.training.trainer import Path, Trainer
@@ -44,24 +45,31 @@ class Budget:
     held_out : int
         Paths of full solves that are kept from training.
     modes : int
-        Displacement modes at most.
+        Displacement modes at most; they become more where the error at training states exceeds the wanted one.
     steps : int
         Steps of a path at least.
+    checks : int
+        Paths in a row, each to the worst of many random inputs, on which the error must be the wanted one. With one
+        input a path passes all values, and one is enough.
+    motion : bool
+        Whether there are modes for motion with inertia, too; every material needs a density.
 
     Examples
     --------
     >>> Budget(error=0.01, paths=8).modes
-    14
+    26
     """
 
     error: float = 0.005
     paths: int = 24
     held_out: int = 2
-    modes: int = TRAINING.modes
+    modes: int = TRAINING.most
     steps: int = TRAINING.steps
+    checks: int = 3
+    motion: bool = False
 
     def __post_init__(self) -> None:
-        for name in ("paths", "modes", "steps"):
+        for name in ("paths", "modes", "steps", "checks"):
             if getattr(self, name) < 1:
                 raise TurgorError(f"{name} of a reduced model is {getattr(self, name)}; allowed is 1 or more.")
         if not 0 < self.error < 1:
@@ -79,8 +87,9 @@ def reduce(
 ) -> Reduced:
     """Make a reduced model: full solves on training paths, modes of their states, sampled equations.
 
-    Training begins at the corners of the box of inputs, goes on with the random inputs at which the indicator of the
-    reduced model is worst, and ends when the error at such inputs is below the wanted one, or with the budget.
+    Training begins at the corners of the box of inputs. It goes on with full solves to the random inputs at which the
+    estimated error is worst, and ends when the errors of several such paths in a row are the wanted one, or with the
+    budget.
 
     Parameters
     ----------
@@ -112,7 +121,7 @@ def reduce(
     box = inputs_of(model, inputs)
     variation = model_variation(model, list(box.keys), inputs=True)
     with use_threads(options.threads):
-        training = _Training(model, variation.model, box, budget, options, runs, say or _silent)
+        training = Training(model, variation.model, box, budget, options, runs, say or _silent)
         reduced = training.run()
     training.say(f"{reduced!r} in {perf_counter() - began:.0f} s")
     return reduced
@@ -156,7 +165,7 @@ def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs
 
 
 @dataclass(frozen=True, slots=True)
-class _Training:
+class Training:
     """The training of one reduced model."""
 
     model: Model
@@ -172,20 +181,25 @@ class _Training:
         box, budget = self.box, self.budget
         system = System(self.model_at(dict(zip(box.keys, box.high.tolist(), strict=True))))
         check_reducible(system)
-        trainer = Trainer(self.model_at, box, budget.steps, self.options)
+        trainer = Trainer(self.model_at, box, budget.steps, self.options, budget.motion)
         drive = drive_of(system, self.model_at, box)
         paths = self._paths(trainer, corners(box)[: budget.paths])
-        reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
-        while not _one_path(box) and len(paths) < budget.paths:
-            worst = self._worst(reduced, len(paths))
-            path = self._paths(trainer, [worst])[0]
-            errors = compared(reduced, path, reached_only=True)
+        count = min(TRAINING.modes, budget.modes)
+        reduced = self.reduced(system, build(system, drive, paths, count), paths)
+        good, needed = 0, 1 if _one_path(box) else budget.checks
+        while good < needed and len(paths) < budget.paths:
+            path = self._paths(trainer, [self._worst(reduced, paths)])[0]
+            errors = compared(reduced, path, reached_only=False)
             self.say(f"  error there {errors.worst:.2g}" + _forces_text(errors))
+            within = errors.worst <= budget.error and errors.force.max(initial=0.0) <= TRAINING.force
+            good = good + 1 if within else 0
             paths.append(path)
-            reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
-            if errors.worst <= budget.error and errors.force.max(initial=0.0) <= TRAINING.force:
-                break
-        return self._looked_at(reduced, trainer)
+            if reduced.known.errors.max() > budget.error:
+                count = min(count + TRAINING.more, budget.modes)
+            reduced = self.reduced(system, build(system, drive, paths, count), paths)
+        if budget.motion:
+            reduced = replace(reduced, masses=masses_of(system, reduced.modes.astype(np.float64)))
+        return self._looked_at(reduced, trainer, paths)
 
     def _paths(self, trainer: Trainer, aims: Sequence[Array], kind: str = "training path") -> list[Path]:
         """Full solves from rest to some inputs."""
@@ -200,23 +214,28 @@ class _Training:
             paths.append(path)
         return paths
 
-    def _worst(self, reduced: Reduced, seed: int) -> Array:
-        """The worst of random inputs by the indicator; one that the reduced model refuses comes first."""
-        shares = _random(len(self.box.keys), seed, TRAINING.candidates)
-        worst, place = -1.0, np.zeros(0)
-        trained = self.box.scaled(reduced.trained_inputs[:, 1:])
+    def _worst(self, reduced: Reduced, paths: Sequence[Path]) -> Array:
+        """The worst of random inputs by the estimated error; one that the reduced model refuses comes first.
+
+        Inputs near those that the full model did not reach are left out.
+        """
+        shares = _random(len(self.box.keys), len(paths), TRAINING.candidates)
+        for path in paths:
+            if not path.reached:
+                away = np.linalg.norm(shares - self.box.scaled(aim_of(reduced.inputs, path)[1:]), axis=1)
+                shares = shares[away > TRAINING.apart] if (away > TRAINING.apart).any() else shares
+        worst, place = -1.0, self.box.high
         for share in shares:
             values = self.box.low + share * (self.box.high - self.box.low)
             try:
-                indicator = reduced.at(values).indicator
+                estimate = reduced.at(values).estimate
             except NotSolved:
-                return values
-            distance = float(np.linalg.norm(trained - share, axis=1).min())
-            if indicator * distance > worst:
-                worst, place = indicator * distance, values
+                return np.asarray(values)
+            if estimate > worst:
+                worst, place = estimate, values
         return place
 
-    def _looked_at(self, reduced: Reduced, trainer: Trainer) -> Reduced:
+    def _looked_at(self, reduced: Reduced, trainer: Trainer, trained: Sequence[Path]) -> Reduced:
         """Compare with full solves that training never saw."""
         shares = _random(len(self.box.keys), 2**20, self.budget.held_out)
         if _one_path(self.box):
@@ -229,9 +248,9 @@ class _Training:
         parts = [compared(reduced, path, reached_only=False) for path in paths]
         names = ("inputs", "displacement", "tip", "volume", "force")
         errors = HeldOutErrors(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
-        return replace(reduced, held_out=errors)
+        return replace(reduced, held_out=errors, known=known_errors(reduced, [*trained, *paths]))
 
-    def _reduced(self, system: System, built: Built, paths: Sequence[Path]) -> Reduced:
+    def reduced(self, system: System, built: Built, paths: Sequence[Path]) -> Reduced:
         """Collect what answers need."""
         mesh = system.model.mesh
         tip = np.zeros((3, built.modes.vectors.shape[1]))
@@ -241,7 +260,7 @@ class _Training:
             mean = np.einsum("n,nir->ri", weights / weights.sum(), modes)
             tip = MeshFacts(mesh).of_whole(mean).T
         nothing = np.zeros(0)
-        return Reduced(
+        reduced = Reduced(
             model=system.model, inputs=self.box, equations=built.equations, checks=built.checks,
             modes=_small(built.modes)[: 3 * len(mesh.points)], stresses=_small(built.stresses),
             scales=(system.length, system.stress_scale), faces=built.faces, tip=tip,
@@ -251,6 +270,7 @@ class _Training:
             held_out=HeldOutErrors(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing,
                                    force=nothing),
         )  # fmt: skip
+        return replace(reduced, known=known_errors(reduced, paths))
 
 
 def _random(n: int, seed: int, count: int) -> Array:

@@ -9,7 +9,7 @@ from turgor.core.solvers.solution import State
 from turgor.core.solvers.states import state_of
 from turgor.foundation.display import Shown
 from turgor.foundation.errors import NotSolved, TurgorError
-from turgor.reduced.states.reduced import ReducedState
+from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.training.compare import errors_of
 
 

@@ -20,10 +20,44 @@ def test_predict_answers_from_the_file_of_a_reduced_model(tmp_path):
     assert code == 0
     answer = json.loads(text)["result"]
     assert answer["volumes"]["cavity"] == pytest.approx(reduced().solve(7000.0).volumes["cavity"])
+    assert answer["estimate"] == pytest.approx(reduced().solve(7000.0).estimate)
+    assert answer["doubtful"] is False
     code, text = run("predict", file, "--at", "pressure=70 kPa")
     assert code == 1
     assert "70 kPa" in text
     assert "12 kPa" in text
+
+
+def test_predict_follows_a_history_and_writes_its_table(tmp_path):
+    file = str(reduced().save(tmp_path / "finger"))
+    history = ("--at", "pressure=10 kPa", "--history", "pressure=[[0, 0], [0.5, 1], [1, 0.5]]", "--step", "0.25 s")
+    code, text = run("predict", file, *history, "--json")
+    assert code == 0, text
+    answer = json.loads(text)["result"]
+    assert answer["times"] == pytest.approx([0, 0.25, 0.5, 0.75, 1])
+    assert answer["tip"][-1] == pytest.approx(reduced().solve(5e3).tip, rel=1e-3)
+    lines = (tmp_path / "finger.csv").read_text().splitlines()
+    assert "tip_z" in "".join(lines)
+    code, text = run("predict", file, "--at", "pressure=10 kPa", "--history", "pressure=t", "--duration", "1 s")
+    assert code == 0, text
+
+
+@pytest.mark.parametrize(
+    ("options", "facts"),
+    [
+        (("--history", "pressure=sin(t)"), ["--duration"]),
+        (("--history", "pressure=[0, 1]"), ["--history pressure", "[0, 1]"]),
+        (("--history", "pressure=[[0, 0], [1, 1]]", "--step", "1 mm"), ["--step", "1 mm"]),
+        (("--history", "pressure=[[0, 0], [1, 1]]", "--motion"), ["motion"]),
+        (("--history", "pressure=[[0, 0], [1, 1]]", "--damping", "1 ms"), ["--damping", "--motion"]),
+        (("--duration", "1 s"), ["--duration", "--history"]),
+    ],
+)
+def test_histories_that_are_none_are_refused(options, facts, tmp_path):
+    code, text = run("predict", str(reduced().save(tmp_path / "finger")), "--at", "pressure=10 kPa", *options)
+    assert code == 1
+    for fact in facts:
+        assert fact in text
 
 
 @pytest.mark.slow

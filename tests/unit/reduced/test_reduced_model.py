@@ -103,11 +103,6 @@ def test_what_is_left_out_is_refused_by_name():
     rubbing = tg.Contact(tg.obstacles.SelfContact(friction=0.3))
     with refused("friction", "0.3"):
         tg.reduce(_with(model, contact=rubbing), {KEY: (0.0, 1e3)})
-    relaxing = replace(
-        model.region_materials["body"], viscoelasticity=tg.laws.Prony(g=(0.2,), tau=(1.0,), moduli="instantaneous")
-    )
-    with refused("materials.body", "viscoelasticity"):
-        tg.reduce(_with(model, materials=dict(model.materials) | {"body": relaxing}), {KEY: (0.0, 1e3)})
     load = tg.Pressure("cavity", 1e3, history=((0, 0), (0.5, 1), (1, 0.5)))
     with refused("cavity"):
         tg.reduce(_with(model, loads=[load]), {KEY: (0.0, 1e3)})

@@ -12,9 +12,7 @@ from turgor.cli.exits import DONE, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, check_new, command_of, output_option, requested_job
 
 if TYPE_CHECKING:
-    from turgor.cli.exits import Answer
     from turgor.core.model.model import Model
-    from turgor.reduced.states.inputs import Inputs
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,12 +29,13 @@ class _Options:
     output: Annotated[Path, output_option("The file; its ending is .reduced.")] = Path("actuator.reduced")
     error: Annotated[float, typer.Option(help="Wanted error of displacements, over the largest.")] = 0.005
     paths: Annotated[int, typer.Option(help="Training paths at most.", min=1)] = 24
-    steps: Annotated[int, typer.Option(help="Steps of a path at least; with one input they decide.", min=1)] = 12
+    steps: Annotated[int, typer.Option(help="Steps of a path at least.", min=1)] = 12
     held_out: Annotated[int, typer.Option("--held-out", help="Paths of full solves kept from training.", min=0)] = 2
     folder: Annotated[
         Path | None, typer.Option(help="Where training paths are saved; the same call goes on.", show_default=False)
     ] = None
     processes: Annotated[int, typer.Option(help="Processes at once; more than one needs --folder.", min=1)] = 1
+    motion: Annotated[bool, typer.Option("--motion", help="Train modes for motion with inertia, too.")] = False
     force: Annotated[bool, typer.Option("--force", help="Replace the file.")] = False
     changes: Changes = None
     as_json: Json = False
@@ -56,7 +55,10 @@ def _run(options: _Options) -> None:
         model, findings = prepare(requested_job(options.job, options.changes))
         ranges = _ranges(options.along or (), model)
         answer.warn(findings)
-        budget = Budget(error=options.error, paths=options.paths, held_out=options.held_out, steps=options.steps)
+        budget = Budget(
+            error=options.error, paths=options.paths, held_out=options.held_out, steps=options.steps,
+            motion=options.motion,
+        )  # fmt: skip
         if options.folder is None and options.processes > 1:
             raise TurgorError(f"--processes is {options.processes}, and more than one needs --folder.")
         runs = None if options.folder is None else PathRuns(options.folder, options.processes)
@@ -98,51 +100,13 @@ def _ranges(texts: Sequence[str], model: "Model") -> dict[str, tuple[float, floa
         given = split_quantity(last)
         if unit and given is not None and first.removeprefix("-").replace(".", "", 1).isdigit():
             first = f"{first} {given[1]}"
-        high = _number(last, key, unit, "--along")
-        ranges[key] = (_number(first, key, unit, "--along"), high)
+        high = number_of(last, key, unit, "--along")
+        ranges[key] = (number_of(first, key, unit, "--along"), high)
     return ranges
 
 
-def _number(text: str, key: str, unit: str, option: str) -> float:
+def number_of(text: str, key: str, unit: str, option: str) -> float:
     """Read a value with its unit; a number in SI units where the key has none."""
     from turgor.studies.runs.jobs.job_numbers import JobNumber, read_number
 
     return read_number(text, JobNumber(key=key, value=0.0, unit=unit), f"{option} {key}")
-
-
-def say_prediction(file: Path, given: Sequence[str], answer: "Answer") -> None:
-    """Print what a reduced model answers at inputs such as ``pressure=10 kPa``."""
-    from turgor.cli.answers.reduced import answer_result
-    from turgor.reduced.states.reduced import Reduced
-
-    reduced = Reduced.load(file)
-    values = dict(pair for text in given for pair in _values(text, reduced.inputs))
-    result = reduced.solve(values)
-    for face, volume in result.volumes.items():
-        typer.echo(f"volume of {face} {volume * 1e6:.5g} mL")
-    if reduced.tip.any():
-        typer.echo(f"displacement of the tip ({', '.join(f'{x * 1e3:.5g}' for x in result.tip)}) mm")
-    for obstacle, force in result.obstacle_forces.items():
-        typer.echo(f"force on {obstacle} ({', '.join(f'{x:.5g}' for x in force)}) N")
-    typer.echo(f"largest displacement {abs(result.displacement).max() * 1e3:.5g} mm")
-    typer.echo(
-        f"largest held-out error {reduced.held_out.worst:.2g} of the largest displacement; {result.iterations} updates"
-    )
-    answer.give(lambda: answer_result(result))
-    raise typer.Exit(DONE)
-
-
-def _values(text: str, inputs: "Inputs") -> list[tuple[str, float]]:
-    """Read ``NAME=VALUE``, or values of all components of a vector with commas between them."""
-    from turgor.foundation.errors import TurgorError
-
-    name, sign, value = (part.strip() for part in text.partition("="))
-    if not (sign and name and value):
-        raise TurgorError(f"--at is '{text}'; write NAME=VALUE, such as --at pressure='10 kPa'.")
-    places, parts = inputs.components(name), [part.strip() for part in value.split(",")]
-    if len(places) != len(parts):
-        raise TurgorError(f"--at {name} has {len(parts)} values; {len(places)} are needed, with commas between them.")
-    return [
-        (inputs.keys[place], _number(part, inputs.keys[place], inputs.units[place], "--at"))
-        for place, part in zip(places, parts, strict=True)
-    ]

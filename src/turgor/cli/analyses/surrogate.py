@@ -85,7 +85,9 @@ surrogate_command = command_of(_Options, _fit)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _PredictOptions:
+class PredictOptions:
+    """Options of ``turgor predict``."""
+
     file: Annotated[
         Path,
         typer.Argument(metavar="SURROGATE", help="File of 'turgor surrogate' or 'turgor reduce'.", show_default=False),
@@ -105,15 +107,27 @@ class _PredictOptions:
     extrapolate: Annotated[
         bool, typer.Option("--extrapolate", help="Take values beyond the range, with a warning.")
     ] = False
+    history: Annotated[
+        list[str] | None,
+        often("--history", "NAME=SHARES", "Of a reduced model: shares of the value of --at over time in s, such as "
+              "pressure='[[0, 0], [0.02, 1], [0.5, 1]]', or an expression of t."),
+    ] = None  # fmt: skip
+    duration: Annotated[str, typer.Option(metavar="TIME", help="End of a history; that of its points by default.")] = ""
+    step: Annotated[str, typer.Option(metavar="TIME", help="Step along a history: '4 ms'.")] = ""
+    motion: Annotated[bool, typer.Option("--motion", help="Follow a history with inertia.")] = False
+    damping: Annotated[
+        str, typer.Option(metavar="TIME", help="Damping of a motion in proportion to the rate of strain: '5 ms'.")
+    ] = ""
+    output: Annotated[Path | None, output_option("Table of a history; by default next to the file.")] = None
     as_json: Json = False
     debug: Debug = False
 
 
-def _predict(options: _PredictOptions) -> None:
+def _predict(options: PredictOptions) -> None:
     """Print what a surrogate or a reduced model predicts, or which values give the target measures."""
     with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.analyses.given_study import values_given
-        from turgor.cli.analyses.reduce import say_prediction
+        from turgor.cli.analyses.reduced_answers import say_prediction
         from turgor.foundation.errors import TurgorError
         from turgor.studies.surrogates.surrogate import Surrogate
 
@@ -122,7 +136,9 @@ def _predict(options: _PredictOptions) -> None:
                 raise TurgorError(
                     "a reduced model takes --at alone; --want, --prefer and --extrapolate are for surrogates."
                 )
-            say_prediction(options.file, options.at or (), answer)
+            say_prediction(options, answer)
+        if options.history:
+            raise TurgorError("--history is for reduced models, files of 'turgor reduce'.")
         fitted = Surrogate.load(options.file)
         at = values_given(options.at, fitted.factors, "--at")
         if options.want:
@@ -134,10 +150,10 @@ def _predict(options: _PredictOptions) -> None:
         _say(fitted, at, options, answer)
 
 
-predict_command = command_of(_PredictOptions, _predict)
+predict_command = command_of(PredictOptions, _predict)
 
 
-def _say(fitted: "Surrogate", at: "dict[str, Value]", options: _PredictOptions, answer: "Answer") -> None:
+def _say(fitted: "Surrogate", at: "dict[str, Value]", options: PredictOptions, answer: "Answer") -> None:
     from turgor.cli.answers.surrogates import prediction_result
 
     prediction = fitted.predict(at, extrapolate=options.extrapolate)
@@ -148,7 +164,7 @@ def _say(fitted: "Surrogate", at: "dict[str, Value]", options: _PredictOptions, 
     raise typer.Exit(DONE)
 
 
-def _invert(fitted: "Surrogate", fixed: "dict[str, Value]", options: _PredictOptions, answer: "Answer") -> None:
+def _invert(fitted: "Surrogate", fixed: "dict[str, Value]", options: PredictOptions, answer: "Answer") -> None:
     from turgor.cli.analyses.given_study import numbers_given, values_given
     from turgor.cli.answers.surrogates import inverse_result
     from turgor.studies.surrogates.invert import invert

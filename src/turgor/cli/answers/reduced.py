@@ -6,7 +6,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from turgor.reduced.states.reduced import Reduced, ReducedState
+    from turgor.reduced.states.answer import ReducedState
+    from turgor.reduced.states.following import Followed
+    from turgor.reduced.states.reduced import Reduced
 
 
 #: Errors of held-out states, by their names in `HeldOutErrors`.
@@ -73,6 +75,10 @@ class ReducedAnswer:
         Force of the actuator on every obstacle.
     obstacle_force_rates : table
         Their derivatives by the inputs.
+    estimate : float
+        Estimated error of the displacement here, over the largest displacement in training.
+    doubtful : bool
+        Whether that error may be more than two percent.
     held_out_error, indicator : float
         Largest held-out error of the reduced model, and what other sampled points change here.
     """
@@ -84,6 +90,8 @@ class ReducedAnswer:
     tip_rates: Sequence[Sequence[float]]
     obstacle_forces: Mapping[str, Sequence[float]]
     obstacle_force_rates: Mapping[str, Sequence[Sequence[float]]]
+    estimate: float
+    doubtful: bool
     held_out_error: float
     indicator: float
 
@@ -98,6 +106,43 @@ def answer_result(result: "ReducedState") -> ReducedAnswer:
         tip_rates=result.tip_rates.tolist(),
         obstacle_forces={name: force.tolist() for name, force in result.obstacle_forces.items()},
         obstacle_force_rates={name: rates.tolist() for name, rates in result.obstacle_force_rates.items()},
+        estimate=result.estimate,
+        doubtful=result.doubtful,
         held_out_error=result.reduced.held_out.worst,
         indicator=result.indicator,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FollowedAnswer:
+    """``turgor predict --history`` with a reduced model, in SI units.
+
+    Parameters
+    ----------
+    times : list of float
+    tip : list of lists
+        Mean displacement of the tip at each time.
+    estimate : float
+        Largest estimated error of the displacement, over the largest in training.
+    doubtful : int
+        States whose error may be more than two percent.
+    file : str
+        The table.
+    """
+
+    times: Sequence[float]
+    tip: Sequence[Sequence[float]]
+    estimate: float
+    doubtful: int
+    file: Path
+
+
+def followed_result(followed: "Followed", file: Path) -> FollowedAnswer:
+    """Make the result of a history."""
+    return FollowedAnswer(
+        times=followed.times.tolist(),
+        tip=followed.tip.tolist(),
+        estimate=max(each.estimate for each in followed.answers),
+        doubtful=sum(each.doubtful for each in followed.answers),
+        file=file,
     )

@@ -51,6 +51,10 @@ class PiecesAt:
     pieces: Pieces
     position: Array
 
+    def energy(self) -> float:
+        """Energy."""
+        return float(self.pieces.term.energy(self.position))
+
     def forces(self) -> Array:
         """Forces (r,)."""
         out = np.zeros_like(self.position)

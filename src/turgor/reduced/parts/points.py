@@ -1,7 +1,7 @@
 """Points: Gauss points with weights, at which the isochoric energy of the rubber is evaluated."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import cast
 
@@ -9,9 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells import spectral
-from turgor.core.materials.laws.derivatives import energy_and_derivatives, stretch_derivatives
+from turgor.core.engine.cells.internal_variables import RegionMemory
+from turgor.core.materials.history.softening import INVARIANT_PAIRS
+from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
 from turgor.core.materials.laws.laws import InvariantLaw, Law
+from turgor.core.materials.material import Material
 from turgor.reduced.parts import kernels
+from turgor.reduced.parts.remembering import advanced, recoverable, remembered, slow_memories, stepped
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -32,6 +36,10 @@ class Points:
         Where the points of each law begin, and the end.
     stress : float [Pa]
         Scale of stresses.
+    materials : tuple of (Material or None)
+        Of each law, where it relaxes or softens; empty where none does.
+    memories : tuple of (RegionMemory or None)
+        What the points of each law bring into a step; empty for an infinitely slow one from rest.
     """
 
     gradients: Array
@@ -39,11 +47,15 @@ class Points:
     laws: tuple[Law, ...]
     starts: Ints
     stress: float
+    materials: tuple[Material | None, ...] = ()
+    memories: tuple[RegionMemory | None, ...] = ()
 
     def chosen(self, which: Ints, weights: Array) -> "Points":
         """Return some of the points in rising order with other weights."""
         starts = np.searchsorted(which, self.starts)
-        return Points(np.ascontiguousarray(self.gradients[which]), weights, self.laws, starts, self.stress)
+        return Points(
+            np.ascontiguousarray(self.gradients[which]), weights, self.laws, starts, self.stress, self.materials
+        )
 
     def at(self, q: Array) -> "PointsAt | None":
         """Evaluate the laws at reduced coordinates; None where a point is turned inside out or beyond its law."""
@@ -58,20 +70,43 @@ class Points:
     def _stresses(self, F: Array, I1: Array, I2: Array) -> tuple[Array, Array]:
         W, rows = np.zeros((5, len(F))), np.full(len(F), -1, dtype=np.int64)
         more: list[tuple[Array, Array]] = [(np.empty((0, 6)), np.empty((0, spectral.TANGENT)))]
-        for law, here in self._groups():
+        for (law, here), memory in zip(self.groups, self.brought, strict=True):
             if _in_invariants(law):  # type: ignore[arg-type]
-                for k, values in enumerate(energy_and_derivatives(cast(InvariantLaw, law), I1[here], I2[here])[1:]):
+                given = energy_and_derivatives(cast(InvariantLaw, law), I1[here], I2[here])
+                for k, values in enumerate(_response(memory, given, INVARIANT_PAIRS)):
                     W[k, here] = values / self.stress
-                continue
-            bar, directions, scale = spectral.principal_stretches(F[here][:, None])
-            slopes = np.ascontiguousarray(stretch_derivatives(law, *bar)[1:]) / self.stress
-            S, D = spectral.spectral_response(bar, directions, scale, slopes[:3], slopes[3:])
+                if memory is None or memory.known is None:
+                    continue
+                S, D = np.zeros((len(F[here]), 1, 6)), np.zeros((len(F[here]), 1, spectral.TANGENT))
+            else:
+                bar, directions, scale = spectral.principal_stretches(F[here][:, None])
+                in_stretches = _response(memory, stretch_derivatives(law, *bar), STRETCH_PAIRS)
+                slopes = np.ascontiguousarray(in_stretches) / self.stress
+                S, D = spectral.spectral_response(bar, directions, scale, slopes[:3], slopes[3:])
+            if memory is not None:
+                remembered(memory, F[here], self.stress, S, D)
             rows[here] = sum(len(each[0]) for each in more) + np.arange(len(S))
             more.append((S[:, 0], D[:, 0]))
         stress, moduli = (np.ascontiguousarray(np.concatenate(each)) for each in zip(*more, strict=True))
         return kernels.stresses(F, W, rows, stress, moduli)
 
-    def _groups(self) -> Sequence[tuple[Law, slice]]:
+    @property
+    def brought(self) -> tuple[RegionMemory | None, ...]:
+        """What the points of each law that has points bring into the step."""
+        if not self.materials:
+            return (None,) * len(self.groups)
+        counts = np.diff(self.starts)
+        every = self.memories or slow_memories(self.materials, counts.tolist())
+        return tuple(memory for memory, count in zip(every, counts, strict=True) if count)
+
+    def stepped(self, step: float) -> "Points":
+        """The same points and memory for a step of a length [s]."""
+        every = self.memories or slow_memories(self.materials, np.diff(self.starts).tolist())
+        return replace(self, memories=tuple(None if each is None else stepped(each, step) for each in every))
+
+    @property
+    def groups(self) -> Sequence[tuple[Law, slice]]:
+        """Each law with its points."""
         ends = zip(self.laws, self.starts[:-1], self.starts[1:], strict=True)
         return [(law, slice(a, b)) for law, a, b in ends if b > a]
 
@@ -79,6 +114,17 @@ class Points:
     def whole(self) -> Ints:
         """One group of all points."""
         return np.array([0, len(self.weights)])
+
+
+def _response(
+    memory: RegionMemory | None, values: Sequence[Array], pairs: Sequence[tuple[int, int]]
+) -> Sequence[Array] | Array:
+    """Derivatives (p,) of the energy in the step, first and second; ``values`` are the law's, its energy first."""
+    if memory is None:
+        return values[1:]
+    if values[0].ndim > 1:
+        return memory.response(values, pairs)
+    return np.stack(list(memory.response([each[:, None] for each in values], pairs)))[..., 0]
 
 
 @cache
@@ -103,6 +149,27 @@ class PointsAt:
     F: Array
     S: Array
     D: Array
+
+    def energy(self) -> float:
+        """Isochoric energy."""
+        p, out = self.points, 0.0
+        I1, I2 = kernels.invariants(self.F)
+        for (law, here), memory in zip(p.groups, p.brought, strict=True):
+            if _in_invariants(law):  # type: ignore[arg-type]
+                density = energy_and_derivatives(cast(InvariantLaw, law), I1[here], I2[here])[0]
+            else:
+                bar, _, _ = spectral.principal_stretches(self.F[here][:, None])
+                density = stretch_derivatives(law, *bar)[0][:, 0]
+            density = density if memory is None else recoverable(memory, density)
+            out += float(p.weights[here] @ density) / p.stress
+        return out
+
+    def remembered(self) -> Points:
+        """The points with their memory at the end of the step."""
+        p, new = self.points, []
+        for memory, start, end in zip(p.memories, p.starts[:-1], p.starts[1:], strict=True):
+            new.append(memory if memory is None or start == end else advanced(memory, self.F[start:end]))
+        return replace(p, memories=tuple(new))
 
     def forces(self, starts: Ints | None = None) -> Array:
         """Forces (r,) on the reduced coordinates, or (g, r) of groups of points."""

@@ -67,11 +67,16 @@ class Sheets:
         """Stress and its derivatives at coordinates (r,)."""
         i, j = self.pairs
         one = np.concatenate([[1.0], q])
+        stress = self.form @ (one[i] * one[j])
+        return SheetsAt(self, one, stress, self.slopes(one))
+
+    def slopes(self, one: Array) -> Array:
+        """Derivatives (n, r) of the products by the coordinates, for q̂ (R,)."""
+        i, j = self.pairs
         slopes = np.zeros((len(i), self.size))
         slopes[np.arange(len(i)), i] += one[j]
         slopes[np.arange(len(i)), j] += one[i]
-        stress = self.form @ (one[i] * one[j])
-        return SheetsAt(self, one, stress, np.ascontiguousarray(slopes[:, 1:]))
+        return np.ascontiguousarray(slopes[:, 1:])
 
     @cached_property
     def pairs(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -93,6 +98,11 @@ class SheetsAt:
     one: Array
     stress: Array
     slopes: Array
+
+    def energy(self) -> float:
+        """Energy."""
+        i, j = self.sheets.pairs
+        return 0.5 * float(self.stress @ (self.one[i] * self.one[j]))
 
     def forces(self) -> Array:
         """Forces (r,)."""

@@ -56,26 +56,36 @@ class Touching:
             x, self.points, self.shape, self.sides, (self.overhang, self.depth), self.candidates
         )
         number = np.flatnonzero((partner >= 0) & (gap < 0.0))
-        return TouchingAt(self, x, number, partner[number], at[number])
+        return TouchingAt(self, x, number, partner[number], at[number], gap[number])
 
 
 @dataclass(frozen=True, eq=False)
 class TouchingAt:
-    """Points that touch: positions of all nodes, numbers of the points, their partners and places."""
+    """Points that touch: positions of all nodes, numbers of the points, their partners, places and gaps."""
 
     touching: Touching
     x: Array
     number: Ints
     partner: Ints
     place: Array
+    gap: Array
+
+    @property
+    def _stiff(self) -> Array:
+        """Force per depth of the points that touch."""
+        t = self.touching
+        return np.asarray(t.areas[self.number] * np.minimum(t.springs[self.number], t.side_springs[self.partner]))
+
+    def energy(self) -> float:
+        """Energy of the penetration."""
+        return 0.5 * float(self._stiff @ self.gap**2)
 
     @cached_property
     def pressed(self) -> tuple[Array, Array]:
         """Forces and tangent."""
         t = self.touching
-        stiff = t.areas[self.number] * np.minimum(t.springs[self.number], t.side_springs[self.partner])
         touching = (self.number, self.partner, self.place)
-        force, K = touching_kernels.press(self.x, t.modes, t.points, t.shape, t.sides, touching, stiff)
+        force, K = touching_kernels.press(self.x, t.modes, t.points, t.shape, t.sides, touching, self._stiff)
         return np.asarray(force), np.asarray(K)
 
     def forces(self) -> Array:
@@ -121,6 +131,10 @@ class FacingAt:
     gap: Array
     slopes: Array
     stiff: Array
+
+    def energy(self) -> float:
+        """Energy of the penetration."""
+        return 0.5 * float(self.stiff @ self.gap**2)
 
     def forces(self) -> Array:
         """Forces (r,)."""

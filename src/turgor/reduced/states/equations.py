@@ -106,6 +106,14 @@ class EquationsAt:
         return np.concatenate([of_cavities, self.y[len(self.equations.forces) :]])
 
     @property
+    def loads(self) -> Array:
+        """Forces (r,) of pressures and dead loads."""
+        e = self.equations
+        return np.asarray(
+            (e.pressures @ self.inputs) @ self.cubics.gradients[: len(e.pressures)] + e.forces @ self.inputs
+        )
+
+    @property
     def residual(self) -> Array:
         """Residual (r + m,)."""
         e, r = self.equations, len(self.equations.forces)

@@ -1,6 +1,7 @@
 """Expand: fields of a reduced model as a state of the full one."""
 
 from collections.abc import Mapping, Sequence
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +22,7 @@ def expand(
     """Return displacement and mean stress as a state of a model with other loads.
 
     Its nodal forces are those of the full equations, so they are not quite zero at free nodes: that is what the modes
-    and the sampling miss.
+    and the sampling miss. Rubber that relaxes counts as relaxed.
 
     Parameters
     ----------
@@ -47,7 +48,7 @@ def expand(
     system = System(model)
     for part, scale in zip(system.contact.parts, penalties, strict=True):
         part.penalty_scale = scale.astype(np.float64)
-    at = system.evaluate(system.unknowns(*fields), 1.0)
+    at = system.evaluate(system.unknowns(*fields), 1.0, history=system.history(step=inf))
     if at is None:
         raise TurgorError("a cell is turned inside out in this answer of the reduced model; train it more densely.")
     return state_of(system, at, None)

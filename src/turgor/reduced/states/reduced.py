@@ -1,10 +1,9 @@
 """Reduced: a model in a few coordinates, which answers in milliseconds."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,16 +14,16 @@ from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.foundation.store.archive import Content, write_archive
 from turgor.foundation.store.codec import Encoder
 from turgor.foundation.store.saved_objects import Saved
-from turgor.reduced.parts.obstacles import ObstructingAt
+from turgor.reduced.parts.inertia import Masses
 from turgor.reduced.settings import NEWTON
+from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.equations import Equations, Part
+from turgor.reduced.states.estimate import KnownErrors
+from turgor.reduced.states.following import Followed, Moving, checked_history, follow_history
 from turgor.reduced.states.held_out import HeldOutErrors
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.newton import Balance, follow, newton
 from turgor.reduced.states.spline import Spline
-
-if TYPE_CHECKING:
-    from turgor.core.solvers.solution import State
 
 Array = NDArray[np.float64]
 Small = NDArray[np.float32]
@@ -64,6 +63,10 @@ class Reduced(Saved, Shown):
     wanted : float [-]
         Error that was requested, of the displacement over its largest.
     held_out : HeldOutErrors
+    known : KnownErrors
+        Errors at training and held-out states, from which the error of an answer is estimated.
+    masses : Masses or None
+        For motion; None where it was trained without.
     """
 
     model: Model
@@ -81,6 +84,8 @@ class Reduced(Saved, Shown):
     counts: Mapping[str, int] = field(default_factory=dict)
     wanted: float = 0.005
     held_out: HeldOutErrors
+    known: KnownErrors = field(default_factory=KnownErrors)
+    masses: Masses | None = None
 
     def __repr__(self) -> str:
         r, m = self.equations.sizes
@@ -89,8 +94,8 @@ class Reduced(Saved, Shown):
         return f"Reduced('{self.model.mesh.name}', {', '.join(self.inputs.keys)}; {r} + {m} modes, {counts}; {error})"
 
     def solve(
-        self, values: Mapping[str, float | Sequence[float]] | float, *, start: "ReducedState | None" = None
-    ) -> "ReducedState":
+        self, values: Mapping[str, float | Sequence[float]] | float, *, start: ReducedState | None = None
+    ) -> ReducedState:
         """Find the equilibrium at values of the inputs.
 
         Parameters
@@ -115,9 +120,47 @@ class Reduced(Saved, Shown):
         given = values if isinstance(values, Mapping) else {self._only_input: values}
         return self.at(self.inputs.vector(given), start)
 
-    def solve_all(self, table: Iterable[Mapping[str, float | Sequence[float]] | float]) -> "list[ReducedState]":
+    def solve_all(self, table: Iterable[Mapping[str, float | Sequence[float]] | float]) -> list[ReducedState]:
         """Find the equilibria at many values of the inputs, each from the nearest training state."""
         return [self.solve(values) for values in table]
+
+    def follow(
+        self,
+        times: Sequence[float] | Array,
+        values: Mapping[str, Sequence[float]] | Sequence[float],
+        moving: Moving | None = None,
+    ) -> Followed:
+        """Follow histories of the inputs from the equilibrium at the first of them.
+
+        Parameters
+        ----------
+        times : (k,) sequence [s]
+            Rising.
+        values : mapping of str to (k,) sequences [SI]
+            Of each input at these times, by its key or the end of its key; between them inputs are linear. A sequence
+            where there is one input.
+        moving : Moving, optional
+            Inertia, damping and time steps; without, every state is an equilibrium.
+
+        Returns
+        -------
+        Followed
+
+        Raises
+        ------
+        TurgorError
+            If an input is unknown or outside of the trained range, or the model was trained without motion.
+        NotSolved
+            If no state was found.
+        """
+        given = values if isinstance(values, Mapping) else {self._only_input: values}
+        columns = {name: np.asarray(each, dtype=np.float64) for name, each in given.items()}
+        rows = min((len(each) for each in columns.values()), default=0)
+        table = np.array([self.inputs.vector({name: each[k] for name, each in columns.items()}) for k in range(rows)])
+        at = checked_history(times, max(columns.values(), key=len, default=table))
+        if moving is not None and self.masses is None:
+            raise TurgorError("this reduced model was trained without motion; train it with motion.")
+        return follow_history(self, at, table, moving, self.at(table[0]))
 
     @property
     def _only_input(self) -> str:
@@ -127,11 +170,15 @@ class Reduced(Saved, Shown):
             )
         return self.inputs.keys[0]
 
-    def at(self, vector: Array, start: "ReducedState | None" = None) -> "ReducedState":
+    def at(self, vector: Array, start: ReducedState | None = None) -> ReducedState:
         """Find the equilibrium at inputs (n,) in order; see `solve`."""
-        aim, vain = np.concatenate([[1.0], vector]), 0
+        return self.under(np.concatenate([[1.0], vector]), start)
+
+    def under(self, aim: Array, start: ReducedState | None = None) -> ReducedState:
+        """Find the equilibrium at a share of the loads that are no inputs, and inputs: (1 + n,); see `solve`."""
+        vain = 0
         if start is None:
-            result = newton(self.equations, self._spline.at(aim * self._weights), aim, self._size)
+            result = newton(self.equations, self._spline.at(aim * self.weights), aim, self._size)
             if isinstance(result, Balance):
                 return ReducedState.of(self, result, vain)
             vain += result
@@ -141,19 +188,19 @@ class Reduced(Saved, Shown):
                 return ReducedState.of(self, result, vain)
             vain += result
         raise NotSolved(
-            f"the reduced model finds no equilibrium at {self.inputs.text(vector)} within {vain} updates; "
+            f"the reduced model finds no equilibrium at {self.inputs.text(aim[1:])} within {vain} updates; "
             "train it more densely."
         )
 
-    def _starts(self, aim: Array, start: "ReducedState | None") -> Iterable[tuple[Array, Array]]:
+    def _starts(self, aim: Array, start: ReducedState | None) -> Iterable[tuple[Array, Array]]:
         if start is not None:
             yield np.concatenate([[1.0], start.inputs]), start.y
-        away = (self.trained_inputs - aim) * self._weights
+        away = (self.trained_inputs - aim) * self.weights
         for place in np.argsort((away**2).sum(axis=1), kind="stable")[: NEWTON.starts]:
             yield self.trained_inputs[place], self.trained[place]
 
     @cached_property
-    def _weights(self) -> Array:
+    def weights(self) -> Array:
         """Weights of the distance to training states; the share counts where loads are no inputs."""
         fixed = bool(self.equations.pressures[:, 0].any() or self.equations.forces[:, 0].any())
         return np.concatenate([[1.0 if fixed else 0.0], 1.0 / (self.inputs.high - self.inputs.low)])
@@ -161,7 +208,7 @@ class Reduced(Saved, Shown):
     @cached_property
     def _spline(self) -> Spline:
         """Training states as a smooth function of the inputs."""
-        return Spline.through(self.trained_inputs * self._weights, self.trained)
+        return Spline.through(self.trained_inputs * self.weights, self.trained)
 
     @cached_property
     def _size(self) -> float:
@@ -179,119 +226,3 @@ class Reduced(Saved, Shown):
         encoder = Encoder()
         write_archive(path, Content("Reduced", encoder.encode(self, "Reduced"), encoder.arrays))
         return path
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ReducedState(Shown):
-    """An equilibrium of a reduced model.
-
-    Parameters
-    ----------
-    reduced : Reduced
-    inputs : (n,) array [SI]
-    y : (r + m,) array
-        Coordinates of displacement and mean stress.
-    rates : (r + m, n) array
-        Their derivatives by the inputs.
-    indicator : float [-]
-        How far the coordinates move with other sampled points, over the largest that were trained: a share of the
-        error that the sampling makes.
-    iterations : int
-        Newton updates.
-    """
-
-    reduced: Reduced
-    inputs: Array
-    y: Array
-    rates: Array
-    indicator: float
-    iterations: int
-
-    @staticmethod
-    def of(reduced: Reduced, result: Balance, vain: int) -> "ReducedState":
-        """Make an answer of an equilibrium of the equations, after ``vain`` updates from other starts."""
-        at, r = result.at, reduced.equations.sizes[0]
-        inverse = np.linalg.inv(at.tangent())
-        rates = -(inverse @ at.by_inputs()[:, 1:])
-        other = np.zeros(r)
-        for part, check in zip(at.parts, reduced.checks, strict=False):
-            its = check.at(at.y[:r])
-            if its is not None:
-                other += its.forces() - part.forces()
-        indicator = float(np.linalg.norm(inverse[:r, :r] @ other)) / reduced.size
-        return ReducedState(reduced, at.inputs[1:], at.y, rates, indicator, result.iterations + vain)
-
-    def __repr__(self) -> str:
-        text = self.reduced.inputs.text(self.inputs)
-        return f"ReducedState({text}, indicator {self.indicator:.1e}, {self.iterations} iterations)"
-
-    @property
-    def q(self) -> Array:
-        """Coordinates (r,) of the displacement."""
-        return self.y[: self.reduced.equations.sizes[0]]
-
-    @property
-    def displacement(self) -> Array:
-        """Displacement (nodes, 3) [m] of every node."""
-        return (self.reduced.modes @ self.q).reshape(-1, 3) * self.reduced.scales[0]
-
-    @property
-    def mean_stress(self) -> Array:
-        """Mean stress (m,) [Pa]."""
-        return np.asarray(self.reduced.stresses @ self.y[len(self.q) :]) * self.reduced.scales[1]
-
-    @property
-    def tip(self) -> Array:
-        """Mean displacement (3,) [m] of the face ``tip``; zeros where there is none."""
-        return self.reduced.tip @ self.q * self.reduced.scales[0]
-
-    @property
-    def tip_rates(self) -> Array:
-        """Derivatives (3, n) of `tip` by the inputs."""
-        return self.reduced.tip @ self.rates[: len(self.q)] * self.reduced.scales[0]
-
-    @property
-    def volumes(self) -> dict[str, float]:
-        """Volume of every pressed cavity of the whole actuator [m³]."""
-        values = self.reduced.equations.cubics.at(self.q).values * self._volume_scale
-        return dict(zip(self.reduced.faces, values.tolist(), strict=False))
-
-    @property
-    def volume_rates(self) -> dict[str, Array]:
-        """Derivatives (n,) of the volumes by the inputs."""
-        slopes = self.reduced.equations.cubics.at(self.q).gradients[: len(self.reduced.faces)]
-        rates = slopes @ self.rates[: len(self.q)] * self._volume_scale
-        return dict(zip(self.reduced.faces, rates, strict=True))
-
-    @property
-    def obstacle_forces(self) -> dict[str, Array]:
-        """Force (3,) [N] of the whole actuator on every obstacle that was near in training."""
-        return self._of_obstacles(lambda at: at.force())
-
-    @property
-    def obstacle_force_rates(self) -> dict[str, Array]:
-        """Derivatives (3, n) of these forces by the inputs."""
-        rates = np.column_stack([np.zeros(len(self.q)), self.rates[: len(self.q)]])
-        return self._of_obstacles(lambda at: at.force_rates(rates)[:, 1:])
-
-    def _of_obstacles(self, value: Callable[[ObstructingAt], Array]) -> dict[str, Array]:
-        inputs = np.concatenate([[1.0], self.inputs])
-        return {part.name: value(part.at(self.q, inputs)) for part in self.reduced.equations.obstacles}
-
-    @property
-    def _volume_scale(self) -> float:
-        return self.reduced.scales[0] ** 3 * self.reduced.model.mesh.symmetry_factor
-
-    def state(self) -> "State":
-        """Return it as a state of the full model, for every measure, picture and response.
-
-        Returns
-        -------
-        State
-            Its nodal forces at free nodes are what modes and sampling miss.
-        """
-        from turgor.reduced.states.expand import expand  # here: it needs the engine
-
-        r = self.reduced
-        values = dict(zip(r.inputs.keys, self.inputs.tolist(), strict=True))
-        return expand(r.model, values, (self.displacement, self.mean_stress), r.penalties)

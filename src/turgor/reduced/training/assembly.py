@@ -18,6 +18,7 @@ from turgor.core.engine.points.rigid_term import RigidTerm
 from turgor.core.engine.system import System
 from turgor.core.engine.term import Setting
 from turgor.core.materials.laws.laws import Law
+from turgor.core.materials.material import Material
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 from turgor.reduced.parts.pieces import Pieces
@@ -163,14 +164,19 @@ def assemble(system: System, drive: Drive, modes: Modes, stresses: Modes) -> Who
 def _rubber(system: System, vectors: Array) -> tuple[Points, NDArray[np.int64]]:
     """All Gauss points, those of one law one after the other, and the cell of each."""
     materials, regions = system.model.region_materials, system.model.mesh.regions
-    by_law: dict[Law, list[str]] = {}
+    by_law: dict[tuple[Law, Material | None], list[str]] = {}
     for name, material in materials.items():
-        by_law.setdefault(material.law, []).append(name)  # type: ignore[arg-type]
+        remembers = material.viscoelasticity is not None or material.stress_softening is not None
+        by_law.setdefault((material.law, material if remembers else None), []).append(name)  # type: ignore[arg-type]
     cells = [np.sort(np.concatenate([regions[name] for name in names])) for names in by_law.values()]
     order, count = np.concatenate(cells), system.dV.shape[1]
     G = np.concatenate([forms.gradients(system, vectors, order[part]) for part in forms.chunks(len(order))])
     starts = np.cumsum([0, *(len(each) * count for each in cells)])
-    points = Points(G, np.ascontiguousarray(system.dV[order].ravel()), tuple(by_law), starts, system.stress_scale)
+    laws, remembering = (tuple(each) for each in zip(*by_law, strict=True))
+    if not any(remembering):
+        remembering = ()
+    weights = np.ascontiguousarray(system.dV[order].ravel())
+    points = Points(G, weights, laws, starts, system.stress_scale, remembering)
     return points, np.repeat(order, count)
 
 
@@ -185,13 +191,6 @@ def check_reducible(system: System) -> None:
     ------
     TurgorError
     """
-    model = system.model
-    for name, material in model.region_materials.items():
-        for what, value in (("viscoelasticity", material.viscoelasticity), ("softening", material.stress_softening)):
-            if value is not None:
-                raise TurgorError(
-                    f"materials.{name}: reduced models have no {what} yet; leave it out of '{material.name}'."
-                )
     if not system.element.modes:
         raise TurgorError("reduced models need mean stresses; take the formulation 'mixed' instead of 'displacement'.")
     check_points(system)

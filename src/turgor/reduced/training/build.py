@@ -14,7 +14,7 @@ from turgor.reduced.settings import SAMPLING, TRAINING
 from turgor.reduced.states.equations import Equations, Part
 from turgor.reduced.training import assembly, near, sampling
 from turgor.reduced.training.layers import sampled
-from turgor.reduced.training.modes import Modes, modes_of, rest_stiffness
+from turgor.reduced.training.modes import Modes, modes_of, normalized, rest_stiffness, with_more
 from turgor.reduced.training.reference_points import with_points
 from turgor.reduced.training.trainer import Path
 
@@ -81,7 +81,10 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     whole = assembly.assemble(system, drive, basis, stresses)
     moved = np.concatenate([path.displacements for path in paths])
     trained = np.concatenate([path.inputs for path in paths])
-    close = near.near_points(system, list(moved), list(trained), drive.places)
+    cycled = [(np.tile(path.inputs[-1], (len(path.cycle[0]), 1)), *path.cycle) for path in paths]
+    seen = np.concatenate([moved, *(displaced for _, displaced, _ in cycled)])
+    seen_at = np.concatenate([trained, *(aim for aim, _, _ in cycled)])
+    close = near.near_points(system, list(seen), list(seen_at), drive.places)
     touching, obstacles = near.contact_parts(system, close, basis.vectors, drive.places)
     forces = np.concatenate([np.linalg.norm(path.obstacle_forces, axis=2) for path in paths])
     largest = dict(zip(drive.places, forces.max(axis=0), strict=True))
@@ -96,7 +99,10 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     if whole.exact.moments is not None:
         few = whole.exact.moments.combined(list(y), SAMPLING.moments)
         whole = replace(whole, exact=replace(whole.exact, moments=few))
-    chosen, checks, counts = sample(whole, inputs, y)
+    swings = np.concatenate([path.inertial[0] @ basis.dual for path in paths if len(path.inertial[0])] or [y[:0, :1]])
+    trials = [np.hstack([u.reshape(len(u), len(basis.dual)) @ basis.dual, p @ stresses.dual]) for _, u, p in cycled]
+    at = np.vstack([inputs, *(aim for aim, _, _ in cycled)])
+    chosen, checks, counts = sample(whole, at, np.vstack([y, *trials]), swings)
     counts["contact points"] = sum(len(each.points) for each in close)
     return Built(_one_sheet(whole.with_parts(chosen)), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
 
@@ -123,18 +129,31 @@ def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0)
     stiffness = rest_stiffness(system)
     moved = [path.displacements.reshape(len(path.displacements), -1) for path in paths]
     moved += [path.derivatives[0] for path in paths]
+    moved += [path.cycle[0].reshape(len(path.cycle[0]), -1) for path in paths if len(path.cycle[0])]
     pressed = [path.mean_stresses for path in paths] + [path.derivatives[1] for path in paths]
+    pressed += [path.cycle[1] for path in paths if len(path.cycle[0])]
     basis = modes_of(np.concatenate(moved).T, stiffness, modes, TRAINING.truncation)
+    responses = [path.inertial for path in paths if len(path.inertial[0])]
+    if responses:
+        swings, sizes = normalized(np.concatenate([each[0] for each in responses]).T, stiffness)
+        basis = with_more(basis, swings, stiffness, TRAINING.inertial)
+        largest = np.sqrt(max(np.einsum("kn,kn->k", each, (stiffness @ each.T).T).max() for each in moved))
+        pressed.append(np.concatenate([each[1] for each in responses]) * (SAMPLING.swing * largest / sizes)[:, None])
     half = of_stress or max(1, basis.vectors.shape[1] // 2)
     volumes = sp.diags(system.mean_stress_volumes).tocsr()
     basis = replace(basis, vectors=with_points(system, basis.vectors))
     return basis, modes_of(np.concatenate(pressed).T, volumes, half, 0.0)
 
 
-def sample(whole: assembly.Whole, inputs: Array, y: Array) -> tuple[tuple[Part, ...], tuple[Part, ...], dict[str, int]]:
-    """Choose cells, and sides and edges of shells: the sampled parts, other ones to check them, and how many."""
+def sample(
+    whole: assembly.Whole, inputs: Array, y: Array, swings: Array
+) -> tuple[tuple[Part, ...], tuple[Part, ...], dict[str, int]]:
+    """Choose cells, and sides and edges of shells: the sampled parts, other ones to check them, and how many.
+
+    Training states and others near them count, with motion those on the ways ``swings`` (k, r) too.
+    """
     starts = np.append(np.flatnonzero(np.diff(whole.cells, prepend=-1)), len(whole.cells))
-    trials = list(_trials(whole, inputs, y, starts))
+    trials = list(_trials(whole, inputs, y, (starts, swings)))
     size = float(np.linalg.norm([trial.q for trial in trials], axis=1).mean())
     tolerance = SAMPLING.tolerance * size * float(np.sqrt(len(trials)))
     A = np.vstack([trial.rubber for trial in trials])
@@ -185,14 +204,19 @@ class Trial:
     bending: Array
 
 
-def _trials(whole: assembly.Whole, inputs: Array, y: Array, starts: Ints) -> Iterator[Trial]:
-    """Evaluate training states, and others near them: Newton's method passes there."""
+def _trials(whole: assembly.Whole, inputs: Array, y: Array, more: tuple[Ints, Array]) -> Iterator[Trial]:
+    """Evaluate training states, and others near them: Newton's method and motions pass there."""
+    starts, swings = more
     equations, r = whole.equations, whole.exact.sizes[0]
     random, spread = np.random.default_rng(0), np.abs(y[:, :r]).max(axis=0)
+    size = float(np.linalg.norm(y[:, :r], axis=1).max())
     for place in np.unique(np.linspace(0, len(y) - 1, min(len(y), SAMPLING.states)).astype(int)):
-        for factor in (0.0, SAMPLING.perturbation):
+        for factor in (0.0, *[SAMPLING.perturbation] * (SAMPLING.swings if len(swings) else 1)):
             moved = y[place].copy()
             moved[:r] += factor * spread * random.standard_normal(r)
+            if factor and len(swings):
+                way = swings[random.integers(len(swings))]
+                moved[:r] += SAMPLING.swing * random.uniform(-1, 1) * size * way / np.linalg.norm(way)
             at = equations.at(moved, inputs[place])
             if at is None:
                 continue

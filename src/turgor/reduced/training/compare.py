@@ -1,5 +1,7 @@
 """Compare: answers of a reduced model against states of full solves."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -7,8 +9,12 @@ from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.engine.faces import surfaces
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.foundation.errors import NotSolved
+from turgor.reduced.settings import ESTIMATE
+from turgor.reduced.states.answer import ReducedState
+from turgor.reduced.states.estimate import KnownErrors
 from turgor.reduced.states.held_out import HeldOutErrors
-from turgor.reduced.states.reduced import Reduced, ReducedState
+from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.trainer import Path
 
 Array = NDArray[np.float64]
@@ -57,6 +63,44 @@ def force_error(answer: ReducedState, full: Array) -> float:
     away = [float(np.linalg.norm(forces.get(name, none) - true)) for name, true in zip(names, full, strict=True)]
     largest = max([1e-300, *(part.largest for part in reduced.equations.obstacles)])
     return max(away) / largest
+
+
+def known_errors(reduced: Reduced, paths: Sequence[Path]) -> KnownErrors:
+    """Errors of a reduced model at states of full solves, some of them where there are many.
+
+    Where the reduced model finds nothing, and at the ends that the full model did not reach, the error counts as 1.
+
+    Parameters
+    ----------
+    reduced : Reduced
+    paths : sequence of Path
+    """
+    every = [(path, place) for path in paths for place in range(len(path.inputs))]
+    thinned = np.unique(np.linspace(0, len(every) - 1, min(len(every), ESTIMATE.most)).astype(int))
+    r = reduced.equations.sizes[0]
+    places: list[Array] = []
+    errors: list[float] = []
+    sizes: list[float] = []
+    for path, place in (every[each] for each in thinned):
+        aim = path.inputs[place]
+        try:
+            answer = reduced.under(aim)
+            error = errors_of(answer, path.displacements[place])[0]
+            size = float(np.linalg.norm(answer.y[:r])) / reduced.size
+        except NotSolved:
+            error, size = 1.0, 1.0
+        places, errors, sizes = [*places, aim], [*errors, error], [*sizes, size]
+    for path in paths:
+        if not path.reached:
+            places, errors, sizes = [*places, aim_of(reduced.inputs, path)], [*errors, 1.0], [*sizes, 1.0]
+    return KnownErrors(places=np.array(places) * reduced.weights, errors=np.array(errors), sizes=np.array(sizes))
+
+
+def aim_of(box: Inputs, path: Path) -> Array:
+    """The share of the fixed loads, 1, and the inputs (1 + n,) to which a path goes, reached or not."""
+    last = path.inputs[-1]
+    values = np.where(box.places, last[1:], last[1:] / last[0])
+    return box.on_path(values, 1.0)
 
 
 def _yardsticks(reduced: Reduced) -> tuple[float, float]:

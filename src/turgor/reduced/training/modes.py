@@ -67,3 +67,32 @@ def rest_stiffness(system: System) -> sp.csc_matrix:
     system.rubber.add_tangents(data, system.split(at.unknowns), at.isochoric, None, False)
     system.terms.add_tangents(data, Configuration(system.points), None)
     return base.full(data)[:n, :n]
+
+
+def with_more(modes: Modes, vectors: Array, product: sp.spmatrix, most: int) -> Modes:
+    """Add modes of what is left of other vectors (size, k).
+
+    Parameters
+    ----------
+    modes : Modes
+    vectors : (size, k) array
+    product : (size, size) sparse array
+        Inner product.
+    most : int
+        Modes that are added at most.
+
+    Returns
+    -------
+    Modes
+    """
+    left = vectors - modes.vectors @ (modes.dual.T @ vectors)
+    more = modes_of(left, product, most, 1e-4).vectors
+    more = more - modes.vectors @ (modes.dual.T @ more)
+    both = np.hstack([modes.vectors, more])
+    return Modes(both, np.asarray(product @ both), modes.missed)
+
+
+def normalized(vectors: Array, product: sp.spmatrix) -> tuple[Array, Array]:
+    """Vectors (size, k) of a size of one in an inner product, and the sizes that they had."""
+    sizes = np.sqrt(np.einsum("nk,nk->k", vectors, product @ vectors))
+    return vectors / sizes, np.asarray(sizes)

@@ -54,6 +54,7 @@ class PathRuns:
         if not file.exists():
             model.save(file)
         stated = {"keys": list(box.keys), "low": box.low.tolist(), "high": box.high.tolist(), "steps": trainer.steps}
+        stated |= {"motion": True} if trainer.motion else {}
         where = {"file": Place(file), "folder": Place(folder), "digest": content.hexdigest()}
         runs = [
             Run(name=f"path to {_shown(aim)}", function=path_run, values={**stated, **where, "aim": aim.tolist()})
@@ -68,16 +69,16 @@ class PathRuns:
 
 def path_run(
     *, keys: list[str], low: list[float], high: list[float], steps: int, file: str, folder: str, digest: str,
-    aim: list[float],
+    aim: list[float], motion: bool = False,
 ) -> Computed:  # fmt: skip
     """Compute one path of a saved model, and save its states in the folder."""
     model = Model.load(file)
     box = Inputs(tuple(keys), np.array(low), np.array(high), ("",) * len(keys))
     model_at = model_variation(model, keys, inputs=True).model
     with use_threads(1):
-        path = Trainer(model_at, box, steps, EngineOptions(threads=1)).path(np.array(aim))
+        path = Trainer(model_at, box, steps, EngineOptions(threads=1), motion).path(np.array(aim))
     encoder = Encoder()
-    stated = {"keys": keys, "low": low, "high": high, "steps": steps}
+    stated = {"keys": keys, "low": low, "high": high, "steps": steps} | ({"motion": True} if motion else {})
     tree = encoder.encode(path, "path")
     write_archive(_file(Path(folder), np.array(aim), stated, digest), Content("Path", tree, encoder.arrays))
     shares = Column("share", "", path.inputs[:, 0])

@@ -1,7 +1,7 @@
 """Training: full solves along paths, whose accepted states are the snapshots of a reduced model."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from math import inf
 from time import process_time
 
@@ -13,8 +13,10 @@ from turgor.core.engine.contact.pair_part import PairPart
 from turgor.core.engine.contact.part import Gaps
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.faces.pressure_term import PressureTerm
+from turgor.core.engine.mass import mass_data
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
+from turgor.core.model.history import with_history
 from turgor.core.model.model import Model
 from turgor.core.results.fields.contact import contact_force
 from turgor.core.results.fields.state_fields import StateFields
@@ -22,6 +24,7 @@ from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.restart import unknowns_of
 from turgor.core.solvers.solution import State
+from turgor.reduced.settings import TRAINING
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.training.assembly import drive_of
 
@@ -53,6 +56,10 @@ class Path:
     reached : bool
         Whether the path reached its end.
     seconds : float
+    inertial : (d, nodes 3), (d, m) arrays
+        Responses to the inertia of motions along the path, each of a size of one; empty without motion.
+    cycle : (j, nodes, 3), (j, m) arrays
+        States of a sudden load to the end of the path and back, where rubber relaxes or softens.
     """
 
     inputs: Array
@@ -64,6 +71,8 @@ class Path:
     scales: tuple[Array, ...]
     reached: bool
     seconds: float
+    inertial: tuple[Array, Array] = field(default_factory=lambda: (np.zeros((0, 0)), np.zeros((0, 0))))
+    cycle: tuple[Array, Array] = field(default_factory=lambda: (np.zeros((0, 0, 3)), np.zeros((0, 0))))
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,12 +87,15 @@ class Trainer:
     steps : int
         Steps of a path at least.
     options : EngineOptions
+    motion : bool
+        Whether the reduced model shall move.
     """
 
     model_at: ModelAt
     inputs: Inputs
     steps: int
     options: EngineOptions
+    motion: bool = False
 
     def path(self, values: Array, differentiated: bool = True) -> Path:
         """Solve from rest to some inputs (n,)."""
@@ -96,8 +108,11 @@ class Trainer:
         states = [state for state in problem.states if state.load_factor > 0]
         nodes, m = model.mesh.points.shape[0], system.element.mean_count
         derivatives = np.zeros((0, 3 * nodes)), np.zeros((0, m))
+        inertial = derivatives
         if differentiated and states:
-            derivatives = self._derivatives(system, tangent, states[-1])
+            derivatives = _split(system, self._rates(system, tangent, states[-1]))
+            if self.motion:
+                inertial = _split(system, self._inertial(system, tangent, states))
         return Path(
             inputs=np.array([self.inputs.on_path(values, state.load_factor) for state in states]),
             displacements=np.array([state.displacement for state in states]).reshape(-1, nodes, 3) / system.length,
@@ -108,10 +123,42 @@ class Trainer:
             scales=tuple(part.penalty_scale for part in system.contact.parts),
             reached=bool(states) and states[-1].load_factor == 1.0,
             seconds=process_time() - began,
+            inertial=inertial,
+            cycle=self._cycle(model),
         )
 
-    def _derivatives(self, system: System, tangent: Tangent, state: State) -> tuple[Array, Array]:
-        """Derivatives of a state by the inputs, times their ranges."""
+    def _cycle(self, model: Model) -> tuple[Array, Array]:
+        """Scaled states of a sudden load and unloading; none where no rubber remembers."""
+        loads = [with_history(load, ((0.0, 0.0), (0.5, 1.0), (1.0, 0.0))) for load in model.loads]
+        system = System(replace(model, loads=tuple(loads)))
+        if not system.materials.remembers:
+            return np.zeros((0, len(model.mesh.points), 3)), np.zeros((0, system.element.mean_count))
+        series = [material.viscoelasticity for material in model.region_materials.values()]
+        times = [min(each.tau) for each in series if each is not None]
+        sudden = None if not times else TRAINING.sudden * min(times)
+        tangent = Tangent(system, self.options.linear_solver, self.options.threads, self.options.iteration)
+        problem = Problem(system=system, tangent=tangent, history=system.history(step=inf))
+        step = 1 / (2 * self.steps)
+        Static(first_step=step, max_step=step, duration=sudden).follow(problem)
+        states = [state for state in problem.states if state.load_factor > 0]
+        moved = np.array([state.displacement for state in states]) / system.length
+        return moved, np.array([state.mean_stress for state in states]) / system.stress_scale
+
+    def _inertial(self, system: System, tangent: Tangent, states: Sequence[State]) -> Array:
+        """Responses to the inertia of motions along the path, then to that of these, at states along it."""
+        mass, rows = mass_data(system), []
+        last = len(states) - 1
+        for place in sorted({last * k // TRAINING.moving for k in range(1, TRAINING.moving + 1)}):
+            for motion in self._rates(system, tangent, states[place]):
+                for _ in range(TRAINING.responses):
+                    size = max(float(np.linalg.norm(motion)), 1e-300)
+                    force = system.layout.base.product(mass, np.where(system.moving, motion / size, 0.0))
+                    motion = np.where(system.prescribed, 0.0, tangent.solve(force))
+                    rows.append(motion)
+        return np.array(rows)
+
+    def _rates(self, system: System, tangent: Tangent, state: State) -> Array:
+        """Derivatives (n, size) of the unknowns of a state by the inputs, times their ranges."""
         at = system.evaluate(unknowns_of(system, state), state.load_factor)
         assert at is not None
         tangent.factor(at)
@@ -128,9 +175,7 @@ class Trainer:
                     force -= _by_place(part, position, gaps, drive.places[part.name].by_inputs[:, k])
             rate = tangent.solve(system.joined(force) * width)
             rows.append(np.where(system.prescribed, 0.0, rate))
-        n = 3 * len(system.model.mesh.points)
-        moved = np.array([system.split(row)[0][: n // 3].ravel() for row in rows])
-        return moved, np.array([system.split(row)[1] for row in rows])
+        return np.array(rows)
 
 
 def _by_place(part: PairPart | ShapePart, position: Array, gaps: Gaps, way: Array) -> Array:
@@ -147,3 +192,10 @@ def _obstacle_forces(model: Model, states: Sequence[State]) -> Array:
     names = [obstacle.name for obstacle in model.contact.obstacles]
     forces = [[contact_force(StateFields(state), name) for name in names] for state in states]
     return np.array(forces, dtype=np.float64).reshape(len(states), len(names), 3)
+
+
+def _split(system: System, rows: Array) -> tuple[Array, Array]:
+    """Displacements and mean stresses of unknowns (d, size)."""
+    n = len(system.model.mesh.points)
+    moved = np.array([system.split(row)[0][:n].ravel() for row in rows])
+    return moved, np.array([system.split(row)[1] for row in rows])
