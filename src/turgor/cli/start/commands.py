@@ -36,6 +36,7 @@ COMMANDS: Mapping[str, str] = {
     "modes": "frequencies.modes_command",
     "convergence": "convergence.convergence_command",
     "section": "analyses.section.section_command",
+    "track": "systems.track.track_command",
 }
 
 

@@ -1,0 +1,1 @@
+"""Systems: actuators with what drives them."""

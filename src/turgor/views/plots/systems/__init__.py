@@ -1,0 +1,1 @@
+"""Plots of actuators with what drives them."""
