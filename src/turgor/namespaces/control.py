@@ -5,7 +5,13 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.systems.control.controller import Air as Air
+    from turgor.systems.control.controller import Controller as Controller
+    from turgor.systems.control.controller import Tuning as Tuning
     from turgor.systems.control.limits import Limits as Limits
+    from turgor.systems.control.loop import LoopRun as LoopRun
+    from turgor.systems.control.loop import Plant as Plant
+    from turgor.systems.control.loop import run_loop as run_loop
     from turgor.systems.control.outputs import Angle as Angle
     from turgor.systems.control.outputs import Points as Points
     from turgor.systems.control.outputs import Shape as Shape

@@ -66,9 +66,9 @@ def _draw_path(axes: Axes, response: Response, outputs: list[str]) -> None:
         spans = [float(np.ptp(response[f"{name}{WANTED}"])) for name in tips]
         across, upward = (tips[place] for place in sorted(np.argsort(spans)[-2:]))
         unit = unit_text(response.find(across).unit)
-        for end, look in ((WANTED, {"color": QUIET, "lw": 4, "alpha": 0.6}), ("", {"color": COLORS[0], "lw": 1.4})):
+        for end, color, width, alpha in ((WANTED, QUIET, 4.0, 0.6), ("", COLORS[0], 1.4, 1.0)):
             x, y = (response.find(f"{name}{end}").in_unit for name in (across, upward))
-            axes.plot(x, y, label="wanted" if end else "reached", **look)
+            axes.plot(x, y, label="wanted" if end else "reached", color=color, lw=width, alpha=alpha)
         axes.set_xlabel(f"{across.replace('_', ' ')} [{unit}]", color=INK)
         axes.set_ylabel(f"{upward.replace('_', ' ')} [{unit}]", color=INK)
         axes.set_aspect("equal", adjustable="datalim")
