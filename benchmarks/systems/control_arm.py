@@ -5,6 +5,7 @@ slender: so its diameter is 5 mm. Its mesh is that of an actuator of a third of 
 """
 
 from dataclasses import replace
+from itertools import permutations
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,8 @@ from turgor.units import kPa, mm
 LENGTH, STRETCH, PRESSURE = 60 * mm, 3.0, 12.3 * kPa
 CAVITIES = ("cavity_1", "cavity_2", "cavity_3")
 KEYS = tuple(f"loads.{name}.pressure" for name in CAVITIES)
+#: Training begins at the corners, and goes on between one and two chambers, and with some pressure in all of them.
+AIMS = (*permutations((1.0, 0.5, 0.0)), *sorted(set(permutations((1.0, 0.5, 0.5)))))
 OPTIONS = tg.EngineOptions(threads=1)
 
 
@@ -37,13 +40,13 @@ def arm() -> Model:
     )
 
 
-def trained(folder: Path, modes: int) -> Reduced:
+def trained(folder: Path, modes: int, processes: int = 1) -> Reduced:
     """Train a reduced model, or read the one in a folder."""
     file = folder / f"arm-{modes}.reduced"
     if not file.exists():
-        budget = Budget(error=0.002, paths=24, held_out=1, modes=modes, steps=10)
+        budget = Budget(error=0.002, paths=7 + len(AIMS), held_out=1, modes=modes, steps=10, aims=AIMS)
         ranges = dict.fromkeys(KEYS, (0.0, PRESSURE))
-        tg.reduce(arm(), ranges, budget=budget, options=OPTIONS, runs=PathRuns(folder), say=print).save(file)
+        tg.reduce(arm(), ranges, budget=budget, options=OPTIONS, runs=PathRuns(folder, processes), say=print).save(file)
     return Reduced.load(file)
 
 

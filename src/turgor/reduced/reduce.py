@@ -46,6 +46,8 @@ class Budget:
         Displacement modes at most.
     steps : int
         Steps of a path at least.
+    aims : sequence of sequences of float
+        Where further paths lead that training begins with, as shares of the ranges, such as ``(1, 0.5, 0)``.
 
     Examples
     --------
@@ -58,6 +60,7 @@ class Budget:
     held_out: int = 2
     modes: int = TRAINING.modes
     steps: int = TRAINING.steps
+    aims: Sequence[Sequence[float]] = ()
 
     def __post_init__(self) -> None:
         for name in ("paths", "modes", "steps"):
@@ -169,7 +172,7 @@ class _Training:
         check_reducible(system)
         trainer = Trainer(self.model_at, box, budget.steps, self.options)
         drive = drive_of(system, self.model_at, box)
-        paths = self._paths(trainer, corners(box)[: budget.paths])
+        paths = self._paths(trainer, [*corners(box), *aims_of(box, budget.aims)][: budget.paths])
         reduced = self._reduced(system, build(system, drive, paths, budget.modes), paths)
         while len(box.keys) > 1 and len(paths) < budget.paths:
             worst = self._worst(reduced, len(paths))
@@ -245,6 +248,16 @@ class _Training:
             counts=built.counts | {"training paths" if len(paths) > 1 else "training path": len(paths)},
             held_out=HeldOutErrors(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing),
         )  # fmt: skip
+
+
+def aims_of(box: Inputs, shares: Sequence[Sequence[float]]) -> list[Array]:
+    """Inputs at shares of the ranges."""
+    for each in shares:
+        if len(each) != len(box.keys) or not 0 <= min(each) <= max(each) <= 1:
+            raise TurgorError(
+                f"an aim of training is {tuple(each)}; {len(box.keys)} numbers from 0 to 1 are needed, one for each input."
+            )
+    return [box.low + np.asarray(each, dtype=np.float64) * (box.high - box.low) for each in shares]
 
 
 def _random(n: int, seed: int, count: int) -> Array:

@@ -6,6 +6,7 @@ from reduced_cases import KEY, PRESSURE, reduced
 
 import turgor as tg
 from refused import refused
+from turgor.reduced.reduce import aims_of
 from turgor.systems.control.least_squares import least_squares
 
 PRESSURES = np.linspace(500.0, 11e3, 12)
@@ -99,3 +100,12 @@ def test_least_squares_under_limits_is_the_best_of_all_corners():
 def test_what_makes_no_sense_is_refused(given, facts):
     with refused(*facts):
         tg.control.track(reduced(), **given)
+
+
+def test_aims_of_training_are_shares_of_the_ranges():
+    box = reduced().inputs
+    assert aims_of(box, [(0.25,)]) == [pytest.approx([0.25 * PRESSURE])]
+    with refused("(0.5, 0.5)", 1, "0 to 1"):
+        aims_of(box, [(0.5, 0.5)])
+    with refused("(1.5,)", "0 to 1"):
+        aims_of(box, [(1.5,)])
