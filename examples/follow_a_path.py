@@ -30,9 +30,7 @@ print(f"largest pressure {track.inputs.max() / kPa:.2f} kPa")
 period = 5 * ms
 times = np.arange(0.0, 2.0, period)
 wanted = most * (0.5 - 0.5 * np.cos(np.pi * times))
-controller = tg.control.Controller(
-    reduced, period=period, output=tg.control.Angle(), air=tg.control.Air(delay=10 * ms)
-)
+controller = tg.control.Controller(reduced, period=period, output=tg.control.Angle(), air=tg.control.Air(delay=10 * ms))
 real = tg.control.Plant(reduced=reduced, air=tg.control.Air(delay=10 * ms), stiffness=1.1, noise=0.02 * deg)
 run = tg.control.run_loop(controller, real, wanted[:, None])
 print(f"root mean square of the distance {run.rms() / deg:.3f}°, {run.rms() / most:.1%} of the swing")

@@ -176,7 +176,11 @@ def page(reduced: Reduced, results: list[Followed], run: tg.control.LoopRun, lim
         ("loop: root mean square of the distance, over the radius", f"{run.rms(2.0) / loop_reach:.2%}", "2 %"),
         ("loop: tick of the controller, median", f"{np.median(loop_ms):.1f} ms", "5 ms"),
         ("loop: tick, 99th percentile", f"{np.percentile(loop_ms, 99):.1f} ms", "20 ms"),
-        ("loop: delay from which it is unstable", "none up to 200 ms" if np.isinf(limit) else f"{1e3 * limit:.0f} ms", ""),
+        (
+            "loop: delay from which it is unstable",
+            "none up to 200 ms" if np.isinf(limit) else f"{1e3 * limit:.0f} ms",
+            "",
+        ),
     ]
     facts = "\n".join(f"- {name}: {value}" for name, value in machine().items())
     return HEAD + table(("quantity", "measured", "target"), rows) + "\n\n" + facts + "\n"

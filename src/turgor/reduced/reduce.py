@@ -255,7 +255,8 @@ def aims_of(box: Inputs, shares: Sequence[Sequence[float]]) -> list[Array]:
     for each in shares:
         if len(each) != len(box.keys) or not 0 <= min(each) <= max(each) <= 1:
             raise TurgorError(
-                f"an aim of training is {tuple(each)}; {len(box.keys)} numbers from 0 to 1 are needed, one for each input."
+                f"an aim of training is {tuple(each)}; {len(box.keys)} numbers from 0 to 1 are needed, one for each "
+                "input."
             )
     return [box.low + np.asarray(each, dtype=np.float64) * (box.high - box.low) for each in shares]
 

@@ -224,6 +224,9 @@ class AngleOf:
         Trained coordinates, along which the angle is continued past half a turn.
     inputs : (t, 1 + n) array
         Their inputs.
+    names : tuple of str
+    unit : str
+    size : float [rad]
     """
 
     forms: Array
