@@ -74,6 +74,7 @@ if TYPE_CHECKING:
     from turgor.namespaces import bodies as bodies
     from turgor.namespaces import cad as cad
     from turgor.namespaces import commands as commands
+    from turgor.namespaces import control as control
     from turgor.namespaces import experiments as experiments
     from turgor.namespaces import files as files
     from turgor.namespaces import jobs as jobs

@@ -53,6 +53,8 @@ class Budget:
         input a path passes all values, and one is enough.
     motion : bool
         Whether there are modes for motion with inertia, too; every material needs a density.
+    aims : sequence of sequences of float
+        Where further paths lead that training begins with, as shares of the ranges, such as ``(1, 0.5, 0)``.
 
     Examples
     --------
@@ -67,6 +69,7 @@ class Budget:
     steps: int = TRAINING.steps
     checks: int = 3
     motion: bool = False
+    aims: Sequence[Sequence[float]] = ()
 
     def __post_init__(self) -> None:
         for name in ("paths", "modes", "steps", "checks"):
@@ -183,7 +186,7 @@ class Training:
         check_reducible(system)
         trainer = Trainer(self.model_at, box, budget.steps, self.options, budget.motion)
         drive = drive_of(system, self.model_at, box)
-        paths = self._paths(trainer, corners(box)[: budget.paths])
+        paths = self._paths(trainer, [*corners(box), *aims_of(box, budget.aims)][: budget.paths])
         count = min(TRAINING.modes, budget.modes)
         reduced = self.reduced(system, build(system, drive, paths, count), paths)
         good, needed = 0, 1 if _one_path(box) else budget.checks
@@ -271,6 +274,17 @@ class Training:
                                    force=nothing),
         )  # fmt: skip
         return replace(reduced, known=known_errors(reduced, paths))
+
+
+def aims_of(box: Inputs, shares: Sequence[Sequence[float]]) -> list[Array]:
+    """Inputs at shares of the ranges."""
+    for each in shares:
+        if len(each) != len(box.keys) or not 0 <= min(each) <= max(each) <= 1:
+            raise TurgorError(
+                f"an aim of training is {tuple(each)}; {len(box.keys)} numbers from 0 to 1 are needed, one for each "
+                "input."
+            )
+    return [box.low + np.asarray(each, dtype=np.float64) * (box.high - box.low) for each in shares]
 
 
 def _random(n: int, seed: int, count: int) -> Array:

@@ -36,7 +36,8 @@ COMMANDS: Mapping[str, str] = {
     "modes": "frequencies.modes_command",
     "convergence": "convergence.convergence_command",
     "section": "analyses.section.section_command",
-    "air": "analyses.air.air_command",
+    "air": "systems.air.air_command",
+    "track": "systems.track.track_command",
 }
 
 

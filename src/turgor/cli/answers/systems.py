@@ -1,0 +1,48 @@
+"""Results of commands on actuators with what drives them, for programs."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from turgor.systems.control.track import Track
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TrackResult:
+    """``turgor track``: inputs that follow a path, in SI units.
+
+    Parameters
+    ----------
+    time : list of float
+    inputs : table
+        Values of each input, by its key.
+    reached : table
+        Each output, by its name.
+    distance : list of float
+        Distance between the wanted and the reached output.
+    active : list of lists of str
+        Limits that each row has reached.
+    folder : str
+    """
+
+    time: Sequence[float]
+    inputs: Mapping[str, Sequence[float]]
+    reached: Mapping[str, Sequence[float]]
+    distance: Sequence[float]
+    active: Sequence[Sequence[str]]
+    folder: Path
+
+
+def track_result(result: "Track", folder: Path) -> TrackResult:
+    """Make the result of a path."""
+    keys = result.states[0].reduced.inputs.keys
+    return TrackResult(
+        time=result.times.tolist(),
+        inputs=dict(zip(keys, result.inputs.T.tolist(), strict=True)),
+        reached=dict(zip(result.output.names, result.reached.T.tolist(), strict=True)),
+        distance=result.distance.tolist(),
+        active=[list(names) for names in result.active],
+        folder=folder,
+    )

@@ -1,0 +1,1 @@
+"""Commands on actuators with what drives them."""

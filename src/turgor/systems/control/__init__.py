@@ -1,0 +1,1 @@
+"""Control: pressures that make an actuator follow a wanted motion."""

@@ -1,0 +1,76 @@
+"""Files of a path: times and wanted outputs, a row for each time."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.results.files.response_csv import read_response
+from turgor.foundation.errors import TurgorError, unknown
+from turgor.systems.control.outputs import Angle, Output, Tip
+
+Array = NDArray[np.float64]
+
+#: Column of the times.
+TIME = "time"
+
+#: Columns of outputs, and the unit of each in SI.
+COLUMNS = {"tip_x": "m", "tip_y": "m", "tip_z": "m", "bending_angle": "rad"}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class WantedPath:
+    """A path that a file states.
+
+    Parameters
+    ----------
+    output : Output
+        What follows it, by the names of the columns.
+    rows : (k, m) array [SI]
+    times : (k,) array [s] or None
+    """
+
+    output: Output
+    rows: Array
+    times: Array | None
+
+
+def read_path(file: str | Path) -> WantedPath:
+    """Read a path from CSV: ``time_s``, and ``tip_x_mm``, ``tip_y_mm``, ``tip_z_mm`` or ``bending_angle_deg``.
+
+    Columns of the tip that are missing do not count. The time is needed for limits of rates only.
+
+    Parameters
+    ----------
+    file : str or Path
+
+    Returns
+    -------
+    WantedPath
+
+    Raises
+    ------
+    TurgorError
+        If a column is unknown, has no unit or one of something else, or none is there that could be followed.
+    """
+    table = read_response(file)
+    for column in table.columns:
+        if column.name not in (TIME, *COLUMNS):
+            raise unknown(f"column of '{file}'", column.name, (TIME, *COLUMNS))
+        needed = "s" if column.name == TIME else COLUMNS[column.name]
+        if column.si_unit != needed:
+            example = {"s": "s", "m": "mm", "rad": "deg"}[needed]
+            given = f"is in {column.unit}" if column.unit else "has no unit"
+            raise TurgorError(f"'{file}': the column '{column.name}' {given}; write {column.name}_{example}.")
+    axes = "".join(axis for axis in "xyz" if f"tip_{axis}" in table.names)
+    bends = "bending_angle" in table.names
+    if bool(axes) == bends:
+        raise TurgorError(
+            f"'{file}' has the columns {', '.join(table.names)}; needed are some of tip_x, tip_y and tip_z, or "
+            "bending_angle alone, and time."
+        )
+    names = ["bending_angle"] if bends else [f"tip_{axis}" for axis in axes]
+    rows = np.column_stack([table[name] for name in names])
+    output: Output = Angle() if bends else Tip(axes)
+    return WantedPath(output, rows, table[TIME] if TIME in table.names else None)

@@ -1,0 +1,39 @@
+"""Settings of control: every number that was chosen, with its reason."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class ControlSettings:
+    """Settings of the search for pressures.
+
+    Parameters
+    ----------
+    smoothness : float
+        Weight μ of the change of the inputs since the last row, inputs over their ranges and outputs over their size.
+        It decides where several inputs give one output. A row that the inputs can reach is missed by about this share
+        of the change.
+    iterations : int
+        Gauss–Newton updates of a row at most.
+    tolerance : float
+        Update of the inputs over their ranges, below which a row counts as solved.
+    longest : float
+        Longest update of an input over its range. A row of a path is nearer than that; the first row may be far.
+    shortest : float
+        An update that is shortened below this ends the row: nothing nearby is closer to the target.
+    near : float
+        An input counts as at its limit within this share of its range: a few times the tolerance.
+    infeasible : float
+        Residual of the least distance problem below which no point fulfills all limits.
+    """
+
+    smoothness: float = 1e-7
+    iterations: int = 25
+    tolerance: float = 1e-6
+    longest: float = 0.25
+    shortest: float = 1e-4
+    near: float = 1e-5
+    infeasible: float = 1e-12
+
+
+CONTROL = ControlSettings()
