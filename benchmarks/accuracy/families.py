@@ -82,7 +82,7 @@ def meshed(job: Job, spec: dict[str, Any]) -> tg.Mesh:
         fine = Fineness(size=spec["size"] * mm, edge=spec["edge"] * mm, along=along)
         if spec.get("cells") == "axisymmetric" and geometry._sweep is not None:
             return axisymmetric_mesh(geometry, replace(fine, corners=geometry._sweep.hinges))
-        return swept_mesh(geometry, fine)
+        return replace(swept_mesh(geometry, fine), serendipity=False)
     settings = {"size": spec["size"] * mm, "cells": spec["cells"]} if spec else {}
     return mesh_with(geometry, MeshSettings(**settings))
 

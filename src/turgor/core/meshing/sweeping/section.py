@@ -41,6 +41,8 @@ class Fineness:
     edge : float or None [m]
         Length of the cells next to a feature line within, from which they grow to the size; None makes one cell of a
         third of the size there. Stresses have no bound along sharp edges; reference values need short cells there.
+    even : bool
+        Whether cells next to feature lines are as long as others where no `edge` is stated.
     quarter_cells : int or None
         Cells around a quarter of a turn, even; None takes as many as size and curvature require.
     along : float or None [m]
@@ -54,6 +56,7 @@ class Fineness:
     curvature: float = 2.0
     grading: float = 0.5
     edge: float | None = None
+    even: bool = False
     quarter_cells: int | None = None
     along: float | None = None
     corners: tuple[Point, ...] = ()
@@ -203,7 +206,7 @@ def _short_cells(room: float, lines: int, fine: Fineness) -> list[float]:
     """Lengths of the short cells next to a feature line, of which there are one or two with so much room each."""
     short = SIZING.short * fine.size
     if fine.edge is None:
-        return [short] if room * lines > (1 + lines) * short * (1 + 1e-6) else []
+        return [short] if not fine.even and room * lines > (1 + lines) * short * (1 + 1e-6) else []
     lengths: list[float] = []
     short = fine.edge
     while short < fine.size and sum(lengths) + short * (1 + 1 / lines) <= room * (1 + 1e-6):

@@ -27,8 +27,9 @@ KINDS = ("tetrahedra", "hexahedra", "axisymmetric")
 def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """Generate hexahedra that fill a geometry which is a swept section, and carry its names.
 
-    All nodes lie on the true shape, but middles of sides and cells follow the others where a mesh is large. Where the
-    section is a grid or rings, walls get one cell unless more are requested; sections of other outlines get two.
+    All nodes lie on the true shape. A large mesh has no short cells next to feature lines, unless their length is
+    stated, and its middles of sides and cells follow the other nodes. Where the section is a grid or rings, walls get
+    one cell unless more are requested; sections of other outlines get two.
 
     Parameters
     ----------
@@ -53,21 +54,24 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     >>> len(made.cells), made.cell_type.name, sorted(made.faces)[0]
     (373, '27-node hexahedron', 'cavity')
     """
-    sweep = _sweep_of(geometry)
     fine = short_at_edges(geometry, fine)
+    mesh = _all_nodes(geometry, fine)
+    if mesh.unknown_count <= SIZING.free_middles:
+        return mesh
+    return replace(_all_nodes(geometry, replace(fine, even=True)), serendipity=True)
+
+
+def _all_nodes(geometry: Geometry, fine: Fineness) -> Mesh:
+    """A mesh whose nodes all have unknowns of their own."""
+    sweep = _sweep_of(geometry)
     section = section_of(sweep, sweep.outlines, fine)
     if not reaches_axis(sweep, section):
-        return _few_unknowns(assemble(fill(sweep, section, fine), geometry, sweep))
+        return assemble(fill(sweep, section, fine), geometry, sweep)
     radius = core_radius(sweep)
     section = without_core(section_of(sweep, (*sweep.outlines, core_outline(sweep)), fine), radius)
     quarters = round((sweep.layers[-1].end - sweep.layers[0].start) / QUARTER)
     filling = with_core(fill(sweep, section, fine, multiple=2 * quarters), sweep, section, radius, fine)
-    return _few_unknowns(assemble(filling, geometry, sweep))
-
-
-def _few_unknowns(mesh: Mesh) -> Mesh:
-    """Let the middles of sides and cells follow the other nodes where a mesh is large."""
-    return replace(mesh, serendipity=mesh.unknown_count > SIZING.free_middles)
+    return assemble(filling, geometry, sweep)
 
 
 def short_at_edges(geometry: Geometry, fine: Fineness) -> Fineness:
