@@ -24,7 +24,7 @@ from turgor.units import kPa, mm
 JOB, PAGE = Path(__file__).parents[2] / "examples" / "fast_pneunet.toml", Path(__file__).with_suffix(".md")
 OPTIONS = tg.EngineOptions(threads=1)
 VALVE = tg.air.Restriction(conductance=0.3e-8, critical_ratio=0.3)
-TUBE = tg.air.Tube(diameter=2 * mm, length=1.0)
+TUBE = tg.air.Tubing(diameter=2 * mm, length=1.0)
 HEAD = """# Networks of air
 
 Written by `python benchmarks/systems/air.py` in one run with one thread; seconds are processor time. The valve has
@@ -43,11 +43,11 @@ def model_of(family: str, pressure: float, size: str, **actuator: object) -> Mod
     return prepare(read_job(JOB, changes), lambda text: None)[0]
 
 
-def curve_of(model: Model, steps: int = 10) -> tuple[tg.air.Curve, tg.Response | tg.air.Curve]:
+def curve_of(model: Model, steps: int = 10) -> tuple[tg.air.VolumeCurve, tg.Response | tg.air.VolumeCurve]:
     """Pressure–volume curve and response of a static path."""
     solution = tg.solve(model, tg.Static(max_step=1 / steps), options=OPTIONS, progress=False)
     response = tg.measure(solution, tg.bending_angle, tg.cavity_volume, mesh_error=False)
-    return tg.air.Curve.of_response(response), response
+    return tg.air.VolumeCurve.of_response(response), response
 
 
 def seconds(work: object, repeats: int = 3) -> float:
@@ -60,7 +60,7 @@ def seconds(work: object, repeats: int = 3) -> float:
     return min(times)
 
 
-def six(volume: tg.air.Curve) -> tg.air.Network:
+def six(volume: tg.air.VolumeCurve) -> tg.air.Network:
     """Six chambers, each with a valve with delays and a tube, filled, closed and vented one after the other."""
     nodes: dict = {"supply": tg.air.Supply(28 * kPa)}
     parts: dict = {}
@@ -73,7 +73,7 @@ def six(volume: tg.air.Curve) -> tg.air.Network:
     return tg.air.Network(nodes=nodes, parts=parts)
 
 
-def speed(curve: tg.air.Curve) -> list[tuple[str, str, str]]:
+def speed(curve: tg.air.VolumeCurve) -> list[tuple[str, str, str]]:
     """A second of six chambers."""
     network = six(curve)
     exact = tg.air.simulate(network, 1.0, tolerance=1e-11)
@@ -105,7 +105,7 @@ def reduced_rows() -> list[tuple[str, str, str]]:
     two = tg.reduce(bender, ranges, budget=tg.real_time.Budget(held_out=1, paths=4, steps=5), options=OPTIONS)
 
     def single() -> None:
-        tg.air.simulate(tg.air.driven(tg.air.Curve.of_reduced(one), 12 * kPa, VALVE, TUBE), 1.0)
+        tg.air.simulate(tg.air.driven(tg.air.VolumeCurve.of_reduced(one), 12 * kPa, VALVE, TUBE), 1.0)
 
     def coupled() -> None:
         sampled = tg.air.Coupled.of_reduced(two)
@@ -120,7 +120,7 @@ def reduced_rows() -> list[tuple[str, str, str]]:
     ]
 
 
-def moving(curve: tg.air.Curve, pressure: float, conductance: float) -> list[tuple[str, str, str]]:
+def moving(curve: tg.air.VolumeCurve, pressure: float, conductance: float) -> list[tuple[str, str, str]]:
     """Volume and mass of moving finite elements under the pressures of the network, against the network's own."""
     valve = tg.air.Restriction(conductance=conductance)
     network = tg.air.driven(curve, 2 * pressure, valve, TUBE)
@@ -177,7 +177,7 @@ def pneunets(angle: float) -> str:
         (level, TUBE),
         (200 * kPa, TUBE),
         (345 * kPa, TUBE),
-        (200 * kPa, tg.air.Tube(diameter=4 * mm, length=1.0)),
+        (200 * kPa, tg.air.Tubing(diameter=4 * mm, length=1.0)),
     ):
         results = {}
         for name, (curve, _) in solved.items():

@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from turgor.systems.air.parts.passages import Leakage as Leakage
     from turgor.systems.air.parts.passages import Orifice as Orifice
     from turgor.systems.air.parts.passages import Restriction as Restriction
-    from turgor.systems.air.parts.passages import Tube as Tube
     from turgor.systems.air.parts.pumps import FlowSource as FlowSource
     from turgor.systems.air.parts.pumps import Pump as Pump
     from turgor.systems.air.parts.regulator import Regulator as Regulator
@@ -46,7 +45,7 @@ if TYPE_CHECKING:
     from turgor.systems.air.signals import Sine as Sine
     from turgor.systems.air.simulate import simulate as simulate
     from turgor.systems.air.volumes.coupled import Coupled as Coupled
-    from turgor.systems.air.volumes.curve import Curve as Curve
+    from turgor.systems.air.volumes.curve import VolumeCurve as VolumeCurve
     from turgor.systems.air.volumes.rigid import Rigid as Rigid
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -6,13 +6,11 @@ from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import qmc
 
 from turgor.accuracy.gradients.model_keys import model_variation
 from turgor.core.engine.faces import surfaces
 from turgor.core.engine.runtime import EngineOptions, use_threads
 from turgor.core.engine.system import System
-from turgor.core.model.history import RAMP
 from turgor.core.model.model import Model
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.foundation.errors import NotSolved, TurgorError
@@ -21,9 +19,9 @@ from turgor.reduced.states.held_out import HeldOutErrors
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import check_reducible, drive_of
+from turgor.reduced.training.box import aims_of, corners, inputs_of, one_path, random_shares, with_all_cavities
 from turgor.reduced.training.build import Built, build
 from turgor.reduced.training.compare import aim_of, compared, known_errors
-from turgor.reduced.training.components import components_of
 from turgor.reduced.training.masses import masses_of
 from turgor.reduced.training.modes import Modes
 from turgor.reduced.training.path_runs import PathRuns
@@ -122,6 +120,7 @@ def reduce(
     """
     began, budget, options = perf_counter(), budget or Budget(), options or EngineOptions()
     box = inputs_of(model, inputs)
+    model = with_all_cavities(model, box)
     variation = model_variation(model, list(box.keys), inputs=True)
     with use_threads(options.threads):
         training = Training(model, variation.model, box, budget, options, runs, say or _silent)
@@ -132,39 +131,6 @@ def reduce(
 
 def _silent(text: str) -> None:
     pass
-
-
-def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs:
-    """Check the ranges of the inputs of a model.
-
-    Parameters
-    ----------
-    model : Model
-    ranges : mapping of str to (float, float)
-
-    Returns
-    -------
-    Inputs
-    """
-    if not ranges:
-        raise TurgorError("a reduced model needs an input, such as 'loads.pressure' with its range.")
-    ranges = {single: limits for key, limits in ranges.items() for single in components_of(model, key)}
-    variation = model_variation(model, list(ranges), inputs=True)
-    for key in ranges:
-        if not key.startswith(("loads.", "obstacles.")):
-            raise TurgorError(
-                f"the input '{key}' is no load; inputs of a reduced model are loads, such as 'loads.pressure', and "
-                "places of obstacles."
-            )
-    for load in model.loads:
-        if load.history != RAMP:
-            raise TurgorError(f"reduced models have no histories of loads; {load.label} has one.")
-    low, high = np.array(list(ranges.values()), dtype=np.float64).T
-    box = Inputs(tuple(ranges), low, high, tuple(variation.units.get(key, "") for key in ranges))
-    for place in np.flatnonzero(~(low < high)).tolist():
-        begin, end = box.shown(place, low[place]), box.shown(place, high[place])
-        raise TurgorError(f"the range of '{box.keys[place]}' is {begin} to {end}; its end must exceed its beginning.")
-    return box
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +155,7 @@ class Training:
         paths = self._paths(trainer, [*corners(box), *aims_of(box, budget.aims)][: budget.paths])
         count = min(TRAINING.modes, budget.modes)
         reduced = self.reduced(system, build(system, drive, paths, count), paths)
-        good, needed = 0, 1 if _one_path(box) else budget.checks
+        good, needed = 0, 1 if one_path(box) else budget.checks
         while good < needed and len(paths) < budget.paths:
             path = self._paths(trainer, [self._worst(reduced, paths)])[0]
             errors = compared(reduced, path, reached_only=False)
@@ -222,7 +188,7 @@ class Training:
 
         Inputs near those that the full model did not reach are left out.
         """
-        shares = _random(len(self.box.keys), len(paths), TRAINING.candidates)
+        shares = random_shares(len(self.box.keys), len(paths), TRAINING.candidates)
         for path in paths:
             if not path.reached:
                 away = np.linalg.norm(shares - self.box.scaled(aim_of(reduced.inputs, path)[1:]), axis=1)
@@ -240,8 +206,8 @@ class Training:
 
     def _looked_at(self, reduced: Reduced, trainer: Trainer, trained: Sequence[Path]) -> Reduced:
         """Compare with full solves that training never saw."""
-        shares = _random(len(self.box.keys), 2**20, self.budget.held_out)
-        if _one_path(self.box):
+        shares = random_shares(len(self.box.keys), 2**20, self.budget.held_out)
+        if one_path(self.box):
             shares = 0.9 + 0.1 * shares
         if not len(shares):
             return reduced
@@ -276,41 +242,8 @@ class Training:
         return replace(reduced, known=known_errors(reduced, paths))
 
 
-def aims_of(box: Inputs, shares: Sequence[Sequence[float]]) -> list[Array]:
-    """Inputs at shares of the ranges."""
-    for each in shares:
-        if len(each) != len(box.keys) or not 0 <= min(each) <= max(each) <= 1:
-            raise TurgorError(
-                f"an aim of training is {tuple(each)}; {len(box.keys)} numbers from 0 to 1 are needed, one for each "
-                "input."
-            )
-    return [box.low + np.asarray(each, dtype=np.float64) * (box.high - box.low) for each in shares]
-
-
-def _random(n: int, seed: int, count: int) -> Array:
-    """Shares (count, n) of ranges that cover the box evenly."""
-    power = int(np.ceil(np.log2(max(count, 1))))
-    return np.asarray(qmc.Sobol(n, seed=seed).random_base2(power))[:count]
-
-
 def _small(modes: Modes) -> NDArray[np.float32]:
     return modes.vectors.astype(np.float32)
-
-
-def corners(box: Inputs) -> list[Array]:
-    """Corners of the box of inputs but the one at rest, the one with the largest values first."""
-    n = len(box.keys)
-    shares = np.array(np.meshgrid(*[[1.0, 0.0]] * n, indexing="ij")).reshape(n, -1).T if n <= 3 else None
-    if shares is None:
-        shares = np.vstack([np.ones(n), _random(n, 0, 2 * n)])
-    values = box.low + shares * (box.high - box.low)
-    loads = ~box.places
-    return [value for value in values if not loads.any() or np.abs(value[loads]).max() > 0]
-
-
-def _one_path(box: Inputs) -> bool:
-    """Whether one path passes all inputs: those of one load."""
-    return len(box.keys) == 1 and not box.places.any()
 
 
 def _forces_text(errors: HeldOutErrors) -> str:

@@ -6,10 +6,10 @@ from reduced_cases import PRESSURE, built, drive, finger, path, system
 
 from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.reduced.parts.touching import Touching
-from turgor.reduced.reduce import corners, inputs_of
 from turgor.reduced.states.newton import Balance, follow, newton
 from turgor.reduced.states.spline import Spline
 from turgor.reduced.training.assembly import assemble
+from turgor.reduced.training.box import corners, inputs_of
 from turgor.reduced.training.build import bases
 from turgor.reduced.training.sampling import choose
 

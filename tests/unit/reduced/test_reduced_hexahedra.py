@@ -11,9 +11,10 @@ from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
-from turgor.reduced.reduce import Budget, inputs_of, reduce
+from turgor.reduced.reduce import Budget, reduce
 from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import assemble, drive_of
+from turgor.reduced.training.box import inputs_of
 from turgor.reduced.training.build import bases
 from turgor.reduced.training.trainer import Trainer
 from turgor.units import MPa, kPa, mm

@@ -15,9 +15,10 @@ from turgor.core.meshing.sweeping.swept import swept_mesh
 from turgor.core.model.obstacles import Box, Obstacle, Plane, RigidSurface, Sphere
 from turgor.core.results.measures.contact_measures import force_on
 from turgor.reduced.path import solution_of
-from turgor.reduced.reduce import Budget, corners, inputs_of, reduce
+from turgor.reduced.reduce import Budget, reduce
 from turgor.reduced.states.newton import Balance, newton
 from turgor.reduced.states.reduced import Reduced
+from turgor.reduced.training.box import corners, inputs_of
 from turgor.reduced.training.near import contact_parts, near_points
 from turgor.reduced.training.places import Place
 from turgor.units import MPa, kPa, mm

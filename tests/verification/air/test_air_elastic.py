@@ -40,7 +40,7 @@ REST = 4 / 3 * np.pi * INNER**3
 
 def sphere(mu=MU):
     volumes = np.linspace(0.9, 12.0, 1200) * REST
-    return tg.air.Curve(pressure_of(volumes, mu)[0], volumes)
+    return tg.air.VolumeCurve(pressure_of(volumes, mu)[0], volumes)
 
 
 def plunger(fluid, empties=15 * mL):
@@ -86,7 +86,7 @@ def test_syringe_of_water(record_verification):
 
 def test_two_spheres_fill_in_sequence(record_verification):
     """The second sphere is softer, yet the first one balloons, for the tube lets little through."""
-    tube, flow = tg.air.Tube(diameter=0.3 * mm, length=0.5), 20 * mL
+    tube, flow = tg.air.Tubing(diameter=0.3 * mm, length=0.5), 20 * mL
     network = tg.air.Network(
         nodes={"first": tg.air.Chamber(sphere()), "second": tg.air.Chamber(sphere(0.7 * MU))},
         parts={
@@ -128,7 +128,7 @@ def elements():
     at = tuple(np.linspace(1 / 24, 1.0, 24))
     options = tg.EngineOptions(threads=1)
     path = tg.solve(model, tg.Static(first_step=1 / 24, at=at), options=options, progress=False)
-    return replace(model, loads=()), tg.air.Curve.of_response(tg.measure(path, tg.cavity_volume)), options
+    return replace(model, loads=()), tg.air.VolumeCurve.of_response(tg.measure(path, tg.cavity_volume)), options
 
 
 def test_steady_state_is_that_of_finite_elements(record_verification, elements):

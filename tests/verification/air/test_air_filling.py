@@ -89,19 +89,19 @@ def test_laminar_tube(record_verification):
     exact = np.pi * d**4 * (high**2 - low**2) / (256 * mu * length * R * T)
     network = tg.air.Network(
         nodes={"supply": tg.air.Supply(high - AMBIENT), "tank": tg.air.Chamber(1e-3)},
-        parts={"tube": tg.air.Connection("supply", "tank", tg.air.Tube(diameter=d, length=length))},
+        parts={"tube": tg.air.Connection("supply", "tank", tg.air.Tubing(diameter=d, length=length))},
     )
     flow = tg.air.simulate(network, 1.0).flow("tube")[0]
     record_verification("laminar tube: mass flow [kg/s]", "exact", exact, flow, "1e-6")
     assert flow == pytest.approx(exact, rel=1e-6)
-    water = tg.air.Tube(diameter=d, length=length).law(tg.air.WATER)(high, low, T)
+    water = tg.air.Tubing(diameter=d, length=length).law(tg.air.WATER)(high, low, T)
     density = tg.air.WATER.density((high + low) / 2, T)
     assert water == pytest.approx(density * np.pi * d**4 * (high - low) / (128 * 1.002e-3 * length), rel=1e-9)
 
 
 def test_turbulent_tube():
     """Blasius' friction: the pressure that it takes belongs to the flow."""
-    tube = tg.air.Tube(diameter=4 * mm, length=5.0)
+    tube = tg.air.Tubing(diameter=4 * mm, length=5.0)
     high, low = 150e3, 130e3
     flow = tube.law(tg.air.WATER)(high, low, T)
     density = tg.air.WATER.density((high + low) / 2, T)

@@ -86,7 +86,7 @@ def _ranges(texts: Sequence[str], model: "Model") -> dict[str, tuple[float, floa
     """Read what ``--along`` states, such as ``loads.pressure=0..20 kPa``; the first may have the other's unit."""
     from turgor.accuracy.gradients.model_keys import model_variation
     from turgor.foundation.errors import TurgorError
-    from turgor.reduced.training.components import components_of
+    from turgor.reduced.training.box import components_of
     from turgor.units import split_quantity
 
     ranges = {}

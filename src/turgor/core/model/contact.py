@@ -1,7 +1,8 @@
 """Contact: self-contact of the actuator, and contact with rigid obstacles."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, replace
 
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.self_contact import may_meet
@@ -69,6 +70,13 @@ class Contact:
         """Return a contact with other obstacles and the rest as it was."""
         with_itself = None if self.automatic else self.self_contact or False
         return Contact(with_itself, obstacles, self.tolerance)
+
+    def with_cavities(self, cavities: tuple[str, ...]) -> "Contact":
+        """Return a contact in which the walls of stated cavities may touch within, and the rest as it was."""
+        changed = copy(self)
+        own = None if self.self_contact is None else replace(self.self_contact, cavities=cavities)
+        object.__setattr__(changed, "self_contact", own)
+        return changed
 
     def for_mesh(self, mesh: Mesh) -> SelfContact | None:
         """Return the self-contact of a mesh; None where there is none."""

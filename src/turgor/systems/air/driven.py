@@ -5,7 +5,7 @@ from turgor.systems.air.network import AMBIENT, Network
 from turgor.systems.air.nodes import Chamber, Node, Supply, Volume, junction
 from turgor.systems.air.parts.connection import Connection
 from turgor.systems.air.parts.part import Part
-from turgor.systems.air.parts.passages import Passage, Tube
+from turgor.systems.air.parts.passages import Passage, Tubing
 from turgor.systems.air.parts.valves import ThreeWayValve
 
 #: Names of the nodes and parts of `driven`.
@@ -16,7 +16,7 @@ def driven(
     volume: Volume,
     supply: float,
     valve: Passage,
-    tube: Tube | None = None,
+    tube: Tubing | None = None,
     *,
     fluid: Fluid = AIR,
     process: str | float = "isothermal",
@@ -27,12 +27,12 @@ def driven(
 
     Parameters
     ----------
-    volume : float [m³], tg.air.Curve or Rigid
+    volume : float [m³], tg.air.VolumeCurve or Rigid
         The chamber.
     supply : float [Pa], gauge
     valve : Restriction or Orifice
         Each way of the valve, when it is open.
-    tube : tg.air.Tube, optional
+    tube : tg.air.Tubing, optional
         From the valve to the actuator.
     fluid : Gas or Liquid
     process : str or float
@@ -45,7 +45,7 @@ def driven(
     Examples
     --------
     >>> from turgor.systems.air.parts.passages import Restriction
-    >>> driven(18e-6, 200e3, Restriction(conductance=1e-9), Tube(diameter=2e-3, length=1.0))
+    >>> driven(18e-6, 200e3, Restriction(conductance=1e-9), Tubing(diameter=2e-3, length=1.0))
     Network(supply, outlet, actuator, ambient; valve, tube; air)
     """
     nodes: dict[str, Node] = {SUPPLY: Supply(supply)}

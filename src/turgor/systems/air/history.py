@@ -12,7 +12,7 @@ from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.systems.air.equations import Equations
 from turgor.systems.air.nodes import Chamber
-from turgor.systems.air.volumes.curve import Curve
+from turgor.systems.air.volumes.curve import VolumeCurve
 
 Array = NDArray[np.float64]
 
@@ -88,14 +88,14 @@ class History(Shown):
     def measure(self, node: str, name: str) -> Array:
         """Measure (n,) of an actuator, such as its ``bending_angle``, from the response that is its table."""
         law = getattr(self.equations.network.all_nodes[self.equations.names[self._node(node)]], "volume", None)
-        if not isinstance(law, Curve):
-            raise TurgorError(f"node '{node}' has no table of measures; a `Curve.of_response` is needed.")
+        if not isinstance(law, VolumeCurve):
+            raise TurgorError(f"node '{node}' has no table of measures; a `VolumeCurve.of_response` is needed.")
         return law.measure(name, self.volume(node))
 
     def _shapes(self, node: str) -> list[Column]:
         """Columns of the shape of an actuator."""
         law = getattr(self.equations.network.all_nodes[node], "volume", None)
-        table = law.table if isinstance(law, Curve) else None
+        table = law.table if isinstance(law, VolumeCurve) else None
         if table is None:
             return []
         columns = [table.find(name) for name in SHAPES if name in table]

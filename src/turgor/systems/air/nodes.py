@@ -55,7 +55,7 @@ class Chamber:
 
     Parameters
     ----------
-    volume : float [m³], tg.air.Curve, Rigid, CoupledChamber or None
+    volume : float [m³], tg.air.VolumeCurve, Rigid, CoupledChamber or None
         A number is a rigid vessel. A junction of tubes has None: its volume is half of that of each tube.
     pressure : float [Pa], gauge
         At the start.

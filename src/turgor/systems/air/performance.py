@@ -141,8 +141,8 @@ def performance(
     Examples
     --------
     >>> from turgor.systems.air.driven import driven
-    >>> from turgor.systems.air.parts.passages import Restriction, Tube
-    >>> network = driven(18e-6, 200e3, Restriction(conductance=1e-8), Tube(diameter=1e-3, length=1.0))
+    >>> from turgor.systems.air.parts.passages import Restriction, Tubing
+    >>> network = driven(18e-6, 200e3, Restriction(conductance=1e-8), Tubing(diameter=1e-3, length=1.0))
     >>> performance(network, 50e3).limiting.part
     'tube'
     """

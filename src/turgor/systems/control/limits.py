@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.inputs import Inputs
-from turgor.reduced.states.reduced import Reduced, ReducedState
+from turgor.reduced.states.reduced import Reduced
 
 Array = NDArray[np.float64]
 

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.errors import NotSolved
-from turgor.reduced.states.reduced import Reduced, ReducedState
+from turgor.reduced.states.answer import ReducedState
+from turgor.reduced.states.reduced import Reduced
 from turgor.systems.control.least_squares import least_squares
 from turgor.systems.control.limits import LimitsOf
 from turgor.systems.control.outputs import OutputOf

@@ -11,7 +11,8 @@ from turgor.foundation.display import Shown
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import COLUMN_UNITS, Column, Response
 from turgor.foundation.source import Source
-from turgor.reduced.states.reduced import Reduced, ReducedState
+from turgor.reduced.states.answer import ReducedState
+from turgor.reduced.states.reduced import Reduced
 from turgor.systems.control.limits import Limits
 from turgor.systems.control.outputs import Output, OutputOf, Tip
 from turgor.systems.control.search import Request, Search

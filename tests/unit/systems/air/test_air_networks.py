@@ -38,11 +38,11 @@ def network(nodes=None, parts=None, **more):
         (lambda: tg.air.Chamber(-1e-6), ("volume", "-1e-06")),
         (lambda: tg.air.Chamber(1e-6, process="isotherml"), ("isotherml", "'isothermal'")),
         (lambda: tg.air.Chamber(1e-6, process=3.0), ("process", "3")),
-        (lambda: tg.air.Tube(diameter=0.0, length=1.0), ("diameter", "0")),
+        (lambda: tg.air.Tubing(diameter=0.0, length=1.0), ("diameter", "0")),
         (lambda: tg.air.Restriction(conductance=1e-9, critical_ratio=1.2), ("critical_ratio", "1.2")),
         (lambda: tg.air.Signal((0.0, 0.0), (1.0, 2.0)), ("0",)),
         (lambda: tg.air.Pwm(10.0, 1.5), ("duty", "1.5")),
-        (lambda: tg.air.Curve([0.0, 1.0], [2.0, 1.0]), ("volumes",)),
+        (lambda: tg.air.VolumeCurve([0.0, 1.0], [2.0, 1.0]), ("volumes",)),
     ],
 )
 def test_bad_networks_get_a_sentence(make, facts):
@@ -52,13 +52,13 @@ def test_bad_networks_get_a_sentence(make, facts):
 
 def test_a_chamber_that_would_snap_is_refused():
     """The pressure falls so fast that less gas is in the larger chamber."""
-    curve = tg.air.Curve([0.0, 80e3, 5e3, 90e3], np.array([10.0, 11.0, 12.0, 14.0]) * mL)
+    curve = tg.air.VolumeCurve([0.0, 80e3, 5e3, 90e3], np.array([10.0, 11.0, 12.0, 14.0]) * mL)
     with refused("tank", "snap", "mL"):
         tg.air.simulate(network({"supply": SUPPLY, "tank": tg.air.Chamber(curve)}), 1.0)
 
 
 def test_leaving_a_table_is_an_error():
-    curve = tg.air.Curve(np.linspace(0.0, 30e3, 5), np.linspace(10.0, 12.0, 5) * mL)
+    curve = tg.air.VolumeCurve(np.linspace(0.0, 30e3, 5), np.linspace(10.0, 12.0, 5) * mL)
     with refused("tank", "0 to 30 kPa", error=tg.TurgorError):
         tg.air.simulate(network({"supply": SUPPLY, "tank": tg.air.Chamber(curve)}), 1.0)
 
@@ -90,7 +90,7 @@ def test_a_history_reads_every_quantity():
 
 
 def test_a_junction_has_half_of_its_tubes():
-    tube = tg.air.Tube(diameter=2 * mm, length=1.0)
+    tube = tg.air.Tubing(diameter=2 * mm, length=1.0)
     parts = {"way": tg.air.Connection("supply", "mid", C), "tube": tg.air.Connection("mid", "tank", tube)}
     net = network({"supply": SUPPLY, "mid": tg.air.junction(), "tank": TANK}, parts)
     assert net.dead_volumes()["mid"] == pytest.approx(tube.volume / 2)
@@ -104,9 +104,9 @@ def test_curves_come_from_many_sources():
     formula = tg.formulas.thick_sphere(
         tg.formulas.HollowSphere(inner_radius=10e-3, wall=4e-3), material, inner_stretch=np.linspace(1.0, 1.5, 30)
     )
-    curve = tg.air.Curve.of_response(formula)
+    curve = tg.air.VolumeCurve.of_response(formula)
     assert curve.volume_at(0.0) == pytest.approx(4 / 3 * np.pi * 1e-6)
-    function = tg.air.Curve.of_function(lambda p: 1e-5 * np.exp(p / 1e5), -1e4, 5e4)
+    function = tg.air.VolumeCurve.of_function(lambda p: 1e-5 * np.exp(p / 1e5), -1e4, 5e4)
     assert function.volume_at(3e4) == pytest.approx(1e-5 * np.exp(0.3), rel=1e-8)
     work = function.work(1.2e-5, 1e5) - function.work(1.1e-5, 1e5)
     v = np.linspace(1.1e-5, 1.2e-5, 2001)
@@ -134,7 +134,7 @@ def test_the_shape_follows_from_the_table():
         Column("bending_angle", "deg", np.linspace(0.0, 1.2, 6)),
         Column("cavity_volume", "mL", volumes),
     )
-    curve = tg.air.Curve.of_response(Response(columns=columns, source=Source(text="a test")))
+    curve = tg.air.VolumeCurve.of_response(Response(columns=columns, source=Source(text="a test")))
     run = tg.air.simulate(network({"supply": SUPPLY, "tank": tg.air.Chamber(curve)}), 0.5)
     assert run.measure("tank", "bending_angle")[-1] == pytest.approx(1.0, rel=1e-3)
     response = run.response()
@@ -167,7 +167,7 @@ class Stub:
 
 
 def test_reduced_models_become_tables():
-    curve = tg.air.Curve.of_reduced(Stub(["p"]))
+    curve = tg.air.VolumeCurve.of_reduced(Stub(["p"]))
     assert curve.volume_at(10e3) == pytest.approx(3e-5 + 1.9e-10 * 10e3)
     table = tg.air.Coupled.of_reduced(Stub(["a", "b"]), points=5)
     volumes, slopes = table.at(np.array([5e3, 7e3]))

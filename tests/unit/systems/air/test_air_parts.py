@@ -148,13 +148,13 @@ def test_the_jacobian_is_that_of_the_rates():
     table = tg.air.Coupled([p, p], np.stack([1e-5 + 2e-10 * first - 5e-11 * second, 1e-5 + 2e-10 * second], axis=-1))
     nodes = {
         "supply": tg.air.Supply(40e3),
-        "hot": tg.air.Chamber(tg.air.Curve([0.0, 60e3], [1e-5, 2e-5]), 5e3, process="adiabatic", heat=0.1),
+        "hot": tg.air.Chamber(tg.air.VolumeCurve([0.0, 60e3], [1e-5, 2e-5]), 5e3, process="adiabatic", heat=0.1),
         "a": tg.air.Chamber(table.chamber(0), 9e3), "b": tg.air.Chamber(table.chamber(1), 2e3, process=1.2),
     }  # fmt: skip
     parts = {
         "reg": tg.air.Regulator("supply", "hot", C, 30e3, order=2, exhaust="ambient"),
         "line": tg.air.LongLine("hot", "a", 2 * mm, 1.0, 2),
-        "tube": tg.air.Connection("a", "b", tg.air.Tube(diameter=1 * mm, length=1.0)),
+        "tube": tg.air.Connection("a", "b", tg.air.Tubing(diameter=1 * mm, length=1.0)),
     }
     equations = Equations(tg.air.Network(nodes=nodes, parts=parts), 1.0)
     y = equations.first + 1e-3 * equations.scales * np.linspace(-1.0, 1.0, equations.size)

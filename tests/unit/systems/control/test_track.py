@@ -6,7 +6,7 @@ from reduced_cases import KEY, PRESSURE, reduced
 
 import turgor as tg
 from refused import refused
-from turgor.reduced.reduce import aims_of
+from turgor.reduced.training.box import aims_of
 from turgor.systems.control.least_squares import least_squares
 
 PRESSURES = np.linspace(500.0, 11e3, 12)

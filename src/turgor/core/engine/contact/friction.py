@@ -7,13 +7,16 @@ unsymmetric part, which `by_limit` gives and `turgor.core.engine.algebra.tangent
 """
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.contact.settings import FRICTION
-from turgor.core.engine.contact.surface import Surface
 from turgor.foundation.display import brief
+
+if TYPE_CHECKING:
+    from turgor.core.engine.contact.surface import Surface
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -67,7 +70,7 @@ def with_constant_limits(friction: Friction) -> Friction:
     return tuple(None if each is None else replace(each, constant_limits=True) for each in friction)
 
 
-def elastic_slip(surface: Surface, points: Ints, stated: float | None = None) -> Array:
+def elastic_slip(surface: "Surface", points: Ints, stated: float | None = None) -> Array:
     """Slip (k,) at which points of a surface begin to slide: a stated scaled length, or a share of their sides."""
     if stated is not None:
         return np.full(len(points), stated)

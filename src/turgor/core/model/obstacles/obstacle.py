@@ -147,11 +147,15 @@ class SelfContact:
         Pressure per depth of penetration; see `Obstacle`.
     elastic_slip : float [m], optional
         How far a point that sticks slips elastically; see `Obstacle`.
+    cavities : tuple of str, optional
+        Cavities whose walls may touch each other within; by default those whose pressure is at some load below that of
+        another one, or below zero.
     """
 
     friction: float = 0.0
     stiffness: float | None = None
     elastic_slip: float | None = None
+    cavities: tuple[str, ...] | None = None
 
     def __post_init__(self) -> None:
         check_friction("self_contact", self.friction)

@@ -27,7 +27,7 @@ from turgor.systems.air.nodes import Chamber, Node, Supply, junction, syringe
 from turgor.systems.air.parts.connection import Connection
 from turgor.systems.air.parts.part import Part
 from turgor.systems.air.volumes.coupled import Coupled
-from turgor.systems.air.volumes.curve import Curve
+from turgor.systems.air.volumes.curve import VolumeCurve
 
 
 def _parts_of_file(module: ModuleType) -> Iterable[tuple[str, type[Part]]]:
@@ -165,7 +165,7 @@ class NodeReader:
             if any(len(row) != 2 for row in rows):
                 raise TurgorError('each point has a pressure and a volume, such as ["20 kPa", "25 mL"].')
             pressures = [quantity(row[0], "pressure") for row in rows]
-            return Curve(np.array(pressures), np.array([quantity(row[1], "volume") for row in rows]))
+            return VolumeCurve(np.array(pressures), np.array([quantity(row[1], "volume") for row in rows]))
         if not isinstance(value, str):
             raise TurgorError(f"{value!r} is no path of a file.")
         if source == "job":
@@ -173,7 +173,7 @@ class NodeReader:
         if source == "table":
             pressure = str(content.get("pressure_column", "pressure"))
             volume = str(content.get("volume_column", "cavity_volume"))
-            return Curve.of_response(read_response(self.folder / value), pressure=pressure, volume=volume)
+            return VolumeCurve.of_response(read_response(self.folder / value), pressure=pressure, volume=volume)
         return self._reduced(value, content.get("chamber"))
 
     def _reduced(self, path: str, number: Any) -> Any:
@@ -182,7 +182,7 @@ class NodeReader:
         if path not in self.tables:
             reduced = Reduced.load(self.folder / path)
             if len(reduced.inputs.keys) == 1:
-                return Curve.of_reduced(reduced)
+                return VolumeCurve.of_reduced(reduced)
             self.tables[path] = Coupled.of_reduced(reduced)
         count = len(self.tables[path].low)
         if type(number) is not int or not 1 <= number <= count:
@@ -190,7 +190,7 @@ class NodeReader:
         return self.tables[path].chamber(number - 1)
 
 
-def _solved(path: Path) -> Curve:
+def _solved(path: Path) -> VolumeCurve:
     """Solve the actuator of a job, and read its curve."""
     from turgor.core.results.measures.measures import cavity_volume, find_measure, measure  # here: it loads the engine
     from turgor.core.solvers.solve import solve
@@ -201,7 +201,7 @@ def _solved(path: Path) -> Curve:
     model, _ = prepare(job)
     names = [name for name in ("bending_angle", "tip_displacement") if name in job.output.measures]
     solution = solve(model, job.procedure, progress=False)
-    return Curve.of_response(measure(solution, cavity_volume, *map(find_measure, names)))
+    return VolumeCurve.of_response(measure(solution, cavity_volume, *map(find_measure, names)))
 
 
 def _type(content: Mapping[str, Any], known: Iterable[str]) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import shown
-from turgor.systems.air.parts.passages import Leakage, Orifice, Passage, Restriction, Tube
+from turgor.systems.air.parts.passages import Leakage, Orifice, Passage, Restriction, Tubing
 from turgor.systems.air.signals import AnySignal, Pwm, Signal, Sine
 from turgor.units import EXAMPLES, parse_quantity
 
@@ -15,7 +15,7 @@ KEYS: Mapping[str, str] = {"start": "from", "end": "to"}
 
 #: Passages by the type of a part that is nothing else.
 PASSAGES: Mapping[str, type[Passage]] = {
-    "restriction": Restriction, "orifice": Orifice, "tube": Tube, "leak": Leakage,
+    "restriction": Restriction, "orifice": Orifice, "tube": Tubing, "leak": Leakage,
 }  # fmt: skip
 
 #: Passages of a valve, by the key that only they have.

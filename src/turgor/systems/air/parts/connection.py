@@ -16,12 +16,12 @@ class Connection(Part):
     ----------
     start, end : str
         A node; flow from start to end is positive.
-    passage : Restriction, Orifice, tg.air.Tube or Leakage
+    passage : Restriction, Orifice, tg.air.Tubing or Leakage
 
     Examples
     --------
-    >>> from turgor.systems.air.parts.passages import Tube
-    >>> Connection("valve", "finger", Tube(diameter=2e-3, length=1.0)).ends
+    >>> from turgor.systems.air.parts.passages import Tubing
+    >>> Connection("valve", "finger", Tubing(diameter=2e-3, length=1.0)).ends
     ('valve', 'finger')
     """
 
@@ -77,7 +77,7 @@ class CheckValve(Connection):
     ----------
     start, end : str
         Flow from start to end only.
-    passage : Restriction, Orifice or tg.air.Tube
+    passage : Restriction, Orifice or tg.air.Tubing
         What it is when it is open.
     cracking : float [Pa]
         Difference of pressures at which it begins to open.

@@ -8,7 +8,7 @@ from turgor.foundation.errors import TurgorError
 from turgor.systems.air.fluids import Gas
 from turgor.systems.air.nodes import Chamber
 from turgor.systems.air.parts.part import Around, Part, PartFlow, PartRates, Port
-from turgor.systems.air.parts.passages import Tube
+from turgor.systems.air.parts.passages import Tubing
 
 if TYPE_CHECKING:
     from turgor.systems.air.nodes import Node
@@ -21,12 +21,12 @@ class HeavyTube(Part):
     Parameters
     ----------
     start, end : str
-    tube : tg.air.Tube
+    tube : tg.air.Tubing
     """
 
     kind: ClassVar[str] = ""
 
-    tube: Tube
+    tube: Tubing
 
     @property
     def volume(self) -> float:
@@ -80,13 +80,13 @@ class LongLine(Part):
     exponent: float | None = None
 
     def __post_init__(self) -> None:
-        Tube(diameter=self.diameter, length=self.length)
+        Tubing(diameter=self.diameter, length=self.length)
         if not 1 <= self.segments <= 200:
             raise TurgorError(f"segments of a line is {self.segments}; allowed is 1 to 200.")
 
     @property
-    def _piece(self) -> Tube:
-        return Tube(diameter=self.diameter, length=self.length / self.segments)
+    def _piece(self) -> Tubing:
+        return Tubing(diameter=self.diameter, length=self.length / self.segments)
 
     def parts(self, name: str) -> Mapping[str, Part]:
         """The segments."""

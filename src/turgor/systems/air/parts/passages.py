@@ -139,7 +139,7 @@ class Orifice:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Tube:
+class Tubing:
     """A smooth tube: laminar or turbulent friction, at most what a nozzle of its bore lets through.
 
     f L/d · G²/2 = ∫ρ dp with the mass flow per area G and f = max(64/Re, 0.3164 Re^(−1/4)). Where the flow is laminar,
@@ -152,7 +152,7 @@ class Tube:
 
     Examples
     --------
-    >>> tube = Tube(diameter=1e-3, length=1.0)
+    >>> tube = Tubing(diameter=1e-3, length=1.0)
     >>> round(tube.law(AIR)(101e3, 100e3, 293.15) * 1e6, 3)
     1.611
     """
@@ -195,9 +195,9 @@ class Tube:
         factor = max(FLOW.laminar_friction / reynolds, FLOW.turbulent_friction * reynolds**-0.25)
         return factor * self.length / self.diameter * flow * size / (2 * density * self.area**2)
 
-    def widened(self, factor: float) -> "Tube":
+    def widened(self, factor: float) -> "Tubing":
         """Return it with a larger bore."""
-        return Tube(diameter=self.diameter * sqrt(factor), length=self.length)
+        return Tubing(diameter=self.diameter * sqrt(factor), length=self.length)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,4 +1,4 @@
-"""Curve: pressure against volume of an elastic chamber, as a table from any source."""
+"""VolumeCurve: pressure against volume of an elastic chamber, as a table from any source."""
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterable
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Curve:
+class VolumeCurve:
     """Gauge pressure of a chamber over its volume: a cubic spline through a table.
 
     Where the spline would turn between points that rise, it is a monotone one. The pressure may have limit points.
@@ -38,7 +38,7 @@ class Curve:
 
     Examples
     --------
-    >>> curve = Curve([0.0, 10e3, 20e3], [10e-6, 11e-6, 12e-6])
+    >>> curve = VolumeCurve([0.0, 10e3, 20e3], [10e-6, 11e-6, 12e-6])
     >>> round(curve.volume_at(5e3) * 1e6, 6)
     10.5
     """
@@ -66,12 +66,12 @@ class Curve:
 
     def __repr__(self) -> str:
         p, v = np.asarray(self.pressure), np.asarray(self.volume)
-        return f"Curve({p.min() / 1e3:.4g} to {p.max() / 1e3:.4g} kPa, {v[0] * 1e6:.4g} to {v[-1] * 1e6:.4g} mL)"
+        return f"VolumeCurve({p.min() / 1e3:.4g} to {p.max() / 1e3:.4g} kPa, {v[0] * 1e6:.4g} to {v[-1] * 1e6:.4g} mL)"
 
     @classmethod
     def of_response(
         cls, response: Response, *, pressure: str = "pressure", volume: str = "cavity_volume", factor: float = 1.0
-    ) -> "Curve":
+    ) -> "VolumeCurve":
         """Read a curve from a response of finite elements, a formula, a section or a laboratory.
 
         Parameters
@@ -90,7 +90,7 @@ class Curve:
         return cls(p[known], v[known], Response(columns=columns, source=response.source))
 
     @classmethod
-    def of_function(cls, volume: Callable[[float], float], low: float, high: float, points: int = 200) -> "Curve":
+    def of_function(cls, volume: Callable[[float], float], low: float, high: float, points: int = 200) -> "VolumeCurve":
         """Sample a formula: volume [m³] by gauge pressure [Pa], which it rises with, from ``low`` to ``high``."""
         p = np.linspace(low, high, points)
         return cls(p, np.array([volume(each) for each in p.tolist()]))
@@ -98,7 +98,7 @@ class Curve:
     @classmethod
     def of_reduced(
         cls, reduced: "Reduced", pressures: Iterable[float] | None = None, faces: Iterable[str] | None = None
-    ) -> "Curve":
+    ) -> "VolumeCurve":
         """Sample a reduced model whose one input is a pressure.
 
         Parameters
@@ -155,7 +155,7 @@ class Curve:
     def measure(self, name: str, volumes: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return another column of its table at volumes, along straight lines."""
         if self.table is None:
-            raise TurgorError("the chamber has a curve without further columns; `Curve.of_response` has them.")
+            raise TurgorError("the chamber has a curve without further columns; `VolumeCurve.of_response` has them.")
         return np.interp(volumes, self.knots, self.table.column(name))
 
     def bounds(self, ambient: float) -> tuple[float, float]:
