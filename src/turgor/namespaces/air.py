@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from turgor.systems.air.parts.passages import Leakage as Leakage
     from turgor.systems.air.parts.passages import Orifice as Orifice
     from turgor.systems.air.parts.passages import Restriction as Restriction
+    from turgor.systems.air.parts.passages import Tubing as Tubing
     from turgor.systems.air.parts.pumps import FlowSource as FlowSource
     from turgor.systems.air.parts.pumps import Pump as Pump
     from turgor.systems.air.parts.regulator import Regulator as Regulator

@@ -9,10 +9,12 @@ import turgor as tg
 from refused import refused
 from turgor.accuracy.gradients.model_keys import input_numbers, with_number
 from turgor.core.engine.runtime import EngineOptions
+from turgor.core.engine.system import System
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
 from turgor.reduced.reduce import Budget, reduce
 from turgor.reduced.states.reduced import Reduced
+from turgor.reduced.training.box import inputs_of, with_all_cavities
 from turgor.units import MPa, kPa, mm
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.02 * MPa), density=1100.0)
@@ -65,3 +67,18 @@ def test_gravity_keeps_its_direction_without_acceleration() -> None:
 def test_vectors_need_all_their_components() -> None:
     with refused("tip.vector", "3", "2"):
         reduced().solve({"pressure": 1.0, "gravity.falling": (0.0, -9.81), "tip.vector": (0.0, 0.0, 0.01)})
+
+
+def test_walls_of_all_cavities_may_touch_at_all_inputs():
+    """Which cavities are pressed together depends on the pressures; a reduced model has the same parts at all."""
+    mesh = tg.mesh(tg.actuators.OmnidirectionalActuator().build(), size=12 * mm, cells="tetrahedra")
+    rubber = tg.Material(tg.laws.NeoHooke(mu=50 * kPa))
+    loads = [tg.Pressure(name, 5 * kPa) for name in mesh.cavities]
+    model = tg.Model(mesh, materials={"body": rubber}, supports=[tg.Fixed("fixed")], loads=loads)
+    box = inputs_of(model, {f"loads.{name}.pressure": (0.0, 5e3) for name in mesh.cavities})
+    of_all = with_all_cavities(model, box)
+    assert model.contact.self_contact.cavities is None
+    assert of_all.contact.self_contact.cavities == tuple(mesh.cavities)
+    alone = with_number(of_all, box.keys[0], 0.0)
+    assert len(System(alone).contact.parts) == len(System(of_all).contact.parts) == 3
+    assert len(System(with_number(model, box.keys[0], 0.0)).contact.parts) == 1

@@ -1,6 +1,7 @@
 """chosen_settings: mesh settings with the size and the kind of cells that suit a geometry, where none is given."""
 
 from dataclasses import replace
+from math import inf
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.quality.cell_quality import refuse_inverted
@@ -85,6 +86,7 @@ def _fillable(geometry: Geometry, most: float) -> bool:
         refuse_inverted(mesh)
         count, hinges = mesh.unknown_count, bool(geometry._sweep.hinges)
         few = count <= SIZING.unknowns_of_pairs or hinges or is_lattice(geometry, fine)
-        return few and count <= most
+        small = count <= most and not (mesh.serendipity and most < inf)  # a large mesh is no draft
+        return few and small
     except TurgorError:
         return False

@@ -72,7 +72,7 @@ def test_tetrahedra_fill_a_section_whose_hexahedra_would_turn_over() -> None:
 
 
 def test_default_hexahedra_get_longer_where_they_would_be_too_many() -> None:
-    geometry = HelicalPneuNet(length=176 * mm, chambers=17).build()
+    geometry = HelicalPneuNet(length=352 * mm, chambers=34).build()
     size = default_size(geometry, "hexahedra")
     assert 3 * mm < size <= 4 * mm
     assert mesh(geometry, cells="hexahedra").unknown_count < SIZING.default_unknowns * 1.1
