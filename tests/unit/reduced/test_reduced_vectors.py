@@ -72,9 +72,8 @@ def test_vectors_need_all_their_components() -> None:
 def test_walls_of_all_cavities_may_touch_at_all_inputs():
     """Which cavities are pressed together depends on the pressures; a reduced model has the same parts at all."""
     mesh = tg.mesh(tg.actuators.OmnidirectionalActuator().build(), size=12 * mm, cells="tetrahedra")
-    rubber = tg.Material(tg.laws.NeoHooke(C10=25 * kPa))
     loads = [tg.Pressure(name, 5 * kPa) for name in mesh.cavities]
-    model = tg.Model(mesh, materials={"body": rubber}, supports=[tg.Fixed("fixed")], loads=loads)
+    model = tg.Model(mesh, materials=dict.fromkeys(mesh.regions, RUBBER), supports=[tg.Fixed("fixed")], loads=loads)
     box = inputs_of(model, {f"loads.{name}.pressure": (0.0, 5e3) for name in mesh.cavities})
     of_all = with_all_cavities(model, box)
     assert model.contact.self_contact.cavities is None
