@@ -48,11 +48,15 @@ def _run(options: _Options) -> None:
         from turgor.cli.answers.reduced import reduced_result
         from turgor.foundation.errors import TurgorError
         from turgor.job.prepare import prepare
+        from turgor.reduced.page import reduced_page
         from turgor.reduced.reduce import Budget, reduce
         from turgor.reduced.training.path_runs import PathRuns
 
         check_new(options.output, options.force, "--output")
-        model, findings = prepare(requested_job(options.job, options.changes))
+        page = options.output.with_suffix(".html")
+        check_new(page, options.force, "--output")
+        job = requested_job(options.job, options.changes)
+        model, findings = prepare(job)
         ranges = _ranges(options.along or (), model)
         answer.warn(findings)
         budget = Budget(
@@ -74,7 +78,8 @@ def _run(options: _Options) -> None:
                 typer.echo(f"Forces on obstacles: {errors.force.max():.2g} of the largest.")
         if errors.worst > options.error:
             typer.echo(f"The wanted error {options.error:g} is not reached; take more --steps or --paths.")
-        typer.echo(f"Written to {file}.")
+        page.write_text(reduced_page(reduced, job.output.measures), encoding="utf-8")
+        typer.echo(f"Written to {file}; its errors with pictures: {page}.")
         answer.give(lambda: reduced_result(reduced, file))
         raise typer.Exit(DONE)
 
