@@ -81,6 +81,21 @@ def test_all_pieces_give_the_projected_full_forces(case: Case) -> None:
     assert there.tangent(None) @ way == pytest.approx(slope, rel=2e-3)
 
 
+def test_forces_are_derivatives_of_the_energy(case: Case) -> None:
+    equations = case.reduced.equations
+    random = np.random.default_rng(2)
+    place = case.reduced.trained[-1].copy()
+    r, aim = equations.sizes[0], case.reduced.trained_inputs[-1]
+    way = random.standard_normal(r) * np.abs(place[:r]).max() * 0.01
+    forces = sum(part.forces() for part in equations.at(place, aim).parts)
+
+    def energy(share: float) -> float:
+        at = equations.at(np.concatenate([place[:r] + share * way, place[r:]]), aim)
+        return sum(part.energy() for part in at.parts)
+
+    assert (energy(1e-3) - energy(-1e-3)) / 2e-3 == pytest.approx(forces @ way, rel=1e-5)
+
+
 def test_stresses_linearized_spare_updates_next_to_stiff_threads(case: Case) -> None:
     reduced, place = case.reduced, 2
     found = newton(

@@ -14,6 +14,7 @@ from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
 from turgor.core.model.obstacles import Box, Obstacle, Plane, RigidSurface, Sphere
 from turgor.core.results.measures.contact_measures import force_on
+from turgor.reduced.parts.obstacles import ObstructingAt
 from turgor.reduced.path import solution_of
 from turgor.reduced.reduce import Budget, reduce
 from turgor.reduced.states.newton import Balance, newton
@@ -77,6 +78,21 @@ def test_rates_of_forces_are_derivatives() -> None:
         slope = (ends[0].obstacle_forces["plate"] - ends[1].obstacle_forces["plate"]) / (2 * step)
         assert one.obstacle_force_rates["plate"][:, place] == pytest.approx(slope, rel=1e-3)
         assert one.tip_rates[:, place] == pytest.approx((ends[0].tip - ends[1].tip) / (2 * step), rel=1e-3)
+
+
+def test_force_on_a_plate_is_the_derivative_of_the_energy_by_its_place() -> None:
+    answer = pressing().solve({"pressure": 4.5 * kPa, "point.1": LENGTH + 3 * mm})
+    (obstacle,) = pressing().equations.obstacles
+    step = 1e-7
+
+    def at(place: float) -> ObstructingAt:
+        return obstacle.at(answer.q, np.array([1.0, 4.5 * kPa, place]))
+
+    ends = at(LENGTH + 3 * mm + step), at(LENGTH + 3 * mm - step)
+    slope = (ends[0].energy() - ends[1].energy()) / (2 * step)
+    middle = at(LENGTH + 3 * mm)
+    assert slope == pytest.approx(middle.every[-3:] @ obstacle.place[:, 2], rel=1e-6)
+    assert ends[0].work(ends[1], np.array([0.0, 0.0, 2 * step])) == pytest.approx(2 * step * slope, rel=1e-6)
 
 
 def test_random_jumps_into_the_plate_are_all_answered() -> None:

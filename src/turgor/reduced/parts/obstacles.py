@@ -19,6 +19,9 @@ Array = NDArray[np.float64]
 class BodyAt(Protocol):
     """What touching a body does."""
 
+    def energy(self) -> float:
+        """Scaled energy."""
+
     def forces(self) -> Array:
         """Forces (r + 3,), those of the body's translation last."""
 
@@ -84,6 +87,10 @@ class ShapedAt:
         bad = new.gaps < allowed - (PENALTY.margin - 1) * self.deeper
         way = (self.gaps[bad] - allowed[bad]) / (self.gaps[bad] - new.gaps[bad])
         return max(float(way.min(initial=1.0)), PENALTY.shortest)
+
+    def energy(self) -> float:
+        """Energy of the penetration."""
+        return 0.5 * float(self.stiff @ self.gap**2)
 
     def forces(self) -> Array:
         """Forces (r + 3,)."""
@@ -151,6 +158,14 @@ class ObstructingAt:
     def forces(self) -> Array:
         """Forces (r,)."""
         return self.every[:-3]
+
+    def energy(self) -> float:
+        """Energy of the penetration."""
+        return self.body.energy()
+
+    def work(self, before: "ObstructingAt", change: Array) -> float:
+        """Work that moves the obstacle while the inputs change (1 + n,), by the trapezoidal rule."""
+        return 0.5 * float((self.every[-3:] + before.every[-3:]) @ (self.obstacle.place @ change))
 
     def tangent(self, geometric: Array | None) -> Array:
         """Tangent (r, r)."""

@@ -64,6 +64,12 @@ class ThreadsAt:
         pulled = (self.threads.weights * self._tension(self.zero))[:, None] * self._slopes
         return np.asarray(pulled.sum(axis=0) if starts is None else np.add.reduceat(pulled, starts[:-1], axis=0))
 
+    def energy(self) -> float:
+        """Energy of the stretched pieces, and of what slack ones resist."""
+        t = self.threads
+        stiffness = t.weights * t.stiffness * np.where(self.stretch >= 1, 1.0, t.pushed)
+        return 0.5 * float(stiffness @ (self.stretch - 1) ** 2)
+
     def tangent(self, geometric: Array | None) -> Array:
         """Tangent (r, r), with the tensions (k,) in its geometric part where they are given."""
         t, slopes = self.threads, self._slopes

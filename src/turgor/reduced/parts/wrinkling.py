@@ -58,6 +58,10 @@ class WrinklingAt:
         pulled = (self.sheet.weights[:, None] * self.sheet.field.stress(self.strain))[:, None] @ self.slopes
         return np.asarray(pulled[:, 0].sum(axis=0) if starts is None else np.add.reduceat(pulled[:, 0], starts[:-1]))
 
+    def energy(self) -> float:
+        """Energy of the sheet."""
+        return float(self.sheet.weights @ self.sheet.field.energy(self.strain))
+
     def tangent(self, geometric: Array | None) -> Array:
         """Tangent (r, r), with the stress (p, 3) in its geometric part where it is given."""
         s, count = self.sheet, self.slopes.shape[2]

@@ -185,13 +185,15 @@ class _Run:
         (inertia,) = (part for part in at.parts if isinstance(part, InertiaAt))
         assert self.reduced.masses is not None
         motion, moved, before = rule.motion(at.y[:r]), at.y[:r] - now.at.y[:r], now.energies
-        loads = 0.5 * (at.loads + now.at.loads)
+        work = 0.5 * float((at.loads + now.at.loads) @ moved)
+        for obstacle, earlier in zip(at.obstacles, now.at.obstacles, strict=True):
+            work += obstacle.work(earlier, at.inputs - now.at.inputs)
         still = replace(at, parts=tuple(part for part in at.parts if part is not inertia))
         energies = Energies(
             kinetic=0.5 * self._unit * float(motion.velocity @ self.reduced.masses.mass @ motion.velocity),
             strain=self._unit * stored(still),
             dissipated=before.dissipated + 0.5 * self._unit * float((now.damping + inertia.damping) @ moved),
-            work=before.work + self._unit * float(loads @ moved),
+            work=before.work + self._unit * work,
         )
         return _Now(end, now.equations, still, result.inverse, motion, energies, inertia.damping)
 
