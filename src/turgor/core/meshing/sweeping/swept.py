@@ -27,8 +27,8 @@ KINDS = ("tetrahedra", "hexahedra", "axisymmetric")
 def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """Generate hexahedra that fill a geometry which is a swept section, and carry its names.
 
-    All nodes lie on the true shape. A large mesh has no short cells next to feature lines, unless their length is
-    stated, and its middles of sides and cells follow the other nodes. Where the section is a grid or rings, walls get
+    All nodes lie on the true shape. In a large mesh the middles of sides and cells follow the other nodes; where that
+    is not enough, it has no short cells next to feature lines, unless their length is stated. Where the section is a grid or rings, walls get
     one cell unless more are requested; sections of other outlines get two.
 
     Parameters
@@ -57,6 +57,9 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     fine = short_at_edges(geometry, fine)
     mesh = _all_nodes(geometry, fine)
     if mesh.unknown_count <= SIZING.free_middles:
+        return mesh
+    mesh = replace(mesh, serendipity=True)
+    if mesh.unknown_count <= SIZING.short_cells:
         return mesh
     return replace(_all_nodes(geometry, replace(fine, even=True)), serendipity=True)
 

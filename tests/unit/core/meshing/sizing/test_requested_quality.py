@@ -34,7 +34,7 @@ def finger():
 
 @pytest.fixture(scope="module")
 def joint():
-    return tg.actuators.RevoluteJoint().build()  # 36,342 unknowns of hexahedra whose middles follow
+    return tg.actuators.RevoluteJoint().build()  # 48,443 unknowns of hexahedra whose middles follow
 
 
 def test_each_quality_has_its_error():
