@@ -28,8 +28,8 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """Generate hexahedra that fill a geometry which is a swept section, and carry its names.
 
     All nodes lie on the true shape. In a large mesh the middles of sides and cells follow the other nodes; where that
-    is not enough, it has no short cells next to feature lines, unless their length is stated. Where the section is a grid or rings, walls get
-    one cell unless more are requested; sections of other outlines get two.
+    is not enough, it has no short cells next to feature lines, unless their length is stated. Where the section is a
+    grid or rings, walls get one cell unless more are requested; sections of other outlines get two.
 
     Parameters
     ----------
