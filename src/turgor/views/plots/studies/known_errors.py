@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
 
 from turgor.views.plots.figures import PlotFigure
@@ -66,9 +67,11 @@ def error_figure(labels: Sequence[str], errors: Sequence[KnownError], wanted: fl
             axes.plot(each.inputs[:, place], shown, marker, color=color, ms=4, mew=0.9, label=each.label)
         axes.axhline(wanted, color=INK, lw=0.9, ls="--", label="wanted")
         axes.set_yscale("log")
+        axes.yaxis.set_major_formatter(lambda value, _: f"{100 * value:g} %")
+        axes.yaxis.set_minor_formatter(NullFormatter())
         axes.set_xlabel(label, color=INK)
         if place % 3 == 0:
-            axes.set_ylabel("error [-]", color=INK)
+            axes.set_ylabel("error", color=INK)
         style_axes(axes)
     handles, names = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, names, loc="outside upper left", ncols=3, frameon=False, fontsize=8, labelcolor=INK)
