@@ -61,10 +61,10 @@ def case(request: pytest.FixtureRequest) -> Case:
 
 
 def test_held_out_states_agree(case: Case) -> None:
-    held = case.reduced.held_out
-    assert len(held.inputs) >= 5
-    assert held.worst < 0.003
-    assert held.volume.max() < 0.002
+    errors = case.reduced.held_out
+    assert len(errors.inputs) >= 5
+    assert errors.worst < 0.003
+    assert errors.volume.max() < 0.002
     assert case.reduced.counts["points"] < 0.02 * 27 * len(case.model.mesh.cells)
 
 

@@ -48,9 +48,9 @@ def case(request: pytest.FixtureRequest) -> Case:
 
 
 def test_held_out_states_agree(case: Case) -> None:
-    held = case.reduced.held_out
-    assert len(held.inputs) >= 6
-    assert held.worst < 0.003
+    errors = case.reduced.held_out
+    assert len(errors.inputs) >= 6
+    assert errors.worst < 0.003
     assert case.reduced.counts["pieces of layers"] < 60
 
 

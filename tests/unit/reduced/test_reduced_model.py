@@ -29,11 +29,11 @@ print(float(abs(Reduced.load(sys.argv[1]).solve(7000.0).displacement).max()))
 
 
 def test_held_out_states_agree():
-    held = reduced().held_out
-    assert len(held.inputs) >= 8
-    assert held.worst < 0.005
-    assert held.tip.max() < 0.005
-    assert held.volume.max() < 0.002
+    errors = reduced().held_out
+    assert len(errors.inputs) >= 8
+    assert errors.worst < 0.005
+    assert errors.tip.max() < 0.005
+    assert errors.volume.max() < 0.002
 
 
 def test_rates_are_derivatives():

@@ -52,12 +52,12 @@ def pressing() -> Reduced:
 
 
 def test_forces_at_untrained_places_agree() -> None:
-    held = pressing().held_out
+    errors = pressing().held_out
     trained = pressing().trained_inputs[:, 2]
-    assert np.abs(held.inputs[:, None, 1] - trained).min() > 0.1 * mm
-    assert held.force.max() < 0.01
-    assert held.worst < 0.005
-    assert held.force.max() > 0
+    assert np.abs(errors.inputs[:, None, 1] - trained).min() > 0.1 * mm
+    assert errors.force.max() < 0.01
+    assert errors.worst < 0.005
+    assert errors.force.max() > 0
 
 
 def test_forces_of_its_states_are_those_of_the_answer() -> None:

@@ -167,10 +167,7 @@ def at_volumes(
     NotSolved
         If no equilibrium was found.
     """
-    cavities, rest = (
-        _cavities(reduced, volumes),
-        reduced.equations.cubics.at(np.zeros(reduced.equations.sizes[0])).values,
-    )
+    cavities, rest = _cavities(reduced, volumes), _volumes_at_rest(reduced)
     injected = np.array(list(volumes.values())) / (reduced.scales[0] ** 3 * reduced.model.mesh.symmetry_factor)
     wanted = rest[cavities] + injected
     for name, volume in zip(volumes, wanted, strict=True):
@@ -215,15 +212,17 @@ def at_gas(
     for name, ratio in ratios.items():
         if not ratio > 0:
             raise TurgorError(f"the gas ratio of '{name}' is {ratio:g}; it must be more than 0.")
-    cavities, rest = (
-        _cavities(reduced, ratios),
-        reduced.equations.cubics.at(np.zeros(reduced.equations.sizes[0])).values,
-    )
+    cavities, rest = _cavities(reduced, ratios), _volumes_at_rest(reduced)
     around = STANDARD_ATMOSPHERE if outside is None else outside
     scaled = STANDARD_ATMOSPHERE / reduced.scales[1], around / reduced.scales[1]
     return _solved(
         reduced, cavities, Gas(rest[cavities], np.array(list(ratios.values())), *scaled, exponent), values or {}
     )
+
+
+def _volumes_at_rest(reduced: Reduced) -> Array:
+    """Scaled volumes of all cavities."""
+    return reduced.equations.cubics.at(np.zeros(reduced.equations.sizes[0])).values
 
 
 def _cavities(reduced: Reduced, names: Mapping[str, float]) -> Ints:
