@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.reduced.measures import readings as readings
+    from turgor.reduced.measures import with_measures as with_measures
     from turgor.reduced.path import solution_of as solution_of
     from turgor.reduced.reduce import Budget as Budget
     from turgor.reduced.states.answer import ReducedState as ReducedState

@@ -1,17 +1,14 @@
 """Page: what a reduced model answers, and its errors against the inputs, in one HTML file."""
 
 from base64 import b64encode
-from collections.abc import Sequence
 from importlib.resources import files
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.accuracy.measure import measure
-from turgor.core.results.error_text import last_with_error
 from turgor.foundation.errors import NotSolved
 from turgor.foundation.response import COLUMN_UNITS
-from turgor.reduced.path import solution_of
+from turgor.reduced.measures import readings
 from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.reduced import Reduced
@@ -31,15 +28,13 @@ NAMES = {
 }
 
 
-def reduced_page(reduced: Reduced, measures: Sequence[str] = ()) -> str:
+def reduced_page(reduced: Reduced) -> str:
     """Write the page of a reduced model: inputs, held-out errors with their picture, and the actuator.
 
     Parameters
     ----------
     reduced : Reduced
-    measures : sequence of str
-        What to read off the full state at the largest inputs, with the error of its mesh; this takes as long as an
-        estimate of that error does.
+        Its measures (`with_measures`) are read off at the largest inputs.
 
     Returns
     -------
@@ -69,7 +64,7 @@ def reduced_page(reduced: Reduced, measures: Sequence[str] = ()) -> str:
         "picture": picture,
         "at": "" if answer is None else box.text(answer.inputs),
         "estimate": "" if answer is None else f"{100 * answer.estimate:.2g} %",
-        "measures": [] if answer is None or not measures else measured(answer, measures),
+        "measures": [] if answer is None else [(each.words, each.text) for each in readings(answer)],
         "parts": [
             ("unknowns of the full model", f"{reduced.model.mesh.unknown_count:,}"),
             ("modes of displacement and mean stress", f"{r} + {m}"),
@@ -121,16 +116,3 @@ def _picture(answer: ReducedState) -> str:
     """The actuator, a PNG as text."""
     state = answer.state()
     return b64encode(bare_picture(state, shared_view([state], width=900))).decode()
-
-
-def measured(answer: ReducedState, names: Sequence[str]) -> list[tuple[str, str]]:
-    """Measures of an answer by their names, each with the error of the mesh of the full model.
-
-    Parameters
-    ----------
-    answer : ReducedState
-    names : sequence of str
-    """
-    response = measure(solution_of([answer]), *names)
-    columns = [response.find(name) for name in names if name in response]
-    return [(column.label.split(" [")[0], last_with_error(response, column)) for column in columns]

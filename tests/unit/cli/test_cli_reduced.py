@@ -1,12 +1,16 @@
 """``turgor reduce`` makes a file, and ``turgor predict`` reads it."""
 
 import json
+import re
 
 import pytest
 from reduced_cases import CHANGES, JOB, reduced
 from typer.testing import CliRunner
 
+import turgor as tg
 from turgor.cli.start.commands import command_line
+from turgor.reduced.measures import with_measures
+from turgor.reduced.states.controlled import at_gas
 
 
 def run(*arguments: str) -> tuple[int, str]:
@@ -26,6 +30,53 @@ def test_predict_answers_from_the_file_of_a_reduced_model(tmp_path):
     assert code == 1
     assert "70 kPa" in text
     assert "12 kPa" in text
+
+
+def test_predict_states_measures_with_both_errors(tmp_path):
+    made = with_measures(reduced(), ["bending_angle", "cavity_volume"])
+    file = str(made.save(tmp_path / "finger"))
+    code, text = run("predict", file, "--at", "pressure=7 kPa")
+    assert code == 0, text
+    assert re.search(r"bending angle [0-9.]+ ± [0-9.]+ deg, reduction ± [0-9.]+ deg", text)
+    code, text = run("predict", file, "--at", "pressure=7 kPa", "--json")
+    read = json.loads(text)["result"]["measures"]["bending_angle"]
+    assert read["value"] == pytest.approx(tg.bending_angle(reduced().solve(7e3).state()))
+    true = tg.bending_angle(tg.real_time.verified(reduced().solve(7e3)).state)
+    assert abs(read["value"] - true) < 3 * read["reduction_error"] + 1e-6
+    assert read["reduction_error"] < read["mesh_error"] < read["value"]
+
+
+def test_predict_takes_volumes_and_gas(tmp_path):
+    file = str(reduced().save(tmp_path / "finger"))
+    code, text = run("predict", file, "--at", "cavity.volume=0.4 mL", "--json")
+    assert code == 0, text
+    answer = json.loads(text)["result"]
+    volume = answer["volumes"]["cavity"]
+    assert volume - reduced().solve(0.0).volumes["cavity"] == pytest.approx(0.4e-6)
+    assert reduced().solve(answer["inputs"]["loads.pressure"]).volumes["cavity"] == pytest.approx(volume)
+    code, text = run("predict", file, "--at", "mass_ratio=1.2", "--json")
+    assert code == 0, text
+    inputs = json.loads(text)["result"]["inputs"]
+    assert inputs["loads.pressure"] == pytest.approx(at_gas(reduced(), {"cavity": 1.2}).inputs[0])
+
+
+@pytest.mark.parametrize(
+    ("options", "facts"),
+    [
+        (("cavty.volume=1 mL",), ["cavty", "cavity"]),
+        (("volume=1 kPa",), ["--at volume", "1 kPa", "mL"]),
+        (("volume=0.5 mL",), ["12 kPa", "loads.pressure"]),
+        (("mass_ratio=-1",), ["-1", "more than 0"]),
+        (("mass_ratio=1.1", "volume=0.1 mL"), ["--at", "both"]),
+        (("volume=0.1 mL", "pressure=5 kPa"), ["loads.pressure", "volume"]),
+    ],
+)
+def test_volumes_and_gas_that_are_none_are_refused(options, facts, tmp_path):
+    file = str(reduced().save(tmp_path / "finger"))
+    code, text = run("predict", file, *(item for each in options for item in ("--at", each)))
+    assert code == 1
+    for fact in facts:
+        assert fact in text
 
 
 def test_predict_follows_a_history_and_writes_its_table(tmp_path):
@@ -51,6 +102,7 @@ def test_predict_follows_a_history_and_writes_its_table(tmp_path):
         (("--history", "pressure=[[0, 0], [1, 1]]", "--motion"), ["motion"]),
         (("--history", "pressure=[[0, 0], [1, 1]]", "--damping", "1 ms"), ["--damping", "--motion"]),
         (("--duration", "1 s"), ["--duration", "--history"]),
+        (("--at", "volume=0.1 mL", "--history", "pressure=[[0, 0], [1, 1]]"), ["--at volume", "--history"]),
     ],
 )
 def test_histories_that_are_none_are_refused(options, facts, tmp_path):

@@ -6,15 +6,16 @@ from dataclasses import replace
 import numpy as np
 from reduced_cases import reduced
 
+from turgor.reduced.measures import with_measures
 from turgor.reduced.page import reduced_page
 from turgor.reduced.states.held_out import HeldOutErrors
 
 
 def test_page_states_inputs_and_errors_and_loads_nothing():
-    made = reduced()
-    page = reduced_page(made, ["bending_angle", "cavity_volume"])
+    made = with_measures(reduced(), ["bending_angle", "cavity_volume"])
+    page = reduced_page(made)
     assert "loads.pressure" in page
-    assert re.search(r"bending angle</td><td>[0-9.]+ ± [0-9.]+ deg", page)
+    assert re.search(r"bending angle</td><td>[0-9.]+ ± [0-9.]+ deg, reduction ± [0-9.e-]+ deg", page)
     assert "12 kPa" in page
     assert f"{100 * made.held_out.worst:.2g} % of the largest displacement: within the wanted 0.5 %" in " ".join(
         page.split()

@@ -48,6 +48,7 @@ def _run(options: _Options) -> None:
         from turgor.cli.answers.reduced import reduced_result
         from turgor.foundation.errors import TurgorError
         from turgor.job.prepare import prepare
+        from turgor.reduced.measures import with_measures
         from turgor.reduced.page import reduced_page
         from turgor.reduced.reduce import Budget, reduce
         from turgor.reduced.training.path_runs import PathRuns
@@ -66,7 +67,7 @@ def _run(options: _Options) -> None:
         if options.folder is None and options.processes > 1:
             raise TurgorError(f"--processes is {options.processes}, and more than one needs --folder.")
         runs = None if options.folder is None else PathRuns(options.folder, options.processes)
-        reduced = reduce(model, ranges, budget=budget, runs=runs, say=typer.echo)
+        reduced = with_measures(reduce(model, ranges, budget=budget, runs=runs, say=typer.echo), job.output.measures)
         file = reduced.save(options.output)
         errors = reduced.held_out
         if len(errors.inputs):
@@ -78,7 +79,7 @@ def _run(options: _Options) -> None:
                 typer.echo(f"Forces on obstacles: {errors.force.max():.2g} of the largest.")
         if errors.worst > options.error:
             typer.echo(f"The wanted error {options.error:g} is not reached; take more --steps or --paths.")
-        page.write_text(reduced_page(reduced, job.output.measures), encoding="utf-8")
+        page.write_text(reduced_page(reduced), encoding="utf-8")
         typer.echo(f"Written to {file}; its errors with pictures: {page}.")
         answer.give(lambda: reduced_result(reduced, file))
         raise typer.Exit(DONE)

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from turgor.cli.exits import Answer
     from turgor.core.model.history import History
     from turgor.foundation.response import Response
+    from turgor.reduced.states.answer import ReducedState
     from turgor.reduced.states.following import Followed, Moving
     from turgor.reduced.states.inputs import Inputs
     from turgor.reduced.states.reduced import Reduced
@@ -22,21 +23,40 @@ ROWS = 50
 
 def say_prediction(chosen: Any, answer: "Answer") -> None:
     """Print what a reduced model answers at inputs such as ``pressure=10 kPa``, or along histories of them."""
+    from turgor.cli.analyses.given_cavities import answer_with, given_cavities
     from turgor.cli.answers.reduced import answer_result
     from turgor.foundation.errors import TurgorError
+    from turgor.reduced.measures import readings
     from turgor.reduced.states.reduced import Reduced
 
     reduced = Reduced.load(chosen.file)
-    values = dict(pair for text in chosen.at or () for pair in _values(text, reduced.inputs))
+    given, texts = given_cavities(chosen.at or (), reduced)
+    values = dict(pair for text in texts for pair in _values(text, reduced.inputs))
     if chosen.history:
+        if given:
+            raise TurgorError(f"--at {next(iter(given))} is a state at rest and does not go with --history.")
         _say_history(reduced, values, chosen, answer)
     for name in ("duration", "step", "damping", "motion", "output"):
         if getattr(chosen, name):
             raise TurgorError(f"--{name} goes with --history.")
-    result = reduced.solve(values)
+    result = answer_with(reduced, values, given)
+    read = readings(result)
+    if given:
+        typer.echo(f"at {reduced.inputs.text(result.inputs)}")
+    for each in read:
+        typer.echo(f"{each.words} {each.text}")
+    if read:
+        typer.echo("The first ± is the error of the mesh; that of the reduction is the largest known along the ranges.")
+    _say(result)
+    answer.give(lambda: answer_result(result, read))
+    raise typer.Exit(DONE)
+
+
+def _say(result: "ReducedState") -> None:
+    """Print volumes, tip and forces of an answer, and its estimated error."""
     for face, volume in result.volumes.items():
         typer.echo(f"volume of {face} {volume * 1e6:.5g} mL")
-    if reduced.tip.any():
+    if result.reduced.tip.any():
         typer.echo(f"displacement of the tip ({', '.join(f'{x * 1e3:.5g}' for x in result.tip)}) mm")
     for obstacle, force in result.obstacle_forces.items():
         typer.echo(f"force on {obstacle} ({', '.join(f'{x:.5g}' for x in force)}) N")
@@ -45,10 +65,9 @@ def say_prediction(chosen: Any, answer: "Answer") -> None:
     if result.doubtful:
         typer.echo("This answer is doubtful: its error may be more than 2 %; train more densely.")
     typer.echo(
-        f"largest held-out error {reduced.held_out.worst:.2g} of the largest displacement; {result.iterations} updates"
+        f"largest held-out error {result.reduced.held_out.worst:.2g} of the largest displacement; "
+        f"{result.iterations} updates"
     )
-    answer.give(lambda: answer_result(result))
-    raise typer.Exit(DONE)
 
 
 def _say_history(reduced: "Reduced", values: dict[str, float], chosen: Any, answer: "Answer") -> None:

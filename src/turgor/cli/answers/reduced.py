@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from turgor.reduced.measures import Reading
     from turgor.reduced.states.answer import ReducedState
     from turgor.reduced.states.following import Followed
     from turgor.reduced.states.reduced import Reduced
@@ -63,6 +64,8 @@ class ReducedAnswer:
     Parameters
     ----------
     inputs : table
+    measures : table of tables
+        ``value``, ``mesh_error`` and ``reduction_error`` of each measure of the job.
     volumes : table
         Of every pressed cavity.
     volume_rates : table
@@ -84,6 +87,7 @@ class ReducedAnswer:
     """
 
     inputs: Mapping[str, float]
+    measures: Mapping[str, Mapping[str, float]]
     volumes: Mapping[str, float]
     volume_rates: Mapping[str, Sequence[float]]
     tip: Sequence[float]
@@ -96,10 +100,18 @@ class ReducedAnswer:
     indicator: float
 
 
-def answer_result(result: "ReducedState") -> ReducedAnswer:
-    """Make the result of an answer."""
+def answer_result(result: "ReducedState", read: "Sequence[Reading]") -> ReducedAnswer:
+    """Make the result of an answer and its measures."""
     return ReducedAnswer(
         inputs=dict(zip(result.reduced.inputs.keys, result.inputs.tolist(), strict=True)),
+        measures={
+            each.name: {
+                "value": each.value,
+                "mesh_error": each.mesh_error,
+                "reduction_error": each.reduction_error,
+            }
+            for each in read
+        },
         volumes=result.volumes,
         volume_rates={face: rates.tolist() for face, rates in result.volume_rates.items()},
         tip=result.tip.tolist(),

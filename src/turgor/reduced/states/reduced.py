@@ -22,6 +22,7 @@ from turgor.reduced.states.estimate import KnownErrors
 from turgor.reduced.states.following import Followed, Moving, checked_history, follow_history
 from turgor.reduced.states.held_out import HeldOutErrors
 from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.states.known_measures import KnownMeasures
 from turgor.reduced.states.newton import Balance, follow, newton
 from turgor.reduced.states.spline import Spline
 
@@ -67,6 +68,8 @@ class Reduced(Saved, Shown):
         Errors at training and held-out states, from which the error of an answer is estimated.
     masses : Masses or None
         For motion; None where it was trained without.
+    measures : KnownMeasures
+        Measures that answers state, with their errors; see `with_measures`.
     """
 
     model: Model
@@ -86,6 +89,7 @@ class Reduced(Saved, Shown):
     held_out: HeldOutErrors
     known: KnownErrors = field(default_factory=KnownErrors)
     masses: Masses | None = None
+    measures: KnownMeasures = field(default_factory=KnownMeasures)
 
     def __repr__(self) -> str:
         r, m = self.equations.sizes
