@@ -11,11 +11,14 @@ from browser import needs_browser, opened
 from PIL import Image
 
 import turgor as tg
+from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.measures import bending_angle, measure, tip_displacement
 from turgor.foundation.response import Column, Response
 from turgor.units import mm
+from turgor.views.viewer.between import weights_at
 from turgor.views.viewer.packing import unpack
 from turgor.views.viewer.scene import scene_of
+from turgor.views.viewer.surface import surface_of
 
 pytestmark = needs_browser
 
@@ -306,6 +309,37 @@ def test_the_print_has_the_still_picture(shown):
 def test_nothing_was_asked_of_a_network_and_nothing_complained(shown):
     assert shown.requests == []
     assert [text for text in shown.complaints if "GPU stall" not in text] == []
+
+
+def test_the_slider_goes_on_between_states(driver, tmp_path):
+    """Shape and words of a place between two states are those of the true path, not of the nearest state."""
+    model = cases.model(cases.body(half=True))
+    shares = np.linspace(0, 1, 8)
+    path = cases.solution([cases.state(model, cases.bent(1.5 * f), f) for f in shares])
+    report = tg.report(path, tmp_path / "r.html", response=measure(path, bending_angle, tip_displacement))
+    with opened(driver, report) as page:
+        page.change("slider", "4.5")
+        points = page.page.evaluate("Array.from(document.querySelector('.viewer').viewer.points)")
+        label = page.page.locator(".v-path output").text_content()
+        middle = image(page.pixels())
+        page.change("slider", "4")
+        state = image(page.pixels())
+        page.page.locator("[data-v=play]").click()
+        page.page.wait_for_function("document.querySelector('[data-v=slider]').value === '7'")
+        assert page.complaints == []
+    at = np.mean(shares[4:6])
+    scene = scene_of(path)
+    positions, places = unpack(scene.values["surface"]["positions"]), np.array(scene.values["places"])
+    by_python = np.tensordot(weights_at(places, at), positions, 1)
+    np.testing.assert_allclose(np.reshape(points, by_python.shape), by_python, atol=1e-7)
+    surface = surface_of(StateFields(path.states[0], MeshFacts(model.mesh)))
+    true = cases.bent(1.5 * at)(model.mesh.points)[surface.node]
+    assert np.abs(by_python - true).max() < 2e-4 * np.abs(true - positions[0]).max()
+    assert np.abs(positions[4:6].mean(axis=0) - true).max() > 2e-3 * np.abs(true - positions[0]).max()  # a line
+    pressure, angle = (float(number) for number in re.findall(r"[0-9.]+", label))
+    assert pressure == pytest.approx(50 * at, rel=1e-3)
+    assert angle == pytest.approx(np.rad2deg(1.5 * at), abs=0.06)
+    assert (np.abs(middle - state).max(axis=2) > 40).mean() > 0.01
 
 
 def test_without_webgl_the_still_picture_stays(driver, report):

@@ -191,3 +191,22 @@ def test_bad_viewers_are_refused(half, tmp_path):
         tg.pictures.viewer(replace(half, states=half.states[:2]), response=response_of(half))
     with refused("viewer", "state"):
         tg.pictures.viewer(replace(half, states=()))
+
+
+def test_the_page_goes_on_between_states_where_every_other_one_follows_from_the_rest():
+    model = cases.model(cases.body(half=True))
+
+    def path(angles, shares=None):
+        shares = np.linspace(0, 1, len(angles)) if shares is None else shares
+        return cases.solution([cases.state(model, cases.bent(a), f) for a, f in zip(angles, shares, strict=True)])
+
+    smooth = scene_of(path(np.linspace(0, 4, 9)))
+    assert smooth.values["places"] == pytest.approx(np.linspace(0, 1, 9))
+    stated = float(re.search(r"within ([0-9.]+) %", " ".join(smooth.notes)).group(1))
+    assert 0.01 < stated < 1.0
+    snapping = scene_of(path([0, 0.1, 0.2, 0.3, 2.5, 2.6, 2.7, 2.8, 2.9]))
+    assert snapping.values["places"] is None
+    assert "cubics" not in " ".join(snapping.notes)
+    back = scene_of(path(np.linspace(0, 1, 7), [0, 0.2, 0.4, 0.6, 0.5, 0.8, 1]))
+    assert back.values["places"] is None
+    assert scene_of(path(np.linspace(0, 1, 5))).values["places"] is None

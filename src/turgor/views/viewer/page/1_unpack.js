@@ -20,8 +20,22 @@ async function unpackedIndex(packed) {
   return out;
 }
 
-// Numbers along a path: an array of 16-bit words for each step, and how to read them.
-async function unpackedSteps(packed) {
+// States around a place between steps, such as 3.4, each with its weight. With the places of the steps along the drive
+// these are the four of a cubic, else the two of a line; a whole step is one state.
+function around(step, places) {
+  const k = Math.floor(step);
+  if (k === step) return [[k, 1]];
+  if (!places) return [[k, k + 1 - step], [k + 1, step - k]];
+  const at = places[k] + (step - k) * (places[k + 1] - places[k]);
+  const first = Math.min(Math.max(k - 1, 0), places.length - 4);
+  const near = [0, 1, 2, 3].map((i) => first + i);
+  const weight = (i) => near.reduce((w, j) => (j === i ? w : (w * (at - places[j])) / (places[i] - places[j])), 1);
+  return near.map((i) => [i, weight(i)]);
+}
+
+// Numbers along a path: an array of 16-bit words for each step, and how to read them, between the steps by cubics where
+// their places are given.
+async function unpackedSteps(packed, places) {
   const [steps, points, parts] = packed.shape;
   const raw = await inflated(packed.data);
   const count = steps * points * parts;
@@ -38,12 +52,13 @@ async function unpackedSteps(packed) {
     steps,
     points,
     parts,
-    // Values of one step as floats.
+    // Values of one step, or between two, as floats.
     at(step) {
       const out = new Float32Array(size);
-      for (let i = 0; i < size; i++) {
-        const k = i % parts;
-        out[i] = packed.low[k] + words[step * size + i] * scale[k];
+      for (let i = 0; i < size; i++) out[i] = packed.low[i % parts];
+      for (const [state, weight] of around(step, places)) {
+        const factor = scale.map((one) => weight * one);
+        for (let i = 0; i < size; i++) out[i] += words[state * size + i] * factor[i % parts];
       }
       return out;
     },

@@ -119,10 +119,10 @@ class Chart {
     svg("polygon", { points: [...upper, ...lower].join(" "), class: "v-band" }, drawn);
   }
 
-  // Move the marker to a row of the response.
+  // Move the marker to a row of the response, or between two.
   mark(step) {
     this.step = step;
-    const [x, y] = [this.curves.x.values[step], this.column.values[step]];
+    const [x, y] = [this.curves.x, this.column].map(({ values }) => between(values, step));
     const known = x !== null && y !== null;
     this.marker.style.display = known ? "" : "none";
     if (!known) return;
@@ -136,6 +136,12 @@ class Chart {
     const known = this.curves.steps.filter((k) => this.column.values[k] !== null && this.curves.x.values[k] !== null);
     this.choose(known.reduce((best, k) => (away(k) < away(best) ? k : best)));
   }
+}
+
+// A value between two rows of a column; null where one of them is.
+function between(values, row) {
+  const near = around(row);
+  return near.some(([k]) => values[k] === null) ? null : near.reduce((sum, [k, weight]) => sum + weight * values[k], 0);
 }
 
 // Place of a mouse event in the coordinates of a drawing.

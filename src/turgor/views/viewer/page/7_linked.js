@@ -28,12 +28,11 @@ class LinkedPlot {
 
   mark(state) {
     this.markers.forEach((marker, k) => {
-      const place = this.lines[k][state];
-      marker.style.display = place ? "" : "none";
-      if (place) {
-        marker.setAttribute("cx", place[0]);
-        marker.setAttribute("cy", place[1]);
-      }
+      const [x, y] = [0, 1].map((i) => between(this.lines[k].map((place) => place?.[i] ?? null), state));
+      marker.style.display = x === null ? "none" : "";
+      if (x === null) return;
+      marker.setAttribute("cx", x);
+      marker.setAttribute("cy", y);
     });
   }
 }

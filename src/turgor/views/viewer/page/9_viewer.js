@@ -1,7 +1,23 @@
 // Viewer: reads the scene, builds the picture, and connects it with the controls.
 
 const PLAY = 160; // milliseconds between two steps
+const BETWEEN = 0.05; // smallest part of a step on the slider
 const CLOUD = 6000; // points that the picture is fitted to
+
+// A text with the numbers between those of others, each with its weight; the heaviest where their words differ.
+function blended(texts) {
+  const number = /-?\d+(\.\d+)?(e[-+]?\d+)?/g;
+  const form = ([text]) => text.replace(number, "#");
+  const [first] = texts.toSorted((a, b) => b[1] - a[1]);
+  if (texts.some((each) => form(each) !== form(first))) return first[0];
+  const numbers = texts.map(([text, weight]) => [text.match(number) ?? [], weight]);
+  let k = -1;
+  return first[0].replace(number, () => {
+    k += 1;
+    const digits = Math.max(...numbers.map(([found]) => (found[k].split(".")[1] ?? "").length));
+    return String(numbers.reduce((sum, [found, weight]) => sum + weight * Number(found[k]), 0).toFixed(digits));
+  });
+}
 
 // Length of the way from one place of each vertex to another [mm].
 function moved(points, rest) {
@@ -23,10 +39,10 @@ class Viewer {
   }
 
   async start() {
-    const { surface, inside, fields, threads, obstacles, images } = this.values;
+    const { surface, inside, fields, threads, obstacles, images, places: drive } = this.values;
     const [triangles, cut, centers, positions] = await Promise.all([
       unpackedIndex(surface.triangles), unpackedIndex(surface.cut), unpackedIndex(surface.centers),
-      unpackedSteps(surface.positions),
+      unpackedSteps(surface.positions, drive),
     ]);
     this.positions = positions;
     this.data = await Promise.all(fields.map((field) => field.data && unpackedSteps(field.data)));
@@ -38,8 +54,8 @@ class Viewer {
       slow: this.stage.slow,
     });
     this.body = new Body(this.stage, this.skin, this.values);
-    if (threads) this.body.addThreads(await unpackedIndex(threads.lengths), await unpackedSteps(threads.positions));
-    const places = obstacles && (await unpackedSteps(obstacles.positions));
+    if (threads) this.body.addThreads(await unpackedIndex(threads.lengths), await unpackedSteps(threads.positions, drive));
+    const places = obstacles && (await unpackedSteps(obstacles.positions, drive));
     if (obstacles) this.body.addObstacles(await unpackedIndex(obstacles.triangles), places);
     this.section = new Section(this.stage, this.skin, inside ? await this.#open(inside, fields) : []);
     this.rest = positions.at(0);
@@ -55,7 +71,7 @@ class Viewer {
   }
 
   async #open(inside, fields) {
-    this.depth = await unpackedSteps(inside.positions);
+    this.depth = await unpackedSteps(inside.positions, this.values.places);
     this.within = await Promise.all(fields.map((field) => field.inside && unpackedSteps(field.inside)));
     return unpackedIndex(inside.tetrahedra);
   }
@@ -103,7 +119,7 @@ class Viewer {
     return `${field.label} ${written(value, 3)} ${field.unit}`.trim();
   }
 
-  // Show a step of the path.
+  // Show a step of the path, or a place between two.
   show(step) {
     if (step === this.step) return;
     this.step = step;
@@ -112,10 +128,11 @@ class Viewer {
     this.body.moveThreads?.(step);
     this.body.moveObstacles?.(step);
     if (this.shown) this.#color();
-    const { state, label } = this.values.steps[step];
+    const { steps, places } = this.values;
     this.find("slider").value = step;
-    this.find("label").textContent = label;
-    this.linked.forEach((each) => each.mark(state));
+    this.find("label").textContent = blended(around(step, places).map(([k, weight]) => [steps[k].label, weight]));
+    const row = around(step).reduce((sum, [k, weight]) => sum + weight * steps[k].state, 0);
+    this.linked.forEach((each) => each.mark(row));
     this.stage.draw();
   }
 
@@ -144,6 +161,7 @@ class Viewer {
   #controls() {
     const slider = this.find("slider");
     slider.max = this.values.steps.length - 1;
+    slider.step = this.values.places ? BETWEEN : 1;
     slider.addEventListener("input", () => this.show(Number(slider.value)));
     this.find("play").addEventListener("click", () => this.play(!this.timer));
     const menu = this.find("field");
@@ -205,7 +223,9 @@ class Viewer {
     if (!on) return;
     const count = this.values.steps.length;
     if (this.step === count - 1) this.show(0);
-    this.timer = setInterval(() => (this.step < count - 1 ? this.show(this.step + 1) : this.play(false)), PLAY);
+    const part = this.values.places && !this.stage.slow ? 4 : 1;
+    const next = () => Math.min((Math.floor(this.step * part + 1e-9) + 1) / part, count - 1);
+    this.timer = setInterval(() => (this.step < count - 1 ? this.show(next()) : this.play(false)), PLAY / part);
   }
 }
 
