@@ -91,6 +91,7 @@ def test_as_many_mean_stress_modes_as_displacement_modes_lock():
     made = built()
     basis, stresses = bases(system(), [path()], 6, 6)
     whole = assemble(system(), drive(), basis, stresses)
+    assert basis.vectors == pytest.approx(made.modes.vectors)  # so the projection error is as good, the answer is not
     y = np.concatenate([made.y[4, :6], stresses.dual.T @ path().mean_stresses[3]])
     found = newton(whole.equations, y, made.inputs[5], made.size)
     half = newton(made.equations, made.y[4], made.inputs[5], made.size)
@@ -116,6 +117,32 @@ def test_rows_without_weights_amplify_soft_directions():
         assert len(chosen.which) == 10
         errors.append(np.linalg.norm(rows[:, chosen.which] @ chosen.factors - rows.sum(axis=1)))
     assert errors[1] > 3 * errors[0]
+
+
+def test_whole_cells_need_more_of_them_than_their_isochoric_energy_alone():
+    """As many cells chosen with their mean stress and lost volume leave larger errors of the coordinates."""
+    made, parts = built(), system()
+    whole, (r, _) = made.whole, made.equations.sizes
+    starts = np.append(np.flatnonzero(np.diff(whole.cells, prepend=-1)), len(whole.cells))
+    order, points, rows = whole.cells[starts[:-1]], whole.rubber, []
+    psi = np.einsum("qm,cmk->cqk", parts.element.tables.M, made.stresses.vectors[parts.element.mean[order]])
+    psi = psi.reshape(len(points.weights), -1)
+    for y, inputs in zip(made.y, made.inputs, strict=True):
+        at = whole.equations.at(y, inputs)
+        F = (np.eye(3).ravel() + points.gradients @ y[:r]).reshape(-1, 3, 3)
+        J = np.linalg.det(F)
+        slopes = np.einsum("p,pji,pijr->pr", J, np.linalg.inv(F), points.gradients.reshape(-1, 3, 3, r))
+        stressed = np.add.reduceat((points.weights * (psi @ y[r:]))[:, None] * slopes, starts[:-1])
+        lost = np.add.reduceat((points.weights * (J - 1))[:, None] * psi, starts[:-1])
+        assert lost.sum(axis=0) == pytest.approx(at.cubics.values[1:], abs=1e-12)
+        inverse, forces = np.linalg.inv(at.tangent())[:r], at.parts[0].forces(starts)
+        rows.append((inverse[:, :r] @ forces.T, inverse @ np.hstack([forces + stressed, lost]).T))
+    isochoric, whole_cells = (np.vstack(each) for each in zip(*rows, strict=True))
+    errors = [
+        choose(matrix, matrix.sum(axis=1), 0.0, 10).error * np.linalg.norm(matrix.sum(axis=1))
+        for matrix in (isochoric, whole_cells)
+    ]
+    assert errors[1] > 10 * errors[0]
 
 
 def test_plain_tangents_need_more_updates_next_to_a_stiff_sheet():

@@ -6,12 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from reduced_cases import KEY, PRESSURE, finger, reduced
+from reduced_cases import KEY, PRESSURE, finger, other_path, reduced
 
 import turgor as tg
 from refused import refused
 from turgor.core.engine.runtime import EngineOptions
 from turgor.reduced.path import solution_of
+from turgor.reduced.training.compare import compared
 from turgor.reduced.verify import verified
 
 LOADS_ALONE = """
@@ -34,6 +35,17 @@ def test_held_out_states_agree():
     assert errors.worst < 0.005
     assert errors.tip.max() < 0.005
     assert errors.volume.max() < 0.002
+
+
+def test_held_out_errors_are_those_of_solves():
+    """Modes that hold a state are not enough: rubber that is a tenth too stiff is a large error."""
+    made = reduced()
+    rubber, *others = made.equations.parts
+    stiff = replace(rubber, weights=1.1 * rubber.weights)
+    wrong = replace(made, equations=replace(made.equations, parts=(stiff, *others)))
+    errors = [compared(each, other_path(), reached_only=False).worst for each in (made, wrong)]
+    assert errors[0] < 0.005
+    assert errors[1] > 0.02
 
 
 def test_rates_are_derivatives():
