@@ -154,6 +154,10 @@ class EstimateSettings:
         The error may be this many times the estimate.
     doubt : float
         Error that an answer may not have without a flag.
+    sampling : float
+        Share of the sampling's indicator in the estimate where it exceeds the known errors, as a power. On 209 states of
+        the demo finger 95, 98 and 98 % of the estimates were within 0.3 to 3 times the error with a half, a third and
+        none of it; without it nothing tells of errors between known states.
     away : float
         In motion, share of the distance to the nearest training state, over the largest size, that counts as an error.
     """
@@ -167,6 +171,7 @@ class EstimateSettings:
     most: int = 400
     factor: float = 3.0
     doubt: float = 0.02
+    sampling: float = 1 / 3
     away: float = 0.3
 
 

@@ -43,9 +43,10 @@ class KnownErrors:
     sizes: Array = field(default_factory=_nothing)
 
     def with_sampling(self, place: Array, size: float, indicator: float) -> float:
-        """Estimate the error where the sampling makes one like the indicator: a larger one raises it by its root."""
+        """Estimate the error where the sampling makes one like the indicator: a larger one raises it in part."""
         known = self.at(place, size)
-        return max(known, (known * indicator) ** 0.5) if len(self.errors) else indicator
+        share = ESTIMATE.sampling
+        return max(known, known ** (1 - share) * indicator**share) if len(self.errors) else indicator
 
     def at(self, place: Array, size: float) -> float:
         """Estimate the error at a place (1 + n,) of an answer of a size; 0 where nothing is known."""
