@@ -155,8 +155,8 @@ class EstimateSettings:
     doubt : float
         Error that an answer may not have without a flag.
     sampling : float
-        Share of the sampling's indicator in the estimate where it exceeds the known errors, as a power. On 209 states of
-        the demo finger 95, 98 and 98 % of the estimates were within 0.3 to 3 times the error with a half, a third and
+        Share of the sampling's indicator in the estimate where it exceeds the known errors, as a power. On 209 states
+        of the demo finger 95, 98 and 99 % of estimates were within 0.3 to 3 times the error with a half, a third and
         none of it; without it nothing tells of errors between known states.
     away : float
         In motion, share of the distance to the nearest training state, over the largest size, that counts as an error.

@@ -17,8 +17,8 @@ from turgor.core.engine.contact.closest import centers_of, curvature, foot_point
 #: its nodes; its foot points lie within the last many radii about its center.
 FLAT, BULGE, WIDE = 1e-3, 1.5, 1.1
 
-#: A point is before a side, and Newton's method need not say how far, where its distance from the surface above its foot
-#: on the plane exceeds this share of what the side leaves the plane by, and more where that place is aside of the point.
+#: A point is before a side, and Newton's method need not say how far, where its distance from the surface above its
+#: foot on the plane exceeds this share of what the side leaves the plane by, and more where that place is aside of it.
 #: On the demo finger a thousand answers stay the same to the last digit, and the search takes a quarter less.
 BEFORE, STEEP = 0.05, 4.0
 

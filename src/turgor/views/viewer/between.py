@@ -37,10 +37,10 @@ def error_between(places: Array, displacements: Array) -> float:
         Rising, seven at least.
     displacements : (k, n, 3) array [m]
     """
-    kept = np.unique([*range(0, len(places), 2), len(places) - 1])
+    chosen = np.unique([*range(0, len(places), 2), len(places) - 1])
     errors = [
-        np.abs(np.tensordot(weights_at(places[kept], places[k]), displacements[kept], 1) - displacements[k]).max()
-        for k in np.setdiff1d(np.arange(len(places)), kept)
+        np.abs(np.tensordot(weights_at(places[chosen], places[k]), displacements[chosen], 1) - displacements[k]).max()
+        for k in np.setdiff1d(np.arange(len(places)), chosen)
     ]
     return float(max(errors) / max(np.abs(displacements).max(), 1e-300))
 
