@@ -160,10 +160,10 @@ class Training:
             path = self._paths(trainer, [self._worst(reduced, paths)])[0]
             errors = compared(reduced, path, reached_only=False)
             self.say(f"  error there {errors.worst:.2g}" + _forces_text(errors))
-            within = errors.worst <= budget.error and errors.force.max(initial=0.0) <= TRAINING.force
-            good = good + 1 if within else 0
+            forces = errors.force.max(initial=0.0) <= TRAINING.force
+            good = good + 1 if forces and errors.worst <= budget.error else 0
             paths.append(path)
-            if reduced.known.errors.max() > budget.error:
+            if reduced.known.errors.max() > budget.error or not forces:
                 count = min(count + TRAINING.more, budget.modes)
             reduced = self.reduced(system, build(system, drive, paths, count), paths)
         if budget.motion:
@@ -186,22 +186,24 @@ class Training:
     def _worst(self, reduced: Reduced, paths: Sequence[Path]) -> Array:
         """The worst of random inputs by the estimated error; one that the reduced model refuses comes first.
 
-        Inputs near those that the full model did not reach are left out.
+        Inputs near those that the full model did not reach are left out. Every other path leads to one that presses an
+        obstacle, if any does: the estimate is of displacements, and forces need checks, too.
         """
         shares = random_shares(len(self.box.keys), len(paths), TRAINING.candidates)
         for path in paths:
             if not path.reached:
                 away = np.linalg.norm(shares - self.box.scaled(aim_of(reduced.inputs, path)[1:]), axis=1)
                 shares = shares[away > TRAINING.apart] if (away > TRAINING.apart).any() else shares
-        worst, place = -1.0, self.box.high
+        worst, place = (False, -1.0), self.box.high
         for share in shares:
             values = self.box.low + share * (self.box.high - self.box.low)
             try:
-                estimate = reduced.at(values).estimate
+                answer = reduced.at(values)
             except NotSolved:
                 return np.asarray(values)
-            if estimate > worst:
-                worst, place = estimate, values
+            pressing = len(paths) % 2 == 1 and any(force.any() for force in answer.obstacle_forces.values())
+            if (pressing, answer.estimate) > worst:
+                worst, place = (pressing, answer.estimate), values
         return place
 
     def _looked_at(self, reduced: Reduced, trainer: Trainer, trained: Sequence[Path]) -> Reduced:
