@@ -29,7 +29,8 @@ class _Options:
         Path,
         typer.Argument(
             metavar="PATH",
-            help="CSV with time_s, and tip_x_mm, tip_y_mm, tip_z_mm (displacements) or bending_angle_deg.",
+            help="CSV with time_s, and tip_x_mm, tip_y_mm, tip_z_mm (displacements), bending_angle_deg, or "
+            "force_N on an obstacle (force_plate_N where there are several).",
             show_default=False,
         ),
     ]
@@ -59,7 +60,7 @@ class _Options:
 
 
 def _run(options: _Options) -> None:
-    """Find pressures that make the tip or the bending angle of a reduced model follow a path, within limits."""
+    """Find pressures with which the tip, bending angle or contact force of a reduced model follows a path."""
     with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.answers.systems import track_result
         from turgor.job.output.folder import claimed
