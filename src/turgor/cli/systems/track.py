@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from turgor.systems.control.track import Track
 
 #: What it writes.
-FILES = ("track.csv", "track.png")
+FILES = ("track.csv", "track.png", "track.html")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +53,7 @@ class _Options:
             show_default=False,
         ),
     ] = None
-    output: Annotated[Path | None, output_option("Folder of table and picture; by default NAME-track.")] = None
+    output: Annotated[Path | None, output_option("Folder of table, picture and page; by default NAME-track.")] = None
     force: Annotated[bool, typer.Option("--force", help="Replace what the folder holds.")] = False
     as_json: Json = False
     debug: Debug = False
@@ -76,7 +76,7 @@ def _run(options: _Options) -> None:
             _write(place, result, options.path.stem)
         _say(result)
         answer.give(lambda: track_result(result, folder))
-        typer.echo(f"Table and picture in {folder}.")
+        typer.echo(f"Table, picture and page with the motion in {folder}.")
         raise typer.Exit(DONE)
 
 
@@ -128,12 +128,14 @@ def _number(text: str, unit: str, where: str) -> float:
 
 def _write(folder: Path, result: "Track", title: str) -> None:
     from turgor.job.output.manifest import list_files
+    from turgor.systems.control.page import write_page
     from turgor.views.plots.systems.track_plot import write_track_plot
 
     list_files(folder, FILES)
     response = result.response()
     response.to_csv(folder / FILES[0])
     write_track_plot(folder / FILES[1], response, title=title)
+    write_page(result, folder / FILES[2], title)
 
 
 def _say(result: "Track") -> None:

@@ -83,7 +83,7 @@ class Track(Shown):
 def _short(key: str, keys: Sequence[str]) -> str:
     """End of a key that no other key has, as a name of a column."""
     parts = key.split(".")
-    for count in range(1, len(parts) + 1):
+    for count in range(2 if parts[-1].isdigit() else 1, len(parts) + 1):
         end = ".".join(parts[-count:])
         if sum(other == end or other.endswith(f".{end}") for other in keys) == 1:
             return end.replace(".", "_")

@@ -32,6 +32,7 @@ def test_track_writes_pressures_and_a_picture(tmp_path):
     table = tg.files.read_response(tmp_path / "out" / "track.csv")
     assert table["pressure"] == pytest.approx(result["inputs"]["loads.pressure"])
     assert (tmp_path / "out" / "track.png").stat().st_size > 10_000
+    assert "<h1>path</h1>" in (tmp_path / "out" / "track.html").read_text(encoding="utf-8")
     for option, facts in {
         "--limit=presure=0..8 kPa": ("presure", "loads.pressure"),
         "--limit=pressure=0..8 mm": ("--limit pressure", "mm"),
