@@ -137,7 +137,7 @@ class _Steps:
             states[0] = y
             kept.append(nows)
         longest = min(mover.actuator.moving.step for mover in self.movers)
-        for aim in sorted({*stored, *self.equations.breaks, until} - {0.0}):
+        for aim in self._aims([*stored, until], longest):
             while nows[0].time < aim:
                 length = aim - nows[0].time
                 y, nows, count = self._advance(y, nows, aim, length / np.ceil(length / longest * (1 - 1e-9)))
@@ -150,6 +150,12 @@ class _Steps:
             followed = _followed(mover, times, [each[place] for each in kept])
             motions |= dict.fromkeys(mover.names, followed)
         return History(equations=self.equations, time=times, unknowns=states, evaluations=evaluations, motions=motions)
+
+    def _aims(self, needed: list[float], longest: float) -> list[float]:
+        """Ends of steps: times that are needed, and jumps of signals unless a step to them were tiny."""
+        aims = sorted(set(needed) - {0.0})
+        apart = SOLVER.apart * longest
+        return sorted({*aims, *(t for t in self.equations.breaks if np.abs(np.array([0.0, *aims]) - t).min() > apart)})
 
     def _advance(self, y: Array, nows: list[Now], aim: float, length: float) -> tuple[Array, list[Now], int]:
         """Make one step towards a time, shorter where gas and actuators do not agree."""
@@ -186,12 +192,10 @@ class _Steps:
             for mover, guess in zip(self.movers, guesses, strict=True):
                 for law, volume in zip(mover.laws, guess.tolist(), strict=True):
                     law.volumes[-1] = volume
-            how = self.tolerance, self.equations.scales * self.tolerance, self.method
-            solution = between(self.equations, np.array([begin, end]), y, how)
-            count += solution.nfev
-            if not solution.success:
+            after, evaluations = self._flowed(y, begin, end)
+            count += evaluations
+            if after is None:
                 return None, count
-            after = solution.y[:, -1]
             pressures = [self._pressures(mover, end, after) for mover in self.movers]
             new = self._moved(nows, end, pressures)
             if new is None:
@@ -210,6 +214,17 @@ class _Steps:
             guesses = [guess + step for guess, step in zip(guesses, steps, strict=True)]
             last = list(zip(steps, wrong, strict=True))
         return None, count
+
+    def _flowed(self, y: Array, begin: float, end: float) -> tuple[Array | None, int]:
+        """The gas at the end of a step, jumps of signals within it; None where it cannot be followed."""
+        count, how = 0, (self.tolerance, self.equations.scales * self.tolerance, self.method)
+        for stop in (*(t for t in self.equations.breaks if begin < t < end), end):
+            solution = between(self.equations, np.array([begin, stop]), y, how)
+            count += solution.nfev
+            if not solution.success:
+                return None, count
+            begin, y = stop, solution.y[:, -1]
+        return y, count
 
     def _pressures(self, mover: Mover, time: float, y: Array) -> Array:
         """Absolute pressures of the chambers of an actuator."""

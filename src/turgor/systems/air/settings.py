@@ -45,6 +45,9 @@ class SolverSettings:
         Most updates of these volumes in a step; two or three are usual, and a step that needs more is halved.
     halvings : int
         How often a step is halved before the run ends.
+    apart : float [-]
+        A jump of a signal ends a step unless it is nearer than this share of a step to a time that is stored: a tiny
+        step would turn round-off into velocity.
     """
 
     tolerance: float = 1e-5
@@ -56,6 +59,7 @@ class SolverSettings:
     agreed: float = 1e-8
     rounds: int = 15
     halvings: int = 6
+    apart: float = 0.01
 
 
 @dataclass(frozen=True, slots=True)
