@@ -8,7 +8,7 @@ from reduced_cases import moving
 
 import turgor as tg
 from refused import refused
-from turgor.units import kPa, mL, mm
+from turgor.units import kPa, mm
 
 VALVE = tg.air.Restriction(conductance=0.02e-8)
 TUBE = tg.air.Tubing(diameter=2 * mm, length=0.5)
