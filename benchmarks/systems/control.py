@@ -215,7 +215,7 @@ def force() -> str:
     changes = {"mesh.size": "8 mm", "actuator.chambers": 2, "actuator.length": "22 mm", "loads.pressure": "12 kPa"}
     model = prepare(read_job(JOB, changes), lambda text: None)[0]
     low = float(model.mesh.points[:, 2].min())
-    plate = tg.Obstacle("plate", tg.obstacles.Plane(point=(0, 0, low - 1 * mm), normal=(0, 0, 1)))
+    plate = tg.obstacles.Obstacle(name="plate", shape=tg.obstacles.Plane(point=(0, 0, low - 1 * mm), normal=(0, 0, 1)))
     model = tg.Model(model.mesh, model.materials, [tg.Fixed("fixed")], [tg.Pressure("cavity", 12 * kPa)],
                      contact=tg.Contact(obstacles=[plate]))  # fmt: skip
     budget = tg.real_time.Budget(steps=10)

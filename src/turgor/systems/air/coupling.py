@@ -145,7 +145,7 @@ class _Steps:
             if aim in stored:
                 states[stored[aim]] = y
                 kept.append(nows)
-        motions = {}
+        motions: dict[str, Followed] = {}
         for place, mover in enumerate(self.movers):
             followed = _followed(mover, times, [each[place] for each in kept])
             motions |= dict.fromkeys(mover.names, followed)
@@ -200,8 +200,8 @@ class _Steps:
             new = self._moved(nows, end, pressures)
             if new is None:
                 return None, count
-            wrong = [mover.volumes(now) - guess
-                     for mover, now, guess in zip(self.movers, new, guesses, strict=True)]  # fmt: skip
+            wrong: list[Array] = [mover.volumes(now) - guess
+                                  for mover, now, guess in zip(self.movers, new, guesses, strict=True)]  # fmt: skip
             if all((np.abs(w) <= SOLVER.agreed * np.abs(g)).all() for w, g in zip(wrong, guesses, strict=True)):
                 return (after, new), count
             if not slopes:
@@ -210,7 +210,7 @@ class _Steps:
             else:
                 slopes = [_broyden(J, step, w - before)
                           for J, w, (step, before) in zip(slopes, wrong, last, strict=True)]  # fmt: skip
-            steps = [np.linalg.solve(J, w) for J, w in zip(slopes, wrong, strict=True)]
+            steps: list[Array] = [np.linalg.solve(J, w) for J, w in zip(slopes, wrong, strict=True)]
             guesses = [guess + step for guess, step in zip(guesses, steps, strict=True)]
             last = list(zip(steps, wrong, strict=True))
         return None, count

@@ -50,7 +50,8 @@ def track_panels(response: Response, active: Sequence[Sequence[str]]) -> list[Fi
     active : sequence of sequences of str
         Limits that each row has reached.
     """
-    outputs, panels = _outputs(response), [PlotFigure(figsize=(4.6, 3.5)) for _ in range(3)]
+    outputs = _outputs(response)
+    panels: list[Figure] = [PlotFigure(figsize=(4.6, 3.5)) for _ in range(3)]
     _draw_path(panels[0].add_subplot(), response, outputs)
     _draw_inputs(panels[1].add_subplot(), response, outputs)
     _draw_distance(panels[2].add_subplot(), response)
