@@ -210,7 +210,7 @@ class _Steps:
             else:
                 slopes = [_broyden(J, step, w - before)
                           for J, w, (step, before) in zip(slopes, wrong, last, strict=True)]  # fmt: skip
-            steps: list[Array] = [np.linalg.solve(J, w) for J, w in zip(slopes, wrong, strict=True)]
+            steps: list[Array] = [np.linalg.solve(J, w).astype(np.float64) for J, w in zip(slopes, wrong, strict=True)]
             guesses = [guess + step for guess, step in zip(guesses, steps, strict=True)]
             last = list(zip(steps, wrong, strict=True))
         return None, count
