@@ -1,4 +1,4 @@
-"""A short finger and its reduced model, which several tests share."""
+"""A short finger, a bellows before a plate, and their reduced models, which several tests share."""
 
 from dataclasses import replace
 from functools import cache
@@ -6,10 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
+import turgor as tg
 from turgor.accuracy.gradients.model_keys import model_variation
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
 from turgor.core.model.model import Model
+from turgor.core.model.obstacles import Obstacle, Plane
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.reduced.reduce import Budget, Training, reduce
@@ -20,10 +22,14 @@ from turgor.reduced.training.build import Built, build
 from turgor.reduced.training.masses import masses_of
 from turgor.reduced.training.trainer import Path as FullPath
 from turgor.reduced.training.trainer import Trainer
+from turgor.units import MPa, kPa, mm
 
 JOB = Path(__file__).parents[2] / "examples" / "fast_pneunet.toml"
 CHANGES = {"mesh.size": "8 mm", "actuator.chambers": 2, "actuator.length": "22 mm"}
 KEY, PRESSURE = "loads.pressure", 12e3
+PLACE = "obstacles.plate.point.1"
+ELASTOMER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.1 * MPa))
+LENGTH = 28 * mm
 
 
 @cache
@@ -101,3 +107,25 @@ def reduced() -> Reduced:
     """A reduced model of the finger."""
     budget = Budget(held_out=1, steps=8, modes=8)
     return reduce(finger(), {KEY: (0.0, PRESSURE)}, budget=budget, options=EngineOptions(threads=1))
+
+
+def bellows(plate: Obstacle) -> tg.Model:
+    """A bellows before a plate."""
+    mesh = tg.mesh(tg.actuators.BellowsOfRevolution(folds=2).build(), size=5 * mm, cells="axisymmetric")
+    load = tg.Pressure("cavity", 5 * kPa)
+    return tg.Model(mesh, {"body": ELASTOMER}, [tg.Fixed("fixed")], [load], contact=tg.Contact(obstacles=[plate]))
+
+
+def plate(**changes: object) -> Obstacle:
+    """The plate, 4 mm away."""
+    return replace(
+        Obstacle(name="plate", shape=Plane(point=(LENGTH + 4 * mm, 0, 0), normal=(-1, 0, 0))), **changes
+    )  # fmt: skip
+
+
+@cache
+def pressing() -> Reduced:
+    """A bellows that presses a plate at some distance, or does not reach it."""
+    box = {KEY: (0.0, 5 * kPa), PLACE: (LENGTH + 1 * mm, LENGTH + 6 * mm)}
+    budget = Budget(held_out=1, steps=5, paths=4)
+    return reduce(bellows(plate()), box, budget=budget, options=EngineOptions(threads=1))

@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from turgor.systems.air.simulate import simulate as simulate
     from turgor.systems.air.volumes.coupled import Coupled as Coupled
     from turgor.systems.air.volumes.curve import VolumeCurve as VolumeCurve
+    from turgor.systems.air.volumes.moving import MovingActuator as MovingActuator
     from turgor.systems.air.volumes.rigid import Rigid as Rigid
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from turgor.systems.control.controller import Air as Air
     from turgor.systems.control.controller import Controller as Controller
     from turgor.systems.control.controller import Tuning as Tuning
+    from turgor.systems.control.forces import Force as Force
     from turgor.systems.control.limits import Limits as Limits
     from turgor.systems.control.loop import LoopRun as LoopRun
     from turgor.systems.control.loop import Plant as Plant
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from turgor.systems.control.outputs import Points as Points
     from turgor.systems.control.outputs import Shape as Shape
     from turgor.systems.control.outputs import Tip as Tip
+    from turgor.systems.control.page import write_page as write_page
     from turgor.systems.control.path_file import WantedPath as WantedPath
     from turgor.systems.control.path_file import read_path as read_path
     from turgor.systems.control.track import Track as Track

@@ -1,14 +1,11 @@
 """Obstacles in reduced models: their place is an input, the force on them an answer with its rates."""
 
-from dataclasses import replace
-from functools import cache
-
 import numpy as np
 import pytest
+from reduced_cases import ELASTOMER, KEY, LENGTH, PLACE, bellows, plate, pressing
 
 import turgor as tg
 from refused import refused
-from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
@@ -16,39 +13,11 @@ from turgor.core.model.obstacles import Box, Obstacle, Plane, RigidSurface, Sphe
 from turgor.core.results.measures.contact_measures import force_on
 from turgor.reduced.parts.obstacles import ObstructingAt
 from turgor.reduced.path import solution_of
-from turgor.reduced.reduce import Budget, reduce
 from turgor.reduced.states.newton import Balance, newton
-from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.box import corners, inputs_of
 from turgor.reduced.training.near import contact_parts, near_points
 from turgor.reduced.training.places import Place
-from turgor.units import MPa, kPa, mm
-
-KEY, PLACE = "loads.pressure", "obstacles.plate.point.1"
-RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.1 * MPa))
-LENGTH = 28 * mm
-
-
-def bellows(plate: Obstacle) -> tg.Model:
-    """A bellows before a plate."""
-    mesh = tg.mesh(tg.actuators.BellowsOfRevolution(folds=2).build(), size=5 * mm, cells="axisymmetric")
-    load = tg.Pressure("cavity", 5 * kPa)
-    return tg.Model(mesh, {"body": RUBBER}, [tg.Fixed("fixed")], [load], contact=tg.Contact(obstacles=[plate]))
-
-
-def plate(**changes: object) -> Obstacle:
-    """The plate, 4 mm away."""
-    return replace(
-        Obstacle(name="plate", shape=Plane(point=(LENGTH + 4 * mm, 0, 0), normal=(-1, 0, 0))), **changes
-    )  # fmt: skip
-
-
-@cache
-def pressing() -> Reduced:
-    """A bellows that presses a plate at some distance, or does not reach it."""
-    box = {KEY: (0.0, 5 * kPa), PLACE: (LENGTH + 1 * mm, LENGTH + 6 * mm)}
-    budget = Budget(held_out=1, steps=5, paths=4)
-    return reduce(bellows(plate()), box, budget=budget, options=EngineOptions(threads=1))
+from turgor.units import kPa, mm
 
 
 def test_forces_at_untrained_places_agree() -> None:
@@ -139,7 +108,7 @@ def test_forces_and_tangent_are_those_of_the_full_contact(shape: object) -> None
     """At an arbitrary displacement, in which the finger is pressed into the obstacle, and with the obstacle moved."""
     mesh = swept_mesh(tg.FastPneuNet(chambers=1, length=12 * mm).build(), Fineness(size=6 * mm))
     contact = tg.Contact(False, [Obstacle(name="body", shape=shape)])
-    model = tg.Model(mesh, {"body": RUBBER, "base": RUBBER}, [tg.Fixed("fixed")], [], contact=contact)
+    model = tg.Model(mesh, {"body": ELASTOMER, "base": ELASTOMER}, [tg.Fixed("fixed")], [], contact=contact)
     system, random = System(model), np.random.default_rng(2)
     x = system.points / np.abs(system.points).max()
     fields = np.stack(

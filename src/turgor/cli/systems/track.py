@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from turgor.systems.control.track import Track
 
 #: What it writes.
-FILES = ("track.csv", "track.png")
+FILES = ("track.csv", "track.png", "track.html")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,7 +29,8 @@ class _Options:
         Path,
         typer.Argument(
             metavar="PATH",
-            help="CSV with time_s, and tip_x_mm, tip_y_mm, tip_z_mm (displacements) or bending_angle_deg.",
+            help="CSV with time_s, and tip_x_mm, tip_y_mm, tip_z_mm (displacements), bending_angle_deg, or "
+            "force_N on an obstacle (force_plate_N where there are several).",
             show_default=False,
         ),
     ]
@@ -52,14 +53,14 @@ class _Options:
             show_default=False,
         ),
     ] = None
-    output: Annotated[Path | None, output_option("Folder of table and picture; by default NAME-track.")] = None
+    output: Annotated[Path | None, output_option("Folder of table, picture and page; by default NAME-track.")] = None
     force: Annotated[bool, typer.Option("--force", help="Replace what the folder holds.")] = False
     as_json: Json = False
     debug: Debug = False
 
 
 def _run(options: _Options) -> None:
-    """Find pressures that make the tip or the bending angle of a reduced model follow a path, within limits."""
+    """Find pressures with which the tip, bending angle or contact force of a reduced model follows a path."""
     with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.answers.systems import track_result
         from turgor.job.output.folder import claimed
@@ -75,7 +76,7 @@ def _run(options: _Options) -> None:
             _write(place, result, options.path.stem)
         _say(result)
         answer.give(lambda: track_result(result, folder))
-        typer.echo(f"Table and picture in {folder}.")
+        typer.echo(f"Table, picture and page with the motion in {folder}.")
         raise typer.Exit(DONE)
 
 
@@ -127,12 +128,14 @@ def _number(text: str, unit: str, where: str) -> float:
 
 def _write(folder: Path, result: "Track", title: str) -> None:
     from turgor.job.output.manifest import list_files
+    from turgor.systems.control.page import write_page
     from turgor.views.plots.systems.track_plot import write_track_plot
 
     list_files(folder, FILES)
     response = result.response()
     response.to_csv(folder / FILES[0])
     write_track_plot(folder / FILES[1], response, title=title)
+    write_page(result, folder / FILES[2], title)
 
 
 def _say(result: "Track") -> None:

@@ -1,6 +1,6 @@
 """Following: answers of a reduced model along histories of its inputs, at rest in every state or in motion."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
@@ -84,8 +84,21 @@ class Followed:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Now:
-    """Where a history has arrived; the equations have the internal variables there."""
+class Now:
+    """Where a history has arrived; the equations have the internal variables there.
+
+    Parameters
+    ----------
+    time : float [s]
+    equations : Equations
+    at : EquationsAt
+    inverse : (r + m, r + m) array
+        Of the tangent of the last step.
+    motion : Motion
+    energies : Energies
+    damping : (r,) array
+        Scaled forces of the damping.
+    """
 
     time: float
     equations: Equations
@@ -98,12 +111,16 @@ class _Now:
 
 def follow_history(reduced: Any, times: Array, table: Array, moving: Moving | None, start: ReducedState) -> Followed:
     """Follow inputs (k, n) at times (k,) from the equilibrium at the first of them; between them inputs are linear."""
-    run = _Run(reduced, times, np.column_stack([np.ones(len(times)), table]), moving)
-    now = run.begin(start)
+    run, ends = Run(reduced, moving), np.column_stack([np.ones(len(times)), table])
+
+    def inputs(time: float) -> Array:
+        return np.array([np.interp(time, times, column) for column in ends.T])
+
+    now = run.begin(start, float(times[0]))
     answers, rates, energies = [start], [now.motion.velocity], [now.energies]
     for time in times[1:]:
         while now.time < time:
-            now = run.advance(now, time)
+            now = run.advance(now, time, inputs)
         answers.append(run.answer(now))
         rates.append(now.motion.velocity)
         energies.append(now.energies)
@@ -111,53 +128,54 @@ def follow_history(reduced: Any, times: Array, table: Array, moving: Moving | No
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Run:
-    """Constants of a run."""
+class Run:
+    """Steps of a reduced model in time.
+
+    Parameters
+    ----------
+    reduced : Reduced
+    moving : Moving or None
+    """
 
     reduced: Any
-    times: Array
-    table: Array
     moving: Moving | None
 
-    def inputs(self, time: float) -> Array:
-        """Inputs (1 + n,) at a time."""
-        return np.array([np.interp(time, self.times, column) for column in self.table.T])
-
-    def begin(self, start: ReducedState) -> _Now:
+    def begin(self, start: ReducedState, time: float) -> Now:
         """Begin in an equilibrium."""
         equations = _stepped(self.reduced.equations, inf)
-        at = equations.at(start.y, self.table[0])
+        at = equations.at(start.y, np.concatenate([[1.0], start.inputs]))
         assert at is not None  # it was found before
         none = np.zeros(len(start.q))
         energy = stored(at) * self._unit if self.moving else 0.0
         energies = Energies(kinetic=0.0, strain=energy, dissipated=0.0, work=energy)
         motion = Motion(start.q, none, none, none)
         inverse: Array = np.linalg.inv(at.tangent()).astype(np.float64)
-        return _Now(float(self.times[0]), _remembering(equations, at), at, inverse, motion, energies, none)
+        return Now(time, _remembering(equations, at), at, inverse, motion, energies, none)
 
     @property
     def _unit(self) -> float:
         """Joule of a scaled force times a scaled length."""
         return self.reduced.scales[1] * self.reduced.scales[0] ** 3
 
-    def advance(self, now: _Now, aim: float) -> _Now:
-        """Make one step towards a time, shorter where Newton's method finds nothing."""
+    def advance(self, now: Now, aim: float, inputs: Callable[[float], Array]) -> Now:
+        """Make one step towards a time, shorter where Newton's method finds nothing, with inputs (1 + n,) by time."""
         length = aim - now.time
         if self.moving is not None:
             length /= np.ceil(length / self.moving.step * (1 - 1e-9))
         for _ in range(NEWTON.substeps + 1):
             end = aim if length >= aim - now.time else now.time + length
-            new = self._step(now, end)
+            new = self.step(now, end, inputs(end))
             if new is not None:
                 return new
             length *= 0.5
         raise NotSolved(
-            f"the reduced model finds no state at {end:.4g} s, {self.reduced.inputs.text(self.inputs(end)[1:])}; "
+            f"the reduced model finds no state at {end:.4g} s, {self.reduced.inputs.text(inputs(end)[1:])}; "
             "train it more densely, or take shorter steps."
         )
 
-    def _step(self, now: _Now, end: float) -> _Now | None:
-        reduced, inputs, r = self.reduced, self.inputs(end), len(now.motion.unknowns)
+    def step(self, now: Now, end: float, inputs: Array) -> Now | None:
+        """Make a step to a time, at which the inputs are (1 + n,); None where Newton's method finds nothing."""
+        reduced, r = self.reduced, len(now.motion.unknowns)
         equations = _stepped(now.equations, end - now.time)
         if self.moving is None:
             start = now.at.y - now.inverse @ (now.at.by_inputs() @ (inputs - now.at.inputs))
@@ -179,7 +197,7 @@ class _Run:
                 return replace(moved, equations=_remembering(equations, moved.at))
         return None
 
-    def _moved(self, now: _Now, result: Balance, rule: TimeStep, end: float) -> _Now:
+    def _moved(self, now: Now, result: Balance, rule: TimeStep, end: float) -> Now:
         """The end of a step, with its energies; work by the trapezoidal rule."""
         at, r = result.at, len(now.motion.unknowns)
         (inertia,) = (part for part in at.parts if isinstance(part, InertiaAt))
@@ -195,9 +213,9 @@ class _Run:
             dissipated=before.dissipated + 0.5 * self._unit * float((now.damping + inertia.damping) @ moved),
             work=before.work + self._unit * work,
         )
-        return _Now(end, now.equations, still, result.inverse, motion, energies, inertia.damping)
+        return Now(end, now.equations, still, result.inverse, motion, energies, inertia.damping)
 
-    def answer(self, now: _Now) -> ReducedState:
+    def answer(self, now: Now) -> ReducedState:
         """The answer where the history is."""
         at = self.reduced.equations.at(now.at.y, now.at.inputs)
         assert at is not None  # it was found before

@@ -7,12 +7,14 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.foundation.errors import TurgorError
 from turgor.systems.air.fluids import Gas
 from turgor.systems.air.network import Network
 from turgor.systems.air.nodes import Chamber, Supply
 from turgor.systems.air.parts.part import PartFlow, PartRates, Port
 from turgor.systems.air.stores import CoupledStore, EnergyStore, FixedStore, Store, check_rising, store_of
 from turgor.systems.air.volumes.coupled import Coupled, CoupledChamber
+from turgor.systems.air.volumes.moving import MovingChamber
 
 Array = NDArray[np.float64]
 
@@ -71,6 +73,10 @@ class Equations:
         dead, numbers = self.network.dead_volumes(), {name: n for n, name in enumerate(self.names)}
         groups: dict[int, tuple[Coupled, dict[int, str]]] = {}
         for name, node in self.network.all_nodes.items():
+            if isinstance(node, Chamber) and isinstance(node.volume, MovingChamber):
+                raise TurgorError(
+                    f"chamber '{name}' is in motion, which `simulate` alone follows; take a `VolumeCurve`."
+                )
             if isinstance(node, Chamber) and isinstance(node.volume, CoupledChamber):
                 table = node.volume.table
                 groups.setdefault(id(table), (table, {}))[1][node.volume.number] = name

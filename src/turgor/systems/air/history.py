@@ -1,7 +1,8 @@
 """History: what a network did over time."""
 
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,9 @@ from turgor.foundation.source import Source
 from turgor.systems.air.equations import Equations
 from turgor.systems.air.nodes import Chamber
 from turgor.systems.air.volumes.curve import VolumeCurve
+
+if TYPE_CHECKING:
+    from turgor.reduced.states.following import Followed
 
 Array = NDArray[np.float64]
 
@@ -33,12 +37,15 @@ class History(Shown):
         Of the equations.
     evaluations : int
         How often rates were computed.
+    motions : mapping of str to Followed
+        States, velocities and energies of actuators in motion, by the nodes that are their chambers.
     """
 
     equations: Equations
     time: Array
     unknowns: Array
     evaluations: int
+    motions: Mapping[str, "Followed"] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         nodes, parts = ", ".join(self.equations.names), ", ".join(self.equations.part_names)
@@ -94,6 +101,8 @@ class History(Shown):
 
     def _shapes(self, node: str) -> list[Column]:
         """Columns of the shape of an actuator."""
+        if node in self.motions:
+            return [Column(f"tip_displacement_{node}", "mm", np.linalg.norm(self.motions[node].tip, axis=1))]
         law = getattr(self.equations.network.all_nodes[node], "volume", None)
         table = law.table if isinstance(law, VolumeCurve) else None
         if table is None:

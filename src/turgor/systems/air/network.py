@@ -10,6 +10,7 @@ from turgor.systems.air.nodes import Chamber, Node, Supply
 from turgor.systems.air.parts.part import Around, Part
 from turgor.systems.air.signals import values_in
 from turgor.systems.air.volumes.coupled import CoupledChamber
+from turgor.systems.air.volumes.moving import MovingChamber
 from turgor.systems.air.volumes.rigid import Rigid
 
 #: Name of the air around, or the tank at its pressure: a node of every network.
@@ -150,16 +151,19 @@ class Network:
         self._check_coupled()
 
     def _check_coupled(self) -> None:
-        groups: dict[int, list[CoupledChamber]] = {}
+        groups: dict[int, list[tuple[int, int]]] = {}
         for node in self.nodes.values():
             if isinstance(node, Chamber) and isinstance(node.volume, CoupledChamber):
-                groups.setdefault(id(node.volume.table), []).append(node.volume)
+                groups.setdefault(id(node.volume.table), []).append((node.volume.number, len(node.volume.table.low)))
+            if isinstance(node, Chamber) and isinstance(node.volume, MovingChamber):
+                actuator = node.volume.actuator
+                groups.setdefault(id(actuator), []).append((node.volume.number, len(actuator.reduced.inputs.keys)))
         for group in groups.values():
-            numbers = sorted(each.number for each in group)
-            if numbers != list(range(len(group[0].table.low))):
+            numbers, count = sorted(number for number, _ in group), group[0][1]
+            if numbers != list(range(count)):
                 raise TurgorError(
-                    f"a table of {len(group[0].table.low)} coupled chambers needs each of them once; the nodes have "
-                    f"the chambers {numbers}."
+                    f"an actuator of {count} coupled chambers needs each of them once; the nodes have the chambers "
+                    f"{numbers}."
                 )
 
     def _check_supplies(self) -> None:

@@ -8,13 +8,14 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.systems.air.signals import AnySignal, signal_of
 from turgor.systems.air.volumes.coupled import CoupledChamber
 from turgor.systems.air.volumes.law import Law
+from turgor.systems.air.volumes.moving import MovingChamber
 from turgor.systems.air.volumes.rigid import Rigid
 
 #: How the temperature of a gas changes: by name, or the exponent n of p/ρⁿ = constant.
 PROCESSES = ("adiabatic", "isentropic", "isothermal")
 
 #: Volume of a chamber: a number for a rigid one.
-Volume: TypeAlias = float | Law | CoupledChamber
+Volume: TypeAlias = float | Law | CoupledChamber | MovingChamber
 
 
 class Node(Protocol):
@@ -55,7 +56,7 @@ class Chamber:
 
     Parameters
     ----------
-    volume : float [m³], tg.air.VolumeCurve, Rigid, CoupledChamber or None
+    volume : float [m³], tg.air.VolumeCurve, Rigid, CoupledChamber, MovingChamber or None
         A number is a rigid vessel. A junction of tubes has None: its volume is half of that of each tube.
     pressure : float [Pa], gauge
         At the start.
@@ -94,7 +95,7 @@ class Chamber:
             object.__setattr__(self, "volume", Rigid(float(self.volume)))
 
     @property
-    def law(self) -> Law | CoupledChamber | None:
+    def law(self) -> Law | CoupledChamber | MovingChamber | None:
         """Its volume as a law."""
         assert not isinstance(self.volume, int | float)  # replaced above
         return self.volume

@@ -11,13 +11,13 @@ from turgor.systems.air.driven import ACTUATOR, VALVE
 from turgor.systems.air.equations import Equations
 from turgor.systems.air.fluids import Gas
 from turgor.systems.air.history import History
+from turgor.systems.air.integrate import integrate
 from turgor.systems.air.network import Network
 from turgor.systems.air.nodes import Chamber
 from turgor.systems.air.parts.regulator import Regulator
 from turgor.systems.air.parts.valves import ThreeWayValve
 from turgor.systems.air.settings import PERFORMANCE
 from turgor.systems.air.signals import AnySignal, Signal, Sine
-from turgor.systems.air.simulate import integrate
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

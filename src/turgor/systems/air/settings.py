@@ -39,6 +39,15 @@ class SolverSettings:
         Times at which a result is stored, unless they are given.
     most_switches : int
         Most switching times of a network: a valve of 1 kHz for a minute has as many.
+    agreed : float [-]
+        Difference of the volumes of gas and actuator at the end of a step, over the volume, at which they agree.
+    rounds : int
+        Most updates of these volumes in a step; two or three are usual, and a step that needs more is halved.
+    halvings : int
+        How often a step is halved before the run ends.
+    apart : float [-]
+        A jump of a signal ends a step unless it is nearer than this share of a step to a time that is stored: a tiny
+        step would turn round-off into velocity.
     """
 
     tolerance: float = 1e-5
@@ -47,6 +56,10 @@ class SolverSettings:
     beyond: float = 1e-3
     samples: int = 500
     most_switches: int = 120_000
+    agreed: float = 1e-8
+    rounds: int = 15
+    halvings: int = 6
+    apart: float = 0.01
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,16 +1,15 @@
 """simulate: follow a network through time."""
 
-from collections.abc import Callable, Sequence
-from math import inf, ulp
-from typing import Any
+from math import inf
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.integrate import solve_ivp
 
-from turgor.foundation.errors import NotSolved, TurgorError
+from turgor.foundation.errors import TurgorError
+from turgor.systems.air.coupling import follow_coupled, in_motion
 from turgor.systems.air.equations import Equations
 from turgor.systems.air.history import History
+from turgor.systems.air.integrate import integrate
 from turgor.systems.air.network import Network
 from turgor.systems.air.settings import SOLVER
 
@@ -28,6 +27,7 @@ def simulate(
     """Follow a network from the start to an end.
 
     Between the times at which a signal or a valve jumps, SciPy integrates with steps of variable order and length.
+    Chambers of a `MovingActuator` are stepped together with the gas: every step ends at a volume that both agree on.
 
     Parameters
     ----------
@@ -76,67 +76,8 @@ def simulate(
         raise TurgorError("times must rise, and there must be one at least.")
     if stored[0] < 0 or stored[-1] > until:
         raise TurgorError(f"times reach from {stored[0]:g} to {stored[-1]:g} s; allowed is 0 to the end, {until:g} s.")
+    if in_motion(network):
+        return follow_coupled(network, stored, until, (tolerance, method))
     equations = Equations(network, until)
     states, evaluations, _ = integrate(equations, stored, tolerance, method)
     return History(equations=equations, time=stored, unknowns=states, evaluations=evaluations)
-
-
-def integrate(
-    equations: Equations,
-    times: Array,
-    tolerance: float = SOLVER.tolerance,
-    method: str = "LSODA",
-    event: "Callable[[float, Array], float] | None" = None,
-) -> tuple[Array, int, float]:
-    """Integrate from break to break; return unknowns (n, m) at times, the number of evaluations, and the end.
-
-    Where there is an event, the end is where it rises through zero, if it does; later times have no unknowns.
-    """
-    y, begin, evaluations, until = equations.first, 0.0, 0, equations.around.until
-    states = np.full((len(times), equations.size), np.nan)
-    how = (tolerance, equations.scales * tolerance, method)
-    for end in (*equations.breaks, until):
-        inner = times[(times >= begin) & (times <= end)]
-        solution = _between(equations, np.unique([begin, *inner, end]), y, how, event)
-        evaluations += solution.nfev
-        if not solution.success:
-            raise NotSolved(f"the network cannot be followed beyond {solution.t[-1]:.4g} s: {solution.message}")
-        places = np.flatnonzero((times >= begin) & (times <= solution.t[-1]))
-        states[places] = solution.y[:, np.searchsorted(solution.t, times[places])].T
-        y, stop = solution.y[:, -1], end
-        if solution.status == 1:
-            y, stop = solution.y_events[0][0], float(solution.t_events[0][0])
-        text = equations.outside(stop, y.tolist())
-        if text:
-            raise NotSolved(f"at {stop:.4g} s or before, {text}.")
-        if solution.status == 1:
-            return states, evaluations, stop
-        begin = end
-    return states, evaluations, until
-
-
-def _between(
-    equations: Equations,
-    times: Array,
-    y: Array,
-    how: tuple[float, Array, str],
-    event: Callable[[float, Array], float] | None,
-) -> Any:
-    """Integrate a smooth stretch; the times at its ends belong to it, as seen from within."""
-    begin, end = times[0], times[-1]
-    inside = max(1e-12 * (end - begin), 4 * ulp(end))
-
-    def within(time: float) -> float:
-        return min(max(time, begin + inside), end - inside)
-
-    def rates(time: float, unknowns: Array) -> Sequence[float]:
-        return equations.rates(within(time), unknowns)
-
-    def jacobian(time: float, unknowns: Array) -> Array:
-        return equations.jacobian(within(time), unknowns)
-
-    tolerance, errors, method = how
-    if event is not None:
-        event.terminal, event.direction = True, 1.0  # type: ignore[attr-defined]
-    more = {"rtol": tolerance, "atol": errors, "events": event, "jac": jacobian}
-    return solve_ivp(rates, (begin, end), y, method, times, **more)

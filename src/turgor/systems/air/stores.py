@@ -18,6 +18,7 @@ from turgor.systems.air.settings import SOLVER
 from turgor.systems.air.signals import signal_of
 from turgor.systems.air.volumes.coupled import Coupled, CoupledChamber
 from turgor.systems.air.volumes.law import Law
+from turgor.systems.air.volumes.moving import MovingChamber
 from turgor.systems.air.volumes.rigid import Rigid
 
 #: Density, its derivative by the pressure, and the temperature at an absolute pressure.
@@ -90,7 +91,7 @@ class MassStore:
 
     def __init__(self, chamber: Chamber, dead: float, around: Around) -> None:
         law = chamber.law
-        assert law is not None and not isinstance(law, CoupledChamber)  # those have a store of their own
+        assert law is not None and not isinstance(law, CoupledChamber | MovingChamber)  # others deal with those
         self.law: Law = law
         self.dead, self.around = dead, around
         self._process = process_of(chamber, around)

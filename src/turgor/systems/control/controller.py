@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.reduced import Reduced
+from turgor.systems.control.forces import continued
 from turgor.systems.control.least_squares import least_squares
 from turgor.systems.control.limits import Limits, LimitsOf
 from turgor.systems.control.outputs import Output, OutputOf, Tip
@@ -99,7 +100,7 @@ class Controller:
     period : float [s]
         Time between calls.
     output : Output, optional
-        What is measured and follows: `Tip` (the default), `Points`, `Shape` or `Angle`.
+        What is measured and follows: `Tip` (the default), `Points`, `Shape`, `Angle` or `Force`.
     limits : Limits, optional
     air : Air, optional
         Delay and lag between command and chamber.
@@ -132,7 +133,7 @@ class Controller:
         ----------
         state : ReducedState
         """
-        value = self.output.at(state.q)[0]
+        value = self.output.at(state)[0]
         self.state, self.command, self.disturbance = state, state.inputs.copy(), np.zeros(len(value))
         self._predicted = deque([value] * (self.air.periods(self.period) + 1))
 
@@ -168,14 +169,14 @@ class Controller:
         except NotSolved:
             command = self.command
         self.command = command
-        self._predicted.append(self.output.at(self.state.q)[0])
+        self._predicted.append(self.output.at(self.state)[0])
         return command.copy()
 
     def _plan(self, wanted: Array) -> Array:
         """First of the inputs (n,) of the horizon that bring the output nearest to what is wanted (h, m)."""
         widths, n, h = self.limits.widths, len(self.command), len(wanted)
-        value, slopes = self.output.at(self.state.q)
-        by_inputs = slopes @ self.state.rates[: slopes.shape[1]] * (widths / self.output.size)
+        value, slopes = continued(self.output, self.state)
+        by_inputs = slopes * (widths / self.output.size)
         effect = _lagged(h, self.air.decay(self.period))
         change = np.eye(h) - np.eye(h, k=-1)  # of each input of the horizon since the one before
         A = np.vstack([np.kron(effect, by_inputs), np.sqrt(self.tuning.smoothness) * np.kron(change, np.eye(n))])

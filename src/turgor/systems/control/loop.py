@@ -122,7 +122,7 @@ def run_loop(controller: Controller, plant: Plant, path: Array) -> LoopRun:
     seconds: list[float] = []
     ahead = controller.air.periods(period) + controller.tuning.horizon + 1
     for place in range(len(rows)):
-        reached.append(its.at(state.q)[0])
+        reached.append(its.at(state)[0])
         measured.append(reached[-1] + plant.noise * random.normal(size=len(reached[-1])))
         began = process_time()
         commands.append(controller.step(rows[place : place + ahead], measured[-1]))

@@ -1,4 +1,4 @@
-"""Outputs: what is to follow a target, as functions of the coordinates of a reduced model."""
+"""Outputs: what is to follow a target, as functions of the states of a reduced model."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.faces import surfaces
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.reduced import Reduced
 
 Array = NDArray[np.float64]
@@ -31,8 +32,8 @@ class OutputOf(Protocol):
     def size(self) -> float:
         """What an error of the output is compared with [SI]."""
 
-    def at(self, q: Array) -> tuple[Array, Array]:
-        """Values (m,) and derivatives (m, r) by the coordinates."""
+    def at(self, state: ReducedState) -> tuple[Array, Array]:
+        """Values (m,) and derivatives (m, n) by the inputs."""
 
 
 class Output(Protocol):
@@ -60,9 +61,9 @@ class Linear:
     size: float
     unit: str = "mm"
 
-    def at(self, q: Array) -> tuple[Array, Array]:
-        """Values (m,) [m] and derivatives (m, r) at coordinates."""
-        return self.matrix @ q, self.matrix
+    def at(self, state: ReducedState) -> tuple[Array, Array]:
+        """Values (m,) [m] and derivatives (m, n) by the inputs."""
+        return self.matrix @ state.q, self.matrix @ state.rates[: len(state.q)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +93,7 @@ class Tip:
             raise TurgorError("the reduced model has no face 'tip'; follow points instead.")
         rows = ["xyz".index(axis) for axis in self.axes]
         names = tuple(f"tip_{axis}" for axis in self.axes)
-        return Linear(names, reduced.tip[rows] * reduced.scales[0], _length(reduced))
+        return Linear(names, reduced.tip[rows] * reduced.scales[0], length_of(reduced))
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +115,7 @@ class Points:
     def of(self, reduced: Reduced) -> Linear:
         """Prepare it for a reduced model."""
         points = reduced.model.mesh.points
-        rows, names, length = [], [], _length(reduced)
+        rows, names, length = [], [], length_of(reduced)
         for number, place in enumerate(np.asarray(self.places, dtype=np.float64).reshape(-1, 3), start=1):
             away = np.linalg.norm(points - place, axis=1)
             node = int(away.argmin())
@@ -165,7 +166,7 @@ class Shape:
             names += [f"shape_{station:g}_{axis}" for axis in "xyz"]
         if not rows:
             raise TurgorError("a target of shape needs a station; there is none.")
-        return Linear(tuple(names), np.vstack(rows).astype(np.float64), _length(reduced))
+        return Linear(tuple(names), np.vstack(rows).astype(np.float64), length_of(reduced))
 
 
 @dataclass(frozen=True, slots=True)
@@ -236,8 +237,9 @@ class AngleOf:
     unit: str = "deg"
     size: float = 1.0
 
-    def at(self, q: Array) -> tuple[Array, Array]:
-        """Value (1,) [rad] and derivative (1, r) at coordinates."""
+    def at(self, state: ReducedState) -> tuple[Array, Array]:
+        """Value (1,) [rad] and derivatives (1, n) by the inputs."""
+        q = state.q
         one = np.concatenate([[1.0], q])
         once = self.forms @ one
         x, _, z = once @ one
@@ -245,7 +247,8 @@ class AngleOf:
         angle = np.arctan2(-z, x)
         near = self._angles[np.argmin(((self.trained - q) ** 2).sum(axis=1))]
         angle += 2 * np.pi * np.round((near - angle) / (2 * np.pi))
-        return np.array([angle]), ((z * slopes[0] - x * slopes[2]) / (x**2 + z**2))[None]
+        by_coordinates = (z * slopes[0] - x * slopes[2]) / (x**2 + z**2)
+        return np.array([angle]), (by_coordinates @ state.rates[: len(q)])[None]
 
     @cached_property
     def _angles(self) -> Array:
@@ -265,5 +268,6 @@ def _rows(reduced: Reduced, node: int) -> Array:
     return reduced.modes[3 * node : 3 * node + 3].astype(np.float64) * reduced.scales[0]
 
 
-def _length(reduced: Reduced) -> float:
+def length_of(reduced: Reduced) -> float:
+    """Largest extent of the actuator [m]."""
     return float(np.ptp(reduced.model.mesh.points, axis=0).max())

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.results.files.response_csv import read_response
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.systems.control.forces import Force
 from turgor.systems.control.outputs import Angle, Output, Tip
 
 Array = NDArray[np.float64]
@@ -17,6 +18,9 @@ TIME = "time"
 
 #: Columns of outputs, and the unit of each in SI.
 COLUMNS = {"tip_x": "m", "tip_y": "m", "tip_z": "m", "bending_angle": "rad"}
+
+#: Column of the contact force, or the beginning of its name before that of the obstacle.
+FORCE = "force"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,8 +41,9 @@ class WantedPath:
 
 
 def read_path(file: str | Path) -> WantedPath:
-    """Read a path from CSV: ``time_s``, and ``tip_x_mm``, ``tip_y_mm``, ``tip_z_mm`` or ``bending_angle_deg``.
+    """Read a path from CSV: ``time_s``, and ``tip_x_mm``, ``tip_y_mm``, ``tip_z_mm``, or one other column.
 
+    That is ``bending_angle_deg``, ``force_N`` (on the only obstacle) or, on an obstacle of a name, ``force_plate_N``.
     Columns of the tip that are missing do not count. The time is needed for limits of rates only.
 
     Parameters
@@ -56,21 +61,29 @@ def read_path(file: str | Path) -> WantedPath:
     """
     table = read_response(file)
     for column in table.columns:
-        if column.name not in (TIME, *COLUMNS):
-            raise unknown(f"column of '{file}'", column.name, (TIME, *COLUMNS))
-        needed = "s" if column.name == TIME else COLUMNS[column.name]
+        forced = column.name == FORCE or column.name.startswith(f"{FORCE}_")
+        if not forced and column.name not in (TIME, *COLUMNS):
+            raise unknown(f"column of '{file}'", column.name, (TIME, *COLUMNS, FORCE))
+        needed = "s" if column.name == TIME else "N" if forced else COLUMNS[column.name]
         if column.si_unit != needed:
-            example = {"s": "s", "m": "mm", "rad": "deg"}[needed]
+            example = {"s": "s", "m": "mm", "rad": "deg", "N": "N"}[needed]
             given = f"is in {column.unit}" if column.unit else "has no unit"
             raise TurgorError(f"'{file}': the column '{column.name}' {given}; write {column.name}_{example}.")
     axes = "".join(axis for axis in "xyz" if f"tip_{axis}" in table.names)
-    bends = "bending_angle" in table.names
-    if bool(axes) == bends:
+    others = [name for name in table.names if name != TIME and not name.startswith("tip_")]
+    if len(others) + bool(axes) != 1:
         raise TurgorError(
             f"'{file}' has the columns {', '.join(table.names)}; needed are some of tip_x, tip_y and tip_z, or "
-            "bending_angle alone, and time."
+            "bending_angle or a force alone, and time."
         )
-    names = ["bending_angle"] if bends else [f"tip_{axis}" for axis in axes]
-    rows = np.column_stack([table[name] for name in names])
-    output: Output = Angle() if bends else Tip(axes)
+    rows = np.column_stack([table[name] for name in others or [f"tip_{axis}" for axis in axes]])
+    output = _output(axes, others)
     return WantedPath(output, rows, table[TIME] if TIME in table.names else None)
+
+
+def _output(axes: str, others: list[str]) -> Output:
+    """What follows the columns."""
+    if axes:
+        return Tip(axes)
+    name = others[0].removeprefix(FORCE)
+    return Angle() if name == others[0] else Force(name[1:] or None)

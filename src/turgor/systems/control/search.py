@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import NotSolved
 from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.reduced import Reduced
+from turgor.systems.control.forces import continued
 from turgor.systems.control.least_squares import least_squares
 from turgor.systems.control.limits import LimitsOf
 from turgor.systems.control.outputs import OutputOf
@@ -96,7 +97,7 @@ class Search:
 
     def error(self, state: ReducedState, target: Array) -> float:
         """Distance of the output of a state from a target [SI]."""
-        return float(np.linalg.norm(self.output.at(state.q)[0] - target))
+        return float(np.linalg.norm(self.output.at(state)[0] - target))
 
     def _tried(self, state: ReducedState, step: Array, request: Request) -> ReducedState | None:
         aim = np.clip(state.inputs + step * self.limits.widths, request.low, request.high)
@@ -106,7 +107,7 @@ class Search:
             return None
 
     def _merit(self, state: ReducedState, request: Request) -> float:
-        error = (self.output.at(state.q)[0] - request.target) / self.output.size
+        error = (continued(self.output, state)[0] - request.target) / self.output.size
         change = (state.inputs - request.before) / self.limits.widths
         excess = self.limits.excess(state)
         return float(error @ error + self.smoothness * (change @ change) + 1e3 * excess**2)
@@ -114,9 +115,9 @@ class Search:
     def _step(self, state: ReducedState, request: Request, longest: float) -> Array:
         """Best change of the inputs over their ranges in the linear model of the output."""
         widths, n = self.limits.widths, len(state.inputs)
-        value, slopes = self.output.at(state.q)
+        value, slopes = continued(self.output, state)
         size, weight = self.output.size, np.sqrt(self.smoothness)
-        A = np.vstack([slopes @ state.rates[: slopes.shape[1]] * (widths / size), weight * np.eye(n)])
+        A = np.vstack([slopes * (widths / size), weight * np.eye(n)])
         b = np.concatenate([(request.target - value) / size, weight * (request.before - state.inputs) / widths])
         up = np.minimum((request.high - state.inputs) / widths, longest)
         down = np.minimum((state.inputs - request.low) / widths, longest)

@@ -25,6 +25,9 @@ class ControlSettings:
         An input counts as at its limit within this share of its range: a few times the tolerance.
     infeasible : float
         Residual of the least distance problem below which no point fulfills all limits.
+    approach : float
+        Force that a gap to an obstacle counts as, over the largest force, for a gap of the length of the actuator: a
+        gap of a tenth of the length misses as much as the largest force does.
     """
 
     smoothness: float = 1e-7
@@ -34,6 +37,7 @@ class ControlSettings:
     shortest: float = 1e-4
     near: float = 1e-5
     infeasible: float = 1e-12
+    approach: float = 10.0
 
 
 CONTROL = ControlSettings()

@@ -13,6 +13,7 @@ from turgor.foundation.response import COLUMN_UNITS, Column, Response
 from turgor.foundation.source import Source
 from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.reduced import Reduced
+from turgor.systems.control.forces import continued
 from turgor.systems.control.limits import Limits
 from turgor.systems.control.outputs import Output, OutputOf, Tip
 from turgor.systems.control.search import Request, Search
@@ -82,7 +83,7 @@ class Track(Shown):
 def _short(key: str, keys: Sequence[str]) -> str:
     """End of a key that no other key has, as a name of a column."""
     parts = key.split(".")
-    for count in range(1, len(parts) + 1):
+    for count in range(2 if parts[-1].isdigit() else 1, len(parts) + 1):
         end = ".".join(parts[-count:])
         if sum(other == end or other.endswith(f".{end}") for other in keys) == 1:
             return end.replace(".", "_")
@@ -112,7 +113,7 @@ def track(
     times : (k,) array [s], optional
         Time of each row, rising; needed for rates. The first row has no rate: the actuator is brought there before.
     output : Output, optional
-        `Tip` (the default), `Points`, `Shape` or `Angle`.
+        `Tip` (the default), `Points`, `Shape`, `Angle` or `Force`.
     limits : Limits, optional
     smoothness : float, optional
         Weight μ, inputs over their ranges and outputs over the length of the actuator.
@@ -146,15 +147,18 @@ def track(
         active.append(bounds.active(state, before, passed, CONTROL.near))
         states.append(state)
         before = state.inputs
-    reached = np.array([of.at(state.q)[0] for state in states])
+    reached = np.array([of.at(state)[0] for state in states])
     return Track(of, clock, target, reached, tuple(states), tuple(active), np.array(seconds))
 
 
 def first_state(search: Search, target: Array) -> ReducedState:
     """Return the equilibrium at the inputs of the training state that is nearest to a target, within the limits."""
-    reduced = search.reduced
-    r = reduced.equations.sizes[0]
-    away = [np.linalg.norm(search.output.at(y[:r])[0] - target) for y in reduced.trained]
+    reduced, n = search.reduced, len(search.limits.low)
+    known = [
+        ReducedState(reduced, inputs[1:], y, np.zeros((len(y), n)), 0.0, 0.0, 0)
+        for inputs, y in zip(reduced.trained_inputs, reduced.trained, strict=True)
+    ]
+    away = [np.linalg.norm(continued(search.output, state)[0] - target) for state in known]
     inputs = np.clip(reduced.trained_inputs[int(np.argmin(away)), 1:], search.limits.low, search.limits.high)
     return reduced.at(inputs)
 

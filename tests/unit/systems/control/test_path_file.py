@@ -32,6 +32,7 @@ def test_track_writes_pressures_and_a_picture(tmp_path):
     table = tg.files.read_response(tmp_path / "out" / "track.csv")
     assert table["pressure"] == pytest.approx(result["inputs"]["loads.pressure"])
     assert (tmp_path / "out" / "track.png").stat().st_size > 10_000
+    assert "<h1>path</h1>" in (tmp_path / "out" / "track.html").read_text(encoding="utf-8")
     for option, facts in {
         "--limit=presure=0..8 kPa": ("presure", "loads.pressure"),
         "--limit=pressure=0..8 mm": ("--limit pressure", "mm"),
@@ -53,6 +54,8 @@ def test_track_writes_pressures_and_a_picture(tmp_path):
         ("time_s,tip_x_kPa\n0,1", ("tip_x", "kPa", "tip_x_mm")),
         ("time_s\n0", ("time", "tip_x")),
         ("tip_x_mm,bending_angle_deg\n0,1", ("tip_x", "bending_angle")),
+        ("tip_x_mm,force_N\n0,1", ("tip_x", "force")),
+        ("force_kPa\n0\n1", ("force", "kPa", "force_N")),
     ],
 )
 def test_a_file_that_states_no_path_is_refused(text, facts, tmp_path):
@@ -60,3 +63,12 @@ def test_a_file_that_states_no_path_is_refused(text, facts, tmp_path):
     file.write_text(text, encoding="utf-8")
     with refused(*facts):
         tg.control.read_path(file)
+
+
+@pytest.mark.parametrize(("column", "obstacle"), [("force_N", None), ("force_top_plate_mN", "top_plate")])
+def test_a_column_of_forces_names_the_obstacle(column, obstacle, tmp_path):
+    file = tmp_path / "path.csv"
+    file.write_text(f"time_s,{column}\n0,1\n1,2", encoding="utf-8")
+    wanted = tg.control.read_path(file)
+    assert wanted.output == tg.control.Force(obstacle)
+    assert wanted.rows[:, 0] == pytest.approx(np.array([1.0, 2.0]) * (1.0 if obstacle is None else 1e-3))

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,6 +28,10 @@ from turgor.systems.air.parts.connection import Connection
 from turgor.systems.air.parts.part import Part
 from turgor.systems.air.volumes.coupled import Coupled
 from turgor.systems.air.volumes.curve import VolumeCurve
+from turgor.systems.air.volumes.moving import MovingActuator
+
+if TYPE_CHECKING:
+    from turgor.reduced.states.reduced import Reduced
 
 
 def _parts_of_file(module: ModuleType) -> Iterable[tuple[str, type[Part]]]:
@@ -53,6 +57,8 @@ COLUMNS: Mapping[str, str] = {
     "pressure_column": "Column of the table with the pressure; `pressure` by default.",
     "volume_column": "Column of the table with the volume; `cavity_volume` by default.",
     "chamber": "Number of the chamber, from 1, where a reduced model has several inputs.",
+    "step": "Time step of a reduced model in motion; without it the chamber has no inertia.",
+    "damping": "Damping of a reduced model in motion, in proportion to the rate of strain: a time; none by default.",
 }
 
 #: Types of nodes with their keys besides those of `Chamber` and `Supply`.
@@ -121,12 +127,12 @@ class NodeReader:
     ----------
     folder : Path
         Of the file, from which the paths in it count.
-    tables : dict of str to Coupled
+    tables : dict of str to Coupled or MovingActuator
         Coupled chambers by the path of their reduced model.
     """
 
     folder: Path
-    tables: dict[str, Coupled] = field(default_factory=dict)
+    tables: dict[str, Coupled | MovingActuator] = field(default_factory=dict)
 
     def read(self, content: Mapping[str, Any]) -> Node:
         """Read a node."""
@@ -174,20 +180,30 @@ class NodeReader:
             pressure = str(content.get("pressure_column", "pressure"))
             volume = str(content.get("volume_column", "cavity_volume"))
             return VolumeCurve.of_response(read_response(self.folder / value), pressure=pressure, volume=volume)
-        return self._reduced(value, content.get("chamber"))
+        return self._reduced(value, content)
 
-    def _reduced(self, path: str, number: Any) -> Any:
+    def _reduced(self, path: str, content: Mapping[str, Any]) -> Any:
         from turgor.reduced.states.reduced import Reduced  # here: it loads the engine
 
         if path not in self.tables:
             reduced = Reduced.load(self.folder / path)
-            if len(reduced.inputs.keys) == 1:
+            moves = "step" in content
+            if len(reduced.inputs.keys) == 1 and not moves:
                 return VolumeCurve.of_reduced(reduced)
-            self.tables[path] = Coupled.of_reduced(reduced)
-        count = len(self.tables[path].low)
+            self.tables[path] = self._moving(reduced, content) if moves else Coupled.of_reduced(reduced)
+        table = self.tables[path]
+        count = len(table.low) if isinstance(table, Coupled) else len(table.reduced.inputs.keys)
+        number = content.get("chamber", 1 if count == 1 else None)
         if type(number) is not int or not 1 <= number <= count:
             raise Wrong("chamber", f"{number!r} is not a number from 1 to {count}, those of the reduced model.")
-        return self.tables[path].chamber(number - 1)
+        return table.chamber(number - 1)
+
+    def _moving(self, reduced: "Reduced", content: Mapping[str, Any]) -> MovingActuator:
+        from turgor.reduced.states.following import Moving  # here: it loads the engine
+
+        step = _at("step", lambda: quantity(content["step"], "time"))
+        damping = _at("damping", lambda: quantity(content.get("damping", "0 s"), "time"))
+        return MovingActuator(reduced, Moving(step=step, stiffness_damping=damping))
 
 
 def _solved(path: Path) -> VolumeCurve:

@@ -127,6 +127,17 @@ class Body {
       geometry.computeVertexNormals();
     };
   }
+
+  // The line that was to be followed, and a mark on it, of the whole actuator.
+  addPath(triangles, positions) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
+    const ink = { color: 0xd55e00, side: THREE.DoubleSide, depthTest: false, transparent: true, opacity: 0.85 };
+    const mesh = this.#mesh(geometry, new THREE.MeshBasicMaterial(ink), 11); // seen through the rubber
+    this.stage.scene.add(mesh);
+    this.path = [mesh];
+    this.movePath = (step) => geometry.setAttribute("position", new THREE.BufferAttribute(positions.at(step), 3));
+  }
 }
 
 // Cap: the solid that a cut opens, found by counting in each pixel how often a ray enters and leaves it.

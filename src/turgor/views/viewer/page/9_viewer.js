@@ -39,7 +39,7 @@ class Viewer {
   }
 
   async start() {
-    const { surface, inside, fields, threads, obstacles, images, places: drive } = this.values;
+    const { surface, inside, fields, threads, obstacles, path, images, places: drive } = this.values;
     const [triangles, cut, centers, positions] = await Promise.all([
       unpackedIndex(surface.triangles), unpackedIndex(surface.cut), unpackedIndex(surface.centers),
       unpackedSteps(surface.positions, drive),
@@ -57,9 +57,11 @@ class Viewer {
     if (threads) this.body.addThreads(await unpackedIndex(threads.lengths), await unpackedSteps(threads.positions, drive));
     const places = obstacles && (await unpackedSteps(obstacles.positions, drive));
     if (obstacles) this.body.addObstacles(await unpackedIndex(obstacles.triangles), places);
+    const line = path && (await unpackedSteps(path.positions, drive));
+    if (path) this.body.addPath(await unpackedIndex(path.triangles), line);
     this.section = new Section(this.stage, this.skin, inside ? await this.#open(inside, fields) : []);
     this.rest = positions.at(0);
-    this.#frame(places);
+    this.#frame(places, line);
     new Overlay(this.stage, picture);
     new Probe(this.stage, this.body, picture, (share) => this.#describe(share));
     this.#controls();
@@ -93,7 +95,7 @@ class Viewer {
   }
 
   // Aim at some points of all steps and images, and at obstacles as far as they are near.
-  #frame(obstacles) {
+  #frame(obstacles, line) {
     const cloud = [];
     const place = new THREE.Vector3();
     const { steps, points } = this.positions;
@@ -110,6 +112,7 @@ class Viewer {
       const at = obstacles.at(obstacles.steps - 1);
       for (let v = 0; v < at.length; v += 3) cloud.push(...near.clampPoint(place.fromArray(at, v), place).toArray());
     }
+    if (line) cloud.push(...line.at(0));
     this.stage.frame(cloud);
   }
 
@@ -127,6 +130,7 @@ class Viewer {
     this.skin.move(this.points);
     this.body.moveThreads?.(step);
     this.body.moveObstacles?.(step);
+    this.body.movePath?.(step);
     if (this.shown) this.#color();
     const { steps, places } = this.values;
     this.find("slider").value = step;
@@ -174,11 +178,12 @@ class Viewer {
       light: (on) => this.stage.light(on),
       obstacles: (on) => this.#visible(this.body.obstacles, on),
       threads: (on) => this.#visible(this.body.threads, on),
+      path: (on) => this.#visible(this.body.path, on),
     };
     for (const [name, change] of Object.entries(toggles)) {
       this.find(name).addEventListener("change", (event) => change(event.target.checked));
     }
-    for (const name of ["obstacles", "threads"]) this.find(name).parentElement.hidden = !this.body[name];
+    for (const name of ["obstacles", "threads", "path"]) this.find(name).parentElement.hidden = !this.body[name];
     for (const name of ["axis", "turned", "place"]) this.find(name).addEventListener("input", () => this.cut());
     const views = { start: [AZIMUTH, ELEVATION], front: [0, 0], side: [Math.PI / 2, 0], top: [0, Math.PI / 2 - 1e-4] };
     for (const [name, way] of Object.entries(views)) this.find(name).addEventListener("click", () => this.stage.look(...way));
