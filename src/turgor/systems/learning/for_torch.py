@@ -44,8 +44,9 @@ def to_torch(reduced: Reduced, outputs: Sequence[Output] = (Tip(),)) -> Callable
 def _operation() -> Any:
     """An operation of PyTorch that returns values and rates; the rates are no path for gradients."""
     torch = needed("torch", "to_torch", None)
+    base: Any = torch.autograd.Function
 
-    class OfReduced(torch.autograd.Function):  # type: ignore[misc]
+    class OfReduced(base):  # type: ignore[misc]
         @staticmethod
         def forward(inputs: Any, made: ReducedFunction) -> Any:
             both = made.with_rates(inputs.detach().cpu().double().numpy())
