@@ -26,8 +26,9 @@ JOB, PAGE = Path(__file__).parents[2] / "examples" / "fast_pneunet.toml", Path(_
 CHAMBERS, PRESSURE = 4, 10 * kPa
 HEAD = """# Reduced models for learning
 
-Written by `python benchmarks/systems/learning.py` in one run with one thread; seconds are processor time. The actuator has
-four chambers of the demo's finger, whose walls meet, and is pressurized to 10 kPa. The target is 200 steps a second.
+Written by `python benchmarks/systems/learning.py` in one run with one thread; seconds are processor time. The
+actuator has four chambers of the demo's finger, whose walls meet, and is pressurized to 10 kPa. The target
+is 200 steps a second.
 
 """
 
