@@ -79,6 +79,7 @@ if TYPE_CHECKING:
     from turgor.namespaces import files as files
     from turgor.namespaces import jobs as jobs
     from turgor.namespaces import laws as laws
+    from turgor.namespaces import learning as learning
     from turgor.namespaces import loads as loads
     from turgor.namespaces import measures as measures
     from turgor.namespaces import obstacles as obstacles

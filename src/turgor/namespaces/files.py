@@ -16,5 +16,6 @@ if TYPE_CHECKING:
     from turgor.core.results.files.modes_vtu import write_modes as write_modes
     from turgor.core.results.files.response_csv import read_response as read_response
     from turgor.core.results.files.vtu import write_series as write_series
+    from turgor.systems.exports.fmu import write_fmu as write_fmu
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -127,6 +127,30 @@ def follow_history(reduced: Any, times: Array, table: Array, moving: Moving | No
     return Followed(times, tuple(answers), np.array(rates), tuple(energies) if moving else ())
 
 
+class Stepping:
+    """A reduced model that another program drives step by step, from the equilibrium at some inputs.
+
+    Parameters
+    ----------
+    reduced : Reduced
+    inputs : (n,) array [SI]
+    moving : Moving or None
+        Inertia, damping and the longest time step; without, every state is an equilibrium.
+    """
+
+    def __init__(self, reduced: Any, inputs: Array, moving: Moving | None = None) -> None:
+        self._run = _Run(reduced, np.zeros(1), np.concatenate([[1.0], inputs])[None], moving)
+        self._now = self._run.begin(reduced.at(inputs))
+
+    def step(self, inputs: Array, length: float) -> ReducedState:
+        """Return the answer after a time [s] in which the inputs (n,) are constant."""
+        table, end = np.concatenate([[1.0], inputs])[None], self._now.time + length
+        self._run = replace(self._run, times=np.array([end]), table=table)
+        while self._now.time < end:
+            self._now = self._run.advance(self._now, end)
+        return self._run.answer(self._now)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Run:
     """Steps of a reduced model in time.

@@ -9,7 +9,7 @@ from turgor.foundation.errors import NotHere
 _NAMES = {"sklearn": "scikit-learn"}
 
 
-def needed(module: str, purpose: str) -> Any:
+def needed(module: str, purpose: str, extra: str | None = "studies") -> Any:
     """Import a module of an optional package.
 
     Parameters
@@ -17,6 +17,8 @@ def needed(module: str, purpose: str) -> Any:
     module : str
     purpose : str
         What needs it, for the message.
+    extra : str or None
+        Group of optional packages that has it; None where none does.
 
     Returns
     -------
@@ -32,6 +34,5 @@ def needed(module: str, purpose: str) -> Any:
     except ImportError:
         package = module.split(".")[0]
         name = _NAMES.get(package, package)
-        raise NotHere(
-            f'{purpose} needs {name}, which is not installed; install it with: pip install "turgor[studies]"'
-        ) from None
+        what = name if extra is None else f'"turgor[{extra}]"'
+        raise NotHere(f"{purpose} needs {name}, which is not installed; install it with: pip install {what}") from None

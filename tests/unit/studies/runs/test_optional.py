@@ -19,3 +19,10 @@ def test_a_missing_package_is_told_with_how_to_install_it(module, name, monkeypa
     monkeypatch.setitem(sys.modules, module.split(".")[0], None)
     with refused("a test", name, '"turgor[studies]"'):
         needed(module, "a test")
+
+
+@pytest.mark.parametrize(("extra", "installed"), [("learning", '"turgor[learning]"'), (None, "pip install torch")])
+def test_the_group_of_packages_is_named_where_there_is_one(extra, installed, monkeypatch):
+    monkeypatch.setitem(sys.modules, "torch", None)
+    with refused("a test", "torch", installed):
+        needed("torch", "a test", extra)

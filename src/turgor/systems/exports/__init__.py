@@ -1,0 +1,1 @@
+"""Exports: reduced models for other simulators, and scenes for SOFA."""

@@ -1,0 +1,1 @@
+"""Learning: reduced models as functions with derivatives, and as an environment."""
