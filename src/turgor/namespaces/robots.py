@@ -1,0 +1,12 @@
+"""Robots: tables, chains and parameters of an actuator for simulators of robots, with their errors."""
+
+from typing import TYPE_CHECKING
+
+from turgor.foundation.lazy_names import public
+
+if TYPE_CHECKING:
+    from turgor.systems.robots.polynomial import Polynomial as Polynomial
+    from turgor.systems.robots.tables import RobotTable as RobotTable
+    from turgor.systems.robots.tables import tabulate as tabulate
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())
