@@ -5,6 +5,11 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.systems.robots.chain import Chain as Chain
+    from turgor.systems.robots.chain_of import FittedChain as FittedChain
+    from turgor.systems.robots.chain_of import chain_of as chain_of
+    from turgor.systems.robots.mjcf import MjcfOptions as MjcfOptions
+    from turgor.systems.robots.mjcf import write_mjcf as write_mjcf
     from turgor.systems.robots.polynomial import Polynomial as Polynomial
     from turgor.systems.robots.tables import RobotTable as RobotTable
     from turgor.systems.robots.tables import tabulate as tabulate

@@ -1,7 +1,9 @@
 """Backbone: slices across the axis of an actuator, whose poses follow from the coordinates of a reduced model.
 
-The pose of a slice is the rigid motion that is closest to that of its material: x → c + R (X − C), with weights of
-volume. R is the rotation of the polar decomposition of Σ w x ⊗ (X − C), which is linear in the coordinates.
+The pose of a slice is the rigid motion x → c + R (X − C) that is closest to that of its plane, with weights of volume.
+R is the rotation of the polar decomposition of Σ w x ⊗ A, which is linear in the coordinates. The arms A are the parts
+of X − C in the plane, less what is correlated with the place along the axis: a wall that bulges more at one side of
+the slice than at the other turns nothing.
 """
 
 from dataclasses import dataclass
@@ -19,6 +21,10 @@ from turgor.reduced.states.reduced import Reduced
 Array: TypeAlias = NDArray[np.float64]
 
 
+#: A slice whose second moment along x is smaller than this share of the others is a plane.
+FLAT = 1e-6
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Slice:
     """Nodes of a slice with their weights, whose sum is one.
@@ -30,13 +36,21 @@ class Slice:
     center : (3,) array [m]
         Of the whole actuator at rest.
     second : (3, 3) array [m²]
-        Σ w (X − C) ⊗ (X − C) of the whole actuator.
+        Σ w (X − C) ⊗ A of the whole actuator, symmetric.
+    lean : (3,) array
+        A = X − C − lean times its part along x.
     """
 
     nodes: NDArray[np.int64]
     weights: Array
     center: Array
     second: Array
+    lean: Array
+
+    def arms(self, points: Array) -> Array:
+        """Arms (k, 3) [m] of places (k, 3) at rest."""
+        away = points - self.center
+        return np.asarray(away - away[:, :1] * self.lean)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -99,7 +113,7 @@ def backbone_of(reduced: Reduced, links: int) -> Backbone:
     mesh, scale = reduced.model.mesh, reduced.scales[0]
     facts, weights = MeshFacts(mesh), nodal_volumes(mesh)
     low, length = float(mesh.points[:, 0].min()), float(np.ptp(mesh.points[:, 0]))
-    at, half = low + length * np.arange(1, links + 1) / links, 0.5 * length / links
+    at, half = low + length * np.arange(1, links + 1) / links, max(0.5 * length / links, scale)
     slices = [slice_of(facts, np.abs(mesh.points[:, 0] - x) <= half, weights) for x in at]
     if "tip" in mesh.faces:
         on_tip = np.zeros(len(weights), dtype=bool)
@@ -134,16 +148,19 @@ def slice_of(facts: MeshFacts, inside: NDArray[np.bool_], weights: Array) -> Sli
     points = facts.mesh.points[nodes]
     images = [image.of(points) for image in facts.images]
     center = np.mean([share @ each for each in images], axis=0)
-    arms = [each - center for each in images]
-    second = np.mean([np.einsum("n,na,nb->ab", share, arm, arm) for arm in arms], axis=0)
-    return Slice(nodes, share, center, np.asarray(second))
+    away = [each - center for each in images]
+    whole = np.mean([np.einsum("n,na,nb->ab", share, each, each) for each in away], axis=0)
+    lean = np.array([1.0, *(whole[0, 1:] / whole[0, 0] if whole[0, 0] > FLAT * np.trace(whole) else (0.0, 0.0))])
+    second = whole - np.outer(whole[:, 0], lean)
+    second[0] = 0.0
+    return Slice(nodes, share, center, second, lean)
 
 
 def _moments(facts: MeshFacts, piece: Slice, modes: Array) -> Array:
     """Moments (3, 3, r) of modes (k, 3, r) of displacement with the positions at rest, of the whole actuator."""
     out = np.zeros((3, 3, modes.shape[2]))
     for image in facts.images:
-        arm = image.of(facts.mesh.points[piece.nodes]) - piece.center
+        arm = piece.arms(image.of(facts.mesh.points[piece.nodes]))
         moved = np.einsum("ab,nbr->nar", image.turn, modes)
         out += np.einsum("n,nar,nb->abr", piece.weights, moved, arm, optimize=True)
     return out / len(facts.images)

@@ -4,9 +4,9 @@ A joint turns about y, then about z, and slides along its x then, or has some of
 
     torque = k₁ x + k₂ x² + k₃ x³,
 
-and a pressure p does the work p dV on the joints with V = L + ½ g L², L = Σ cⱼ xⱼ, so its generalized force at joint j is
-p cⱼ (1 + g L). These are forces that MuJoCo has: `stiffness` of a joint, and an actuator with an affine gain on a fixed
-tendon of coefficients c.
+and a pressure p does the work p dV on the joints with V = L + ½ g L², L = Σ cⱼ xⱼ, so its generalized force at joint j
+is p cⱼ (1 + g L). These are forces that MuJoCo has: `stiffness` of a joint, and an actuator with an affine gain on a
+fixed tendon of coefficients c.
 """
 
 from dataclasses import dataclass
@@ -167,6 +167,19 @@ class Chain(Shown):
         swept = self.gains @ x
         return np.asarray(swept + 0.5 * self.growth * swept**2)
 
+    def tangent(self, x: Array, pressures: Array, force: Array | None = None) -> Array:
+        """Stiffness (d, d) at coordinates: slope of the forces that are needed to stay there."""
+        out = np.diag(self.spring_forces(x)[1])
+        out -= np.einsum("p,pi,pj->ij", pressures * self.growth, self.gains, self.gains)
+        if force is None and not self.gravity.any():
+            return out
+        step = 1e-6 * np.where(self.slides, np.abs(self.pivots).sum() / self.links, 1.0)
+        for k, h in enumerate(step):
+            moved = np.zeros(len(x))
+            moved[k] = h
+            out[:, k] -= (self._outer(x + moved, force) - self._outer(x - moved, force)) / (2 * h)
+        return np.asarray(0.5 * (out + out.T))
+
     def equilibrium(self, pressures: Array, start: Array | None = None, force: Array | None = None) -> Array:
         """Find coordinates (d,) at pressures (p,), with a force (3,) on the tip.
 
@@ -179,13 +192,14 @@ class Chain(Shown):
         scale = np.where(self.slides, np.abs(self.pivots).sum() / self.links, 1.0)
         residual = self._unbalanced(x, pressures, force)
         for _ in range(UPDATES):
-            tangent = self._tangent(x, pressures, force)
-            update = np.linalg.solve(tangent, residual)
+            # absolute eigenvalues: downhill where the tangent is not positive
+            sizes, modes = np.linalg.eigh(self.tangent(x, pressures, force) * np.outer(scale, scale))
+            update = scale * (modes @ ((modes.T @ (residual * scale)) / np.maximum(np.abs(sizes), 1e-12)))
             update /= max(1.0, float(np.abs(update / scale).max()) / LONGEST)
             x = x + update
             residual = self._unbalanced(x, pressures, force)
             if np.abs(residual * scale).max() <= TOLERANCE * self._largest(pressures, scale):
-                if np.linalg.eigvalsh(self._tangent(x, pressures, force))[0] <= 0:
+                if np.linalg.eigvalsh(self.tangent(x, pressures, force))[0] <= 0:
                     break
                 return x
         raise NotSolved(f"the chain has no stable equilibrium at {self._text(pressures)}; take other links.")
@@ -207,19 +221,6 @@ class Chain(Shown):
         at = self.placed(x)
         out = self.weight(at)
         return out if force is None else out + self.work(at, self.links - 1, self.tip(at), force)
-
-    def _tangent(self, x: Array, pressures: Array, force: Array | None) -> Array:
-        """Slope (d, d) of what is needed to hold the coordinates."""
-        out = np.diag(self.spring_forces(x)[1])
-        out -= np.einsum("p,pi,pj->ij", pressures * self.growth, self.gains, self.gains)
-        if force is None and not self.gravity.any():
-            return out
-        step = 1e-6 * np.where(self.slides, np.abs(self.pivots).sum() / self.links, 1.0)
-        for k, h in enumerate(step):
-            moved = np.zeros(len(x))
-            moved[k] = h
-            out[:, k] -= (self._outer(x + moved, force) - self._outer(x - moved, force)) / (2 * h)
-        return 0.5 * (out + out.T)
 
 
 def about(axis: int, angle: float) -> Array:

@@ -14,7 +14,7 @@ from scipy.optimize import least_squares
 from turgor.systems.robots.backbone import Array
 from turgor.systems.robots.chain import Chain
 
-#: Weight of an answer to a load on the tip that is off by all of it, over the largest coordinate.
+#: Weight of answers to loads on the tip that are off by all of it, all together, over the largest coordinate.
 ANSWER = 0.1
 
 #: Repetitions in which the swept volumes follow from the last gains, and the bounds of their growth over the sweep.
@@ -120,13 +120,14 @@ class _Problem:
         own = float(s.answers[0].compliance[j])
         size = max(float(np.abs(x).max()), 1e-12)
         swept = 1 + growth * (s.x @ gains.T)
+        share = ANSWER * np.sqrt(len(x) / len(s.answers))
         balance = own * np.column_stack([x, x**2, x**3, -s.pressures * swept])
         rows, right = [balance], [own * self.weight[:, j]]
         for each in s.answers:
             load = each.own[j]  # others bend and stretch at once, which springs of single coordinates cannot
             a, rate = each.x[j], each.rates[load, j]
             geometric = each.pressures * growth * (gains @ each.rates[load])
-            factor = ANSWER * size / each.loads[load, j]
+            factor = share * size / each.loads[load, j]
             rows.append(factor * np.array([[rate, 2 * a * rate, 3 * a**2 * rate, *-geometric]]))
             right.append(factor * each.loads[load, j : j + 1])
         still = np.zeros((2, 3 + len(gains)))

@@ -20,11 +20,11 @@ from turgor.systems.robots.tip_response import TipResponse, tip_response
 #: States that a chain of one pressure, or of several, is fitted to, and those at which its error is measured.
 FITTED, OF_SEVERAL, TESTED = 25, 60, 20
 
-#: Joints slide only where the tip is off by more than this share of the length without.
-SLIDES = 0.005
+#: Joints slide only where that brings the error below this share of the one without.
+WORTH = 0.5
 
-#: Numbers of links that are tried.
-MOST_LINKS = 4, 16
+#: Numbers of links that are tried, and the distance of the tip over the length with which fewest are enough.
+MOST_LINKS, ENOUGH = (4, 16), 0.003
 
 #: The first state whose tangent is used: at rest there is nothing but round-off to compare a residual with.
 NEAR_REST = 0.02
@@ -67,6 +67,12 @@ class FittedChain(Shown):
         return float(np.linalg.norm(self.tips - self.wanted, axis=1).max()) / self.length
 
     @property
+    def travel(self) -> float:
+        """Largest way of the tip from rest, over the length."""
+        rest = self.chain.tip(self.chain.placed(np.zeros(len(self.chain.springs))))
+        return float(np.linalg.norm(self.wanted - rest, axis=1).max()) / self.length
+
+    @property
     def text(self) -> str:
         """What is known of its errors, in one sentence."""
         held_out = self.reduced.held_out
@@ -74,8 +80,9 @@ class FittedChain(Shown):
         if len(held_out.inputs):
             known = f"; the reduced model is within {100 * held_out.worst:.2g} % of its largest displacement"
         return (
-            f"tip within {100 * self.error:.2g} % of the length at {len(self.tested)} pressures to which the chain was "
-            f"not fitted, stiffness of the tip within {100 * self.stiffness_error:.2g} %{known}"
+            f"tip within {100 * self.error:.2g} % of the length, {100 * self.error / self.travel:.2g} % of its largest "
+            f"way, at {len(self.tested)} pressures to which the chain was not fitted, "
+            f"stiffness of the tip within {100 * self.stiffness_error:.2g} %{known}"
         )
 
 
@@ -90,10 +97,10 @@ def chain_of(
         Of an actuator along x that is fixed where x is smallest. Its inputs that are no pressures stay at zero, or at
         the end of their range that is closest to it.
     links : int, optional
-        By default the number, from 4 to 16, of which rigid links that turn as the actuator does reach its tip best.
+        By default the smallest number, from 4 to 16, of rigid links that reach the tip where they turn as the actuator
+        does.
     slide : bool, optional
-        Whether joints slide along the axis, too; by default where that brings the tip closer, and the error is more
-        than 0.5 % of the length without.
+        Whether joints slide along the axis, too; by default where that halves the error.
     options : EngineOptions, optional
         Of the full model, whose tangent at a few states gives the stiffness of the joints.
 
@@ -119,10 +126,9 @@ def chain_of(
     if slide is not None:
         return _fitted(question, slide)
     rigid = _fitted(question, False)
-    if rigid.error <= SLIDES:
-        return rigid
     with suppress(NotSolved):
-        return min(rigid, _fitted(question, True), key=lambda each: each.error)
+        sliding = _fitted(question, True)
+        return sliding if sliding.error < WORTH * rigid.error else rigid
     return rigid
 
 
@@ -213,12 +219,13 @@ def _bare(reduced: Reduced, backbone: Backbone, shape: Shape, pressed: list[int]
 
 
 def _best_backbone(reduced: Reduced, q: list[Array]) -> Backbone:
-    """Slices whose rigid links reach the tip best; shorter ones than the mesh has nodes for are left out."""
+    """The fewest slices whose rigid links reach the tip well; shorter ones than the mesh has nodes for are left out."""
     tried = [backbone_of(reduced, MOST_LINKS[0])]
     with suppress(TurgorError):
         for count in range(MOST_LINKS[0] + 1, MOST_LINKS[1] + 1):
             tried.append(backbone_of(reduced, count))
-    return min(tried, key=lambda each: _lost(each, q))
+    lost = np.array([_lost(each, q) for each in tried])
+    return tried[int(np.argmax(lost <= max(ENOUGH, 1.2 * lost.min())))]
 
 
 def _lost(backbone: Backbone, q: list[Array]) -> float:
@@ -277,7 +284,7 @@ def _stiffness_error(chain: Chain, known: tuple[Answers, ...]) -> float:
     """Largest error of the turn of the tip under its moments, over this turn."""
     worst = 0.0
     for each in known:
-        tangent = chain._tangent(each.x, each.pressures, None)
+        tangent = chain.tangent(each.x, each.pressures)
         for rate, load in zip(each.rates[:-1], each.loads[:-1], strict=True):
             made = np.linalg.solve(tangent, load)
             worst = max(worst, abs(load @ made / (load @ rate) - 1))

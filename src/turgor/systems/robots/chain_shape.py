@@ -11,7 +11,7 @@ from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.systems.robots.backbone import Array, Backbone
 from turgor.systems.robots.chain import SLIDE, TURN_Y, TURN_Z
 
-#: A joint lies in the middle between its slices unless the samples say otherwise: weight of this, over that of a radian.
+#: A joint lies in the middle between its slices unless the samples say otherwise: weight of this, over a radian's.
 MIDDLE = 0.02
 
 #: A joint is at least this share of the step away from both of its slices.

@@ -64,32 +64,45 @@ def write_mjcf(fitted: FittedChain, path: str | Path, options: MjcfOptions | Non
     -------
     Path
     """
-    chosen, chain = options or MjcfOptions(), fitted.chain
-    root = Xml.Element("mujoco", model=fitted.reduced.model.mesh.name)
-    root.append(Xml.Comment(f" {_comment(fitted)} "))
-    Xml.SubElement(root, "compiler", angle="radian", autolimits="true")
-    Xml.SubElement(root, "option", timestep=_text(chosen.step), integrator="implicitfast", gravity=_text(chain.gravity))
+    chosen = options or MjcfOptions()
+    root = chain_element(fitted.chain, fitted.reduced.model.mesh.name, chosen)
+    root.insert(0, Xml.Comment(f" {_comment(fitted)} "))
     custom = Xml.SubElement(root, "custom")
     Xml.SubElement(custom, "numeric", name="tip_error_over_length", data=_text(fitted.error))
     Xml.SubElement(custom, "numeric", name="tip_stiffness_error", data=_text(fitted.stiffness_error))
     Xml.SubElement(custom, "text", name="error", data=fitted.text)
-    base = Xml.SubElement(Xml.SubElement(root, "worldbody"), "body", name="base")
-    _add_links(base, chain, chosen)
     if chosen.skin:
         _add_skin(root, fitted)
-    _add_pressures(root, chain)
-    Xml.indent(root)
     file = Path(path)
     with whole(file) as part:
-        Xml.ElementTree(root).write(part, encoding="utf-8", xml_declaration=True)
+        part.write_text(text_of(root), encoding="utf-8")
     return file
+
+
+def chain_element(chain: Chain, name: str, options: MjcfOptions) -> Xml.Element:
+    """Return a chain as the element ``mujoco``."""
+    root = Xml.Element("mujoco", model=name)
+    Xml.SubElement(root, "compiler", angle="radian", autolimits="true")
+    Xml.SubElement(
+        root, "option", timestep=_text(options.step), integrator="implicitfast", gravity=_text(chain.gravity)
+    )
+    base = Xml.SubElement(Xml.SubElement(root, "worldbody"), "body", name="base")
+    _add_links(base, chain, options)
+    _add_pressures(root, chain)
+    return root
+
+
+def text_of(root: Xml.Element) -> str:
+    """Return an element as the text of a file."""
+    Xml.indent(root)
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + Xml.tostring(root, encoding="unicode") + "\n"
 
 
 def _comment(fitted: FittedChain) -> str:
     text = (
-        f"Chain of rigid links made by turgor. {fitted.text[0].upper()}{fitted.text[1:]}. Controls are gauge pressures in "
-        "Pa. A pressure does the work p dV, V = L + growth L^2 / 2, L the length of its tendon in m3. Left out: twist, "
-        "stiffness against shear, and what loads other than those on the tip do to the section."
+        f"Chain of rigid links made by turgor. {fitted.text[0].upper()}{fitted.text[1:]}. Controls are gauge pressures "
+        "in Pa. A pressure does the work p dV, V = L + growth L^2 / 2, L the length of its tendon in m3. Left out: "
+        "twist, stiffness against shear, and what loads other than those on the tip do to the section."
     )
     return text.replace("--", "-")
 
@@ -129,8 +142,8 @@ def _add_pressures(root: Xml.Element, chain: Chain) -> None:
         for joint, gain in zip(names, chain.gains[place], strict=True):
             Xml.SubElement(tendon, "joint", joint=joint, coef=_text(gain))
         Xml.SubElement(
-            actuators, "general", name=name, tendon=f"{name}_swept", ctrlrange=_text([chain.low[place], chain.high[place]]),
-            gaintype="affine", gainprm=_text([1.0, chain.growth[place], 0.0]), biastype="none",
+            actuators, "general", name=name, tendon=f"{name}_swept", gaintype="affine", biastype="none",
+            gainprm=_text([1.0, chain.growth[place], 0.0]), ctrlrange=_text([chain.low[place], chain.high[place]]),
         )  # fmt: skip
     sensors = Xml.SubElement(root, "sensor")
     Xml.SubElement(sensors, "framepos", name="tip_place", objtype="site", objname="tip")

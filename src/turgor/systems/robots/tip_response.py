@@ -97,10 +97,9 @@ def frames_of(backbone: Backbone, facts: MeshFacts, displacement: Array) -> tupl
     for each in backbone.slices:
         moment = np.zeros((3, 3))
         for image in facts.images:
-            arm = image.of(facts.mesh.points[each.nodes]) - each.center
-            moved = displacement[each.nodes] @ image.turn.T
-            moment += np.einsum("n,na,nb->ab", each.weights, moved + arm, arm)
-        moments.append(moment / len(facts.images))
+            arm = each.arms(image.of(facts.mesh.points[each.nodes]))
+            moment += np.einsum("n,na,nb->ab", each.weights, displacement[each.nodes] @ image.turn.T, arm)
+        moments.append(each.second + moment / len(facts.images))
         places.append(each.center + facts.of_whole(each.weights @ displacement[each.nodes]))
     turns = np.concatenate([np.eye(3)[None], rotations_of(np.array(moments))])
     return turns, np.concatenate([backbone.base[None], np.array(places)])
@@ -109,11 +108,11 @@ def frames_of(backbone: Backbone, facts: MeshFacts, displacement: Array) -> tupl
 def _nodal(load: TipLoad, backbone: Backbone, turn: Array, facts: MeshFacts) -> Array:
     """Forces (k, 3) [N] on the nodes of the modeled part at the tip.
 
-    With S = R Σ w X ⊗ X Rᵀ the rotation changes by (tr S − S)⁻¹ Σ w R X × δx, for small strains of the slice.
+    With S = R Σ w X ⊗ A Rᵀ the rotation changes by (tr S − S)⁻¹ Σ w R A × δx, for small strains of the slice.
     """
     tip = backbone.slices[-1]
     spread = turn @ tip.second @ turn.T
     spin = np.linalg.solve(np.trace(spread) * np.eye(3) - spread, load.moment)
-    arms = (facts.mesh.points[tip.nodes] - tip.center) @ turn.T
+    arms = tip.arms(facts.mesh.points[tip.nodes]) @ turn.T
     forces = tip.weights[:, None] * (np.cross(spin, arms) + load.force)
     return np.asarray(forces / len(facts.images))

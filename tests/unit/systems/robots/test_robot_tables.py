@@ -94,11 +94,11 @@ def with_tip_force():
     high = np.array([PRESSURE, 5.0])
     box = Inputs(("loads.pressure", "loads.tip.vector.3"), np.array([0.0, -5.0]), high, ("kPa", "N"))
     more = np.column_stack([known.trained_inputs, np.zeros(len(known.trained_inputs))])
-    return replace(known, inputs=box, equations=equations, trained_inputs=more, known=KnownErrors()), column
+    return replace(known, inputs=box, equations=equations, trained_inputs=more, known=KnownErrors())
 
 
 def test_stiffness_and_blocked_force_come_from_forces_on_the_tip():
-    made, column = with_tip_force()
+    made = with_tip_force()
     forces = tip_forces_of(made)
     newton = made.scales[1] * made.scales[0] ** 2 * 2 / 50  # of a half model, by a unit of the input
     assert forces.places == (1,)
