@@ -13,5 +13,6 @@ if TYPE_CHECKING:
     from turgor.systems.robots.polynomial import Polynomial as Polynomial
     from turgor.systems.robots.tables import RobotTable as RobotTable
     from turgor.systems.robots.tables import tabulate as tabulate
+    from turgor.systems.robots.urdf import write_urdf as write_urdf
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -1,6 +1,5 @@
 """MJCF: a chain as a model of MuJoCo, with pressures as controls and the mesh as skin."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree as Xml
@@ -68,8 +67,8 @@ def write_mjcf(fitted: FittedChain, path: str | Path, options: MjcfOptions | Non
     root = chain_element(fitted.chain, fitted.reduced.model.mesh.name, chosen)
     root.insert(0, Xml.Comment(f" {_comment(fitted)} "))
     custom = Xml.SubElement(root, "custom")
-    Xml.SubElement(custom, "numeric", name="tip_error_over_length", data=_text(fitted.error))
-    Xml.SubElement(custom, "numeric", name="tip_stiffness_error", data=_text(fitted.stiffness_error))
+    Xml.SubElement(custom, "numeric", name="tip_error_over_length", data=numbers(fitted.error))
+    Xml.SubElement(custom, "numeric", name="tip_stiffness_error", data=numbers(fitted.stiffness_error))
     Xml.SubElement(custom, "text", name="error", data=fitted.text)
     if chosen.skin:
         _add_skin(root, fitted)
@@ -84,7 +83,7 @@ def chain_element(chain: Chain, name: str, options: MjcfOptions) -> Xml.Element:
     root = Xml.Element("mujoco", model=name)
     Xml.SubElement(root, "compiler", angle="radian", autolimits="true")
     Xml.SubElement(
-        root, "option", timestep=_text(options.step), integrator="implicitfast", gravity=_text(chain.gravity)
+        root, "option", timestep=numbers(options.step), integrator="implicitfast", gravity=numbers(chain.gravity)
     )
     base = Xml.SubElement(Xml.SubElement(root, "worldbody"), "body", name="base")
     _add_links(base, chain, options)
@@ -111,24 +110,24 @@ def _add_links(base: Xml.Element, chain: Chain, options: MjcfOptions) -> None:
     """Nest the links, each with its joints, inertia and capsule."""
     parent, count = base, len(chain.kinds)
     for link in range(chain.links):
-        parent = Xml.SubElement(parent, "body", name=f"link_{link + 1}", pos=_text(chain.pivots[link]))
+        parent = Xml.SubElement(parent, "body", name=f"link_{link + 1}", pos=numbers(chain.pivots[link]))
         for place, kind in enumerate(chain.kinds):
             k = link * count + place
             Xml.SubElement(
                 parent, "joint", name=f"{COORDINATES[kind]}_{link + 1}", type="slide" if kind == SLIDE else "hinge",
-                axis=_text(np.eye(3)[kind]), stiffness=_text(chain.springs[k]), range=_text(chain.limits[k]),
-                damping=_text(options.damping_time * chain.springs[k, 0]),
+                axis=numbers(np.eye(3)[kind]), stiffness=numbers(chain.springs[k]), range=numbers(chain.limits[k]),
+                damping=numbers(options.damping_time * chain.springs[k, 0]),
             )  # fmt: skip
         Xml.SubElement(
-            parent, "inertial", pos=_text(chain.centers[link]), mass=_text(chain.masses[link]),
-            diaginertia=_text(chain.inertias[link]),
+            parent, "inertial", pos=numbers(chain.centers[link]), mass=numbers(chain.masses[link]),
+            diaginertia=numbers(chain.inertias[link]),
         )  # fmt: skip
         # links touch what is around them, not each other: walls that meet are in the springs
         Xml.SubElement(
-            parent, "geom", name=f"capsule_{link + 1}", type="capsule", fromto=_text(chain.capsules[link, :6]),
-            size=_text(chain.capsules[link, 6]), contype="0", conaffinity="1", group="3",
+            parent, "geom", name=f"capsule_{link + 1}", type="capsule", fromto=numbers(chain.capsules[link, :6]),
+            size=numbers(chain.capsules[link, 6]), contype="0", conaffinity="1", group="3",
         )  # fmt: skip
-    Xml.SubElement(parent, "site", name="tip", pos=_text(chain.end), size="0.001")
+    Xml.SubElement(parent, "site", name="tip", pos=numbers(chain.end), size="0.001")
 
 
 def _add_pressures(root: Xml.Element, chain: Chain) -> None:
@@ -140,10 +139,10 @@ def _add_pressures(root: Xml.Element, chain: Chain) -> None:
     for place, name in enumerate(pressure_names(chain)):
         tendon = Xml.SubElement(tendons, "fixed", name=f"{name}_swept")
         for joint, gain in zip(names, chain.gains[place], strict=True):
-            Xml.SubElement(tendon, "joint", joint=joint, coef=_text(gain))
+            Xml.SubElement(tendon, "joint", joint=joint, coef=numbers(gain))
         Xml.SubElement(
             actuators, "general", name=name, tendon=f"{name}_swept", gaintype="affine", biastype="none",
-            gainprm=_text([1.0, chain.growth[place], 0.0]), ctrlrange=_text([chain.low[place], chain.high[place]]),
+            gainprm=numbers([1.0, chain.growth[place], 0.0]), ctrlrange=numbers([chain.low[place], chain.high[place]]),
         )  # fmt: skip
     sensors = Xml.SubElement(root, "sensor")
     Xml.SubElement(sensors, "framepos", name="tip_place", objtype="site", objname="tip")
@@ -162,7 +161,7 @@ def _add_skin(root: Xml.Element, fitted: FittedChain) -> None:
     points = surface.points[used]
     skin = Xml.SubElement(
         Xml.SubElement(root, "deformable"), "skin", name="body", rgba="0.85 0.8 0.7 1",
-        vertex=_text(points), face=" ".join(map(str, faces.ravel())),
+        vertex=numbers(points), face=" ".join(map(str, faces.ravel())),
     )  # fmt: skip
     origins = np.cumsum(chain.pivots, axis=0)
     ends = np.append(origins[:, 0], origins[-1, 0] + chain.end[0])
@@ -173,12 +172,11 @@ def _add_skin(root: Xml.Element, fitted: FittedChain) -> None:
         near = np.flatnonzero(share > 0)
         if len(near):
             Xml.SubElement(
-                skin, "bone", body="base" if bone == 0 else f"link_{bone}", bindpos=_text(origin),
-                bindquat="1 0 0 0", vertid=" ".join(map(str, near)), vertweight=_text(share[near]),
+                skin, "bone", body="base" if bone == 0 else f"link_{bone}", bindpos=numbers(origin),
+                bindquat="1 0 0 0", vertid=" ".join(map(str, near)), vertweight=numbers(share[near]),
             )  # fmt: skip
 
 
-def _text(values: ArrayLike) -> str:
-    """Numbers with blanks between them."""
-    numbers: Iterable[float] = np.asarray(values, dtype=np.float64).ravel().tolist()
-    return " ".join(f"{number:.9g}" for number in numbers)
+def numbers(values: ArrayLike) -> str:
+    """Write numbers with blanks between them."""
+    return " ".join(f"{number:.9g}" for number in np.asarray(values, dtype=np.float64).ravel())
