@@ -115,8 +115,8 @@ def chain_of(
     NotSolved
         If the chain has no stable equilibrium at a pressure of the range.
     """
-    pressed, options = _pressed(reduced), options or EngineOptions()
-    fit, test = _inputs(reduced, pressed)
+    pressed, options = pressed_inputs(reduced), options or EngineOptions()
+    fit, test = sampled_inputs(reduced, pressed)
     q = [reduced.at(values).q for values in fit]
     backbone = _best_backbone(reduced, q) if links is None else backbone_of(reduced, links)
     states = [reduced.at(values) for values in _few(reduced, pressed)]
@@ -161,7 +161,7 @@ def _fitted(asked: _Question, slide: bool) -> FittedChain:
     return FittedChain(reduced, chain, test[:, pressed], tips, wanted, backbone.length, _stiffness_error(chain, known))
 
 
-def _pressed(reduced: Reduced) -> list[int]:
+def pressed_inputs(reduced: Reduced) -> list[int]:
     """Places of the inputs that are pressures."""
     pressed = [int(k) for k in np.flatnonzero(reduced.equations.pressures[:, 1:].any(axis=0))]
     if not pressed:
@@ -172,7 +172,7 @@ def _pressed(reduced: Reduced) -> list[int]:
     return pressed
 
 
-def _inputs(reduced: Reduced, pressed: list[int]) -> tuple[Array, Array]:
+def sampled_inputs(reduced: Reduced, pressed: list[int]) -> tuple[Array, Array]:
     """Inputs to fit (s, n) and to test (20, n)."""
     box = reduced.inputs
     calm = np.clip(0.0, box.low, box.high)
@@ -190,11 +190,17 @@ def _inputs(reduced: Reduced, pressed: list[int]) -> tuple[Array, Array]:
     return out[0], out[1]
 
 
+def near_rest(reduced: Reduced, pressed: list[int]) -> Array:
+    """Inputs (n,) near rest."""
+    calm = np.clip(0.0, reduced.inputs.low, reduced.inputs.high)
+    calm[pressed] += NEAR_REST * (reduced.inputs.high - calm)[pressed]
+    return calm
+
+
 def _few(reduced: Reduced, pressed: list[int]) -> list[Array]:
     """Inputs (k, n) of the states whose tangent is used: near rest first."""
     box, calm = reduced.inputs, np.clip(0.0, reduced.inputs.low, reduced.inputs.high)
-    rows = [calm.copy()]
-    rows[0][pressed] += NEAR_REST * (box.high - calm)[pressed]
+    rows = [near_rest(reduced, pressed)]
     for k in pressed:
         for share in (0.5, 1.0) if len(pressed) == 1 else (1.0,):
             row = calm.copy()
@@ -206,7 +212,7 @@ def _few(reduced: Reduced, pressed: list[int]) -> list[Array]:
 def _bare(reduced: Reduced, backbone: Backbone, shape: Shape, pressed: list[int]) -> Chain:
     """The chain without springs and gains."""
     pivots, box = shape.pivots(backbone.base), reduced.inputs
-    bodies = bodies_of(reduced.model, np.cumsum(pivots, axis=0))
+    bodies = bodies_of(reduced.model, len(pivots), np.cumsum(pivots, axis=0))
     weights = [np.array(load.falling) for load in reduced.model.loads if isinstance(load, Gravity)]
     d, p = len(pivots) * len(shape.kinds), len(pressed)
     return Chain(

@@ -108,20 +108,24 @@ class Bodies:
     capsules: Array
 
 
-def bodies_of(model: Model, origins: Array) -> Bodies:
-    """Share the rubber among links by where it is at rest; half a link at the base does not move.
+def bodies_of(model: Model, links: int, origins: Array | None = None, at_base: bool = False) -> Bodies:
+    """Share the rubber among links by where it is at rest.
 
     Parameters
     ----------
     model : Model
-    origins : (n, 3) array [m]
-        Of the links at rest.
+    links : int
+    origins : (n, 3) array [m], optional
+        Of the links at rest; those of space by default.
+    at_base : bool
+        Whether the first link begins at the base; otherwise half a link there does not move.
     """
     mesh, images = model.mesh, MeshFacts(model.mesh).images
     weights = densities(model) * cell_volumes(mesh)
     middles = mesh.points[mesh.cells[:, : mesh.cell_type.corners]].mean(axis=1)
     x = mesh.points[:, 0]
-    ends = x.min() + np.ptp(x) * np.append((np.arange(len(origins)) + 0.5) / len(origins), 1.0)
+    ends = x.min() + np.ptp(x) * np.append((np.arange(links) + (0.0 if at_base else 0.5)) / links, 1.0)
+    origins = np.zeros((links, 3)) if origins is None else origins
     masses, centers, inertias, capsules = [], [], [], []
     for origin, low, high in zip(origins, ends[:-1], ends[1:], strict=True):
         inside = (middles[:, 0] >= low) & (middles[:, 0] < high)
