@@ -85,6 +85,7 @@ if TYPE_CHECKING:
     from turgor.namespaces import obstacles as obstacles
     from turgor.namespaces import pictures as pictures
     from turgor.namespaces import real_time as real_time
+    from turgor.namespaces import robots as robots
     from turgor.namespaces import rods as rods
     from turgor.namespaces import sections as sections
     from turgor.namespaces import solutions as solutions

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -10,23 +10,38 @@ from turgor.cli.exits import errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, command_of, output_option, requested_job
 from turgor.foundation.errors import TurgorError
 
+if TYPE_CHECKING:
+    from turgor.cli.exits import Answer
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExportOptions:
     """Arguments and options of ``turgor export``."""
 
     job: Annotated[
-        Path, typer.Argument(metavar="JOB", help="Job file in TOML, or folder of a run.", show_default=False)
+        Path,
+        typer.Argument(
+            metavar="FILE",
+            help="Job file in TOML, folder of a run, or reduced model from turgor reduce.",
+            show_default=False,
+        ),
     ]
     inp: Annotated[bool, typer.Option("--inp", help="The model for CalculiX or Abaqus.")] = False
     step: Annotated[bool, typer.Option("--step", help="The geometry as STEP.")] = False
     stl: Annotated[bool, typer.Option("--stl", help="The whole body and each cavity as STL.")] = False
     mold: Annotated[bool, typer.Option("--mold", help="A casting mold of a PneuNet as STEP and STL.")] = False
     to: Annotated[
-        list[Path] | None,
+        list[str] | None,
         typer.Option(
-            help="The motion of a run: a .gif, .webp, .mp4 or .glb file; as often as needed.", show_default=False
+            metavar="FILE|FORMAT",
+            help="The motion of a run: a .gif, .webp, .mp4 or .glb file. Of a reduced model: table, mujoco, urdf or "
+            "soromox. As often as needed.",
+            show_default=False,
         ),
+    ] = None
+    links: Annotated[
+        int | None,
+        typer.Option(help="Links of a chain for mujoco and urdf, segments for soromox.", show_default=False),
     ] = None
     color_by: Annotated[str, typer.Option(help="Field that the motion is colored by.")] = "von_mises"
     width: Annotated[int, typer.Option(help="Width of the animation in pixels.")] = 640
@@ -44,8 +59,10 @@ class ExportOptions:
 
 
 def export_files(chosen: ExportOptions) -> None:
-    """Export the actuator of a job: model (.inp), geometry (.step, .stl), casting mold; or the motion of a run."""
+    """Export the actuator of a job: model, geometry, casting mold; the motion of a run; a robot of a reduced model."""
     with errors_as_sentences(chosen.debug, chosen.as_json) as answer:
+        if chosen.job.suffix == ".reduced":
+            return _robot(chosen, answer)
         kinds = [kind for kind in ("inp", "step", "stl", "mold") if getattr(chosen, kind)]
         if not kinds and not chosen.to:
             raise TurgorError(
@@ -71,22 +88,42 @@ def _files_of_job(chosen: ExportOptions, kinds: list[str]) -> tuple[Path, ...]:
     return export_job(question, folder, kinds, inp=options, force=chosen.force)
 
 
+def _robot(chosen: ExportOptions, answer: "Answer") -> None:
+    """Write a reduced model for simulators of robots."""
+    from turgor.cli.answers.results import ExportResult
+    from turgor.reduced.states.reduced import Reduced
+    from turgor.systems.robots.formats import FORMATS, export_robot
+
+    formats = chosen.to or []
+    if not formats or chosen.inp or chosen.step or chosen.stl or chosen.mold:
+        raise TurgorError(f"a reduced model is exported --to {', '.join(FORMATS)}; write one, such as --to mujoco.")
+    name = chosen.job.stem
+    folder = chosen.output if chosen.output is not None else Path(f"{name}-export")
+    reduced = Reduced.load(chosen.job)
+    written = export_robot(reduced, folder, formats, name=name, links=chosen.links, force=chosen.force)
+    answer.give(lambda: ExportResult(files=tuple(written), errors=tuple(written.values())))
+    for file, error in written.items():
+        typer.echo(f"{file} ({file.stat().st_size:,} bytes): {error}.")
+
+
 def _motions(chosen: ExportOptions) -> tuple[Path, ...]:
     """Write the motion of a run into the requested files."""
     if not chosen.to:
         return ()
     if not chosen.job.is_dir():
-        raise TurgorError(f"--to writes the motion of a run; '{chosen.job}' is no folder of results of `turgor run`.")
-    taken = [file for file in chosen.to if file.exists()]
+        raise TurgorError(
+            f"--to writes the motion of a run, or a robot of a reduced model; '{chosen.job}' is neither a folder of "
+            "results of `turgor run` nor a file of `turgor reduce`."
+        )
+    files = [Path(text) for text in chosen.to]
+    taken = [file for file in files if file.exists()]
     if taken and not chosen.force:
         raise TurgorError(f"'{taken[0]}' is there already; choose another name, or --force to replace it.")
     import turgor as tg
 
     motion = tg.pictures.Motion(width=chosen.width, seconds=chosen.seconds)
     solution = tg.load(chosen.job)
-    return tuple(
-        tg.pictures.write_motion(file, solution, color_by=chosen.color_by, motion=motion) for file in chosen.to
-    )
+    return tuple(tg.pictures.write_motion(file, solution, color_by=chosen.color_by, motion=motion) for file in files)
 
 
 #: The command.

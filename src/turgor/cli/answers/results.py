@@ -220,9 +220,12 @@ class ExportResult:
     ----------
     files : list of str
         The files.
+    errors : list of str
+        What is known of the error of each, of a reduced model.
     """
 
     files: Sequence[Path]
+    errors: Sequence[str] = ()
 
 
 def run_result(outcome: "RunOutcome") -> RunResult:

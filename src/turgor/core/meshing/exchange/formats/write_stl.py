@@ -69,6 +69,13 @@ def write_stl(source: Geometry | Mesh, path: str | Path, *, face: str | None = N
     TurgorError
         If there is no such face or the surface is not closed.
     """
+    closed = closed_surface(source, face, whole)
+    Path(path).write_bytes(stl_bytes(closed.points / mm, closed.triangles))
+    return closed
+
+
+def closed_surface(source: Geometry | Mesh, face: str | None = None, whole: bool = True) -> Triangles:
+    """Return the triangles [m] that `write_stl` writes; see there."""
     if isinstance(source, Mesh):
         surface = _of_mesh(source)
     elif source.file:
@@ -89,7 +96,6 @@ def write_stl(source: Geometry | Mesh, path: str | Path, *, face: str | None = N
             f"the surface {f'of face {face!r} ' if face else ''}of '{surface.name}' is open: {closed.open_edges} of "
             "its edges have not two triangles; a cavity must be closed, and a half be written whole."
         )
-    Path(path).write_bytes(stl_bytes(closed.points / mm, closed.triangles))
     return closed
 
 

@@ -1,0 +1,21 @@
+"""Robots: tables, chains and parameters of an actuator for simulators of robots, with their errors."""
+
+from typing import TYPE_CHECKING
+
+from turgor.foundation.lazy_names import public
+
+if TYPE_CHECKING:
+    from turgor.systems.robots.chain import Chain as Chain
+    from turgor.systems.robots.chain_of import FittedChain as FittedChain
+    from turgor.systems.robots.chain_of import chain_of as chain_of
+    from turgor.systems.robots.formats import export_robot as export_robot
+    from turgor.systems.robots.mjcf import MjcfOptions as MjcfOptions
+    from turgor.systems.robots.mjcf import write_mjcf as write_mjcf
+    from turgor.systems.robots.polynomial import Polynomial as Polynomial
+    from turgor.systems.robots.strains import StrainSegments as StrainSegments
+    from turgor.systems.robots.strains import strain_segments as strain_segments
+    from turgor.systems.robots.tables import RobotTable as RobotTable
+    from turgor.systems.robots.tables import tabulate as tabulate
+    from turgor.systems.robots.urdf import write_urdf as write_urdf
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -1,0 +1,182 @@
+"""MJCF: a chain as a model of MuJoCo, with pressures as controls and the mesh as skin."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree as Xml
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from turgor.core.meshing.exchange.formats.write_stl import closed_surface
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.store.atomic_files import whole
+from turgor.systems.robots.chain import SLIDE, Chain
+from turgor.systems.robots.chain_of import FittedChain
+
+#: Names of the coordinates of a joint.
+COORDINATES = {1: "bend_y", 2: "bend_z", SLIDE: "stretch"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MjcfOptions:
+    """How a chain moves in MuJoCo.
+
+    Parameters
+    ----------
+    step : float [s]
+        Time step.
+    damping_time : float [s]
+        Damping of a joint over its stiffness at rest: a mode of angular frequency ω has the damping ratio ω times half
+        of it. At least half of the time step, for then no stiff joint can make the motion unstable.
+    skin : bool
+        Whether the surface of the mesh is written as skin.
+    """
+
+    step: float = 0.002
+    damping_time: float = 0.05
+    skin: bool = True
+
+    def __post_init__(self) -> None:
+        if not 0 < self.step <= 0.1:
+            raise TurgorError(f"step is {self.step:g} s; allowed is more than 0 s to 0.1 s.")
+        if not 0.5 * self.step <= self.damping_time <= 10:
+            raise TurgorError(
+                f"damping_time is {self.damping_time:g} s; allowed is half of the step, {0.5 * self.step:g} s, to 10 s."
+            )
+
+
+def write_mjcf(fitted: FittedChain, path: str | Path, options: MjcfOptions | None = None) -> Path:
+    """Write a chain as a model of MuJoCo (MJCF), for version 3.5 or later.
+
+    Controls are gauge pressures in Pa. x points from the base to the tip, z up, as in the mesh. The error stands in a
+    comment, and as ``custom/numeric`` named ``tip_error_over_length``.
+
+    Parameters
+    ----------
+    fitted : FittedChain
+        From `chain_of`.
+    path : str or Path
+        The file, such as ``finger.xml``.
+    options : MjcfOptions, optional
+
+    Returns
+    -------
+    Path
+    """
+    chosen = options or MjcfOptions()
+    root = chain_element(fitted.chain, fitted.reduced.model.mesh.name, chosen)
+    root.insert(0, Xml.Comment(f" {_comment(fitted)} "))
+    custom = Xml.SubElement(root, "custom")
+    Xml.SubElement(custom, "numeric", name="tip_error_over_length", data=numbers(fitted.error))
+    Xml.SubElement(custom, "numeric", name="tip_stiffness_error", data=numbers(fitted.stiffness_error))
+    Xml.SubElement(custom, "text", name="error", data=fitted.text)
+    if chosen.skin:
+        _add_skin(root, fitted)
+    file = Path(path)
+    with whole(file) as part:
+        part.write_text(text_of(root), encoding="utf-8")
+    return file
+
+
+def chain_element(chain: Chain, name: str, options: MjcfOptions) -> Xml.Element:
+    """Return a chain as the element ``mujoco``."""
+    root = Xml.Element("mujoco", model=name)
+    Xml.SubElement(root, "compiler", angle="radian", autolimits="true")
+    Xml.SubElement(
+        root, "option", timestep=numbers(options.step), integrator="implicitfast", gravity=numbers(chain.gravity)
+    )
+    base = Xml.SubElement(Xml.SubElement(root, "worldbody"), "body", name="base")
+    _add_links(base, chain, options)
+    _add_pressures(root, chain)
+    return root
+
+
+def text_of(root: Xml.Element) -> str:
+    """Return an element as the text of a file."""
+    Xml.indent(root)
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + Xml.tostring(root, encoding="unicode") + "\n"
+
+
+def _comment(fitted: FittedChain) -> str:
+    text = (
+        f"Chain of rigid links made by turgor. {fitted.text[0].upper()}{fitted.text[1:]}. Controls are gauge pressures "
+        "in Pa. A pressure does the work p dV, V = L + growth L^2 / 2, L the length of its tendon in m3. Left out: "
+        "twist, stiffness against shear, and what loads other than those on the tip do to the section."
+    )
+    return text.replace("--", "-")
+
+
+def _add_links(base: Xml.Element, chain: Chain, options: MjcfOptions) -> None:
+    """Nest the links, each with its joints, inertia and capsule."""
+    parent, count = base, len(chain.kinds)
+    for link in range(chain.links):
+        parent = Xml.SubElement(parent, "body", name=f"link_{link + 1}", pos=numbers(chain.pivots[link]))
+        for place, kind in enumerate(chain.kinds):
+            k = link * count + place
+            Xml.SubElement(
+                parent, "joint", name=f"{COORDINATES[kind]}_{link + 1}", type="slide" if kind == SLIDE else "hinge",
+                axis=numbers(np.eye(3)[kind]), stiffness=numbers(chain.springs[k]), range=numbers(chain.limits[k]),
+                damping=numbers(options.damping_time * chain.springs[k, 0]),
+            )  # fmt: skip
+        Xml.SubElement(
+            parent, "inertial", pos=numbers(chain.centers[link]), mass=numbers(chain.masses[link]),
+            diaginertia=numbers(chain.inertias[link]),
+        )  # fmt: skip
+        # links touch what is around them, not each other: walls that meet are in the springs
+        Xml.SubElement(
+            parent, "geom", name=f"capsule_{link + 1}", type="capsule", fromto=numbers(chain.capsules[link, :6]),
+            size=numbers(chain.capsules[link, 6]), contype="0", conaffinity="1", group="3",
+        )  # fmt: skip
+    Xml.SubElement(parent, "site", name="tip", pos=numbers(chain.end), size="0.001")
+
+
+def _add_pressures(root: Xml.Element, chain: Chain) -> None:
+    """A tendon for each pressure, whose length is the swept volume, and an actuator that pulls at it."""
+    tendons, actuators = Xml.SubElement(root, "tendon"), Xml.SubElement(root, "actuator")
+    names = [
+        f"{COORDINATES[kind]}_{link + 1}" for link in range(chain.links) for kind in chain.kinds
+    ]  # fmt: skip
+    for place, name in enumerate(pressure_names(chain)):
+        tendon = Xml.SubElement(tendons, "fixed", name=f"{name}_swept")
+        for joint, gain in zip(names, chain.gains[place], strict=True):
+            Xml.SubElement(tendon, "joint", joint=joint, coef=numbers(gain))
+        Xml.SubElement(
+            actuators, "general", name=name, tendon=f"{name}_swept", gaintype="affine", biastype="none",
+            gainprm=numbers([1.0, chain.growth[place], 0.0]), ctrlrange=numbers([chain.low[place], chain.high[place]]),
+        )  # fmt: skip
+    sensors = Xml.SubElement(root, "sensor")
+    Xml.SubElement(sensors, "framepos", name="tip_place", objtype="site", objname="tip")
+    Xml.SubElement(sensors, "framequat", name="tip_turn", objtype="site", objname="tip")
+
+
+def pressure_names(chain: Chain) -> list[str]:
+    """Names of the pressures without points."""
+    return [name.replace(".", "_") for name in chain.names]
+
+
+def _add_skin(root: Xml.Element, fitted: FittedChain) -> None:
+    """The surface of the whole actuator; each vertex follows the two links between whose middles it lies."""
+    surface, chain = closed_surface(fitted.reduced.model.mesh), fitted.chain
+    used, faces = np.unique(surface.triangles, return_inverse=True)
+    points = surface.points[used]
+    skin = Xml.SubElement(
+        Xml.SubElement(root, "deformable"), "skin", name="body", rgba="0.85 0.8 0.7 1",
+        vertex=numbers(points), face=" ".join(map(str, faces.ravel())),
+    )  # fmt: skip
+    origins = np.cumsum(chain.pivots, axis=0)
+    ends = np.append(origins[:, 0], origins[-1, 0] + chain.end[0])
+    middles = np.concatenate([[points[:, 0].min()], (ends[:-1] + ends[1:]) / 2])
+    place = np.interp(points[:, 0], middles, np.arange(len(middles)))
+    for bone, origin in enumerate([np.zeros(3), *origins]):
+        share = np.maximum(0.0, 1.0 - np.abs(place - bone))
+        near = np.flatnonzero(share > 0)
+        if len(near):
+            Xml.SubElement(
+                skin, "bone", body="base" if bone == 0 else f"link_{bone}", bindpos=numbers(origin),
+                bindquat="1 0 0 0", vertid=" ".join(map(str, near)), vertweight=numbers(share[near]),
+            )  # fmt: skip
+
+
+def numbers(values: ArrayLike) -> str:
+    """Write numbers with blanks between them."""
+    return " ".join(f"{number:.9g}" for number in np.asarray(values, dtype=np.float64).ravel())
