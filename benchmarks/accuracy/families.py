@@ -42,7 +42,7 @@ OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 #: The demo has a page of its own (docs/mesh-independence.md).
 FAMILIES = tuple(name for name in ACTUATORS if name != "fast_pneunet")
 #: Mesh of each reference: longest edge, and where given, edges next to sharp edges, the longest edge along a straight
-#: path [mm] and the kind of cells.
+#: path and on cavities [mm] and the kind of cells.
 REFERENCES: dict[str, dict[str, Any]] = {
     "bellows_of_revolution": {"size": 0.4, "edge": 0.02, "cells": "axisymmetric"},
     "bidirectional_bender": {"size": 4.5, "edge": 0.3, "along": 13.5},
@@ -56,7 +56,7 @@ REFERENCES: dict[str, dict[str, Any]] = {
     "helical_pneunet": {"size": 3.0, "edge": 0.6},
     "manta_fin": {"size": 4.5, "edge": 0.7},
     "omnidirectional_actuator": {"size": 3.0, "edge": 0.3},
-    "parallel_bellows": {"size": 1.5, "cells": "tetrahedra"},
+    "parallel_bellows": {"size": 4.0, "cavity": 0.8, "cells": "tetrahedra"},
     "rectangular_bender": {"size": 4.5, "edge": 0.25},
     "revolute_joint": {"size": 4.5, "edge": 0.45},
     "semicircular_bender": {"size": 2.7, "edge": 0.4},
@@ -83,7 +83,9 @@ def meshed(job: Job, spec: dict[str, Any]) -> tg.Mesh:
         if spec.get("cells") == "axisymmetric" and geometry._sweep is not None:
             return axisymmetric_mesh(geometry, replace(fine, corners=geometry._sweep.hinges))
         return replace(swept_mesh(geometry, fine), serendipity=False)
-    settings = {"size": spec["size"] * mm, "cells": spec["cells"]} if spec else {}
+    settings: dict[str, Any] = {"size": spec["size"] * mm, "cells": spec["cells"]} if spec else {}
+    if "cavity" in spec:
+        settings["face_sizes"] = dict.fromkeys(geometry.cavity_volumes, spec["cavity"] * mm)
     return mesh_with(geometry, MeshSettings(**settings))
 
 

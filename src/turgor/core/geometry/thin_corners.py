@@ -5,6 +5,7 @@ bends them about the corners as about hinges, so the mesh at the corners determi
 `turgor.core.meshing.sizing.local_sizes` makes the cells there smaller.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -53,17 +54,21 @@ class ThinCorners:
         Places of its curved faces before thin walls, in the list of faces of the shape.
     lines : (c, 2, 3) array [m]
         Ends of the corners, which are straight.
+    folded : tuple of int
+        Places of its curved faces that meet another one in a sharp curved edge at a thin wall: the folds of bellows.
     """
 
     name: str
     curved: tuple[int, ...]
     lines: Array
+    folded: tuple[int, ...] = ()
 
 
 def find_thin_corners(geometry: Geometry) -> tuple[ThinCorners, ...]:
     """Find the straight corners of cavities with four-sided faces where a thin curved wall ends or long flat ones meet.
 
     Tubes have none, because their walls close on themselves; fillets have none, because they meet their walls smoothly.
+    Bellows with sharp folds have folded faces.
 
     Parameters
     ----------
@@ -96,9 +101,10 @@ def find_thin_corners(geometry: Geometry) -> tuple[ThinCorners, ...]:
         ]
         flat = {i for pair in long for i in pair}
         chosen += [edge for edge, pair in corners.items() if edge not in chosen and set(pair) & flat]
-        if chosen:
-            lines = np.array([[_xyz(edge.start), _xyz(edge.end)] for edge in chosen]) * scale
-            thin_corners.append(ThinCorners(name=name, curved=curved, lines=lines))
+        folded = walls.folded()
+        if chosen or folded:
+            lines = np.array([[_xyz(edge.start), _xyz(edge.end)] for edge in chosen]).reshape(-1, 2, 3) * scale
+            thin_corners.append(ThinCorners(name=name, curved=curved, lines=lines, folded=folded))
     return tuple(thin_corners)
 
 
@@ -112,27 +118,38 @@ class _Walls:
 
     def corners(self) -> dict[Any, tuple[int, ...]]:
         """Return the straight sharp edges between two four-sided faces of the cavity at thin walls, and these faces."""
+        pairs = self._pairs(lambda i: len(dict.fromkeys(self.faces[i].edges)) == 4)
+        return {edge: pair for edge, pair in pairs.items() if _is_straight(edge) and self._folds(edge, pair)}
+
+    def folded(self) -> tuple[int, ...]:
+        """Return the curved faces of the cavity that meet in sharp curved edges at thin walls."""
+        pairs = self._pairs(self._is_curved)
+        folds = [pair for edge, pair in pairs.items() if not _is_straight(edge) and self._folds(edge, pair)]
+        return tuple(sorted({i for pair in folds for i in pair}))
+
+    def _pairs(self, chosen: Callable[[int], bool]) -> dict[Any, tuple[int, ...]]:
+        """Edges between two faces of the cavity, and these faces, where both are chosen."""
         owners: dict[Any, list[int]] = {}
         for i, face in enumerate(self.faces):
-            edges = dict.fromkeys(face.edges) if face.name == self.name else {}
-            for edge in edges if len(edges) == 4 else {}:
-                owners.setdefault(edge, []).append(i)
-        straight = {edge: tuple(pair) for edge, pair in owners.items() if len(pair) == 2 and _is_straight(edge)}
-        return {
-            edge: pair
-            for edge, pair in straight.items()
-            if _fold(edge, *(self.faces[i] for i in pair)) and self._is_thin_at(edge)
-        }
+            if face.name == self.name and chosen(i):
+                for edge in dict.fromkeys(face.edges):
+                    owners.setdefault(edge, []).append(i)
+        return {edge: tuple(pair) for edge, pair in owners.items() if len(pair) == 2}
+
+    def _folds(self, edge: Any, pair: tuple[int, ...]) -> bool:
+        return _fold(edge, *(self.faces[i] for i in pair)) and self._is_thin_at(edge)
 
     def is_thin_and_curved(self, i: int) -> bool:
         """Return whether a face is curved and its wall is thin in the middle of its arcs."""
-        edges = list(dict.fromkeys(self.faces[i].edges))
-        points = np.concatenate([_samples(edge)[0] for edge in edges])
-        depth = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-        if depth[2] <= 1e-6 * depth[0]:
+        if not self._is_curved(i):
             return False
-        middles = [_samples(edge)[0][2] for edge in edges if not _is_straight(edge)]
+        middles = [_samples(edge)[0][2] for edge in dict.fromkeys(self.faces[i].edges) if not _is_straight(edge)]
         return all(self._is_thin_at(occ.Vertex(occ.Pnt(*middle))) for middle in middles)
+
+    def _is_curved(self, i: int) -> bool:
+        points = np.concatenate([_samples(edge)[0] for edge in dict.fromkeys(self.faces[i].edges)])
+        depth = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+        return bool(depth[2] > 1e-6 * depth[0])
 
     def _is_thin_at(self, place: Any) -> bool:
         """Whether the outside or another cavity is closer than the limit of a thin wall."""
@@ -163,16 +180,14 @@ def _is_straight(edge: Any) -> bool:
 
 
 def _fold(edge: Any, one: Any, other: Any) -> bool:
-    """Whether two faces meet at a sharp angle along their common straight edge."""
+    """Whether two faces meet at a sharp angle along their common edge."""
     first, second = _into(one, edge), _into(other, edge)
     return bool(len(first) and len(second) and np.linalg.norm(np.cross(first, second)) > THIN_CORNERS.sharp)
 
 
 def _into(face: Any, edge: Any) -> Array:
-    """Tangent of a face at the start of one of its straight edges, perpendicular to the edge; empty if unknown."""
-    corner, along = _xyz(edge.start), _xyz(edge.end) - _xyz(edge.start)
-    length = float(np.linalg.norm(along))
-    along /= length
+    """Tangent of a face at the start of one of its edges, perpendicular to the edge; empty if unknown."""
+    corner, along, length = _xyz(edge.start), _samples(edge)[1][0], float(edge.mass)
     for neighbor in dict.fromkeys(face.edges):
         points, tangents = _samples(neighbor)
         for end, sign in ((0, 1.0), (-1, -1.0)):

@@ -84,6 +84,7 @@ class SizingSettings:
     tube_edge: float = 1 / 9
     tube_along: float = 2.0
     curved: float = 0.7
+    folded: float = 0.5
 
 
 SIZING = SizingSettings()
