@@ -1,11 +1,16 @@
 """Obstacles in reduced models: their place is an input, the force on them an answer with its rates."""
 
+from dataclasses import replace
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from reduced_cases import ELASTOMER, KEY, LENGTH, PLACE, bellows, plate, pressing
 
 import turgor as tg
 from refused import refused
+from turgor.accuracy.gradients.model_keys import model_variation
+from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
@@ -13,6 +18,8 @@ from turgor.core.model.obstacles import Box, Obstacle, Plane, RigidSurface, Sphe
 from turgor.core.results.measures.contact_measures import force_on
 from turgor.reduced.parts.obstacles import ObstructingAt
 from turgor.reduced.path import solution_of
+from turgor.reduced.reduce import Budget, Training
+from turgor.reduced.states.estimate import KnownErrors
 from turgor.reduced.states.newton import Balance, newton
 from turgor.reduced.training.box import corners, inputs_of
 from turgor.reduced.training.near import contact_parts, near_points
@@ -148,3 +155,21 @@ def test_what_obstacles_leave_out_is_refused_by_name() -> None:
         tg.reduce(bellows(plate(path=[(0, (0, 0, 0)), (0.5, (-1e-3, 0, 0)), (1, (0, 0, 0))])), box)
     with refused("obstacles.plate.pont.1", PLACE):
         tg.reduce(bellows(plate()), {"obstacles.plate.pont.1": (0.03, 0.04)})
+
+
+def test_every_other_path_of_the_training_presses(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Estimates are of displacements: the worst input may be one at which no obstacle is near."""
+    made, model = pressing(), bellows(plate())
+    shares = np.array([[0.2, 1.0], [0.9, 0.0]])  # far, and pressing
+    monkeypatch.setattr("turgor.reduced.reduce.random_shares", lambda *_: shares)
+    box = made.inputs
+    aims = np.column_stack([np.ones(2), box.low + shares * (box.high - box.low)])
+    known = KnownErrors(places=aims * made.weights, errors=np.array([0.1, 1e-4]), sizes=np.ones(2))
+    training = Training(model, model_variation(model, list(box.keys), inputs=True).model, box, Budget(),
+                        EngineOptions(threads=1), None, print)  # fmt: skip
+    answers = [replace(made, known=known).at(aim[1:]) for aim in aims]
+    assert [bool(each.obstacle_forces["plate"].any()) for each in answers] == [False, True]
+    assert answers[0].estimate > 10 * answers[1].estimate
+    path = SimpleNamespace(reached=True)
+    worst = [training._worst(replace(made, known=known), [path] * count) for count in (2, 3)]
+    assert np.array(worst) == pytest.approx(aims[:, 1:])
