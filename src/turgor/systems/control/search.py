@@ -1,5 +1,6 @@
 """Search: the inputs of a reduced model whose output is nearest to a target, within limits."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -93,6 +94,16 @@ class Search:
                     break
                 continue
             state, merit, longest = new, value, min(2 * longest, CONTROL.longest)
+        return state
+
+    def best(self, state: ReducedState, starts: Iterable[ReducedState], request: Request) -> ReducedState:
+        """Search from other starts as well, where a search has ended away from its target; the nearest of all."""
+        for start in starts:
+            new = self.nearest(start, request)
+            if self._merit(new, request) < self._merit(state, request):
+                state = new
+            if self.error(state, request.target) <= CONTROL.stalled * self.output.size:
+                break
         return state
 
     def error(self, state: ReducedState, target: Array) -> float:

@@ -25,6 +25,11 @@ class ControlSettings:
         An input counts as at its limit within this share of its range: a few times the tolerance.
     infeasible : float
         Residual of the least distance problem below which no point fulfills all limits.
+    stalled : float
+        Distance from a target over the size of the output, above which other starts are tried, once on a path that
+        leaves what it can reach: near rest a chamber does little, and a search may end where its pressure is zero.
+    starts : int
+        How many: the nearest training states.
     approach : float
         Force that a gap to an obstacle counts as, over the largest force, for a gap of the length of the actuator: a
         gap of a tenth of the length misses as much as the largest force does.
@@ -37,6 +42,8 @@ class ControlSettings:
     shortest: float = 1e-4
     near: float = 1e-5
     infeasible: float = 1e-12
+    stalled: float = 1e-3
+    starts: int = 5
     approach: float = 10.0
 
 
