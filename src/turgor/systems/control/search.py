@@ -89,11 +89,14 @@ class Search:
             new = self._tried(state, step, request)
             value = np.inf if new is None else self._merit(new, request)
             if new is None or value > merit * (1 + 1e-9):
-                longest = 0.5 * min(size, longest)
+                longest = 0.25 * min(size, longest)
                 if longest < CONTROL.shortest:
                     break
                 continue
+            gained = merit - value
             state, merit, longest = new, value, min(2 * longest, CONTROL.longest)
+            if gained <= CONTROL.gained * value:
+                break
         return state
 
     def best(self, state: ReducedState, starts: Iterable[ReducedState], request: Request) -> ReducedState:

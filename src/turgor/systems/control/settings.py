@@ -17,6 +17,9 @@ class ControlSettings:
         Gauss–Newton updates of a row at most.
     tolerance : float
         Update of the inputs over their ranges, below which a row counts as solved.
+    gained : float
+        Share of the squared distance below which an update has gained nothing: a target out of reach is approached
+        more and more slowly, and its distance is then known to some 1e-4.
     longest : float
         Longest update of an input over its range. A row of a path is nearer than that; the first row may be far.
     shortest : float
@@ -38,6 +41,7 @@ class ControlSettings:
     smoothness: float = 1e-7
     iterations: int = 25
     tolerance: float = 1e-6
+    gained: float = 1e-5
     longest: float = 0.25
     shortest: float = 1e-4
     near: float = 1e-5
