@@ -1,5 +1,6 @@
 """Search: the inputs of a reduced model whose output is nearest to a target, within limits."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -88,11 +89,24 @@ class Search:
             new = self._tried(state, step, request)
             value = np.inf if new is None else self._merit(new, request)
             if new is None or value > merit * (1 + 1e-9):
-                longest = 0.5 * min(size, longest)
+                longest = 0.25 * min(size, longest)
                 if longest < CONTROL.shortest:
                     break
                 continue
+            gained = merit - value
             state, merit, longest = new, value, min(2 * longest, CONTROL.longest)
+            if gained <= CONTROL.gained * value:
+                break
+        return state
+
+    def best(self, state: ReducedState, starts: Iterable[ReducedState], request: Request) -> ReducedState:
+        """Search from other starts as well, where a search has ended away from its target; the nearest of all."""
+        for start in starts:
+            new = self.nearest(start, request)
+            if self._merit(new, request) < self._merit(state, request):
+                state = new
+            if self.error(state, request.target) <= CONTROL.stalled * self.output.size:
+                break
         return state
 
     def error(self, state: ReducedState, target: Array) -> float:

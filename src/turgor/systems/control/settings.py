@@ -17,6 +17,9 @@ class ControlSettings:
         Gauss–Newton updates of a row at most.
     tolerance : float
         Update of the inputs over their ranges, below which a row counts as solved.
+    gained : float
+        Share of the squared distance below which an update has gained nothing: a target out of reach is approached
+        more and more slowly, and its distance is then known to some 1e-4.
     longest : float
         Longest update of an input over its range. A row of a path is nearer than that; the first row may be far.
     shortest : float
@@ -25,6 +28,11 @@ class ControlSettings:
         An input counts as at its limit within this share of its range: a few times the tolerance.
     infeasible : float
         Residual of the least distance problem below which no point fulfills all limits.
+    stalled : float
+        Distance from a target over the size of the output, above which other starts are tried, once on a path that
+        leaves what it can reach: near rest a chamber does little, and a search may end where its pressure is zero.
+    starts : int
+        How many: the nearest training states.
     approach : float
         Force that a gap to an obstacle counts as, over the largest force, for a gap of the length of the actuator: a
         gap of a tenth of the length misses as much as the largest force does.
@@ -33,10 +41,13 @@ class ControlSettings:
     smoothness: float = 1e-7
     iterations: int = 25
     tolerance: float = 1e-6
+    gained: float = 1e-5
     longest: float = 0.25
     shortest: float = 1e-4
     near: float = 1e-5
     infeasible: float = 1e-12
+    stalled: float = 1e-3
+    starts: int = 5
     approach: float = 10.0
 
 

@@ -1,6 +1,6 @@
 """track: inputs of a reduced model that make it follow a path."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from time import process_time
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.display import Shown
-from turgor.foundation.errors import TurgorError
+from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.foundation.response import COLUMN_UNITS, Column, Response
 from turgor.foundation.source import Source
 from turgor.reduced.states.answer import ReducedState
@@ -137,12 +137,17 @@ def track(
     clock = _checked_times(times, len(target), bool(np.isfinite(bounds.rate).any()))
     search = Search(reduced, of, bounds, smoothness)
     states: list[ReducedState] = []
-    active, seconds, before = [], [], None
+    active, seconds, before, reached_before = [], [], None, True
     for place, row in enumerate(target):
         passed, began = float(clock[place] - clock[place - 1]) if place else 0.0, process_time()
         low, high = bounds.after(before, passed)
-        start = states[-1] if states else first_state(search, row)
-        state = search.nearest(start, Request(row, low, high, start.inputs))
+        start = states[-1] if states else next(other_starts(search, row, low, high), None)
+        start = start or reduced.at(np.clip(0.0, low, high))
+        request = Request(row, low, high, start.inputs)
+        state = search.nearest(start, request)
+        if reached_before and search.error(state, row) > CONTROL.stalled * of.size:
+            state = search.best(state, other_starts(search, row, low, high), request)
+        reached_before = search.error(state, row) <= CONTROL.stalled * of.size
         seconds.append(process_time() - began)
         active.append(bounds.active(state, before, passed, CONTROL.near))
         states.append(state)
@@ -151,16 +156,19 @@ def track(
     return Track(of, clock, target, reached, tuple(states), tuple(active), np.array(seconds))
 
 
-def first_state(search: Search, target: Array) -> ReducedState:
-    """Return the equilibrium at the inputs of the training state that is nearest to a target, within the limits."""
+def other_starts(search: Search, target: Array, low: Array, high: Array) -> Iterator[ReducedState]:
+    """Equilibria at the inputs of the training states that are nearest to a target, within limits."""
     reduced, n = search.reduced, len(search.limits.low)
     known = [
         ReducedState(reduced, inputs[1:], y, np.zeros((len(y), n)), 0.0, 0.0, 0)
         for inputs, y in zip(reduced.trained_inputs, reduced.trained, strict=True)
     ]
     away = [np.linalg.norm(continued(search.output, state)[0] - target) for state in known]
-    inputs = np.clip(reduced.trained_inputs[int(np.argmin(away)), 1:], search.limits.low, search.limits.high)
-    return reduced.at(inputs)
+    for place in np.argsort(away, kind="stable")[: CONTROL.starts].tolist():
+        try:
+            yield reduced.at(np.clip(reduced.trained_inputs[place, 1:], low, high))
+        except NotSolved:
+            continue
 
 
 def checked_path(path: Array, output: OutputOf) -> Array:

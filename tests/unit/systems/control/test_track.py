@@ -8,6 +8,8 @@ import turgor as tg
 from refused import refused
 from turgor.reduced.training.box import aims_of
 from turgor.systems.control.least_squares import least_squares
+from turgor.systems.control.search import Request, Search
+from turgor.systems.control.track import other_starts
 
 PRESSURES = np.linspace(500.0, 11e3, 12)
 
@@ -49,6 +51,16 @@ def test_the_closest_point_of_a_target_far_away_is_where_the_distance_is_least()
     result = tg.control.track(reduced(), target[None])
     distances = [np.linalg.norm(tip - target) for tip in tips(np.linspace(0, PRESSURE, 400))]
     assert result.distance[0] == pytest.approx(min(distances), rel=1e-4)
+
+
+def test_other_starts_are_tried_where_a_search_ends_away_from_its_target():
+    """One update from rest is not enough; from the nearest training states it is nearly so."""
+    of, limits, target = tg.control.Tip().of(reduced()), tg.control.Limits().of(reduced()), tips()[9]
+    search = Search(reduced(), of, limits, iterations=1)
+    request = Request(target, limits.low, limits.high, np.zeros(1))
+    stalled = search.nearest(reduced().solve(0.0), request)
+    best = search.best(stalled, other_starts(search, target, limits.low, limits.high), request)
+    assert search.error(stalled, target) > 20 * search.error(best, target)
 
 
 def test_the_angle_is_that_of_the_measure_and_its_derivative_is_exact():
