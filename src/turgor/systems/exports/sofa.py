@@ -46,7 +46,7 @@ class SofaScene:
 
 
 def write_sofa(
-    model: Model, folder: str | Path, *, poisson: float = 0.49, stretch: float = 2.0, step: float = 0.01
+    model: Model, folder: str | Path, *, poisson: float = 0.49, stretch: float = 1.5, step: float = 0.01
 ) -> SofaScene:
     """Write a model as a scene of SOFA: mesh, closed cavities, constants of a Mooney–Rivlin law, supports, pressures.
 
