@@ -17,5 +17,7 @@ if TYPE_CHECKING:
     from turgor.core.results.files.response_csv import read_response as read_response
     from turgor.core.results.files.vtu import write_series as write_series
     from turgor.systems.exports.fmu import write_fmu as write_fmu
+    from turgor.systems.exports.sofa import SofaScene as SofaScene
+    from turgor.systems.exports.sofa import write_sofa as write_sofa
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

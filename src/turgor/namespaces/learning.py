@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from turgor.systems.learning.for_torch import to_torch as to_torch
     from turgor.systems.learning.function import ReducedFunction as ReducedFunction
     from turgor.systems.learning.function import function as function
-    from turgor.systems.learning.outputs import Modes as Modes
+    from turgor.systems.learning.outputs import Coordinates as Coordinates
     from turgor.systems.learning.outputs import Volumes as Volumes
     from turgor.systems.learning.task import FollowTask as FollowTask
     from turgor.systems.learning.valves import Valves as Valves

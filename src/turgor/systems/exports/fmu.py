@@ -52,7 +52,7 @@ def write_fmu(
     path : str or Path
         The ending ``.fmu`` is added. Its stem is the name of the model.
     outputs : sequence of Output
-        `Tip`, `Points`, `Shape`, `Angle`, `Volumes` or `Modes`.
+        `Tip`, `Points`, `Shape`, `Angle`, `Volumes` or `Coordinates`.
     moving : Moving, optional
         Inertia, damping and the longest time step; without, every state is an equilibrium.
 
@@ -90,7 +90,7 @@ def write_fmu(
         script.write_text(SCRIPT.format(name=name), encoding="utf-8")
         known = list(sys.path)
         try:
-            builder.build_FMU(script, dest=file.absolute(), project_files={model, listed}, needsExecutionTool="false")
+            builder.build_FMU(script, dest=file.absolute(), project_files={model, listed})
         finally:
             sys.path[:] = known
             sys.modules.pop(module, None)

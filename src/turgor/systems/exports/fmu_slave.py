@@ -14,12 +14,12 @@ from turgor.reduced.states.following import Moving, Stepping
 from turgor.studies.runs.optional_parts import needed
 from turgor.systems.control.outputs import Angle, Points, Shape, Tip
 from turgor.systems.learning.function import function
-from turgor.systems.learning.outputs import Modes, Volumes
+from turgor.systems.learning.outputs import Coordinates, Volumes
 
 #: Files in the folder of the unit, and outputs by the names that stand there.
 MODEL, OPTIONS = "model.reduced", "options.json"
 KINDS: dict[str, Any] = {
-    "Tip": Tip, "Points": Points, "Shape": Shape, "Angle": Angle, "Volumes": Volumes, "Modes": Modes
+    "Tip": Tip, "Points": Points, "Shape": Shape, "Angle": Angle, "Volumes": Volumes, "Coordinates": Coordinates
 }  # fmt: skip
 
 

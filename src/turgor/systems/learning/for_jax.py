@@ -21,7 +21,7 @@ def to_jax(reduced: Reduced, outputs: Sequence[Output] = (Tip(),)) -> Callable[[
     ----------
     reduced : Reduced
     outputs : sequence of Output
-        What it returns: `Tip` (the default), `Points`, `Shape`, `Angle`, `Volumes`, `Modes`, or some of them.
+        What it returns: `Tip` (the default), `Points`, `Shape`, `Angle`, `Volumes`, `Coordinates`, or some of them.
 
     Returns
     -------

@@ -91,7 +91,7 @@ def function(reduced: Reduced, outputs: Sequence[Output] = (Tip(),)) -> ReducedF
     ----------
     reduced : Reduced
     outputs : sequence of Output
-        What it returns: `Tip` (the default), `Points`, `Shape`, `Angle`, `Volumes`, `Modes`, or some of them.
+        What it returns: `Tip` (the default), `Points`, `Shape`, `Angle`, `Volumes`, `Coordinates`, or some of them.
 
     Returns
     -------

@@ -60,15 +60,15 @@ class VolumesOf:
 
 
 @dataclass(frozen=True, slots=True)
-class Modes:
+class Coordinates:
     """Coordinates of the displacement modes: the whole shape in a dozen numbers.
 
     ``reduced.modes @ q`` times the length ``reduced.scales[0]`` is the displacement of every node.
 
     Examples
     --------
-    >>> Modes()
-    Modes()
+    >>> Coordinates()
+    Coordinates()
     """
 
     def of(self, reduced: Reduced) -> Linear:

@@ -21,7 +21,7 @@ def test_a_missing_package_is_told_with_how_to_install_it(module, name, monkeypa
         needed(module, "a test")
 
 
-@pytest.mark.parametrize(("extra", "installed"), [("learning", '"turgor[learning]"'), (None, "pip install torch")])
+@pytest.mark.parametrize(("extra", "installed"), [("learning", '"turgor[learning]"'), (None, "install torch")])
 def test_the_group_of_packages_is_named_where_there_is_one(extra, installed, monkeypatch):
     monkeypatch.setitem(sys.modules, "torch", None)
     with refused("a test", "torch", installed):

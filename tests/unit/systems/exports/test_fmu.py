@@ -60,7 +60,7 @@ def test_a_unit_in_motion_gives_what_follow_gives(tmp_path):
 
 
 def test_what_no_unit_can_have_is_refused(tmp_path):
-    with refused("Volumes", "Modes"):
+    with refused("Volumes", "Coordinates"):
         tg.files.write_fmu(pushed(), tmp_path / "a", [object()])
     with refused("motion"):
         tg.files.write_fmu(pushed(), tmp_path / "a", moving=tg.real_time.Moving())

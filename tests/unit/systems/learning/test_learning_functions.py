@@ -27,7 +27,7 @@ def test_values_are_those_of_the_answer_for_any_shape_of_the_batch():
 
 
 def test_rates_are_the_derivatives():
-    made = tg.learning.function(pushed(), (*OUTPUTS, tg.learning.Modes()))
+    made = tg.learning.function(pushed(), (*OUTPUTS, tg.learning.Coordinates()))
     _, rates = made.with_rates(INPUTS)
     for place, step in enumerate((1.0, 1e-5)):
         change = step * np.eye(2)[place]
@@ -38,7 +38,7 @@ def test_rates_are_the_derivatives():
 
 def test_modes_give_the_displacement_of_every_node():
     reduced = pushed()
-    q = tg.learning.function(reduced, [tg.learning.Modes()])(INPUTS[0])
+    q = tg.learning.function(reduced, [tg.learning.Coordinates()])(INPUTS[0])
     answer = reduced.at(INPUTS[0])
     assert (reduced.modes @ q).reshape(-1, 3) * reduced.scales[0] == pytest.approx(answer.displacement)
 
@@ -73,7 +73,7 @@ def test_gradients_of_jax():
         expected = tg.learning.function(pushed(), OUTPUTS).with_rates(INPUTS)
         rates = jax.jit(jax.vmap(jax.jacrev(of_reduced)))(jax.numpy.asarray(INPUTS))
         assert np.asarray(rates) == pytest.approx(expected[1], rel=1e-12)
-        with pytest.raises(ValueError, match="JVP"):  # of jax: no second derivatives
+        with refused("JVP", error=ValueError):  # of jax: no second derivatives
             jax.hessian(scaled)(shares[0])
     assert of_reduced(jax.numpy.asarray(INPUTS, dtype="float32")) == pytest.approx(expected[0], rel=1e-4, abs=1e-9)
 
@@ -93,5 +93,5 @@ def test_gradients_of_torch():
     assert rates.numpy() == pytest.approx(expected[1], rel=1e-12)
     assert of_reduced(torch.tensor(INPUTS, dtype=torch.float32)).dtype is torch.float32
     (once,) = torch.autograd.grad(scaled(shares).square().sum(), shares, create_graph=True)
-    with pytest.raises(RuntimeError, match="once_differentiable"):  # of torch: no second derivatives
+    with refused("once_differentiable", error=RuntimeError):  # of torch: no second derivatives
         once.sum().backward()
