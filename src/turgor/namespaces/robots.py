@@ -9,7 +9,14 @@ if TYPE_CHECKING:
     from turgor.systems.robots.chain_of import FittedChain as FittedChain
     from turgor.systems.robots.chain_of import chain_of as chain_of
     from turgor.systems.robots.formats import export_robot as export_robot
+    from turgor.systems.robots.mechanism import Arm as Arm
+    from turgor.systems.robots.mechanism import ArmState as ArmState
+    from turgor.systems.robots.mechanism import Mechanism as Mechanism
+    from turgor.systems.robots.mechanism import Segment as Segment
+    from turgor.systems.robots.mechanism_file import MechanismFile as MechanismFile
+    from turgor.systems.robots.mechanism_file import read_mechanism as read_mechanism
     from turgor.systems.robots.mjcf import MjcfOptions as MjcfOptions
+    from turgor.systems.robots.mjcf import write_mechanism as write_mechanism
     from turgor.systems.robots.mjcf import write_mjcf as write_mjcf
     from turgor.systems.robots.polynomial import Polynomial as Polynomial
     from turgor.systems.robots.strains import StrainSegments as StrainSegments

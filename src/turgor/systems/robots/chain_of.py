@@ -216,7 +216,8 @@ def _bare(reduced: Reduced, backbone: Backbone, shape: Shape, pressed: list[int]
     weights = [np.array(load.falling) for load in reduced.model.loads if isinstance(load, Gravity)]
     d, p = len(pivots) * len(shape.kinds), len(pressed)
     return Chain(
-        pivots=pivots, end=shape.behind[-1], kinds=shape.kinds, springs=np.zeros((d, 3)), gains=np.zeros((p, d)),
+        base=backbone.base, pivots=pivots, end=shape.behind[-1], kinds=shape.kinds, springs=np.zeros((d, 3)),
+        gains=np.zeros((p, d)),
         growth=np.zeros(p), masses=bodies.masses, centers=bodies.centers, inertias=bodies.inertias,
         gravity=np.sum(weights, axis=0) if weights else np.zeros(3), limits=np.zeros((d, 2)),
         capsules=bodies.capsules, names=tuple(box.keys[k].removeprefix("loads.") for k in pressed),
