@@ -151,6 +151,10 @@ class Touching:
         depth = np.maximum(np.repeat(chain.capsules[:, 6], TOUCHED) - distance, 0.0)
         return points, self.stiffness * depth[:, None] * normal
 
+    def depth(self, chain: Chain, at: Placed) -> float:
+        """Largest depth [m] of a point of a capsule in the object."""
+        return float(np.linalg.norm(self.pushed(chain, at)[1], axis=1).max()) / self.stiffness
+
     def forces(self, chain: Chain, at: Placed) -> Array:
         """Generalized forces (d,)."""
         out = np.zeros(len(chain.springs))
@@ -191,8 +195,9 @@ class ArmState(Shown):
 
     @property
     def line(self) -> Array:
-        """Base, joints and tip (n + 2, 3) [m]."""
-        return np.vstack([self.chain.base, self.placed.origins, self.tip])
+        """Base, lines of the capsules and tip (2 n + 2, 3) [m]."""
+        lines = np.einsum("nab,nkb->nka", self.placed.turns, self.chain.capsules[:, :6].reshape(-1, 2, 3))
+        return np.vstack([self.chain.base, (self.placed.origins[:, None] + lines).reshape(-1, 3), self.tip])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -235,13 +240,17 @@ class Mechanism(Shown):
         chain = replace(arm.chain, gravity=np.array(self.gravity, dtype=np.float64))
         touching = None if self.object is None else Touching(self.object, self.contact_stiffness)
         pressures, x = np.concatenate([segment.values for segment in arm.segments]), np.zeros(len(chain.springs))
+        inside = 0.0 if touching is None else touching.depth(chain, chain.placed(x))
+        if inside > 0:
+            raise TurgorError(
+                f"the arm '{arm.name}' is {inside * 1e3:.3g} mm inside of the object at rest; place one of them elsewhere."
+            )
         try:
             for share in np.arange(PARTS + 1) / PARTS:
                 x = chain.equilibrium(share * pressures, x, touching)
         except NotSolved as error:
             raise NotSolved(f"arm '{arm.name}': {error}") from None
         at = chain.placed(x)
-        force = np.zeros(3) if touching is None else touching.pushed(chain, at)[1]
-        total = -np.atleast_2d(force).sum(axis=0)
-        depth = float(np.linalg.norm(np.atleast_2d(force), axis=1).max()) / self.contact_stiffness
-        return ArmState(arm.name, chain, x, at, chain.tip(at), at.turns[-1], total, depth)
+        force = np.zeros(3) if touching is None else -touching.pushed(chain, at)[1].sum(axis=0)
+        depth = 0.0 if touching is None else touching.depth(chain, at)
+        return ArmState(arm.name, chain, x, at, chain.tip(at), at.turns[-1], force, depth)

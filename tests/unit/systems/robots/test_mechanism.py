@@ -16,7 +16,7 @@ from turgor.systems.robots.chain import TipForce
 
 mujoco = pytest.importorskip("mujoco")
 NAMES = {"cavity_1.pressure": 1e4, "cavity_2.pressure": 5e3}
-SPHERE = tg.obstacles.Sphere(center=(0.045, 0, -0.03), radius=0.02)
+SPHERE = tg.obstacles.Sphere(center=(0.05, 0, -0.026), radius=0.02)
 
 
 def arm(count=2, name="arm", **given):
@@ -70,7 +70,7 @@ def test_an_object_gets_the_force_that_bends_the_arm_back():
 
 
 def test_arms_on_both_sides_press_alike():
-    arms = [arm(count=1, name="left"), arm(count=1, name="right", position=(0.09, 0, 0), turn=(0, 0, np.pi))]
+    arms = [arm(count=1, name="left"), arm(count=1, name="right", position=(0.1, 0, 0), turn=(0, 0, np.pi))]
     left, right = tg.robots.Mechanism(arms=arms, object=SPHERE).solve().values()
     turned = np.diag([-1.0, -1.0, 1.0])
     assert right.force == pytest.approx(turned @ left.force, rel=1e-6, abs=1e-9)
@@ -81,7 +81,7 @@ name = "two"
 
 [object]
 shape = "sphere"
-center = ["15 mm", "0 mm", "-25 mm"]
+center = ["15 mm", "0 mm", "-28 mm"]
 radius = "20 mm"
 
 [arms.left]
@@ -120,6 +120,7 @@ def test_a_file_is_answered_with_forces_picture_and_mjcf(file, capsys):
         ('file = "finger.reduced"', "", ("arms.left.segments[1].file",)),
         ('name = "two"', "gravitiy = true", ("gravitiy", "gravity")),
         ('radius = "20 mm"', "", ("radius",)),
+        ('"-28 mm"]', '"-20 mm"]', ("left", "mm inside")),
     ],
 )
 def test_what_a_file_states_wrongly_is_named(file, capsys, old, new, facts):
