@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from turgor.systems.control.track import Track
-    from turgor.systems.robots.mechanism import ArmState
+    from turgor.systems.robots.mechanisms.mechanism import ArmState
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -9,7 +9,7 @@ from turgor.cli.exits import DONE, errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, output_option
 
 if TYPE_CHECKING:
-    from turgor.systems.robots.mechanism import ArmState, Mechanism
+    from turgor.systems.robots.mechanisms.mechanism import ArmState, Mechanism
 
 #: What it writes.
 FILES = ("robot.png", "robot.xml")
@@ -28,7 +28,7 @@ def robot_command(
         from turgor.cli.answers.systems import robot_result
         from turgor.job.output.folder import claimed
         from turgor.job.text.overrides import parse_changes
-        from turgor.systems.robots.mechanism_file import read_mechanism
+        from turgor.systems.robots.mechanisms.mechanism_file import read_mechanism
 
         given = read_mechanism(file, parse_changes(changes or ()))
         folder = output if output is not None else Path(f"{given.name}-robot")
@@ -49,7 +49,7 @@ def robot_command(
 
 def _write(folder: Path, name: str, mechanism: "Mechanism", states: "dict[str, ArmState]") -> None:
     from turgor.job.output.manifest import list_files
-    from turgor.systems.robots.mjcf import write_mechanism
+    from turgor.systems.robots.chains.mjcf import write_mechanism
     from turgor.views.plots.systems.mechanism_plot import write_mechanism_plot
 
     list_files(folder, FILES)

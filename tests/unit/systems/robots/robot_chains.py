@@ -6,8 +6,8 @@ import numpy as np
 from reduced_cases import reduced
 
 from turgor.core.engine.runtime import EngineOptions
-from turgor.systems.robots.chain import Chain
-from turgor.systems.robots.chain_of import FittedChain, chain_of
+from turgor.systems.robots.chains.chain import Chain
+from turgor.systems.robots.chains.chain_of import FittedChain, chain_of
 
 
 @cache

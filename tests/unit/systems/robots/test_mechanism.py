@@ -11,8 +11,8 @@ import turgor as tg
 from refused import refused
 from turgor.cli.app import main
 from turgor.cli.exits import BAD_INPUT
-from turgor.systems.robots import mechanism_file
-from turgor.systems.robots.chain import TipForce
+from turgor.systems.robots.chains.chain import TipForce
+from turgor.systems.robots.mechanisms import mechanism_file
 
 mujoco = pytest.importorskip("mujoco")
 NAMES = {"cavity_1.pressure": 1e4, "cavity_2.pressure": 5e3}

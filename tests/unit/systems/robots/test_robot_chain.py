@@ -10,7 +10,7 @@ from robot_chains import X, fitted, spatial
 import turgor as tg
 from refused import refused
 from turgor.core.engine.mass import total_mass
-from turgor.systems.robots.chain import TipForce
+from turgor.systems.robots.chains.chain import TipForce
 
 
 def slope(function, x, step=1e-6):

@@ -12,9 +12,9 @@ from turgor.foundation.display import Shown
 from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.reduced.states.reduced import Reduced
 from turgor.systems.robots.backbone import Array, Backbone, backbone_of
-from turgor.systems.robots.chain import SLIDE, Chain
-from turgor.systems.robots.chain_fit import Answers, Samples, fitted_chain
-from turgor.systems.robots.chain_shape import Shape, bodies_of, shape_of
+from turgor.systems.robots.chains.chain import SLIDE, Chain
+from turgor.systems.robots.chains.chain_fit import Answers, Samples, fitted_chain
+from turgor.systems.robots.chains.chain_shape import Shape, bodies_of, shape_of
 from turgor.systems.robots.tip_response import TipResponse, tip_response
 
 #: States that a chain of one pressure, or of several, is fitted to, and those at which its error is measured.

@@ -14,8 +14,8 @@ from turgor.core.model.obstacles import Sphere
 from turgor.core.model.obstacles.rigid_shape import RigidShape
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.store.atomic_files import whole
-from turgor.systems.robots.chain import SLIDE, Chain
-from turgor.systems.robots.chain_of import FittedChain
+from turgor.systems.robots.chains.chain import SLIDE, Chain
+from turgor.systems.robots.chains.chain_of import FittedChain
 
 #: Names of the coordinates of a joint.
 COORDINATES = {1: "bend_y", 2: "bend_z", SLIDE: "stretch"}

@@ -11,7 +11,7 @@ from turgor.core.model.obstacles.rigid_shape import RigidShape
 from turgor.foundation.display import Shown
 from turgor.foundation.errors import NotSolved, TurgorError, unknown
 from turgor.systems.robots.backbone import Array
-from turgor.systems.robots.chain import SLIDE, TURN_Y, TURN_Z, Chain, Placed
+from turgor.systems.robots.chains.chain import SLIDE, TURN_Y, TURN_Z, Chain, Placed
 
 #: Standard gravity downward.
 DOWN = (0.0, 0.0, -9.80665)
@@ -243,7 +243,8 @@ class Mechanism(Shown):
         inside = 0.0 if touching is None else touching.depth(chain, chain.placed(x))
         if inside > 0:
             raise TurgorError(
-                f"the arm '{arm.name}' is {inside * 1e3:.3g} mm inside of the object at rest; place one of them elsewhere."
+                f"the arm '{arm.name}' is {inside * 1e3:.3g} mm inside of the object at rest; place one of them "
+                "elsewhere."
             )
         try:
             for share in np.arange(PARTS + 1) / PARTS:

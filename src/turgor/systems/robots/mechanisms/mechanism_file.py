@@ -13,8 +13,8 @@ from turgor.foundation.errors import TurgorError, near_file, unknown
 from turgor.foundation.toml_text import read_text, read_toml
 from turgor.job.text.overrides import changed
 from turgor.reduced.states.reduced import Reduced
-from turgor.systems.robots.chain_of import FittedChain, chain_of
-from turgor.systems.robots.mechanism import DOWN, Arm, Mechanism, Segment
+from turgor.systems.robots.chains.chain_of import FittedChain, chain_of
+from turgor.systems.robots.mechanisms.mechanism import DOWN, Arm, Mechanism, Segment
 from turgor.units import parse_quantity
 
 #: Shapes of an object by their names.
