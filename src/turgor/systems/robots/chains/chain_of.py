@@ -144,17 +144,17 @@ class _Question:
     answered: tuple[TipResponse, ...]
 
 
-def _fitted(asked: _Question, slide: bool) -> FittedChain:
+def _fitted(question: _Question, slide: bool) -> FittedChain:
     """Fit a chain and measure its error."""
-    reduced, backbone, pressed, (fit, test) = asked.reduced, asked.backbone, asked.pressed, asked.inputs
-    frames = [backbone.frames(q) for q in asked.q]
+    reduced, backbone, pressed, (fit, test) = question.reduced, question.backbone, question.pressed, question.inputs
+    frames = [backbone.frames(q) for q in question.q]
     shape = shape_of(backbone, frames, slide)
     x = np.array([shape.coordinates(each) for each in frames])
     limits = np.column_stack([x.min(axis=0), x.max(axis=0)])
     limits += np.abs(limits).max(axis=1, keepdims=True) * BEYOND * np.array([-1, 1])
     chain = replace(_bare(reduced, backbone, shape, pressed), limits=limits)
-    known = tuple(_answers(chain, shape, each, pressed) for each in asked.answered)
-    gains = _rates(backbone, shape, asked.answered[0])[:, pressed] / known[0].compliance[:, None]
+    known = tuple(_answers(chain, shape, each, pressed) for each in question.answered)
+    gains = _rates(backbone, shape, question.answered[0])[:, pressed] / known[0].compliance[:, None]
     chain = fitted_chain(chain, Samples(x, fit[:, pressed], known), gains.T)
     tips = np.array([chain.tip(chain.placed(_solved(chain, values[pressed]))) for values in test])
     wanted = np.array([backbone.frames(reduced.at(values).q)[1][-1] for values in test])
