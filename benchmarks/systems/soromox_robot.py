@@ -7,24 +7,24 @@ import json
 import sys
 from pathlib import Path
 
-import jax
-import jax.numpy as jnp
 import numpy as np
-from soromox.actuation.joint import (
-    AffineGeneralizedCoordinateActuator,
-    AffineGeneralizedCoordinateActuatorParams,
-    AffineGeneralizedCoordinateTransmissionParams,
-)
-from soromox.systems.components import ContinuumLinkParams, CrossSectionParams
-from soromox.systems.pcs import PCS, PCSParams, PCSStructure
 
 from turgor.systems.robots.strains import placed
 
-jax.config.update("jax_enable_x64", True)
 
+def robot_of(numbers: dict, damping_time: float = 0.05):
+    """A robot of SoRoMoX whose controls are pressures in Pa."""
+    import jax
+    import jax.numpy as jnp
+    from soromox.actuation.joint import (
+        AffineGeneralizedCoordinateActuator,
+        AffineGeneralizedCoordinateActuatorParams,
+        AffineGeneralizedCoordinateTransmissionParams,
+    )
+    from soromox.systems.components import ContinuumLinkParams, CrossSectionParams
+    from soromox.systems.pcs import PCS, PCSParams, PCSStructure
 
-def robot_of(numbers: dict, damping_time: float = 0.05) -> PCS:
-    """A robot whose controls are pressures in Pa."""
+    jax.config.update("jax_enable_x64", True)
     of = {key: jnp.asarray(value) for key, value in numbers.items() if isinstance(value, list) and key != "pressures"}
     link = ContinuumLinkParams(
         length=of["lengths"], density=of["density"], reference_strain=of["rest"], stiffness=of["stiffness"],
@@ -51,7 +51,7 @@ def tips(numbers: dict, pressures: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     robot = robot_of(numbers)
     routing = np.asarray(robot.actuators[0].params.transmission.routing_matrix)
     q = np.linalg.solve(np.asarray(robot.stiffness_matrix()), routing.T @ pressures)
-    end = robot.forward_kinematics(jnp.asarray(q), jnp.sum(jnp.asarray(numbers["lengths"])))
+    end = robot.forward_kinematics(q, np.sum(numbers["lengths"]))
     strains = np.array(numbers["rest"])
     strains[np.array(numbers["active"])] += q
     return np.asarray(end)[:3, 3], placed(np.array(numbers["base"]), np.array(numbers["lengths"]), strains)

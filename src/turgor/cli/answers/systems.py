@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from turgor.systems.control.track import Track
+    from turgor.systems.robots.mechanisms.mechanism import ArmState
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,3 +47,55 @@ def track_result(result: "Track", folder: Path) -> TrackResult:
         active=[list(names) for names in result.active],
         folder=folder,
     )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RobotArm:
+    """An arm, in SI units.
+
+    Parameters
+    ----------
+    name : str
+    tip : list of float
+        Place of the tip.
+    turn : list of lists of float
+        Rotation of the tip.
+    force : list of float
+        On the object.
+    depth : float
+        How far the arm is inside of the object.
+    """
+
+    name: str
+    tip: Sequence[float]
+    turn: Sequence[Sequence[float]]
+    force: Sequence[float]
+    depth: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RobotResult:
+    """``turgor robot``: how arms stand.
+
+    Parameters
+    ----------
+    name : str
+    arms : list of RobotArm
+    errors : mapping of str to str
+        What is known of the error of the chain of each file.
+    folder : str
+    """
+
+    name: str
+    arms: Sequence[RobotArm]
+    errors: Mapping[str, str]
+    folder: Path
+
+
+def robot_result(name: str, states: "Mapping[str, ArmState]", errors: Mapping[str, str], folder: Path) -> RobotResult:
+    """Make the result of a mechanism."""
+    arms = [
+        RobotArm(name=s.name, tip=s.tip.tolist(), turn=s.turn.tolist(), force=s.force.tolist(), depth=s.depth)
+        for s in states.values()
+    ]
+    return RobotResult(name=name, arms=arms, errors=dict(errors), folder=folder)

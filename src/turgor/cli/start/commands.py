@@ -38,6 +38,7 @@ COMMANDS: Mapping[str, str] = {
     "section": "analyses.section.section_command",
     "air": "systems.air.air_command",
     "track": "systems.track.track_command",
+    "robot": "systems.robot.robot_command",
 }
 
 

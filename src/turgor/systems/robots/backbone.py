@@ -136,7 +136,8 @@ def nodal_volumes(mesh: Mesh) -> Array:
     """Volume (n,) [m³] that each corner stands for: an even share of its cells; zero for other nodes."""
     corners = mesh.cell_type.corners
     shares = np.repeat(cell_volumes(mesh)[:, None] / corners, corners, axis=1)
-    return np.bincount(mesh.cells[:, :corners].ravel(), shares.ravel(), minlength=len(mesh.points))
+    out = np.bincount(mesh.cells[:, :corners].ravel(), shares.ravel(), minlength=len(mesh.points))
+    return out.astype(np.float64)
 
 
 def slice_of(facts: MeshFacts, inside: NDArray[np.bool_], weights: Array) -> Slice:

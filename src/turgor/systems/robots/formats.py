@@ -8,11 +8,11 @@ from pathlib import Path
 from turgor.core.engine.runtime import EngineOptions
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.reduced.states.reduced import Reduced
-from turgor.systems.robots.chain_of import FittedChain, chain_of
-from turgor.systems.robots.mjcf import write_mjcf
+from turgor.systems.robots.chains.chain_of import FittedChain, chain_of
+from turgor.systems.robots.chains.mjcf import write_mjcf
+from turgor.systems.robots.chains.urdf import write_urdf
 from turgor.systems.robots.strains import strain_segments
-from turgor.systems.robots.tables import tabulate
-from turgor.systems.robots.urdf import write_urdf
+from turgor.systems.robots.tables.tabulate import tabulate
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,7 +136,7 @@ def export_robot(
             command="Choose another folder with --output, or replace it with --force.",
         )
     place.mkdir(parents=True, exist_ok=True)
-    question, written = Question(reduced, links, EngineOptions()), {}
+    question, written = Question(reduced, links, EngineOptions()), dict[Path, str]()
     for each in dict.fromkeys(formats):
         text = FORMATS[each].write(question, place, name)
         written |= {place / f"{name}{ending}": text for ending in FORMATS[each].endings}

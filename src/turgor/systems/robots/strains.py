@@ -17,8 +17,8 @@ from turgor.foundation.display import Shown
 from turgor.foundation.store.atomic_files import whole
 from turgor.reduced.states.reduced import Reduced
 from turgor.systems.robots.backbone import Array, Backbone, backbone_of
-from turgor.systems.robots.chain_of import near_rest, pressed_inputs, sampled_inputs
-from turgor.systems.robots.chain_shape import bodies_of
+from turgor.systems.robots.chains.chain_of import near_rest, pressed_inputs, sampled_inputs
+from turgor.systems.robots.chains.chain_shape import bodies_of
 from turgor.systems.robots.tip_response import TipResponse, tip_response
 
 #: Places of the strains that answer, in the order of SoRoMoX: twist, curvatures about y and z, stretch, shears.

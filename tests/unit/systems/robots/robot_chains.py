@@ -6,8 +6,8 @@ import numpy as np
 from reduced_cases import reduced
 
 from turgor.core.engine.runtime import EngineOptions
-from turgor.systems.robots.chain import Chain
-from turgor.systems.robots.chain_of import FittedChain, chain_of
+from turgor.systems.robots.chains.chain import Chain
+from turgor.systems.robots.chains.chain_of import FittedChain, chain_of
 
 
 @cache
@@ -24,7 +24,8 @@ def spatial(gravity=(0.0, 0.0, -9.81)) -> Chain:
     springs = np.tile([[0.02, 0.01, 0.05], [0.03, -0.01, 0.04], [300.0, 0.0, 0.0]], (n, 1))
     gains = np.tile([[2e-7, 1e-7, 8e-6], [-1e-7, 2e-7, 9e-6]], n)
     return Chain(
-        pivots=np.array([[0.01, 0, 0.002], [0.02, 0, 0], [0.02, 0.001, 0]]), end=np.array([0.01, 0, 0.001]),
+        base=np.array([0.0, 0.0, 0.002]), pivots=np.array([[0.01, 0, 0.002], [0.02, 0, 0], [0.02, 0.001, 0]]),
+        end=np.array([0.01, 0, 0.001]),
         kinds=(1, 2, 0), springs=springs, gains=gains, growth=np.array([2e6, 1e6]),
         masses=0.002 * rng.uniform(1, 2, n), centers=np.tile([0.01, 0.0, 0.001], (n, 1)),
         inertias=np.full((n, 3), 2e-7), gravity=np.array(gravity), limits=limits,

@@ -10,6 +10,7 @@ from robot_chains import X, fitted, spatial
 import turgor as tg
 from refused import refused
 from turgor.core.engine.mass import total_mass
+from turgor.systems.robots.chains.chain import TipForce
 
 
 def slope(function, x, step=1e-6):
@@ -47,9 +48,9 @@ def test_forces_balance_at_an_equilibrium_and_its_tangent_is_their_slope():
         outer = chain.weight(at) + chain.work(at, 2, chain.tip(at), force)
         return chain.spring_forces(x)[0] - pressures @ chain.pressed(x) - outer
 
-    x = chain.equilibrium(pressures, force=force)
+    x = chain.equilibrium(pressures, outside=TipForce(force))
     assert np.abs(needed(x)).max() < 1e-9
-    assert chain.tangent(x, pressures, force) == pytest.approx(slope(needed, x), rel=1e-4, abs=1e-4)
+    assert chain.tangent(x, pressures, TipForce(force)) == pytest.approx(slope(needed, x), rel=1e-4, abs=1e-4)
 
 
 def test_a_chain_without_stable_equilibrium_is_refused():

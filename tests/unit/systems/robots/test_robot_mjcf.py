@@ -8,7 +8,7 @@ from robot_chains import fitted, spatial
 
 import turgor as tg
 from refused import refused
-from turgor.systems.robots import mjcf
+from turgor.systems.robots.chains import mjcf
 
 mujoco = pytest.importorskip("mujoco")
 

@@ -12,11 +12,11 @@ import turgor as tg
 from refused import refused
 from turgor.reduced.states.estimate import KnownErrors
 from turgor.reduced.states.inputs import Inputs
-from turgor.systems.robots.arc import arc_of, arc_places
 from turgor.systems.robots.backbone import backbone_of
-from turgor.systems.robots.polynomial import fitted
-from turgor.systems.robots.tables import whole_turn
-from turgor.systems.robots.tip_forces import tip_forces_of
+from turgor.systems.robots.tables.arc import arc_of, arc_places
+from turgor.systems.robots.tables.polynomial import fitted
+from turgor.systems.robots.tables.tabulate import whole_turn
+from turgor.systems.robots.tables.tip_forces import tip_forces_of
 
 
 @pytest.fixture(scope="module")

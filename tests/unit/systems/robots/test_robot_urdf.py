@@ -7,7 +7,7 @@ import pytest
 from robot_chains import X, fitted, spatial
 
 import turgor as tg
-from turgor.systems.robots.urdf import Xml, robot_element
+from turgor.systems.robots.chains.urdf import Xml, robot_element
 
 mujoco = pytest.importorskip("mujoco")
 

@@ -65,6 +65,6 @@ def arc_of(places: Array, turns: Array, rest: Array) -> Arc:
     def away(x: Array) -> Array:
         return np.asarray((arc_places(x[:2], x[2], shares) - line)[1:].ravel() / length)
 
-    found = least_squares(away, [*bends, length], x_scale=[1 / length, 1 / length, length]).x
-    misfit = float(np.linalg.norm(away(found).reshape(-1, 3), axis=1).max()) * length
-    return Arc(float(np.hypot(*found[:2])), float(np.arctan2(found[1], found[0])), float(found[2]), misfit)
+    best = least_squares(away, [*bends, length], x_scale=[1 / length, 1 / length, length]).x
+    misfit = float(np.linalg.norm(away(best).reshape(-1, 3), axis=1).max()) * length
+    return Arc(float(np.hypot(*best[:2])), float(np.arctan2(best[1], best[0])), float(best[2]), misfit)

@@ -17,10 +17,10 @@ from turgor.foundation.store.atomic_files import whole
 from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.reduced import Reduced
 from turgor.systems.control.outputs import Angle
-from turgor.systems.robots.arc import arc_of
 from turgor.systems.robots.backbone import Array, Backbone, backbone_of
-from turgor.systems.robots.polynomial import Polynomial, fitted
-from turgor.systems.robots.tip_forces import tip_forces_of
+from turgor.systems.robots.tables.arc import arc_of
+from turgor.systems.robots.tables.polynomial import Polynomial, fitted
+from turgor.systems.robots.tables.tip_forces import tip_forces_of
 
 #: Slices for the arc.
 SLICES = 10

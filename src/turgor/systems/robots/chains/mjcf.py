@@ -1,17 +1,21 @@
 """MJCF: a chain as a model of MuJoCo, with pressures as controls and the mesh as skin."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.spatial.transform import Rotation
 
 from turgor.core.meshing.exchange.formats.write_stl import closed_surface
+from turgor.core.model.obstacles import Sphere
+from turgor.core.model.obstacles.rigid_shape import RigidShape
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.store.atomic_files import whole
-from turgor.systems.robots.chain import SLIDE, Chain
-from turgor.systems.robots.chain_of import FittedChain
+from turgor.systems.robots.chains.chain import SLIDE, Chain
+from turgor.systems.robots.chains.chain_of import FittedChain
 
 #: Names of the coordinates of a joint.
 COORDINATES = {1: "bend_y", 2: "bend_z", SLIDE: "stretch"}
@@ -78,16 +82,51 @@ def write_mjcf(fitted: FittedChain, path: str | Path, options: MjcfOptions | Non
     return file
 
 
+def write_mechanism(
+    chains: Mapping[str, Chain], shape: RigidShape | None, path: str | Path, *, name: str = "robot"
+) -> Path:
+    """Write chains by the names of their arms, and an object that does not move, as a model of MuJoCo.
+
+    Parameters
+    ----------
+    chains : mapping of str to Chain
+        As the states of a `Mechanism` have them.
+    shape : RigidShape or None
+        A sphere is written; others are left out, and a comment says so.
+    path : str or Path
+    name : str
+    """
+    root = chains_element({f"{arm}_": chain for arm, chain in chains.items()}, name, MjcfOptions(skin=False))
+    if shape is not None:
+        world = root.find("worldbody")
+        assert world is not None
+        if isinstance(shape, Sphere):
+            place, size = numbers(shape.center), numbers(shape.radius)
+            Xml.SubElement(world, "geom", name="object", type="sphere", size=size, pos=place)
+        else:
+            world.append(Xml.Comment(f" the object is left out: {shape.text()} "))
+    file = Path(path)
+    with whole(file) as part:
+        part.write_text(text_of(root), encoding="utf-8")
+    return file
+
+
 def chain_element(chain: Chain, name: str, options: MjcfOptions) -> Xml.Element:
     """Return a chain as the element ``mujoco``."""
+    return chains_element({"": chain}, name, options)
+
+
+def chains_element(chains: Mapping[str, Chain], name: str, options: MjcfOptions) -> Xml.Element:
+    """Return chains, by what their names begin with, as the element ``mujoco``."""
     root = Xml.Element("mujoco", model=name)
     Xml.SubElement(root, "compiler", angle="radian", autolimits="true")
-    Xml.SubElement(
-        root, "option", timestep=numbers(options.step), integrator="implicitfast", gravity=numbers(chain.gravity)
-    )
-    base = Xml.SubElement(Xml.SubElement(root, "worldbody"), "body", name="base")
-    _add_links(base, chain, options)
-    _add_pressures(root, chain)
+    gravity = next(iter(chains.values())).gravity
+    Xml.SubElement(root, "option", timestep=numbers(options.step), integrator="implicitfast", gravity=numbers(gravity))
+    world = Xml.SubElement(root, "worldbody")
+    parts = [Xml.SubElement(root, part) for part in ("tendon", "actuator", "sensor")]
+    for prefix, chain in chains.items():
+        _add_links(Xml.SubElement(world, "body", name=f"{prefix}base"), chain, options, prefix)
+        _add_pressures(parts, chain, prefix)
     return root
 
 
@@ -106,15 +145,19 @@ def _comment(fitted: FittedChain) -> str:
     return text.replace("--", "-")
 
 
-def _add_links(base: Xml.Element, chain: Chain, options: MjcfOptions) -> None:
+def _add_links(base: Xml.Element, chain: Chain, options: MjcfOptions, prefix: str) -> None:
     """Nest the links, each with its joints, inertia and capsule."""
     parent, count = base, len(chain.kinds)
     for link in range(chain.links):
-        parent = Xml.SubElement(parent, "body", name=f"link_{link + 1}", pos=numbers(chain.pivots[link]))
+        parent = Xml.SubElement(parent, "body", name=f"{prefix}link_{link + 1}", pos=numbers(chain.pivots[link]))
+        if chain.rolls is not None:
+            x, y, z, w = Rotation.from_matrix(chain.rolls[link]).as_quat()
+            parent.set("quat", numbers([w, x, y, z]))
         for place, kind in enumerate(chain.kinds):
             k = link * count + place
+            name, motion = f"{prefix}{COORDINATES[kind]}_{link + 1}", "slide" if kind == SLIDE else "hinge"
             Xml.SubElement(
-                parent, "joint", name=f"{COORDINATES[kind]}_{link + 1}", type="slide" if kind == SLIDE else "hinge",
+                parent, "joint", name=name, type=motion,
                 axis=numbers(np.eye(3)[kind]), stiffness=numbers(chain.springs[k]), range=numbers(chain.limits[k]),
                 damping=numbers(options.damping_time * chain.springs[k, 0]),
             )  # fmt: skip
@@ -124,29 +167,30 @@ def _add_links(base: Xml.Element, chain: Chain, options: MjcfOptions) -> None:
         )  # fmt: skip
         # links touch what is around them, not each other: walls that meet are in the springs
         Xml.SubElement(
-            parent, "geom", name=f"capsule_{link + 1}", type="capsule", fromto=numbers(chain.capsules[link, :6]),
-            size=numbers(chain.capsules[link, 6]), contype="0", conaffinity="1", group="3",
+            parent, "geom", name=f"{prefix}capsule_{link + 1}", type="capsule",
+            fromto=numbers(chain.capsules[link, :6]), size=numbers(chain.capsules[link, 6]),
+            contype="0", conaffinity="1", group="3",
         )  # fmt: skip
-    Xml.SubElement(parent, "site", name="tip", pos=numbers(chain.end), size="0.001")
+    Xml.SubElement(parent, "site", name=f"{prefix}tip", pos=numbers(chain.end), size="0.001")
 
 
-def _add_pressures(root: Xml.Element, chain: Chain) -> None:
+def _add_pressures(parts: list[Xml.Element], chain: Chain, prefix: str) -> None:
     """A tendon for each pressure, whose length is the swept volume, and an actuator that pulls at it."""
-    tendons, actuators = Xml.SubElement(root, "tendon"), Xml.SubElement(root, "actuator")
-    names = [
-        f"{COORDINATES[kind]}_{link + 1}" for link in range(chain.links) for kind in chain.kinds
-    ]  # fmt: skip
-    for place, name in enumerate(pressure_names(chain)):
+    tendons, actuators, sensors = parts
+    names = [f"{prefix}{COORDINATES[kind]}_{link + 1}" for link in range(chain.links) for kind in chain.kinds]
+    for place, pressure in enumerate(pressure_names(chain)):
+        name = prefix + pressure
         tendon = Xml.SubElement(tendons, "fixed", name=f"{name}_swept")
         for joint, gain in zip(names, chain.gains[place], strict=True):
-            Xml.SubElement(tendon, "joint", joint=joint, coef=numbers(gain))
+            if gain:
+                Xml.SubElement(tendon, "joint", joint=joint, coef=numbers(gain))
         Xml.SubElement(
             actuators, "general", name=name, tendon=f"{name}_swept", gaintype="affine", biastype="none",
-            gainprm=numbers([1.0, chain.growth[place], 0.0]), ctrlrange=numbers([chain.low[place], chain.high[place]]),
+            gainprm=numbers([1.0, chain.growth[place], 0.0]),
+            ctrlrange=numbers([chain.low[place], chain.high[place]]),
         )  # fmt: skip
-    sensors = Xml.SubElement(root, "sensor")
-    Xml.SubElement(sensors, "framepos", name="tip_place", objtype="site", objname="tip")
-    Xml.SubElement(sensors, "framequat", name="tip_turn", objtype="site", objname="tip")
+    Xml.SubElement(sensors, "framepos", name=f"{prefix}tip_place", objtype="site", objname=f"{prefix}tip")
+    Xml.SubElement(sensors, "framequat", name=f"{prefix}tip_turn", objtype="site", objname=f"{prefix}tip")
 
 
 def pressure_names(chain: Chain) -> list[str]:

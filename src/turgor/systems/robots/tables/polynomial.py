@@ -72,7 +72,7 @@ def fitted(fit: tuple[Array, Array], test: tuple[Array, Array], box: tuple[Array
         if best is not None and len(exponents) * ROWS > len(fit[1]):
             break
         matrix = _products(2 * (fit[0] - low) / (high - low) - 1, exponents)
-        coefficients = np.linalg.lstsq(matrix, fit[1], rcond=None)[0]
+        coefficients = np.asarray(np.linalg.lstsq(matrix, fit[1], rcond=None)[0], dtype=np.float64)
         made = Polynomial(exponents, coefficients, low, high, 0.0)
         made = Polynomial(exponents, coefficients, low, high, float(np.abs(made.at(test[0]) - test[1]).max()))
         if best is None or made.error < WORTH * best.error:

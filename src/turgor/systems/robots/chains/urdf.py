@@ -7,9 +7,9 @@ import numpy as np
 
 from turgor.foundation.store.atomic_files import whole
 from turgor.systems.robots.backbone import Array
-from turgor.systems.robots.chain import SLIDE, Chain
-from turgor.systems.robots.chain_of import FittedChain
-from turgor.systems.robots.mjcf import COORDINATES, numbers
+from turgor.systems.robots.chains.chain import SLIDE, Chain
+from turgor.systems.robots.chains.chain_of import FittedChain
+from turgor.systems.robots.chains.mjcf import COORDINATES, numbers
 
 #: Mass [kg] and inertia [kg m²] of a body between two coordinates of one joint, which programs want to be positive.
 BETWEEN = 1e-6, 1e-10

@@ -9,7 +9,7 @@ from turgor.core.engine.mass import cell_volumes, densities
 from turgor.core.model.model import Model
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.systems.robots.backbone import Array, Backbone
-from turgor.systems.robots.chain import SLIDE, TURN_Y, TURN_Z
+from turgor.systems.robots.chains.chain import SLIDE, TURN_Y, TURN_Z
 
 #: A joint lies in the middle between its slices unless the samples say otherwise: weight of this, over a radian's.
 MIDDLE = 0.02

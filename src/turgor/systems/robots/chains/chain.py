@@ -9,8 +9,10 @@ is p cⱼ (1 + g L). These are forces that MuJoCo has: `stiffness` of a joint, a
 fixed tendon of coefficients c.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +23,9 @@ from turgor.systems.robots.backbone import Array
 
 #: Newton's method: updates, the torque that may be left over the largest, the longest update [rad] and [lengths].
 UPDATES, TOLERANCE, LONGEST = 100, 1e-10, 0.3
+
+#: An update is halved at most so often, while it leaves more than so many times the force.
+HALVED, GROWN = 6, 3.0
 
 #: Kinds of joints, and the axis of each.
 TURN_Y, TURN_Z, SLIDE = 1, 2, 0
@@ -44,12 +49,21 @@ class Placed:
     anchors: Array
 
 
+class Outside(Protocol):
+    """What acts on a chain from outside."""
+
+    def forces(self, chain: "Chain", at: Placed) -> Array:
+        """Generalized forces (d,)."""
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Chain(Shown):
     """A chain of rigid links along x.
 
     Parameters
     ----------
+    base : (3,) array [m]
+        Center of the fixed end.
     pivots : (n, 3) array [m]
         Origin of each link at its joint, in the frame of the link before; the first in that of the base.
     end : (3,) array [m]
@@ -77,8 +91,11 @@ class Chain(Shown):
     high : (p,) array [Pa]
         Largest pressures.
     low : (p,) array [Pa]
+    rolls : (n, 3, 3) array, optional
+        Rotation of each link at rest from the one before; none by default.
     """
 
+    base: Array
     pivots: Array
     end: Array
     kinds: tuple[int, ...]
@@ -94,6 +111,7 @@ class Chain(Shown):
     names: tuple[str, ...]
     high: Array
     low: Array
+    rolls: Array | None = None
 
     def __repr__(self) -> str:
         return f"Chain({len(self.pivots)} links, {len(self.springs)} coordinates, pressures {', '.join(self.names)})"
@@ -102,6 +120,11 @@ class Chain(Shown):
     def links(self) -> int:
         """Number of links."""
         return len(self.pivots)
+
+    @cached_property
+    def rest_turns(self) -> Array:
+        """Rotation (n, 3, 3) of each link at rest from the one before."""
+        return np.tile(np.eye(3), (self.links, 1, 1)) if self.rolls is None else self.rolls
 
     @cached_property
     def owners(self) -> NDArray[np.int64]:
@@ -117,8 +140,8 @@ class Chain(Shown):
         """Frames and axes at coordinates (d,)."""
         turn, origin = np.eye(3), np.zeros(3)
         turns, origins, axes, anchors = [], [], [], []
-        for pivot, own in zip(self.pivots, x.reshape(self.links, -1), strict=True):
-            origin = origin + turn @ pivot
+        for pivot, rest, own in zip(self.pivots, self.rest_turns, x.reshape(self.links, -1), strict=True):
+            origin, turn = origin + turn @ pivot, turn @ rest
             for kind, value in zip(self.kinds, own, strict=True):
                 axis = turn[:, kind]
                 axes.append(axis)
@@ -167,21 +190,21 @@ class Chain(Shown):
         swept = self.gains @ x
         return np.asarray(swept + 0.5 * self.growth * swept**2)
 
-    def tangent(self, x: Array, pressures: Array, force: Array | None = None) -> Array:
+    def tangent(self, x: Array, pressures: Array, outside: Outside | None = None) -> Array:
         """Stiffness (d, d) at coordinates: slope of the forces that are needed to stay there."""
         out = np.diag(self.spring_forces(x)[1])
         out -= np.einsum("p,pi,pj->ij", pressures * self.growth, self.gains, self.gains)
-        if force is None and not self.gravity.any():
+        if outside is None and not self.gravity.any():
             return out
         step = 1e-6 * np.where(self.slides, np.abs(self.pivots).sum() / self.links, 1.0)
         for k, h in enumerate(step):
             moved = np.zeros(len(x))
             moved[k] = h
-            out[:, k] -= (self._outer(x + moved, force) - self._outer(x - moved, force)) / (2 * h)
+            out[:, k] -= (self._outer(x + moved, outside) - self._outer(x - moved, outside)) / (2 * h)
         return np.asarray(0.5 * (out + out.T))
 
-    def equilibrium(self, pressures: Array, start: Array | None = None, force: Array | None = None) -> Array:
-        """Find coordinates (d,) at pressures (p,), with a force (3,) on the tip.
+    def equilibrium(self, pressures: Array, start: Array | None = None, outside: Outside | None = None) -> Array:
+        """Find coordinates (d,) at pressures (p,), with what acts from outside.
 
         Raises
         ------
@@ -190,19 +213,30 @@ class Chain(Shown):
         """
         x = np.zeros(len(self.springs)) if start is None else start.copy()
         scale = np.where(self.slides, np.abs(self.pivots).sum() / self.links, 1.0)
-        residual = self._unbalanced(x, pressures, force)
+        residual = self._unbalanced(x, pressures, outside)
         for _ in range(UPDATES):
             # absolute eigenvalues: downhill where the tangent is not positive
-            sizes, modes = np.linalg.eigh(self.tangent(x, pressures, force) * np.outer(scale, scale))
+            sizes, modes = np.linalg.eigh(self.tangent(x, pressures, outside) * np.outer(scale, scale))
             update = scale * (modes @ ((modes.T @ (residual * scale)) / np.maximum(np.abs(sizes), 1e-12)))
             update /= max(1.0, float(np.abs(update / scale).max()) / LONGEST)
-            x = x + update
-            residual = self._unbalanced(x, pressures, force)
+            x, residual = self._advanced(x, update, residual, lambda y: self._unbalanced(y, pressures, outside))
             if np.abs(residual * scale).max() <= TOLERANCE * self._largest(pressures, scale):
-                if np.linalg.eigvalsh(self.tangent(x, pressures, force))[0] <= 0:
+                if np.linalg.eigvalsh(self.tangent(x, pressures, outside))[0] <= 0:
                     break
                 return x
         raise NotSolved(f"the chain has no stable equilibrium at {self._text(pressures)}; take other links.")
+
+    @staticmethod
+    def _advanced(
+        x: Array, update: Array, residual: Array, unbalanced: Callable[[Array], Array]
+    ) -> tuple[Array, Array]:
+        """Take the update, or the half of it while that leaves far more force, as where a link meets an obstacle."""
+        for _ in range(HALVED):
+            there = unbalanced(x + update)
+            if np.linalg.norm(there) <= GROWN * np.linalg.norm(residual):
+                break
+            update = update / 2
+        return x + update, unbalanced(x + update)
 
     def _text(self, pressures: Array) -> str:
         return ", ".join(f"{name} = {p / 1e3:.4g} kPa" for name, p in zip(self.names, pressures, strict=True))
@@ -211,16 +245,32 @@ class Chain(Shown):
         pressed = float(np.abs(pressures @ (self.gains * scale)).max(initial=0.0))
         return max(pressed, float(np.abs(self.springs[:, 0] * scale**2).max()) * 1e-3)
 
-    def _unbalanced(self, x: Array, pressures: Array, force: Array | None) -> Array:
+    def _unbalanced(self, x: Array, pressures: Array, outside: Outside | None) -> Array:
         out = pressures @ self.pressed(x) - self.spring_forces(x)[0]
-        return out + self._outer(x, force)
+        return out + self._outer(x, outside)
 
-    def _outer(self, x: Array, force: Array | None) -> Array:
-        if force is None and not self.gravity.any():
+    def _outer(self, x: Array, outside: Outside | None) -> Array:
+        if outside is None and not self.gravity.any():
             return np.zeros(len(x))
         at = self.placed(x)
         out = self.weight(at)
-        return out if force is None else out + self.work(at, self.links - 1, self.tip(at), force)
+        return out if outside is None else out + outside.forces(self, at)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TipForce:
+    """A force (3,) [N] on the tip that keeps its direction.
+
+    Parameters
+    ----------
+    force : (3,) array
+    """
+
+    force: Array
+
+    def forces(self, chain: Chain, at: Placed) -> Array:
+        """Generalized forces (d,) on a chain."""
+        return chain.work(at, chain.links - 1, chain.tip(at), self.force)
 
 
 def about(axis: int, angle: float) -> Array:

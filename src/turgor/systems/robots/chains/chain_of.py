@@ -12,9 +12,9 @@ from turgor.foundation.display import Shown
 from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.reduced.states.reduced import Reduced
 from turgor.systems.robots.backbone import Array, Backbone, backbone_of
-from turgor.systems.robots.chain import SLIDE, Chain
-from turgor.systems.robots.chain_fit import Answers, Samples, fitted_chain
-from turgor.systems.robots.chain_shape import Shape, bodies_of, shape_of
+from turgor.systems.robots.chains.chain import SLIDE, Chain
+from turgor.systems.robots.chains.chain_fit import Answers, Samples, fitted_chain
+from turgor.systems.robots.chains.chain_shape import Shape, bodies_of, shape_of
 from turgor.systems.robots.tip_response import TipResponse, tip_response
 
 #: States that a chain of one pressure, or of several, is fitted to, and those at which its error is measured.
@@ -144,17 +144,17 @@ class _Question:
     answered: tuple[TipResponse, ...]
 
 
-def _fitted(asked: _Question, slide: bool) -> FittedChain:
+def _fitted(question: _Question, slide: bool) -> FittedChain:
     """Fit a chain and measure its error."""
-    reduced, backbone, pressed, (fit, test) = asked.reduced, asked.backbone, asked.pressed, asked.inputs
-    frames = [backbone.frames(q) for q in asked.q]
+    reduced, backbone, pressed, (fit, test) = question.reduced, question.backbone, question.pressed, question.inputs
+    frames = [backbone.frames(q) for q in question.q]
     shape = shape_of(backbone, frames, slide)
     x = np.array([shape.coordinates(each) for each in frames])
     limits = np.column_stack([x.min(axis=0), x.max(axis=0)])
     limits += np.abs(limits).max(axis=1, keepdims=True) * BEYOND * np.array([-1, 1])
     chain = replace(_bare(reduced, backbone, shape, pressed), limits=limits)
-    known = tuple(_answers(chain, shape, each, pressed) for each in asked.answered)
-    gains = _rates(backbone, shape, asked.answered[0])[:, pressed] / known[0].compliance[:, None]
+    known = tuple(_answers(chain, shape, each, pressed) for each in question.answered)
+    gains = _rates(backbone, shape, question.answered[0])[:, pressed] / known[0].compliance[:, None]
     chain = fitted_chain(chain, Samples(x, fit[:, pressed], known), gains.T)
     tips = np.array([chain.tip(chain.placed(_solved(chain, values[pressed]))) for values in test])
     wanted = np.array([backbone.frames(reduced.at(values).q)[1][-1] for values in test])
@@ -216,7 +216,8 @@ def _bare(reduced: Reduced, backbone: Backbone, shape: Shape, pressed: list[int]
     weights = [np.array(load.falling) for load in reduced.model.loads if isinstance(load, Gravity)]
     d, p = len(pivots) * len(shape.kinds), len(pressed)
     return Chain(
-        pivots=pivots, end=shape.behind[-1], kinds=shape.kinds, springs=np.zeros((d, 3)), gains=np.zeros((p, d)),
+        base=backbone.base, pivots=pivots, end=shape.behind[-1], kinds=shape.kinds, springs=np.zeros((d, 3)),
+        gains=np.zeros((p, d)),
         growth=np.zeros(p), masses=bodies.masses, centers=bodies.centers, inertias=bodies.inertias,
         gravity=np.sum(weights, axis=0) if weights else np.zeros(3), limits=np.zeros((d, 2)),
         capsules=bodies.capsules, names=tuple(box.keys[k].removeprefix("loads.") for k in pressed),

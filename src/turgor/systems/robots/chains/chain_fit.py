@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from turgor.systems.robots.backbone import Array
-from turgor.systems.robots.chain import Chain
+from turgor.systems.robots.chains.chain import Chain
 
 #: Weight of answers to loads on the tip that are off by all of it, all together, over the largest coordinate.
 ANSWER = 0.1

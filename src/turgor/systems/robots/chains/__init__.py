@@ -1,0 +1,1 @@
+"""Chains of rigid links of an actuator, and their files for MuJoCo and URDF."""

@@ -1,0 +1,1 @@
+"""Mechanisms: arms of several actuators, and grippers around an object."""

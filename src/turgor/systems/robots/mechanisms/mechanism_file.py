@@ -1,0 +1,183 @@
+"""Files of a mechanism: arms of reduced models, their pressures, and an object, in TOML."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from turgor.core.engine.runtime import EngineOptions
+from turgor.core.model.obstacles import Box, Cylinder, Plane, Sphere
+from turgor.core.model.obstacles.rigid_shape import RigidShape
+from turgor.foundation.errors import TurgorError, near_file, unknown
+from turgor.foundation.toml_text import read_text, read_toml
+from turgor.job.text.overrides import changed
+from turgor.reduced.states.reduced import Reduced
+from turgor.systems.robots.chains.chain_of import FittedChain, chain_of
+from turgor.systems.robots.mechanisms.mechanism import DOWN, Arm, Mechanism, Segment
+from turgor.units import parse_quantity
+
+#: Shapes of an object by their names.
+SHAPES: Mapping[str, type[RigidShape]] = {"sphere": Sphere, "cylinder": Cylinder, "box": Box, "plane": Plane}
+
+#: Keys of each table.
+TOP = ("name", "gravity", "contact_stiffness", "object", "arms")
+ARM, SEGMENT = ("position", "turn", "segments"), ("file", "pressures", "roll", "links")
+
+
+@dataclass(frozen=True, eq=False)
+class MechanismFile:
+    """What a file of a mechanism says.
+
+    Parameters
+    ----------
+    name : str
+    mechanism : Mechanism
+    errors : mapping of str to str
+        What is known of the errors of the chain of each file.
+    """
+
+    name: str
+    mechanism: Mechanism
+    errors: Mapping[str, str]
+
+
+def read_mechanism(path: str | Path, changes: Mapping[str, Any] = MappingProxyType({})) -> MechanismFile:
+    """Read a file of a mechanism; chains are made of its reduced models.
+
+    Parameters
+    ----------
+    path : str or Path
+    changes : mapping of str to value
+        Values that replace or join those of the file, by dotted key.
+
+    Returns
+    -------
+    MechanismFile
+
+    Raises
+    ------
+    TurgorError
+        If anything in the file is wrong: key, value and what is allowed.
+    """
+    path = Path(path)
+    if not path.exists():
+        there = sorted(each.name for each in path.parent.glob("*.toml")) if path.parent.is_dir() else []
+        raise TurgorError(f"there is no file '{path}'{near_file(path, there)}")
+    content = changed(read_toml(read_text(path), str(path)), {}, changes)
+    _check(content, TOP, "the file")
+    arms = content.get("arms")
+    if not isinstance(arms, Mapping) or not arms:
+        raise TurgorError(f"'{path}' has no table [arms.NAME]; one at least is needed.")
+    chains = _Chains(path.parent)
+    made = [_arm(name, _table(given, f"arms.{name}"), chains) for name, given in arms.items()]
+    gravity = content.get("gravity", True)
+    if not isinstance(gravity, bool):
+        raise TurgorError(f"gravity is {gravity!r}; allowed is true, downward along z, or false.")
+    stiffness = _quantity(content.get("contact_stiffness", "500 N/m"), "spring stiffness", "contact_stiffness")
+    mechanism = Mechanism(
+        arms=made, object=_object(content), gravity=DOWN if gravity else (0.0, 0.0, 0.0), contact_stiffness=stiffness
+    )
+    return MechanismFile(str(content.get("name", path.stem)), mechanism, chains.texts)
+
+
+class _Chains:
+    """Chains of reduced models, each made once."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder, self.texts = folder, dict[str, str]()
+        self._made: dict[tuple[str, int | None], FittedChain] = {}
+
+    def of(self, name: str, links: int | None) -> FittedChain:
+        """Chain of a file next to the file of the mechanism."""
+        if (name, links) not in self._made:
+            made = chain_of(Reduced.load(self.folder / name), links, options=EngineOptions())
+            self._made[name, links], self.texts[name] = made, made.text
+        return self._made[name, links]
+
+
+def _arm(name: str, given: Mapping[str, Any], chains: _Chains) -> Arm:
+    where = f"arms.{name}"
+    _check(given, ARM, where)
+    segments = given.get("segments")
+    if not isinstance(segments, list) or not segments:
+        raise TurgorError(f"{where} has no [[{where}.segments]]; one at least is needed.")
+    made = [_segment(_table(each, where), f"{where}.segments[{k}]", chains) for k, each in enumerate(segments, start=1)]
+    return Arm(
+        segments=made, name=name, position=_vector(given, "position", "length", where),
+        turn=_vector(given, "turn", "angle", where),
+    )  # fmt: skip
+
+
+def _segment(given: Mapping[str, Any], where: str, chains: _Chains) -> Segment:
+    _check(given, SEGMENT, where)
+    if not isinstance(given.get("file"), str):
+        raise TurgorError(f"{where}.file is missing; the name of a file of `turgor reduce` is needed.")
+    links = given.get("links")
+    if links is not None and type(links) is not int:
+        raise TurgorError(f"{where}.links is {links!r}; a whole number is needed.")
+    pressures = {
+        key: _quantity(value, "pressure", f"{where}.pressures.{key}")
+        for key, value in _flat(_table(given.get("pressures", {}), f"{where}.pressures")).items()
+    }
+    roll = _quantity(given.get("roll", "0 deg"), "angle", f"{where}.roll")
+    segment = Segment(chain=chains.of(given["file"], links).chain, pressures=pressures, roll=roll)
+    try:
+        segment.values  # noqa: B018  an error names the place now
+    except TurgorError as error:
+        raise TurgorError(f"{where}.pressures: {error}") from None
+    return segment
+
+
+def _object(content: Mapping[str, Any]) -> RigidShape | None:
+    if "object" not in content:
+        return None
+    given = dict(_table(content["object"], "object"))
+    name = given.pop("shape", None)
+    if name not in SHAPES:
+        raise unknown("object.shape", str(name), SHAPES)
+    kind: Any = SHAPES[name]
+    _check(given, tuple(field.name for field in fields(kind)), "object")
+    for key in ("radius", "length"):
+        if key in given:
+            given[key] = _quantity(given[key], "length", f"object.{key}")
+    try:
+        shape: RigidShape = kind(**given)
+    except TypeError:
+        needed = ", ".join(field.name for field in fields(kind))
+        raise TurgorError(f"object: a {name} has the keys {needed}; one is missing.") from None
+    return shape
+
+
+def _flat(given: Mapping[str, Any], before: str = "") -> dict[str, Any]:
+    """Values by dotted keys."""
+    out: dict[str, Any] = {}
+    for key, value in given.items():
+        out |= _flat(value, f"{before}{key}.") if isinstance(value, Mapping) else {f"{before}{key}": value}
+    return out
+
+
+def _check(given: Mapping[str, Any], known: tuple[str, ...], where: str) -> None:
+    for key in given:
+        if key not in known:
+            raise unknown(f"key of {where}", key, known)
+
+
+def _table(value: Any, where: str) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise TurgorError(f"{where} is {value!r}; a table is needed.")
+    return value
+
+
+def _vector(given: Mapping[str, Any], key: str, dimension: str, where: str) -> tuple[float, ...]:
+    value = given.get(key, [0, 0, 0])
+    if not isinstance(value, list) or len(value) != 3:
+        raise TurgorError(f"{where}.{key} is {value!r}; three values are needed.")
+    return tuple(0.0 if each == 0 else _quantity(each, dimension, f"{where}.{key}") for each in value)
+
+
+def _quantity(value: Any, dimension: str, where: str) -> float:
+    try:
+        return parse_quantity(value, dimension)
+    except TurgorError as error:
+        raise TurgorError(f"{where}: {error}") from None

@@ -1,0 +1,1 @@
+"""Tables and polynomials of what an actuator does over the range of its inputs."""
