@@ -69,7 +69,8 @@ def choose(A: Array, b: Array, tolerance: float, most: int, without: Ints | None
 def _appended(factors: tuple[Array, Array], column: Array) -> tuple[Array, Array] | None:
     """Factors Q and R of columns with one more; None if it depends on them.
 
-    Gram and Schmidt's method, twice for its round-off. To begin again with every column would take most of the time of a training.
+    Gram and Schmidt's method, twice for its round-off. To begin again with every column would take most of the time
+    of a training.
     """
     Q, R = factors
     k, part, rest = len(R), np.zeros(len(R)), column
