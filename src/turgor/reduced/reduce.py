@@ -20,7 +20,7 @@ from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import check_reducible, drive_of
 from turgor.reduced.training.box import aims_of, corners, inputs_of, one_path, random_shares, with_all_cavities
-from turgor.reduced.training.build import Built, build
+from turgor.reduced.training.build import Built, build, modes_needed
 from turgor.reduced.training.compare import aim_of, compared, known_errors
 from turgor.reduced.training.masses import masses_of
 from turgor.reduced.training.modes import Modes
@@ -153,7 +153,8 @@ class Training:
         trainer = Trainer(self.model_at, box, budget.steps, self.options, budget.motion)
         drive = drive_of(system, self.model_at, box)
         paths = self._paths(trainer, [*corners(box), *aims_of(box, budget.aims)][: budget.paths])
-        count = min(TRAINING.modes, budget.modes)
+        count = modes_needed(system, paths, TRAINING.missed * budget.error, budget.modes)
+        count = max(count, min(TRAINING.modes, budget.modes))
         reduced = self.reduced(system, build(system, drive, paths, count), paths)
         good, needed = 0, 1 if one_path(box) else budget.checks
         while good < needed and len(paths) < budget.paths:

@@ -88,6 +88,8 @@ class TrainingSettings:
     modes : int
         Displacement modes at first. There are half as many mean stress modes: with as many, Newton's method finds
         nothing.
+    missed : float
+        Share of the wanted error that modes may miss of the states of the first paths; else there are more at first.
     more : int
         Modes that are added where the error at the training states themselves exceeds the wanted one.
     most : int
@@ -112,6 +114,7 @@ class TrainingSettings:
     """
 
     modes: int = 14
+    missed: float = 0.3
     more: int = 4
     most: int = 26
     truncation: float = 1e-14

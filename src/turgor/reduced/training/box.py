@@ -103,11 +103,15 @@ def random_shares(n: int, seed: int, count: int) -> Array:
 
 
 def corners(box: Inputs) -> list[Array]:
-    """Corners of the box of inputs but the one at rest, the one with the largest values first."""
+    """Corners of the box of inputs but the one at rest, the one with the largest values first.
+
+    More than three inputs have too many corners. Then it is a balanced part of these (Plackett and Burman 1946, doi
+    10.1093/biomet/33.4.305), where every two inputs have all combinations of their ends, and the first ones, too.
+    """
     n = len(box.keys)
-    shares = np.array(np.meshgrid(*[[1.0, 0.0]] * n, indexing="ij")).reshape(n, -1).T if n <= 3 else None
-    if shares is None:
-        shares = np.vstack([np.ones(n), random_shares(n, 0, 2 * n)])
+    bits = n if n <= 3 else n.bit_length()
+    columns = sorted(range(1, 2**bits), key=lambda c: (c.bit_count() > 1, c.bit_count() % 2 == 0, c))[:n]
+    shares = np.array([[1.0 - (row & column).bit_count() % 2 for column in columns] for row in range(2**bits)])
     values = box.low + shares * (box.high - box.low)
     loads = ~box.places
     return [value for value in values if not loads.any() or np.abs(value[loads]).max() > 0]

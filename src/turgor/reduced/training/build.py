@@ -124,6 +124,19 @@ def _one_sheet(equations: Equations) -> Equations:
     return replace(equations, parts=(*others, whole))
 
 
+def modes_needed(system: System, paths: Sequence[Path], error: float, most: int) -> int:
+    """Displacement modes whose combinations are within an error of all states, over their largest displacement."""
+    states = np.concatenate([path.displacements.reshape(len(path.displacements), -1) for path in paths])
+    basis, _ = bases(system, paths, most)
+    vectors = basis.vectors[: states.shape[1], :most]
+    left, largest = states.copy(), np.abs(states).max()
+    for count, vector in enumerate(vectors.T):
+        if np.abs(left).max() <= error * largest:
+            return count
+        left -= np.outer(states @ basis.dual[:, count], vector)
+    return len(vectors.T)
+
+
 def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0) -> tuple[Modes, Modes]:
     """Modes of displacement and, half as many by default, of mean stress."""
     stiffness = rest_stiffness(system)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import solve_triangular
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -45,7 +46,7 @@ def choose(A: Array, b: Array, tolerance: float, most: int, without: Ints | None
     if without is not None:
         scale[without] = 0.0
     passive: list[int] = []
-    x = np.zeros(0)
+    x, factors = np.zeros(0), np.linalg.qr(A[:, :0])
     for _ in range(3 * most):
         if float(np.linalg.norm(left)) <= tolerance * size or len(passive) >= most:
             break
@@ -54,19 +55,46 @@ def choose(A: Array, b: Array, tolerance: float, most: int, without: Ints | None
         best = int(gain.argmax())
         if gain[best] <= 1e-14 * size:
             break
-        passive, x = _inner(A, b, [*passive, best], np.append(x, 0.0))
+        more = _appended(factors, A[:, best])
+        if more is None:  # the columns that are taken give it already
+            scale[best] = 0.0
+            continue
+        passive, x, factors = _inner(A, b, ([*passive, best], np.append(x, 0.0)), more)
         left = b - A[:, passive] @ x
     order = np.argsort(passive)
     which = np.array(passive, dtype=np.int64)[order]
     return Sample(which, x[order], float(np.linalg.norm(left)) / size if size else 0.0)
 
 
-def _inner(A: Array, b: Array, passive: list[int], x: Array) -> tuple[list[int], Array]:
-    """Least squares over the passive columns; those whose factor would be negative leave."""
+def _appended(factors: tuple[Array, Array], column: Array) -> tuple[Array, Array] | None:
+    """Factors Q and R of columns with one more; None if it depends on them.
+
+    Gram and Schmidt's method, twice for its round-off. To begin again with every column would take most of the time
+    of a training.
+    """
+    Q, R = factors
+    k, part, rest = len(R), np.zeros(len(R)), column
+    for _ in range(2):
+        along = Q.T @ rest
+        part, rest = part + along, rest - Q @ along
+    size = float(np.linalg.norm(rest))
+    if size <= 1e-10 * float(np.linalg.norm(column)):
+        return None
+    larger = np.zeros((k + 1, k + 1))
+    larger[:k, :k], larger[:k, k], larger[k, k] = R, part, size
+    return np.column_stack([Q, rest / size]), larger
+
+
+def _inner(
+    A: Array, b: Array, taken: tuple[list[int], Array], factors: tuple[Array, Array]
+) -> tuple[list[int], Array, tuple[Array, Array]]:
+    """Least squares over the taken columns with factors Q and R; those whose number would be negative leave."""
+    passive, x = taken
     while passive:
-        best: Array = np.linalg.lstsq(A[:, passive], b, rcond=None)[0].astype(np.float64)
+        Q, R = factors
+        best: Array = solve_triangular(R, Q.T @ b).astype(np.float64)
         if (best > 0).all():
-            return passive, best
+            return passive, best, factors
         bad = best <= 0
         share = float((x[bad] / np.maximum(x[bad] - best[bad], 1e-300)).min())
         x = x + share * (best - x)
@@ -74,4 +102,5 @@ def _inner(A: Array, b: Array, passive: list[int], x: Array) -> tuple[list[int],
         if stay.all():
             stay[int(np.argmin(best))] = False
         passive, x = [p for p, s in zip(passive, stay, strict=True) if s], x[stay]
-    return passive, np.zeros(0)
+        factors = np.linalg.qr(A[:, passive])
+    return passive, np.zeros(0), factors
