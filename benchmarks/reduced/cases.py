@@ -118,7 +118,7 @@ def wound() -> Rows:
                         budget=Budget(held_out=0), options=OPTIONS, say=print)  # fmt: skip
     loads = [replace(load, pressure=pressure, history=tg.over_time(points, 10.0)) for load in model.loads]
     began = process_time()
-    procedure = tg.Static(duration=10.0, first_step=0.1, max_step=0.1)
+    procedure = tg.Static(duration=10.0, first_step=0.02, max_step=0.02)
     full = tg.solve(replace(model, loads=loads), procedure, options=OPTIONS).states
     whole = process_time() - began
     times = np.array([state.time for state in full])
