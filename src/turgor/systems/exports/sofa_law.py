@@ -29,6 +29,9 @@ COUNT, EXPONENTS = 40, (1.0, 20.0)
 #: that of Mooney and Rivlin's.
 BETTER = 0.8
 
+#: Error with which Mooney and Rivlin's law is good enough.
+SMALL = 0.02
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SofaLaw:
@@ -92,7 +95,7 @@ def sofa_law(material: Material, stretch: float, poisson: float) -> SofaLaw:
 
     exponent = float(minimize_scalar(lambda x: float(np.sum(modulus(x)[1] ** 2)), bounds=EXPONENTS).x)
     factor, away = modulus(exponent)
-    if factor > 0 and float(np.abs(away).max()) < BETTER * error and error > 1e-6:
+    if factor > 0 and float(np.abs(away).max()) < BETTER * error and error > SMALL:
         name, constants, shear, error = "Ogden", (factor, exponent), 0.5 * factor, float(np.abs(away).max())
     finite = np.isfinite(material.bulk_modulus)
     bulk = material.bulk_modulus if finite else shear * 2 * (1 + poisson) / (3 * (1 - 2 * poisson))
