@@ -17,7 +17,7 @@ from turgor.core.model.supports.fixed import Fixed
 from turgor.core.model.supports.symmetry import Symmetry
 from turgor.foundation.errors import TurgorError
 from turgor.systems.exports.linear_body import LinearBody, linear_body
-from turgor.systems.exports.mooney import FittedMooney, mooney_rivlin
+from turgor.systems.exports.sofa_law import SofaLaw, sofa_law
 from turgor.units import kPa, mm
 
 #: Density of rubber whose material has none [kg/m³].
@@ -36,19 +36,19 @@ class SofaScene:
     folder : Path
     volumes : dict of str to float [m³]
         Volume that the closed surface of each cavity encloses.
-    materials : dict of str to FittedMooney
+    materials : dict of str to SofaLaw
         Constants of each region.
     """
 
     folder: Path
     volumes: dict[str, float]
-    materials: dict[str, FittedMooney]
+    materials: dict[str, SofaLaw]
 
 
 def write_sofa(
     model: Model, folder: str | Path, *, poisson: float = 0.49, stretch: float = 1.5, step: float = 0.01
 ) -> SofaScene:
-    """Write a model as a scene of SOFA: mesh, closed cavities, constants of a Mooney–Rivlin law, supports, pressures.
+    """Write a model as a scene of SOFA: mesh, closed cavities, constants of a law of SOFA, supports, pressures.
 
     Lengths are in mm, masses in kg, times in s; so forces are in mN and pressures in kPa. Each tetrahedron becomes
     eight linear ones, and a half the whole. Sheets stretch and do not bend. Pressures rise over one second.
@@ -85,7 +85,7 @@ def write_sofa(
         raise TurgorError(f"step is {step:g} s; allowed is more than 0 s.")
     _check(model)
     body, place = linear_body(model.mesh), Path(folder)
-    materials = {name: mooney_rivlin(each, stretch, poisson) for name, each in model.region_materials.items()}
+    materials = {name: sofa_law(each, stretch, poisson) for name, each in model.region_materials.items()}
     place.mkdir(parents=True, exist_ok=True)
     volumes = {
         load.face: write_stl(model.mesh, place / f"{load.face}.stl", face=load.face).volume for load in model.pressures
@@ -124,15 +124,14 @@ def _vtk(body: LinearBody) -> str:
     return "\n".join([*lines, f"CELL_TYPES {len(cells)}", *["10"] * len(cells)]) + "\n"
 
 
-def _sets(model: Model, body: LinearBody, materials: dict[str, FittedMooney]) -> dict[str, object]:
+def _sets(model: Model, body: LinearBody, materials: dict[str, SofaLaw]) -> dict[str, object]:
     """What the scene reads: nodes, triangles and constants, in mm, kg, s, mN and kPa."""
     regions = {}
     for name, cells in body.regions.items():
         density = model.region_materials[name].density or DENSITY
         own = materials[name]
-        constants = [own.C10 / kPa, own.C01 / kPa, own.bulk_modulus / kPa]
         mass = density * float(body.volumes(cells).sum())
-        regions[name] = {"tetrahedra": cells.tolist(), "constants": constants, "mass": mass}
+        regions[name] = {"tetrahedra": cells.tolist(), "law": own.name, "constants": own.parameters, "mass": mass}
     sheets = {}
     for name, sheet in model.membranes.items():
         law = sheet.material.law
