@@ -34,6 +34,11 @@ class MjcfOptions:
         of it. At least half of the time step, for then no stiff joint can make the motion unstable.
     skin : bool
         Whether the surface of the mesh is written as skin.
+
+    Examples
+    --------
+    >>> MjcfOptions(step=0.001).damping_time
+    0.05
     """
 
     step: float = 0.002

@@ -70,6 +70,12 @@ class Arm(Shown):
         Of the base.
     turn : (3,) floats [rad]
         Turns of the base about x, then y, then z of space; without, the arm leaves the base along x.
+
+    Examples
+    --------
+    >>> Arm(segments=[], name="hand")
+    Traceback (most recent call last):
+    turgor.TurgorError: the arm 'hand' has no segment; it needs one.
     """
 
     segments: Sequence[Segment]

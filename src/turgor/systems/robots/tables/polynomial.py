@@ -29,6 +29,12 @@ class Polynomial(Shown):
         Range of the inputs.
     error : float [SI]
         Largest error at the points that it was not fitted to.
+
+    Examples
+    --------
+    >>> line = Polynomial(np.array([[0], [1]]), np.array([2.0, 3.0]), np.zeros(1), np.full(1, 10.0), error=0.0)
+    >>> print(line.at([[0.0], [5.0], [10.0]]))
+    [-1.  2.  5.]
     """
 
     exponents: NDArray[np.int64]
