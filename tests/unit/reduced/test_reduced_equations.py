@@ -6,11 +6,12 @@ from reduced_cases import PRESSURE, built, drive, finger, path, system
 
 from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.reduced.parts.touching import Touching
+from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.newton import Balance, follow, newton
 from turgor.reduced.states.spline import Spline
 from turgor.reduced.training.assembly import assemble
 from turgor.reduced.training.box import corners, inputs_of
-from turgor.reduced.training.build import bases
+from turgor.reduced.training.build import bases, modes_needed
 from turgor.reduced.training.sampling import choose
 
 RANDOM = np.random.default_rng(5)
@@ -169,3 +170,24 @@ def test_spline_goes_through_its_points_and_is_cubic_between():
 def test_corners_leave_rest_out():
     box = inputs_of(finger(), {"loads.pressure": (0.0, PRESSURE)})
     assert [corner.tolist() for corner in corners(box)] == [[PRESSURE]]
+
+
+def test_training_of_many_inputs_begins_at_a_balanced_part_of_the_corners():
+    names = tuple("abcdefghi")
+    shares = np.array(corners(Inputs(names, np.zeros(9), np.ones(9), ("",) * 9)))
+    assert (shares[0] == 1).all() and len(shares) == 16
+    assert len(np.unique(shares[:, :4], axis=0)) == 16
+    for i in range(9):
+        for j in range(i):
+            assert (np.unique(shares[:, [i, j]], axis=0, return_counts=True)[1] == 4).all()
+
+
+def test_modes_at_first_are_as_many_as_the_states_need():
+    count = modes_needed(system(), [path()], 1e-3, 12)
+    states = path().displacements.reshape(len(path().displacements), -1)
+    missed = []
+    for modes in (count - 1, count):
+        basis, _ = bases(system(), [path()], modes)
+        missed.append(np.abs(states - states @ basis.dual @ basis.vectors.T).max() / np.abs(states).max())
+    assert missed[1] <= 1e-3 < missed[0]
+    assert modes_needed(system(), [path()], 1e-9, 3) == 3

@@ -223,6 +223,7 @@ def _trials(whole: assembly.Whole, inputs: Array, y: Array, more: tuple[Ints, Ar
     equations, r = whole.equations, whole.exact.sizes[0]
     random, spread = np.random.default_rng(0), np.abs(y[:, :r]).max(axis=0)
     size = float(np.linalg.norm(y[:, :r], axis=1).max())
+    inverse = np.zeros((r, r))
     for place in np.unique(np.linspace(0, len(y) - 1, min(len(y), SAMPLING.states)).astype(int)):
         for factor in (0.0, *[SAMPLING.perturbation] * (SAMPLING.swings if len(swings) else 1)):
             moved = y[place].copy()
@@ -234,7 +235,8 @@ def _trials(whole: assembly.Whole, inputs: Array, y: Array, more: tuple[Ints, Ar
             if at is None:
                 continue
             rubber, *pieces = at.parts[: 1 + len(whole.pieces)]
-            inverse: Array = np.linalg.inv(at.tangent())[:r, :r].astype(np.float64)
+            if not factor or len(swings):  # so near to the state its own is good enough, and costs most of the time
+                inverse = np.linalg.inv(at.tangent())[:r, :r].astype(np.float64)
             of_cells: Array = np.asarray(rubber.forces(starts)) @ inverse.T  # type: ignore[call-arg]
             yield Trial(moved[:r], inverse, of_cells.T, np.sum([part.forces() for part in pieces], axis=0))
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import solve_triangular
+from scipy.linalg import qr_delete, solve_triangular
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -46,7 +46,7 @@ def choose(A: Array, b: Array, tolerance: float, most: int, without: Ints | None
     if without is not None:
         scale[without] = 0.0
     passive: list[int] = []
-    x, factors = np.zeros(0), np.linalg.qr(A[:, :0])
+    x, factors = np.zeros(0), (np.zeros((len(b), 0)), np.zeros((0, 0)))
     for _ in range(3 * most):
         if float(np.linalg.norm(left)) <= tolerance * size or len(passive) >= most:
             break
@@ -59,8 +59,8 @@ def choose(A: Array, b: Array, tolerance: float, most: int, without: Ints | None
         if more is None:  # the columns that are taken give it already
             scale[best] = 0.0
             continue
-        passive, x, factors = _inner(A, b, ([*passive, best], np.append(x, 0.0)), more)
-        left = b - A[:, passive] @ x
+        passive, x, factors = _inner(b, ([*passive, best], np.append(x, 0.0)), more)
+        left = b - factors[0] @ (factors[1] @ x)
     order = np.argsort(passive)
     which = np.array(passive, dtype=np.int64)[order]
     return Sample(which, x[order], float(np.linalg.norm(left)) / size if size else 0.0)
@@ -86,7 +86,7 @@ def _appended(factors: tuple[Array, Array], column: Array) -> tuple[Array, Array
 
 
 def _inner(
-    A: Array, b: Array, taken: tuple[list[int], Array], factors: tuple[Array, Array]
+    b: Array, taken: tuple[list[int], Array], factors: tuple[Array, Array]
 ) -> tuple[list[int], Array, tuple[Array, Array]]:
     """Least squares over the taken columns with factors Q and R; those whose number would be negative leave."""
     passive, x = taken
@@ -102,5 +102,6 @@ def _inner(
         if stay.all():
             stay[int(np.argmin(best))] = False
         passive, x = [p for p, s in zip(passive, stay, strict=True) if s], x[stay]
-        factors = np.linalg.qr(A[:, passive])
+        for gone in np.flatnonzero(~stay)[::-1]:
+            factors = qr_delete(*factors, gone, which="col")
     return passive, np.zeros(0), factors
