@@ -34,8 +34,8 @@ class ExportOptions:
         list[str] | None,
         typer.Option(
             metavar="FILE|FORMAT",
-            help="The motion of a run: a .gif, .webp, .mp4 or .glb file. Of a reduced model: table, mujoco, urdf or "
-            "soromox. As often as needed.",
+            help="The motion of a run: a .gif, .webp, .mp4 or .glb file. Of a reduced model: table, mujoco, urdf, "
+            "soromox, fmu or sofa. As often as needed.",
             show_default=False,
         ),
     ] = None
@@ -59,10 +59,10 @@ class ExportOptions:
 
 
 def export_files(chosen: ExportOptions) -> None:
-    """Export the actuator of a job: model, geometry, casting mold; the motion of a run; a robot of a reduced model."""
+    """Export the actuator of a job: model, geometry, casting mold; the motion of a run; a reduced model."""
     with errors_as_sentences(chosen.debug, chosen.as_json) as answer:
         if chosen.job.suffix == ".reduced":
-            return _robot(chosen, answer)
+            return _reduced(chosen, answer)
         kinds = [kind for kind in ("inp", "step", "stl", "mold") if getattr(chosen, kind)]
         if not kinds and not chosen.to:
             raise TurgorError(
@@ -73,7 +73,11 @@ def export_files(chosen: ExportOptions) -> None:
         files = (*_files_of_job(chosen, kinds), *_motions(chosen))
         answer.give(lambda: ExportResult(files=files))
         for file in files:
-            typer.echo(f"{file} ({file.stat().st_size:,} bytes)")
+            typer.echo(f"{file}{_size(file)}")
+
+
+def _size(file: Path) -> str:
+    return f" ({file.stat().st_size:,} bytes)" if file.is_file() else ""
 
 
 def _files_of_job(chosen: ExportOptions, kinds: list[str]) -> tuple[Path, ...]:
@@ -88,11 +92,11 @@ def _files_of_job(chosen: ExportOptions, kinds: list[str]) -> tuple[Path, ...]:
     return export_job(question, folder, kinds, inp=options, force=chosen.force)
 
 
-def _robot(chosen: ExportOptions, answer: "Answer") -> None:
-    """Write a reduced model for simulators of robots."""
+def _reduced(chosen: ExportOptions, answer: "Answer") -> None:
+    """Write a reduced model for other programs."""
     from turgor.cli.answers.results import ExportResult
     from turgor.reduced.states.reduced import Reduced
-    from turgor.systems.robots.formats import FORMATS, export_robot
+    from turgor.systems.exports.formats import FORMATS, export_reduced
 
     formats = chosen.to or []
     if not formats or chosen.inp or chosen.step or chosen.stl or chosen.mold:
@@ -100,10 +104,10 @@ def _robot(chosen: ExportOptions, answer: "Answer") -> None:
     name = chosen.job.stem
     folder = chosen.output if chosen.output is not None else Path(f"{name}-export")
     reduced = Reduced.load(chosen.job)
-    written = export_robot(reduced, folder, formats, name=name, links=chosen.links, force=chosen.force)
+    written = export_reduced(reduced, folder, formats, name=name, links=chosen.links, force=chosen.force)
     answer.give(lambda: ExportResult(files=tuple(written), errors=tuple(written.values())))
     for file, error in written.items():
-        typer.echo(f"{file} ({file.stat().st_size:,} bytes): {error}.")
+        typer.echo(f"{file}{_size(file)}: {error}.")
 
 
 def _motions(chosen: ExportOptions) -> tuple[Path, ...]:
@@ -112,7 +116,7 @@ def _motions(chosen: ExportOptions) -> tuple[Path, ...]:
         return ()
     if not chosen.job.is_dir():
         raise TurgorError(
-            f"--to writes the motion of a run, or a robot of a reduced model; '{chosen.job}' is neither a folder of "
+            f"--to writes the motion of a run, or a reduced model for other programs; '{chosen.job}' is neither a folder of "
             "results of `turgor run` nor a file of `turgor reduce`."
         )
     files = [Path(text) for text in chosen.to]

@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from turgor.systems.robots.chains.mjcf import write_mechanism as write_mechanism
     from turgor.systems.robots.chains.mjcf import write_mjcf as write_mjcf
     from turgor.systems.robots.chains.urdf import write_urdf as write_urdf
-    from turgor.systems.robots.formats import export_robot as export_robot
     from turgor.systems.robots.mechanisms.mechanism import Arm as Arm
     from turgor.systems.robots.mechanisms.mechanism import ArmState as ArmState
     from turgor.systems.robots.mechanisms.mechanism import Mechanism as Mechanism

@@ -8,7 +8,7 @@ from robot_chains import fitted
 
 from turgor.cli.app import main
 from turgor.cli.exits import BAD_INPUT
-from turgor.systems.robots import formats
+from turgor.systems.exports import formats
 
 
 @pytest.fixture
@@ -19,11 +19,18 @@ def file(tmp_path, monkeypatch):
 
 
 def test_every_format_states_its_error(file, capsys):
-    asked = ["export", str(file), "--to", "mujoco", "--to", "urdf", "--to", "table"]
+    asked = ["export", str(file), "--to", "mujoco", "--to", "urdf", "--to", "table", "--to", "fmu", "--to", "sofa"]
     assert main(asked) == 0
     text = capsys.readouterr().out
-    for name in ("finger.xml", "finger.urdf", "finger-table.csv", "finger-polynomials.json"):
-        assert (file.parent / "finger-export" / name).is_file()
+    for name in (
+        "finger.xml",
+        "finger.urdf",
+        "finger-table.csv",
+        "finger-polynomials.json",
+        "finger.fmu",
+        "finger-sofa",
+    ):
+        assert (file.parent / "finger-export" / name).exists()
         assert name in text
     assert f"{100 * fitted().error:.2g} % of the length" in text
     assert main(asked) == BAD_INPUT, "they are there already"

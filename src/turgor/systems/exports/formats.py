@@ -1,4 +1,4 @@
-"""Formats: files of a reduced model for simulators of robots, each with what is known of its error."""
+"""Formats: files of a reduced model for other programs, each with what is known of its error."""
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
@@ -77,16 +77,33 @@ def _soromox(question: Question, folder: Path, name: str) -> str:
     return f"tip within {100 * made.error:.2g} % of the length at 20 pressures; stiffness and gains are linear"
 
 
+def _fmu(question: Question, folder: Path, name: str) -> str:
+    from turgor.systems.exports.fmu import write_fmu
+
+    write_fmu(question.reduced, folder / f"{name}.fmu")
+    return "the unit answers as the reduced model does, with its estimate"
+
+
+def _sofa(question: Question, folder: Path, name: str) -> str:
+    from turgor.systems.exports.sofa import write_sofa
+
+    scene = write_sofa(question.reduced.model, folder / f"{name}-sofa")
+    laws = ", ".join(f"{region} {law.name}" for region, law in scene.materials.items())
+    return f"linear tetrahedra of the full model, fitted laws ({laws}); not run in SOFA"
+
+
 #: Formats by their names.
 FORMATS: Mapping[str, Format] = {
     "table": Format(("-table.csv", "-polynomials.json"), _table),
     "mujoco": Format((".xml",), _mujoco),
     "urdf": Format((".urdf",), _urdf),
     "soromox": Format(("-segments.json",), _soromox),
+    "fmu": Format((".fmu",), _fmu),
+    "sofa": Format(("-sofa",), _sofa),
 }
 
 
-def export_robot(
+def export_reduced(
     reduced: Reduced,
     folder: str | Path,
     formats: Collection[str],
@@ -95,7 +112,7 @@ def export_robot(
     links: int | None = None,
     force: bool = False,
 ) -> dict[Path, str]:
-    """Write a reduced model as files for simulators of robots.
+    """Write a reduced model as files for other programs.
 
     Parameters
     ----------
@@ -105,7 +122,8 @@ def export_robot(
     formats : collection of str
         ``"table"``: numbers over the range of the inputs, and polynomials. ``"mujoco"``: a chain of rigid links with
         springs, and pressures as controls. ``"urdf"``: the same chain for ROS. ``"soromox"``: segments of constant
-        strain.
+        strain. ``"fmu"``: a unit for co-simulation (`write_fmu`). ``"sofa"``: a folder with a scene of the full model
+        (`write_sofa`).
     name : str
         Of the files, without ending.
     links : int, optional
