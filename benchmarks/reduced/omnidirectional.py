@@ -69,7 +69,7 @@ class Case:
 CASES = {
     "pressures": Case(
         "pressures", PRESSURES, (),
-        Budget(error=0.005, paths=13, held_out=0, modes=18, steps=7, aims=PRESSED[:6]),
+        Budget(error=0.005, paths=13, held_out=0, modes=30, steps=7, aims=PRESSED[:6]),
     ),
     "forces": Case(
         "forces",
