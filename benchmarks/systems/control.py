@@ -266,7 +266,7 @@ def force() -> str:
     reduced = tg.reduce(model, {"loads.pressure": (0.0, 12 * kPa)}, budget=budget, options=OPTIONS)
     most = reduced.solve(11.5 * kPa).obstacle_forces["plate"][2]
     wanted = np.abs(most) * np.concatenate([[0.0], np.linspace(0.1, 1.0, 20), np.linspace(0.9, 0.2, 20)])
-    track = tg.control.track(reduced, wanted, output=tg.control.Force("plate"))
+    track = tg.control.track(reduced, wanted, output=tg.control.ContactForce("plate"))
     errors = []
     for row in range(1, len(wanted), EVERY):
         full = tg.real_time.verified(track.states[row], OPTIONS).state
