@@ -150,7 +150,7 @@ def followed(file: Path, name: str) -> tuple[str, ...]:
     for row in range(0, POINTS, EVERY):
         try:
             full = tg.real_time.verified(track.states[row], OPTIONS).state
-        except tg.NotSolved:
+        except tg.TurgorError:
             lost += 1
             continue
         errors.append(float(np.linalg.norm(tip_of(full) - path[row])) / reach.length)
