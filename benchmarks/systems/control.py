@@ -1,7 +1,7 @@
 """Control: paths of a three-chamber actuator against the full model, a force on a plate, and a loop.
 
     python benchmarks/systems/control.py                the page control.md again; a quarter of an hour
-    python benchmarks/systems/control.py ARM.reduced    with another arm, whose three inputs are pressures
+    python benchmarks/systems/control.py ARM.reduced    with another arm, such as that of benchmarks/reduced
 
 Every fifth point of each path is solved again with the full model, the paths in three processes, each with one thread.
 """
@@ -37,7 +37,7 @@ POINTS, EVERY, DURATION, PERIOD = 200, 5, 20.0, 5e-3
 NOISE, DELAY, STIFFER, BIAS, TURN = 0.2 * mm, 10e-3, 1.1, 0.15, 6.0
 HEAD = """# Control of a three-chamber actuator
 
-Written by `python benchmarks/systems/control.py` in one run; times are processor time.
+Written by `python benchmarks/systems/control.py {file}` in one run; times are processor time.
 
 """
 
@@ -150,7 +150,7 @@ def followed(file: Path, name: str) -> tuple[str, ...]:
     for row in range(0, POINTS, EVERY):
         try:
             full = tg.real_time.verified(track.states[row], OPTIONS).state
-        except tg.NotSolved:
+        except tg.TurgorError:
             lost += 1
             continue
         errors.append(float(np.linalg.norm(tip_of(full) - path[row])) / reach.length)
@@ -266,7 +266,7 @@ def force() -> str:
     reduced = tg.reduce(model, {"loads.pressure": (0.0, 12 * kPa)}, budget=budget, options=OPTIONS)
     most = reduced.solve(11.5 * kPa).obstacle_forces["plate"][2]
     wanted = np.abs(most) * np.concatenate([[0.0], np.linspace(0.1, 1.0, 20), np.linspace(0.9, 0.2, 20)])
-    track = tg.control.track(reduced, wanted, output=tg.control.Force("plate"))
+    track = tg.control.track(reduced, wanted, output=tg.control.ContactForce("plate"))
     errors = []
     for row in range(1, len(wanted), EVERY):
         full = tg.real_time.verified(track.states[row], OPTIONS).state
@@ -282,7 +282,8 @@ def page(file: Path) -> str:
     """Measure with a reduced model, and return the page."""
     reduced = Reduced.load(file)
     reach = reach_of(reduced)
-    text = HEAD + (
+    named = file.name if len(sys.argv) > 1 else ""
+    text = HEAD.replace(" {file}", f" {named}" if named else "") + (
         f"{reduced!r}, {reduced.model.mesh.unknown_count:,} unknowns. It is {reach.length / mm:.0f} mm long; one "
         f"chamber alone bends it by {np.rad2deg(reach.angle):.0f}° and moves its end {reach.radius / mm:.0f} mm "
         f"sideways, at {reach.pressure / kPa:.3g} kPa.\n\n## Paths\n\n"

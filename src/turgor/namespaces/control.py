@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from turgor.systems.control.controller import Air as Air
     from turgor.systems.control.controller import Controller as Controller
     from turgor.systems.control.controller import Tuning as Tuning
-    from turgor.systems.control.forces import Force as Force
+    from turgor.systems.control.forces import ContactForce as ContactForce
     from turgor.systems.control.limits import Limits as Limits
     from turgor.systems.control.loop import LoopRun as LoopRun
     from turgor.systems.control.loop import Plant as Plant

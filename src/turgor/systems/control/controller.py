@@ -100,7 +100,7 @@ class Controller:
     period : float [s]
         Time between calls.
     output : Output, optional
-        What is measured and follows: `Tip` (the default), `Points`, `Shape`, `Angle` or `Force`.
+        What is measured and follows: `Tip` (the default), `Points`, `Shape`, `Angle` or `ContactForce`.
     limits : Limits, optional
     air : Air, optional
         Delay and lag between command and chamber.

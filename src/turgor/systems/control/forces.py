@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Force:
+class ContactForce:
     """Contact force [N] of the whole actuator on an obstacle: the size of the vector.
 
     Parameters
@@ -26,8 +26,8 @@ class Force:
 
     Examples
     --------
-    >>> Force("plate")
-    Force(obstacle='plate')
+    >>> ContactForce("plate")
+    ContactForce(obstacle='plate')
     """
 
     obstacle: str | None = None

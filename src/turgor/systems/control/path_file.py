@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.results.files.response_csv import read_response
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.systems.control.forces import Force
+from turgor.systems.control.forces import ContactForce
 from turgor.systems.control.outputs import Angle, Output, Tip
 
 Array = NDArray[np.float64]
@@ -86,4 +86,4 @@ def _output(axes: str, others: list[str]) -> Output:
     if axes:
         return Tip(axes)
     name = others[0].removeprefix(FORCE)
-    return Angle() if name == others[0] else Force(name[1:] or None)
+    return Angle() if name == others[0] else ContactForce(name[1:] or None)

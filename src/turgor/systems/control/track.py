@@ -113,7 +113,7 @@ def track(
     times : (k,) array [s], optional
         Time of each row, rising; needed for rates. The first row has no rate: the actuator is brought there before.
     output : Output, optional
-        `Tip` (the default), `Points`, `Shape`, `Angle` or `Force`.
+        `Tip` (the default), `Points`, `Shape`, `Angle` or `ContactForce`.
     limits : Limits, optional
     smoothness : float, optional
         Weight μ, inputs over their ranges and outputs over the length of the actuator.

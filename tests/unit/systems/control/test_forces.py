@@ -24,7 +24,7 @@ def limits(**changes):
 def test_force_follows_a_target_and_is_that_of_the_full_model():
     """From a first target that no contact meets, and again after contact was lost."""
     path = np.concatenate([[0.0], FORCES])
-    track = tg.control.track(pressing(), path, output=tg.control.Force("plate"), limits=limits())
+    track = tg.control.track(pressing(), path, output=tg.control.ContactForce("plate"), limits=limits())
     assert track.reached[:, 0] == pytest.approx(path, abs=1e-5)
     assert track.response()["force_plate"] == pytest.approx(path, abs=1e-5)
     for row in (1, 3):
@@ -34,7 +34,11 @@ def test_force_follows_a_target_and_is_that_of_the_full_model():
 
 def test_rate_limits_the_approach_and_the_force():
     track = tg.control.track(
-        pressing(), FORCES, times=np.arange(6.0), output=tg.control.Force(), limits=limits(rate={"pressure": 1 * kPa})
+        pressing(),
+        FORCES,
+        times=np.arange(6.0),
+        output=tg.control.ContactForce(),
+        limits=limits(rate={"pressure": 1 * kPa}),
     )
     assert np.abs(np.diff(track.inputs[:, 0])).max() <= 1 * kPa * (1 + 1e-9)
     assert track.reached[1, 0] < 0.8 - 0.05
@@ -43,7 +47,7 @@ def test_rate_limits_the_approach_and_the_force():
 
 @pytest.mark.parametrize("inputs", [(0.5 * kPa, LENGTH + 3 * mm), (4 * kPa, LENGTH + 3 * mm)])
 def test_derivatives_are_exact_with_and_without_contact(inputs):
-    of, state = tg.control.Force().of(pressing()), pressing().at(np.array(inputs))
+    of, state = tg.control.ContactForce().of(pressing()), pressing().at(np.array(inputs))
     value, slopes = continued(of, state)
     assert (value[0] > 0) == (inputs[0] > 1 * kPa)
     for place, step in enumerate((1.0, 1e-6)):
@@ -54,7 +58,7 @@ def test_derivatives_are_exact_with_and_without_contact(inputs):
 
 
 def test_controller_brings_a_free_actuator_to_a_force():
-    controller = tg.control.Controller(pressing(), period=5e-3, output=tg.control.Force(), limits=limits())
+    controller = tg.control.Controller(pressing(), period=5e-3, output=tg.control.ContactForce(), limits=limits())
     controller.reset(pressing().solve({"pressure": 0.0, "point.1": LENGTH + 3 * mm}))
     run = tg.control.run_loop(controller, tg.control.Plant(reduced=pressing()), np.full((20, 1), 0.6))
     assert run.reached[0, 0] == 0.0
@@ -63,13 +67,13 @@ def test_controller_brings_a_free_actuator_to_a_force():
 
 def test_forces_that_make_no_sense_are_refused():
     with refused("obstacle"):
-        tg.control.Force().of(reduced())
+        tg.control.ContactForce().of(reduced())
     with refused("plat", "plate"):
-        tg.control.Force("plat").of(pressing())
+        tg.control.ContactForce("plat").of(pressing())
     (part,) = pressing().equations.obstacles
     two = replace(pressing().equations, obstacles=(part, replace(part, name="floor")))
     with refused("plate", "floor"):
-        tg.control.Force().of(replace(pressing(), equations=two))
+        tg.control.ContactForce().of(replace(pressing(), equations=two))
     untouched = replace(pressing().equations, obstacles=(replace(part, largest=0.0),))
     with refused("plate", "touched"):
-        tg.control.Force().of(replace(pressing(), equations=untouched))
+        tg.control.ContactForce().of(replace(pressing(), equations=untouched))

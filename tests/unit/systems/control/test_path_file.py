@@ -70,5 +70,5 @@ def test_a_column_of_forces_names_the_obstacle(column, obstacle, tmp_path):
     file = tmp_path / "path.csv"
     file.write_text(f"time_s,{column}\n0,1\n1,2", encoding="utf-8")
     wanted = tg.control.read_path(file)
-    assert wanted.output == tg.control.Force(obstacle)
+    assert wanted.output == tg.control.ContactForce(obstacle)
     assert wanted.rows[:, 0] == pytest.approx(np.array([1.0, 2.0]) * (1.0 if obstacle is None else 1e-3))

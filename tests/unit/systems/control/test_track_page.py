@@ -64,7 +64,7 @@ def test_motion_plays_in_a_browser_and_its_plots_follow(tmp_path):
 def test_page_of_a_force_has_the_plate_and_no_path(tmp_path):
     place = {"point.1": LENGTH + 3 * mm}
     limits = tg.control.Limits(low=place, high=place)
-    track = tg.control.track(pressing(), np.linspace(0, 0.5, 4), output=tg.control.Force(), limits=limits)
+    track = tg.control.track(pressing(), np.linspace(0, 0.5, 4), output=tg.control.ContactForce(), limits=limits)
     page = tg.control.write_page(track, tmp_path / "page.html").read_text(encoding="utf-8")
     assert "obstacles.plate.point.1 31 mm" in page
     assert "No row reached a limit." in page
