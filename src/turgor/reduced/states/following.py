@@ -139,15 +139,14 @@ class Stepping:
     """
 
     def __init__(self, reduced: Any, inputs: Array, moving: Moving | None = None) -> None:
-        self._run = _Run(reduced, np.zeros(1), np.concatenate([[1.0], inputs])[None], moving)
-        self._now = self._run.begin(reduced.at(inputs))
+        self._run = Run(reduced, moving)
+        self._now = self._run.begin(reduced.at(inputs), 0.0)
 
     def step(self, inputs: Array, length: float) -> ReducedState:
         """Return the answer after a time [s] in which the inputs (n,) are constant."""
-        table, end = np.concatenate([[1.0], inputs])[None], self._now.time + length
-        self._run = replace(self._run, times=np.array([end]), table=table)
+        end, drive = self._now.time + length, np.concatenate([[1.0], inputs])
         while self._now.time < end:
-            self._now = self._run.advance(self._now, end)
+            self._now = self._run.advance(self._now, end, lambda time: drive)
         return self._run.answer(self._now)
 
 
