@@ -116,8 +116,8 @@ def _motions(chosen: ExportOptions) -> tuple[Path, ...]:
         return ()
     if not chosen.job.is_dir():
         raise TurgorError(
-            f"--to writes the motion of a run, or a reduced model for other programs; '{chosen.job}' is neither a folder "
-            "of results of `turgor run` nor a file of `turgor reduce`."
+            f"--to writes the motion of a run, or a reduced model for other programs; '{chosen.job}' is "
+            "neither a folder of results of `turgor run` nor a file of `turgor reduce`."
         )
     files = [Path(text) for text in chosen.to]
     taken = [file for file in files if file.exists()]

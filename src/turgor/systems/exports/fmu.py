@@ -52,7 +52,7 @@ def write_fmu(
     path : str or Path
         The ending ``.fmu`` is added. Its stem is the name of the model.
     outputs : sequence of Output
-        `Tip`, `Points`, `Shape`, `Angle`, `Volumes` or `Coordinates`.
+        `Tip`, `Points`, `Shape`, `Angle`, `ContactForce`, `Volumes` or `Coordinates`.
     moving : Moving, optional
         Inertia, damping and the longest time step; without, every state is an equilibrium.
 

@@ -12,6 +12,7 @@ from turgor.core.solvers.load import load
 from turgor.foundation.errors import TurgorError
 from turgor.reduced.states.following import Moving, Stepping
 from turgor.studies.runs.optional_parts import needed
+from turgor.systems.control.forces import ContactForce
 from turgor.systems.control.outputs import Angle, Points, Shape, Tip
 from turgor.systems.learning.function import function
 from turgor.systems.learning.outputs import Coordinates, Volumes
@@ -19,7 +20,7 @@ from turgor.systems.learning.outputs import Coordinates, Volumes
 #: Files in the folder of the unit, and outputs by the names that stand there.
 MODEL, OPTIONS = "model.reduced", "options.json"
 KINDS: dict[str, Any] = {
-    "Tip": Tip, "Points": Points, "Shape": Shape, "Angle": Angle, "Volumes": Volumes, "Coordinates": Coordinates
+    each.__name__: each for each in (Tip, Points, Shape, Angle, ContactForce, Volumes, Coordinates)
 }  # fmt: skip
 
 

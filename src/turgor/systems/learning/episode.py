@@ -52,7 +52,7 @@ class Episode:
     @property
     def value(self) -> Array:
         """The output (m,) [SI], without noise."""
-        return self.output.at(self.state.q)[0]
+        return self.output.at(self.state)[0]
 
     def reset(self, random: np.random.Generator) -> None:
         """Begin again at rest, with other inputs and a path that are drawn."""
@@ -125,7 +125,7 @@ class Episode:
             inputs = state.inputs.copy()
             inputs[self.places] = table[place] + (3 * inner**2 - 2 * inner**3) * (table[place + 1] - table[place])
             state = self._near(state, inputs)
-            rows.append(self.output.at(state.q)[0])
+            rows.append(self.output.at(state)[0])
         times = np.linspace(0.0, 1.0, count + 1)
         return np.column_stack([np.interp(times, shares, column) for column in np.array(rows).T])
 

@@ -79,9 +79,8 @@ class ReducedFunction(Shown):
 
     def of_state(self, state: ReducedState) -> tuple[Array, Array]:
         """Values (m,) and derivatives (m, n) by the inputs at an equilibrium."""
-        each = [output.at(state.q) for output in self.outputs]
-        by_inputs = state.rates[: self.reduced.equations.sizes[0]]
-        return np.concatenate([value for value, _ in each]), np.vstack([slopes for _, slopes in each]) @ by_inputs
+        each = [output.at(state) for output in self.outputs]
+        return np.concatenate([value for value, _ in each]), np.vstack([rates for _, rates in each])
 
 
 def function(reduced: Reduced, outputs: Sequence[Output] = (Tip(),)) -> ReducedFunction:
@@ -91,7 +90,8 @@ def function(reduced: Reduced, outputs: Sequence[Output] = (Tip(),)) -> ReducedF
     ----------
     reduced : Reduced
     outputs : sequence of Output
-        What it returns: `Tip` (the default), `Points`, `Shape`, `Angle`, `Volumes`, `Coordinates`, or some of them.
+        What it returns: `Tip` (the default), `Points`, `Shape`, `Angle`, `ContactForce`, `Volumes`, `Coordinates`, or
+        some of them.
 
     Returns
     -------

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.errors import TurgorError
+from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.reduced import Reduced
 from turgor.systems.control.outputs import Linear
 
@@ -50,13 +51,13 @@ class VolumesOf:
     @property
     def size(self) -> float:
         """Largest volume at rest [m³]."""
-        return float(np.abs(self.at(np.zeros(self.reduced.equations.sizes[0]))[0]).max())
+        reduced = self.reduced
+        at_rest = reduced.equations.cubics.at(np.zeros(reduced.equations.sizes[0])).values[: len(reduced.faces)]
+        return float(np.abs(at_rest).max() * reduced.scales[0] ** 3 * reduced.model.mesh.symmetry_factor)
 
-    def at(self, q: Array) -> tuple[Array, Array]:
-        """Values (m,) [m³] and derivatives (m, r) at coordinates."""
-        scale = self.reduced.scales[0] ** 3 * self.reduced.model.mesh.symmetry_factor
-        cubics, count = self.reduced.equations.cubics.at(q), len(self.reduced.faces)
-        return cubics.values[:count] * scale, cubics.gradients[:count] * scale
+    def at(self, state: ReducedState) -> tuple[Array, Array]:
+        """Values (m,) [m³] and derivatives (m, n) by the inputs."""
+        return np.array(list(state.volumes.values())), np.array(list(state.volume_rates.values()))
 
 
 @dataclass(frozen=True, slots=True)

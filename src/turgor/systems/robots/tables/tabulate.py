@@ -148,7 +148,7 @@ def tabulate(reduced: Reduced, samples: int = 64) -> RobotTable:
     rows = []
     for values in inputs:
         answer = reduced.at(values)
-        bent = {} if angle is None else {("bending_angle", "deg"): float(angle.at(answer.q)[0][0])}
+        bent = {} if angle is None else {("bending_angle", "deg"): float(angle.at(answer)[0][0])}
         rows.append(_row(answer, backbone) | bent | forces.row(answer) | {("estimated_error", ""): answer.estimate})
     columns = [Column(key.replace(".", "_"), box.units[k], inputs[:, k]) for k, key in enumerate(box.keys)]
     columns += [Column(name, unit, np.array([row[name, unit] for row in rows])) for name, unit in rows[0]]
