@@ -90,6 +90,10 @@ class TrainingSettings:
         nothing.
     missed : float
         Share of the wanted error that modes may miss of the states of the first paths; else there are more at first.
+    derivatives : float
+        Derivatives of states by the inputs are shortened to this share of the largest state, in the stiffness at rest,
+        before modes are found. They are multiplied by the whole ranges, and outweigh the states where the response is
+        steep: an arm with three pressures misses its own training states by 30 % with 18 modes.
     more : int
         Modes that are added where the error at the training states themselves exceeds the wanted one.
     most : int
@@ -115,6 +119,7 @@ class TrainingSettings:
 
     modes: int = 14
     missed: float = 0.3
+    derivatives: float = 0.1
     more: int = 4
     most: int = 26
     truncation: float = 1e-14

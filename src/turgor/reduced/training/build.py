@@ -141,7 +141,11 @@ def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0)
     """Modes of displacement and, half as many by default, of mean stress."""
     stiffness = rest_stiffness(system)
     moved = [path.displacements.reshape(len(path.displacements), -1) for path in paths]
-    moved += [path.derivatives[0] for path in paths]
+    derivatives = np.concatenate([path.derivatives[0] for path in paths])
+    largest = max(float(np.einsum("kn,kn->k", each, (stiffness @ each.T).T).max()) for each in moved)
+    sizes = np.einsum("kn,kn->k", derivatives, (stiffness @ derivatives.T).T)
+    shares = np.minimum(1.0, TRAINING.derivatives * (largest / np.maximum(sizes, 1e-300)) ** 0.5)
+    moved.append(derivatives * shares[:, None])  # else they outweigh the states
     moved += [path.cycle[0].reshape(len(path.cycle[0]), -1) for path in paths if len(path.cycle[0])]
     pressed = [path.mean_stresses for path in paths] + [path.derivatives[1] for path in paths]
     pressed += [path.cycle[1] for path in paths if len(path.cycle[0])]
