@@ -97,6 +97,22 @@ class Search:
             state, merit, longest = new, value, min(2 * longest, CONTROL.longest)
             if gained <= CONTROL.gained * value:
                 break
+        return self._within_volumes(state, request)
+
+    def _within_volumes(self, state: ReducedState, request: Request) -> ReducedState:
+        """Bring volumes within their limits by the least changes of the inputs, where the search ended just beyond."""
+        n, widths = len(state.inputs), self.limits.widths
+        for _ in range(CONTROL.iterations):
+            rows, ends = self.limits.rows(state)
+            if not (ends < -CONTROL.exceeded).any():
+                break
+            up, down = (request.high - state.inputs) / widths, (state.inputs - request.low) / widths
+            C, d = np.vstack([np.eye(n), -np.eye(n), rows * widths]), np.concatenate([up, down, ends])
+            result = least_squares(np.eye(n), np.zeros(n), C, d)
+            new = None if result is None else self._tried(state, result.x, request)
+            if new is None:
+                break
+            state = new
         return state
 
     def best(self, state: ReducedState, starts: Iterable[ReducedState], request: Request) -> ReducedState:

@@ -28,6 +28,8 @@ class ControlSettings:
         An input counts as at its limit within this share of its range: a few times the tolerance.
     infeasible : float
         Residual of the least distance problem below which no point fulfills all limits.
+    exceeded : float
+        Share of a volume by which its limit may be exceeded.
     stalled : float
         Distance from a target over the size of the output, above which other starts are tried, once on a path that
         leaves what it can reach: near rest a chamber does little, and a search may end where its pressure is zero.
@@ -46,6 +48,7 @@ class ControlSettings:
     shortest: float = 1e-4
     near: float = 1e-5
     infeasible: float = 1e-12
+    exceeded: float = 1e-10
     stalled: float = 1e-3
     starts: int = 5
     approach: float = 10.0

@@ -46,6 +46,13 @@ def test_a_limit_of_volume_is_fulfilled_and_named():
     assert result.active[-1] == ("volume of cavity high",)
 
 
+def test_a_limit_of_volume_is_fulfilled_where_the_search_ends_early():
+    limits = tg.control.Limits(volume={"cavity": (0.0, reduced().solve(7e3).volumes["cavity"])}).of(reduced())
+    search = Search(reduced(), tg.control.Tip().of(reduced()), limits, iterations=1)
+    state = search.nearest(reduced().solve(6.5e3), Request(tips()[-1], limits.low, limits.high, np.zeros(1)))
+    assert limits.excess(state) <= 1e-9
+
+
 def test_the_closest_point_of_a_target_far_away_is_where_the_distance_is_least():
     target = tips()[5] + [0.0, 0.0, 0.003]
     result = tg.control.track(reduced(), target[None])
