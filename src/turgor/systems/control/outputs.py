@@ -271,3 +271,12 @@ def _rows(reduced: Reduced, node: int) -> Array:
 def length_of(reduced: Reduced) -> float:
     """Largest extent of the actuator [m]."""
     return float(np.ptp(reduced.model.mesh.points, axis=0).max())
+
+
+def trained_states(reduced: Reduced) -> list[ReducedState]:
+    """The training states of a reduced model, without derivatives by the inputs."""
+    none = np.zeros((reduced.trained.shape[1], len(reduced.inputs.keys)))
+    return [
+        ReducedState(reduced, inputs[1:], y, none, 0.0, 0.0, 0)
+        for inputs, y in zip(reduced.trained_inputs, reduced.trained, strict=True)
+    ]

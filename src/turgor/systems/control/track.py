@@ -15,7 +15,7 @@ from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.reduced import Reduced
 from turgor.systems.control.forces import continued
 from turgor.systems.control.limits import Limits
-from turgor.systems.control.outputs import Output, OutputOf, Tip
+from turgor.systems.control.outputs import Output, OutputOf, Tip, trained_states
 from turgor.systems.control.search import Request, Search
 from turgor.systems.control.settings import CONTROL
 
@@ -158,12 +158,8 @@ def track(
 
 def other_starts(search: Search, target: Array, low: Array, high: Array) -> Iterator[ReducedState]:
     """Equilibria at the inputs of the training states that are nearest to a target, within limits."""
-    reduced, n = search.reduced, len(search.limits.low)
-    known = [
-        ReducedState(reduced, inputs[1:], y, np.zeros((len(y), n)), 0.0, 0.0, 0)
-        for inputs, y in zip(reduced.trained_inputs, reduced.trained, strict=True)
-    ]
-    away = [np.linalg.norm(continued(search.output, state)[0] - target) for state in known]
+    reduced = search.reduced
+    away = [np.linalg.norm(continued(search.output, state)[0] - target) for state in trained_states(reduced)]
     for place in np.argsort(away, kind="stable")[: CONTROL.starts].tolist():
         try:
             yield reduced.at(np.clip(reduced.trained_inputs[place, 1:], low, high))

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from turgor.foundation.errors import NotSolved
 from turgor.reduced.states.answer import ReducedState
 from turgor.systems.control.controller import Air
+from turgor.systems.control.outputs import trained_states
 from turgor.systems.control.search import moved
 from turgor.systems.learning.task import FollowTask
 from turgor.systems.learning.valves import pressed
@@ -29,8 +30,7 @@ class Episode:
     def __init__(self, task: FollowTask) -> None:
         self.task, self.output = task, task.output.of(task.reduced)
         self.limits, (self.places, _) = task.limits.of(task.reduced), pressed(task.reduced)
-        r = task.reduced.equations.sizes[0]
-        trained = np.array([self.output.at(y[:r])[0] for y in task.reduced.trained])
+        trained = np.array([self.output.at(state)[0] for state in trained_states(task.reduced)])
         self.reach = float(np.linalg.norm(trained - trained[0], axis=1).max())
         self._rest = np.clip(np.zeros(len(self.limits.low)), self.limits.low, self.limits.high)
 

@@ -104,9 +104,9 @@ def test_stiffness_and_blocked_force_come_from_forces_on_the_tip():
     assert forces.places == (1,)
     assert forces.axes[0] == pytest.approx([0, 0, newton])
     answer = made.at(np.array([1e3, 0.0]))
-    other = made.at(np.array([1e3, 1e-3]))
+    up, down = (made.at(np.array([1e3, force])) for force in (0.02, -0.02))
     row = forces.row(answer)
-    assert row["stiffness_z", "N/m"] == pytest.approx(1e-3 * newton / (other.tip[2] - answer.tip[2]), rel=1e-3)
+    assert row["stiffness_z", "N/m"] == pytest.approx(0.04 * newton / (up.tip[2] - down.tip[2]), rel=1e-3)
     blocked = row["blocked_force_z", "N"]
     assert abs(made.at(np.array([1e3, -blocked / newton])).tip[2]) < 1e-6 * abs(answer.tip[2])
     assert np.isnan(forces.row(made.at(np.array([PRESSURE, 0.0])))["blocked_force_z", "N"]), "it needs more than 5 N"
