@@ -132,10 +132,10 @@ class _Steps:
         """Step to all times at which states are stored, and to all jumps of signals."""
         y, nows, evaluations = self.equations.first, [mover.run.begin(mover.start, 0.0) for mover in self.movers], 0
         states, stored = np.full((len(times), self.equations.size), np.nan), {float(t): k for k, t in enumerate(times)}
-        kept: list[list[Now]] = []
+        stored_nows: list[list[Now]] = []
         if 0.0 in stored:
             states[0] = y
-            kept.append(nows)
+            stored_nows.append(nows)
         longest = min(mover.actuator.moving.step for mover in self.movers)
         for aim in self._aims([*stored, until], longest):
             while nows[0].time < aim:
@@ -144,10 +144,10 @@ class _Steps:
                 evaluations += count
             if aim in stored:
                 states[stored[aim]] = y
-                kept.append(nows)
+                stored_nows.append(nows)
         motions: dict[str, Followed] = {}
         for place, mover in enumerate(self.movers):
-            followed = _followed(mover, times, [each[place] for each in kept])
+            followed = _followed(mover, times, [each[place] for each in stored_nows])
             motions |= dict.fromkeys(mover.names, followed)
         return History(equations=self.equations, time=times, unknowns=states, evaluations=evaluations, motions=motions)
 

@@ -59,7 +59,7 @@ def _ball(radius: float) -> tuple[Array, NDArray[np.int64]]:
 def _between(rings: int) -> NDArray[np.int64]:
     """Triangles between rings of vertices."""
     here = CORNERS * np.arange(rings - 1)[:, None] + np.arange(CORNERS)
-    beside = CORNERS * np.arange(rings - 1)[:, None] + (np.arange(CORNERS) + 1) % CORNERS
-    one = np.stack([here, beside, here + CORNERS], axis=2)
-    two = np.stack([beside, beside + CORNERS, here + CORNERS], axis=2)
+    next_one = CORNERS * np.arange(rings - 1)[:, None] + (np.arange(CORNERS) + 1) % CORNERS
+    one = np.stack([here, next_one, here + CORNERS], axis=2)
+    two = np.stack([next_one, next_one + CORNERS, here + CORNERS], axis=2)
     return np.concatenate([one.reshape(-1, 3), two.reshape(-1, 3)])
