@@ -1,26 +1,25 @@
 """Control: paths of a three-chamber actuator against the full model, a force on a plate, and a loop.
 
-    python benchmarks/systems/control.py                the page control.md again; a quarter of an hour
-    python benchmarks/systems/control.py ARM.reduced    with another arm, such as that of benchmarks/reduced
+    python benchmarks/systems/control.py FOLDER    the page control.md again; ten minutes
 
+The folder is that of `benchmarks/reduced/omnidirectional.py`, whose arm with three pressures it takes, or trains.
 Every fifth point of each path is solved again with the full model, the paths in three processes, each with one thread.
 """
 
 import sys
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import numpy as np
 from numpy.typing import NDArray
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # so that `benchmarks` is found
 import turgor as tg
+from benchmarks.reduced.omnidirectional import CASES, trained
 from benchmarks.shared.machine import machine
 from benchmarks.shared.tables import table
-from turgor.core.model.model import Model
 from turgor.core.results.measures.contact_measures import force_on
 from turgor.core.solvers.solution import State
 from turgor.job.prepare import prepare
@@ -37,31 +36,9 @@ POINTS, EVERY, DURATION, PERIOD = 200, 5, 20.0, 5e-3
 NOISE, DELAY, STIFFER, BIAS, TURN = 0.2 * mm, 10e-3, 1.1, 0.15, 6.0
 HEAD = """# Control of a three-chamber actuator
 
-Written by `python benchmarks/systems/control.py {file}` in one run; times are processor time.
+Written by `python benchmarks/systems/control.py FOLDER` in one run; times are processor time.
 
 """
-
-
-def arm() -> Model:
-    """Make a slender actuator of three chambers; its mesh is that of a sixth of its length, stretched."""
-    actuator = tg.actuators.OmnidirectionalActuator(
-        chamber_shape="semicircular_flat_inward", outer_radius=2.5 * mm, chamber_size=2.25 * mm, wall=0.5 * mm,
-        length=10 * mm, cap=2 / 6 * mm,
-    )  # fmt: skip
-    mesh = tg.mesh(actuator.build(), size=3 * mm, quality="draft")
-    return tg.Model(
-        mesh=replace(mesh, points=mesh.points * np.array([6.0, 1.0, 1.0])),
-        materials={"body": tg.from_library("ecoflex-00-30", record="yeoh-steck-2019")},
-        supports=(tg.Fixed("fixed"),),
-        loads=tuple(tg.Pressure(f"cavity_{k}", 1 * kPa) for k in (1, 2, 3)),
-    )
-
-
-def trained(file: Path) -> Path:
-    """Train a reduced model of the arm at all corners of its pressures."""
-    budget = tg.real_time.Budget(error=0.01, paths=7, held_out=1, modes=18, steps=5)
-    ranges = {f"loads.cavity_{k}.pressure": (0.0, 9 * kPa) for k in (1, 2, 3)}
-    return tg.reduce(arm(), ranges, budget=budget, options=OPTIONS).save(file)
 
 
 @dataclass(frozen=True, slots=True)
@@ -282,8 +259,7 @@ def page(file: Path) -> str:
     """Measure with a reduced model, and return the page."""
     reduced = Reduced.load(file)
     reach = reach_of(reduced)
-    named = file.name if len(sys.argv) > 1 else ""
-    text = HEAD.replace(" {file}", f" {named}" if named else "") + (
+    text = HEAD + (
         f"{reduced!r}, {reduced.model.mesh.unknown_count:,} unknowns. It is {reach.length / mm:.0f} mm long; one "
         f"chamber alone bends it by {np.rad2deg(reach.angle):.0f}° and moves its end {reach.radius / mm:.0f} mm "
         f"sideways, at {reach.pressure / kPa:.3g} kPa.\n\n## Paths\n\n"
@@ -303,13 +279,14 @@ def page(file: Path) -> str:
     return text + "\n\n## Force\n\n" + force()
 
 
-def main() -> None:
+def main(folder: Path) -> None:
     """Measure, and write the page."""
-    with TemporaryDirectory() as folder:
-        text = page(Path(sys.argv[1]) if len(sys.argv) > 1 else trained(Path(folder) / "arm"))
+    folder.mkdir(parents=True, exist_ok=True)
+    trained(folder, CASES["pressures"])
+    text = page(folder / "pressures.reduced")
     facts = "\n".join(f"- {name}: {value}" for name, value in machine().items())
     PAGE.write_text(text + "\n\n" + facts + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main()
+    main(Path(sys.argv[1]))
