@@ -38,8 +38,8 @@ def robot_command(
         for name, text in given.errors.items():
             typer.echo(f"{name}: {text}.")
         for state in states.values():
-            place_text = ", ".join(f"{value * 1e3:.4g}" for value in state.tip)
-            force_text = ", ".join(f"{value:.3g}" for value in state.force)
+            place_text = ", ".join(f"{value:z.2f}" for value in state.tip * 1e3)
+            force_text = ", ".join(f"{value:z.4f}" for value in state.force)
             pushes = f"; force on the object ({force_text}) N" if given.mechanism.object is not None else ""
             typer.echo(f"{state.name}: tip at ({place_text}) mm{pushes}")
         answer.give(lambda: robot_result(given.name, states, given.errors, folder))

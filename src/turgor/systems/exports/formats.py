@@ -88,7 +88,9 @@ def _sofa(question: Question, folder: Path, name: str) -> str:
     from turgor.systems.exports.sofa import write_sofa
 
     scene = write_sofa(question.reduced.model, folder / f"{name}-sofa")
-    laws = ", ".join(f"{region} {law.name}" for region, law in scene.materials.items())
+    laws = ", ".join(
+        f"{region} within {100 * law.error:.2g} % of the stress" for region, law in scene.materials.items()
+    )
     return f"linear tetrahedra of the full model, fitted laws ({laws}); not run in SOFA"
 
 

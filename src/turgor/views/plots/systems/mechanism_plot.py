@@ -50,5 +50,5 @@ def _draw(axes: Axes, lines: Mapping[str, Array], shape: RigidShape | None, plan
     axes.set_aspect("equal", adjustable="datalim")
     axes.set_xlabel(f"{'xyz'[across]} [mm]", color=INK)
     axes.set_ylabel(f"{'xyz'[upward]} [mm]", color=INK)
-    axes.legend(frameon=False, fontsize=8, labelcolor=INK)
+    axes.legend(loc="upper right", frameon=False, fontsize=8, labelcolor=INK)
     style_axes(axes)
