@@ -12,6 +12,7 @@ import turgor as tg
 from refused import refused
 from turgor.reduced.states.estimate import KnownErrors
 from turgor.reduced.states.inputs import Inputs
+from turgor.reduced.states.known_measures import KnownMeasures
 from turgor.systems.robots.backbone import backbone_of
 from turgor.systems.robots.tables.arc import arc_of, arc_places
 from turgor.systems.robots.tables.polynomial import fitted
@@ -51,6 +52,12 @@ def test_files_state_units_and_all_errors(table, tmp_path):
     assert made["polynomials"]["tip_x"]["largest_error"] == table.polynomials["tip_x"].error > 0
     assert made["errors"]["held_out_displacement_over_largest"] == reduced().held_out.worst
     assert (made["rows_fitted"], made["rows_tested"]) == (20, 10)
+    assert not [name for name in made["errors"] if name.startswith("mesh")]
+    nothing = np.full((2, 2), np.nan)
+    known = KnownMeasures(names=("bending_angle", "volume"), mesh=np.array([[0.01, np.nan], [0.02, np.nan]]),
+                          inputs=nothing, values=nothing, reduction=nothing)  # fmt: skip
+    errors = replace(table, reduced=replace(reduced(), measures=known)).errors
+    assert {name: error for name, error in errors.items() if name.startswith("mesh")} == {"mesh_bending_angle": 0.02}
 
 
 def test_an_arc_is_found_again_from_places_off_its_axis():

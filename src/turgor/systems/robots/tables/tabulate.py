@@ -55,8 +55,8 @@ class RobotTable(Shown):
 
     @property
     def errors(self) -> dict[str, float]:
-        """Errors that are known besides those of the polynomials: of the reduced model, and of its arc."""
-        held_out, response = self.reduced.held_out, self.response
+        """Errors that are known besides those of the polynomials: of the mesh, of the reduced model, and of its arc."""
+        held_out, response, measures = self.reduced.held_out, self.response, self.reduced.measures
         known = {
             "largest_estimated_error_of_displacement_over_largest": float(response["estimated_error"].max()),
             "largest_distance_from_arc_m": float(response["arc_misfit"].max()),
@@ -67,7 +67,8 @@ class RobotTable(Shown):
                 "held_out_tip_over_travel": float(held_out.tip.max()),
                 "held_out_volume_relative": float(held_out.volume.max()),
             }
-        return known
+        columns = zip(measures.names, measures.mesh.T, strict=True) if measures.names else ()
+        return known | {f"mesh_{name}": float(np.nanmax(e)) for name, e in columns if np.isfinite(e).any()}  # [SI]
 
     def save(self, folder: str | Path, name: str) -> tuple[Path, Path]:
         """Write the table as CSV and the polynomials with all errors as JSON.
