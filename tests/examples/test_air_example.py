@@ -25,7 +25,8 @@ def test_the_code_of_the_guide(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     known = {}
     for block in re.findall(r"```python\n(.*?)```", GUIDE.read_text(encoding="utf-8"), re.DOTALL):
-        exec(block, known)
+        if "tg.reduce" not in block:  # test_air_motion trains one
+            exec(block, known)
     assert (tmp_path / "air.csv").exists()
     assert (tmp_path / "air.png").exists()
     assert known["result"].limiting.part == "tube"

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree as Xml
 
 import numpy as np
@@ -10,10 +11,10 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from turgor.core.meshing.exchange.formats.write_stl import closed_surface
-from turgor.core.model.obstacles import Sphere
 from turgor.core.model.obstacles.rigid_shape import RigidShape
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.store.atomic_files import whole
+from turgor.job.tables.obstacles import SHAPES
 from turgor.systems.robots.chains.chain import SLIDE, Chain
 from turgor.systems.robots.chains.chain_of import FittedChain
 
@@ -105,8 +106,9 @@ def write_mechanism(
     if shape is not None:
         world = root.find("worldbody")
         assert world is not None
-        if isinstance(shape, Sphere):
-            place, size = numbers(shape.center), numbers(shape.radius)
+        if isinstance(shape, SHAPES["sphere"]):
+            ball: Any = shape
+            place, size = numbers(ball.center), numbers(ball.radius)
             Xml.SubElement(world, "geom", name="object", type="sphere", size=size, pos=place)
         else:
             world.append(Xml.Comment(f" the object is left out: {shape.text()} "))
