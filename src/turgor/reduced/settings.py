@@ -119,7 +119,7 @@ class TrainingSettings:
 
     modes: int = 14
     missed: float = 0.3
-    derivatives: float = 0.2
+    derivatives: float = 0.1
     more: int = 4
     most: int = 26
     truncation: float = 1e-14
