@@ -110,6 +110,14 @@ def test_a_file_is_answered_with_forces_picture_and_mjcf(file, capsys):
     mujoco.MjModel.from_xml_path(str(file.parent / "two-robot" / "robot.xml"))
 
 
+def test_every_dimension_of_an_object_takes_a_unit(file):
+    box = 'shape = "box"\nsize = ["20 mm", "30 mm", "40 mm"]\nrounding = "2 mm"'
+    text = FILE.replace('shape = "sphere"', box).replace('radius = "20 mm"', "").replace("-28 mm", "-60 mm")
+    file.write_text(text, encoding="utf-8")
+    made = mechanism_file.read_mechanism(file).mechanism.object
+    assert (made.size, made.rounding) == ((0.02, 0.03, 0.04), 0.002)
+
+
 @pytest.mark.parametrize(
     ("old", "new", "facts"),
     [

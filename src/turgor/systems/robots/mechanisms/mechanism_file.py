@@ -7,18 +7,15 @@ from types import MappingProxyType
 from typing import Any
 
 from turgor.core.engine.runtime import EngineOptions
-from turgor.core.model.obstacles import Box, Cylinder, Plane, Sphere
-from turgor.core.model.obstacles.rigid_shape import RigidShape
+from turgor.core.model.obstacles.rigid_shape import RigidShape, dimension_of
 from turgor.foundation.errors import TurgorError, near_file, unknown
 from turgor.foundation.toml_text import read_text, read_toml
+from turgor.job.tables.obstacles import SHAPES
 from turgor.job.text.overrides import changed
 from turgor.reduced.states.reduced import Reduced
 from turgor.systems.robots.chains.chain_of import FittedChain, chain_of
 from turgor.systems.robots.mechanisms.mechanism import DOWN, Arm, Mechanism, Segment
 from turgor.units import parse_quantity
-
-#: Shapes of an object by their names.
-SHAPES: Mapping[str, type[RigidShape]] = {"sphere": Sphere, "cylinder": Cylinder, "box": Box, "plane": Plane}
 
 #: Keys of each table.
 TOP = ("name", "gravity", "contact_stiffness", "object", "arms")
@@ -138,9 +135,9 @@ def _object(content: Mapping[str, Any]) -> RigidShape | None:
         raise unknown("object.shape", str(name), SHAPES)
     kind: Any = SHAPES[name]
     _check(given, tuple(field.name for field in fields(kind)), "object")
-    for key in ("radius", "length"):
-        if key in given:
-            given[key] = _quantity(given[key], "length", f"object.{key}")
+    for field in fields(kind):
+        if field.name in given and not isinstance(given[field.name], list):
+            given[field.name] = _quantity(given[field.name], dimension_of(field), f"object.{field.name}")
     try:
         shape: RigidShape = kind(**given)
     except TypeError:
