@@ -77,6 +77,15 @@ def compare_command(
         typer.Option(help="Unit of a column whose header has none: NAME=UNIT; as often as needed.", show_default=False),
     ] = None,
     only_loading: Annotated[bool, typer.Option("--loading", help="Leave out rows in which the drive falls.")] = False,
+    ranges: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--range",
+            metavar="NAME=FROM..TO",
+            help="Rows to take by a measured column, such as pressure='0..30 kPa'; as often as needed.",
+            show_default=False,
+        ),
+    ] = None,
     as_json: Json = False,
     debug: Debug = False,
 ) -> None:
@@ -86,9 +95,8 @@ def compare_command(
         from turgor.job.compare import ComparisonOptions, compare_folder
 
         units = dict(name_and_unit(each) for each in unit or ())
-        comparison, files = compare_folder(
-            run, experiment, ComparisonOptions(y=y, x=x, units=units, only_loading=only_loading)
-        )
+        options = ComparisonOptions(y=y, x=x, units=units, only_loading=only_loading, ranges=ranges or ())
+        comparison, files = compare_folder(run, experiment, options)
         typer.echo(comparison.summary()[:1].upper() + comparison.summary()[1:])
         for note in comparison.notes:
             typer.echo(note)

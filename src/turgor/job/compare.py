@@ -1,14 +1,14 @@
 """Compare a run with an experiment: the comparison is saved in the folder of the run, and its report shows it."""
 
 from codecs import BOM_UTF8 as BOM
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from turgor.accuracy.laboratory.compare import Comparison, compare
 from turgor.accuracy.laboratory.comparison_plot import comparison_figure
 from turgor.accuracy.laboratory.read_experiment import read_experiment
-from turgor.accuracy.laboratory.runs import SPREAD, loading
+from turgor.accuracy.laboratory.runs import SPREAD, loading, within_ranges
 from turgor.core.results.drive import drive_of
 from turgor.core.results.files.response_csv import read_response
 from turgor.foundation.errors import TurgorError
@@ -36,6 +36,8 @@ class ComparisonOptions:
         New names by header.
     only_loading : bool
         Whether the rows in which the drive falls are left out.
+    ranges : sequence of str
+        Ranges of measured columns; the rows outside are left out, see `turgor.experiments.within_ranges`.
     """
 
     y: str | None = None
@@ -43,6 +45,7 @@ class ComparisonOptions:
     units: Mapping[str, str] = field(default_factory=dict)
     columns: Mapping[str, str] = field(default_factory=dict)
     only_loading: bool = False
+    ranges: Sequence[str] = ()
 
 
 def compare_folder(
@@ -74,7 +77,7 @@ def compare_folder(
     if run.is_dir() and not file.exists():
         raise TurgorError(f"'{run}' holds no {RESPONSE}, so it is no folder of a run; run the job first.")
     computed = read_response(file, Source(text=run.name.removesuffix("-results") or run.name))
-    measured = _measured(Path(experiment), options)
+    measured = within_ranges(_measured(Path(experiment), options), options.ranges)
     if options.only_loading:
         measured = loading(measured, drive_of(measured))
     comparison = compare(computed, measured, options.y, x=options.x)

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from turgor.accuracy.laboratory.runs import average_runs as average_runs
     from turgor.accuracy.laboratory.runs import loading as loading
     from turgor.accuracy.laboratory.runs import unloading as unloading
+    from turgor.accuracy.laboratory.runs import within_ranges as within_ranges
     from turgor.core.materials.experiments.cycles import select_cycle as select_cycle
     from turgor.core.materials.experiments.material_test import Edit as Edit
     from turgor.core.materials.experiments.material_test import MaterialTest as MaterialTest

@@ -7,8 +7,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.foundation.errors import TurgorError
-from turgor.foundation.response import Column, Response
+from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.response import COLUMN_UNITS, Column, Response
 from turgor.foundation.source import Source
 
 Array = NDArray[np.float64]
@@ -52,6 +52,65 @@ def loading(response: Response, x: str | None = None) -> Response:
 def unloading(response: Response, x: str | None = None) -> Response:
     """Return the rows of a response in which the drive falls; see `loading`."""
     return _directed(response, x, rising=False)
+
+
+def within_ranges(response: Response, ranges: Sequence[str]) -> Response:
+    """Return the rows of a response whose values lie in ranges of columns.
+
+    Parameters
+    ----------
+    response : Response
+    ranges : sequence of str
+        Each a column and its range, such as ``"pressure=5..30 kPa"``; the first number may have another unit.
+
+    Returns
+    -------
+    Response
+
+    Raises
+    ------
+    TurgorError
+        If a range cannot be read, names no column, or leaves fewer than two rows.
+
+    Examples
+    --------
+    >>> pressure, angle = Column("pressure", "kPa", [0, 10e3, 20e3, 30e3]), Column("bending_angle", "deg", range(4))
+    >>> test = Response(columns=(pressure, angle), source=Source(text="a test"))
+    >>> print(within_ranges(test, ["pressure = 5..20 kPa"])["pressure_kPa"])
+    [10. 20.]
+    """
+    for text in ranges:
+        name, equals, span = (part.strip() for part in text.partition("="))
+        first, dots, last = (part.strip() for part in span.partition(".."))
+        if not (equals and dots and name):
+            raise TurgorError(f"the range '{text}' cannot be read; write NAME=FROM..TO, such as 'pressure=0..30 kPa'.")
+        if name not in response:
+            raise unknown(f"column of {response.source}", name, response.names)
+        column = response.find(name)
+        high, unit = _number(last, column, "")
+        low, _ = _number(first, column, unit)
+        rows = np.flatnonzero((column.values >= low) & (column.values <= high))
+        if len(rows) < 2:
+            raise TurgorError(
+                f"the range '{text}' leaves {len(rows)} of {len(response)} rows of {response.source}, whose '{name}' "
+                f"is {column.span}; two are needed."
+            )
+        response = _rows(response, rows.tolist())
+    return response
+
+
+def _number(text: str, column: Column, unit: str) -> tuple[float, str]:
+    """Number of a range in SI units, and its unit: that which is stated, the one of the other end, or none."""
+    number, _, stated = text.partition(" ")
+    unit = stated.strip() or unit
+    try:
+        value = float(number)
+    except ValueError:
+        raise TurgorError(f"'{text}' in the range of '{column.name}' is no number with a unit.") from None
+    if unit not in column.units:
+        known = ", ".join(each for each in column.units if each) or "none"
+        raise TurgorError(f"'{text}' in the range of '{column.name}' has the unit '{unit}'; allowed: {known}.")
+    return value * COLUMN_UNITS[unit], unit
 
 
 def branches(values: Array, turn: float = TURN) -> list[tuple[int, int]]:
@@ -184,6 +243,10 @@ def _directed(response: Response, x: str | None, *, rising: bool) -> Response:
     if not rows:
         way = "rises" if rising else "falls"
         raise TurgorError(f"'{x or response.names[0]}' of {response.source} never {way}.")
+    return _rows(response, rows)
+
+
+def _rows(response: Response, rows: list[int]) -> Response:
     return replace(
         response,
         columns=tuple(replace(column, values=column.values[rows]) for column in response.columns),

@@ -19,7 +19,7 @@ Texts = list[str] | None
 #: What states each key of the table of a study file.
 OPTIONS = {
     "experiments": "EXPERIMENT", "hold_out": "--hold-out", "rig": "--rig", "units": "--unit", "spread": "--spread",
-    "y": "--y", "x": "--x", "loading": "--loading",
+    "y": "--y", "x": "--x", "loading": "--loading", "ranges": "--range",
 }  # fmt: skip
 
 
@@ -69,6 +69,14 @@ class _Options:
         often("--spread", "VALUE", "Standard deviation of a measured value, such as '1 deg'; one for each unit."),
     ] = None
     only_loading: Annotated[bool, typer.Option("--loading", help="Leave out rows in which the drive falls.")] = False
+    ranges: Annotated[
+        Texts,
+        often(
+            "--range",
+            "NAME=FROM..TO",
+            "Rows to take by a measured column, such as pressure='0..30 kPa'; as often as needed.",
+        ),
+    ] = None
     processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
     most_solves: Annotated[int | None, typer.Option(help="Runs after which the search ends.", show_default=False)] = (
         None
@@ -133,6 +141,7 @@ def _stated(options: _Options) -> "tuple[StudyFile, str]":
         "y": options.y,
         "x": options.x,
         "loading": options.only_loading,
+        "ranges": list(options.ranges or ()),
     }
     table = {key: value for key, value in given.items() if value}
     places: dict[tuple[str, ...], str] = {}

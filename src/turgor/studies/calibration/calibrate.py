@@ -12,6 +12,7 @@ from turgor.studies.calibration.objective import Objective, first_responses, rig
 from turgor.studies.calibration.parameter import Parameter, check_names, values_at
 from turgor.studies.calibration.result import Calibration, CalibrationStatus, Fitted, rms
 from turgor.studies.calibration.search import SearchResult, search
+from turgor.studies.calibration.settings import CALIBRATION
 from turgor.studies.calibration.trial import Data, Trial, check_taken, data_of
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.executors.run_outcome import Ended
@@ -113,7 +114,24 @@ def _paired(
     ended = runs.of([each.run(values, names) for each, names in zip(trials, taken, strict=True)])
     begun = first_responses(ended)
     data = tuple(data_of(*each) for each in zip(trials, begun, taken, strict=True))
+    for each, response in zip(data, begun, strict=True):
+        _check_range(each, response)
     return begun, data
+
+
+def _check_range(data: Data, begun: Response) -> None:
+    """Refuse measured rows that no parameter brings within the computed range; a path that ended early may go on."""
+    drive, reach = data.drive, begun.find(data.x)
+    beyond = data.beyond(begun, {}, CALIBRATION.margin)
+    if not (data.trial.prescribed and beyond) or begun.message:
+        return
+    name, measured = data.measured_x, data.trial.measured.find(data.measured_x)
+    raise TurgorError(
+        f"{beyond} of {len(drive)} measured rows of {data.trial.name} lie beyond the computed range of '{data.x}', "
+        f"{reach.span}; measured is {measured.span}. Compute as far as was measured,",
+        python="or leave these rows out with within_ranges.",
+        command=f"or leave these rows out with --range {name}='{reach.span.replace(' to ', '..')}'.",
+    )
 
 
 def _calibration(

@@ -100,7 +100,7 @@ def job_trial(
     computation = job.computation()
     return Trial(
         measured=measured, function=computation.function, y=y, x=x, spread=spread, values=computation.values,
-        gather=computation.gather, slopes={"slopes": {"drives": drives, "columns": names}},
+        gather=computation.gather, prescribed=True, slopes={"slopes": {"drives": drives, "columns": names}},
     )  # fmt: skip
 
 

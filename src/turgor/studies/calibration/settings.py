@@ -25,6 +25,9 @@ class CalibrationSettings:
     failed : float
         Weighted difference of every row where a run failed: far above what a curve that misses the measured one has,
         and small enough to be squared.
+    margin : float
+        Measured rows may lie beyond the computed range by this share of it: a gauge reads a little more than the
+        pressure that was set.
     least_scatter : float
         Smallest scatter that assumed spreads are lowered to: differences of a made-up curve may be zero.
     least_gain, resolved : float
@@ -55,6 +58,7 @@ class CalibrationSettings:
     nudge: float = 1e-6
     assumed_spread: float = 0.02
     failed: float = 1e3
+    margin: float = 0.02
     least_scatter: float = 1e-3
     least_gain: float = 0.02
     resolved: float = 0.05

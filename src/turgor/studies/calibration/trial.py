@@ -45,6 +45,9 @@ class Trial:
         where they cost something. A function that adds them anyway needs none.
     name : str
         Short name; by default the source of the experiment.
+    prescribed : bool
+        Whether the function prescribes the drive, so that its curve ends at the same value for all parameters: measured
+        rows beyond it are refused. Else they are compared with a straight continuation.
     """
 
     measured: Response
@@ -56,6 +59,7 @@ class Trial:
     gather: str = ""
     slopes: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
     name: str = ""
+    prescribed: bool = False
 
     def __post_init__(self) -> None:
         if not self.name:
@@ -145,11 +149,11 @@ class Data:
                 table[:, k] = of_rig[name]
         return table
 
-    def beyond(self, computed: Response, rig: Mapping[str, float]) -> int:
-        """Count the measured rows beyond the computed range."""
+    def beyond(self, computed: Response, rig: Mapping[str, float], margin: float = 1e-6) -> int:
+        """Count the measured rows that lie beyond the computed range by more than a share of it."""
         drive, _ = self.corrected(rig)
         known = first_branch(computed, self.x)[0].column(self.x)
-        reach = 1e-6 * float(np.ptp(known))
+        reach = margin * float(np.ptp(known))
         return int(np.sum((drive > np.nanmax(known) + reach) | (drive < np.nanmin(known) - reach)))
 
 

@@ -9,7 +9,7 @@ from typing import Any
 from pydantic import Field
 
 from turgor.accuracy.laboratory.read_experiment import read_experiment
-from turgor.accuracy.laboratory.runs import loading
+from turgor.accuracy.laboratory.runs import loading, within_ranges
 from turgor.core.results.drive import drive_of
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import COLUMN_UNITS, Response
@@ -44,6 +44,8 @@ class CalibrateTable(Table):
         Standard deviations of measured values, such as ``["1 deg"]``; one for each unit.
     loading : bool
         Whether rows in which the drive falls are left out.
+    ranges : list of str
+        Ranges of measured columns, such as ``["pressure=0..30 kPa"]``; rows outside are left out.
     most_solves : int
     """
 
@@ -55,6 +57,7 @@ class CalibrateTable(Table):
     units: dict[str, str] = Field(default_factory=dict)
     spread: list[str] = Field(default_factory=list)
     loading: bool = False
+    ranges: list[str] = Field(default_factory=list)
     most_solves: int | None = None
 
 
@@ -136,7 +139,7 @@ def parameter_of(key: str, given: Any, numbers: Mapping[str, JobNumber]) -> Para
 
 
 def _measured(file: Path, table: CalibrateTable) -> Response:
-    measured = read_experiment(file, units=table.units)
+    measured = within_ranges(read_experiment(file, units=table.units), table.ranges)
     return loading(measured, drive_of(measured)) if table.loading else measured
 
 

@@ -1,9 +1,10 @@
 """Branches of a drive, and the mean and spread of repeated runs."""
 
 import numpy as np
+import pytest
 
 from refused import refused
-from turgor.accuracy.laboratory.runs import average_runs, branches, interpolated, loading, unloading
+from turgor.accuracy.laboratory.runs import average_runs, branches, interpolated, loading, unloading, within_ranges
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 
@@ -56,3 +57,25 @@ def test_equal_readings_of_the_drive_are_averaged() -> None:
     result = interpolated(run([0, 1, 1, 2], [0, 1, 3, 4]), "pressure", "angle", np.array([0.5, 1.0, 3.0]))
     np.testing.assert_allclose(result[:2], [1.0, 2.0])
     assert np.isnan(result[2])
+
+
+def test_ranges_of_columns_leave_rows_out() -> None:
+    test = run([0e3, 5e3, 10e3, 20e3, 30e3], np.deg2rad([0, 10, 20, 40, 60]))
+    np.testing.assert_allclose(within_ranges(test, ["pressure=5000 Pa..20 kPa"])["pressure"], [5e3, 10e3, 20e3])
+    both = within_ranges(test, ["pressure=5..30 kPa", "angle = 15..45 deg"])
+    np.testing.assert_allclose(both["pressure_kPa"], [10, 20])
+
+
+@pytest.mark.parametrize(
+    ("text", "facts"),
+    [
+        ("pressure", ("NAME=FROM..TO", "'pressure'")),
+        ("presure=0..30 kPa", ("'presure'", "pressure")),
+        ("pressure=0..30 mm", ("'pressure'", "'mm'", "kPa")),
+        ("pressure=0..x kPa", ("'pressure'", "'x kPa'")),
+        ("pressure=40..60 kPa", ("'pressure=40..60 kPa'", "0 of 2", "0 to 10 kPa")),
+    ],
+)
+def test_ranges_that_cannot_be(text: str, facts: tuple[str, ...]) -> None:
+    with refused(*facts):
+        within_ranges(run([0, 10e3], [0, 1]), [text])

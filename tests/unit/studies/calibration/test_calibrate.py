@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from math import isnan
 
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 
 import calibration_cases as cases
 from refused import refused
+from turgor.accuracy.laboratory.runs import within_ranges
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 from turgor.studies.calibration.calibrate import calibrate
@@ -165,6 +167,29 @@ def test_a_path_that_ends_below_the_measured_range_is_continued_and_told():
     assert result.values["C10"] == pytest.approx(0.12e6, rel=0.05)
     assert "measured rows of rig lie beyond the computed curve" in result.message
     assert "could not rise past 12 kPa" in result.message
+
+
+def test_rows_beyond_a_prescribed_drive_are_refused():
+    """A straight continuation of a curve that ends at 60 % made C10 16 % lower."""
+    measured = cases.measured_sphere(C20=0.0)
+    top = 0.6 * float(measured.column("pressure").max())
+    whole = Trial(measured=measured, function=_up_to, values={"top": top}, prescribed=True)
+    with refused("rig", "'pressure'", "within_ranges"):
+        calibrate(whole, [C10])
+    part = within_ranges(measured, [f"pressure=0..{top / kPa} kPa"])
+    result = calibrate(replace(whole, measured=part), [C10])
+    assert result.values["C10"] == pytest.approx(0.12e6, rel=2e-3)
+
+
+def _up_to(C10, top):
+    """A thin sphere that is computed up to a pressure."""
+    whole = cases.thin_sphere(C10=C10, C20=0.0)
+    at = np.linspace(0, top, 40)
+    columns = [
+        Column(name, whole.find(name).unit, np.interp(at, whole.column("pressure"), whole.column(name)))
+        for name in whole.names
+    ]
+    return Response(columns=tuple(columns), source=whole.source)
 
 
 def test_all_runs_used_up():
