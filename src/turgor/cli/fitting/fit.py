@@ -94,9 +94,14 @@ fit_command = command_of(FitOptions, fit_files)
 
 def _test(chosen: FitOptions, file: Path, mode: str | None) -> "MaterialTest":
     """Read a test, crop it and thin it for the fit."""
+    from turgor.core.materials.experiments.slack import check_slack
+
     read = _read(chosen, file, mode, cyclic=chosen.cycle is not None)
-    test = _thinned(_cropped(_handled(read, chosen), _range(chosen.range_)), chosen.points)
+    whole = _cropped(_handled(read, chosen), _range(chosen.range_))
+    test = _thinned(whole, chosen.points)
     _tell(file, test)
+    for finding in check_slack([whole]) if not check_slack([test]) else ():  # few points of its beginning are left
+        typer.echo(f"  {finding}")
     return test
 
 

@@ -81,6 +81,34 @@ def select_cycle(test: MaterialTest, cycle: int = -1, *, part: str = "loading") 
     return test.keeping(keep, f"All but the {part} curve of cycle {place} of {len(chosen)}")
 
 
+def without_way_back(test: MaterialTest) -> MaterialTest:
+    """Return a single pull without the way back of the machine; every other test as it is.
+
+    Parameters
+    ----------
+    test : MaterialTest
+        Points in the order of time.
+
+    Examples
+    --------
+    >>> stretch = [1.0, 1.5, 2.0, 1.5, 1.0]
+    >>> pull = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stretch, name="a pull")
+    >>> without_way_back(pull).edits[-1].text
+    'On the way back of the machine: 2 points of 5 removed.'
+    """
+    if test.mode in ("biaxial", "simple_shear"):
+        return test
+    pulled = np.log(test.stretch).max() > -np.log(test.stretch).min()
+    away = test.stretch if pulled else -test.stretch
+    last = int(np.argmax(away))
+    step = EXPERIMENTS.precision * float(np.ptp(away))
+    there, back = away[: last + 1], away[last:]
+    once = (np.maximum.accumulate(there) - there <= step).all() and (back - np.minimum.accumulate(back) <= step).all()
+    if not once or back[0] - back[-1] <= step or last < 2:
+        return test
+    return test.keeping(np.arange(len(away)) <= last, "On the way back of the machine")
+
+
 def _loads(test: MaterialTest, half: slice) -> bool:
     """Whether a half cycle ends further from the undeformed state than it begins, in tension or in compression."""
     ends = test.stretch[half][[0, -1]]

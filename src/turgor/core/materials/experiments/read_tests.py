@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.materials.experiments.columns import Column, find_columns, role_of, split_unit
+from turgor.core.materials.experiments.cycles import without_way_back
 from turgor.core.materials.experiments.header_sizes import Sizes, sizes_of
 from turgor.core.materials.experiments.material_test import MODES, Array, Edit, MaterialTest
 from turgor.core.materials.experiments.quantities import second_stress, stress_quantity, stretch_quantity
@@ -119,6 +120,7 @@ def read_tests(
     by_role = _for_mode(find_columns(table.names, roles, table.file), mode)
     for name, part, known in _specimens(table, by_role):
         test = _test(name, part, known, mode, stress_measure, specimen)
+        test = test if cyclic else without_way_back(test)
         turn = test.first_turn()
         if turn is not None and not cyclic:
             raise TurgorError(

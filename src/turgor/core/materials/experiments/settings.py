@@ -31,3 +31,34 @@ class ExperimentSettings:
 
 
 EXPERIMENTS = ExperimentSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class SlackSettings:
+    """How the stretch without stress is estimated.
+
+    Of 13 published curves whose stretch comes from the crosshead (Marechal et al. 2020), nine are reported; of eight
+    others, none.
+
+    Parameters
+    ----------
+    beginning : float
+        The beginning of a curve: points within this stretch of its first.
+    points : int
+        Fewest points of a beginning.
+    floor : float
+        Smallest stress for relative weights, as a share of the largest of the beginning.
+    searched : (float, float)
+        Bounds of the stretch without stress.
+    least : float
+        Stretch without stress above which a test is reported: 1.005 is within the scatter of curves that begin at rest.
+    """
+
+    beginning: float = 0.3
+    points: int = 5
+    floor: float = 0.05
+    searched: tuple[float, float] = (0.8, 1.3)
+    least: float = 1.01
+
+
+SLACK = SlackSettings()

@@ -173,6 +173,30 @@ def covered_range(tests: "Sequence[MaterialTest]", stretch: tuple[float, float])
     return min(max(low, stretch[0]), 1.0), max(min(high, stretch[1]), 1.0)
 
 
+def check_working_range(tests: "Sequence[MaterialTest]") -> tuple[Finding, ...]:
+    """Check whether enough of the points lie where most soft actuators work (P11).
+
+    Parameters
+    ----------
+    tests : sequence of MaterialTest
+        As they are fitted.
+    """
+    stretches = [float(each) for test in tests if test.mode not in ("simple_shear", "biaxial") for each in test.stretch]
+    working = sum(1.0 <= each <= FIT.working for each in stretches)
+    if not stretches or working >= FIT.working_share * len(stretches) or max(stretches) <= FIT.working:
+        return ()
+    return (
+        Finding(
+            code="P11",
+            severity=Severity.NOTE,
+            message=f"Only {working} of {len(stretches)} points lie up to stretch {FIT.working:g}, where most soft "
+            f"actuators work; the others, up to {max(stretches):.3g}, decide the fit.",
+            advice=f"Fit for the stretches that the actuator sees, such as 1 to {FIT.working:g}: stretch=(…) in "
+            "Python, --range on the command line.",
+        ),
+    )
+
+
 def fit_findings(fit: "Fit", tests: "Sequence[MaterialTest]") -> tuple[Finding, ...]:
     """Return the findings of all checks about a fit.
 

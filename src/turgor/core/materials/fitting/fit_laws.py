@@ -9,7 +9,8 @@ from scipy.optimize import least_squares
 
 from turgor.core.materials.experiments.copies import check_copies
 from turgor.core.materials.experiments.material_test import Array, MaterialTest
-from turgor.core.materials.fitting.checks import covered_range, fit_findings
+from turgor.core.materials.experiments.slack import check_slack
+from turgor.core.materials.fitting.checks import check_working_range, covered_range, fit_findings
 from turgor.core.materials.fitting.constrained import solve_constrained
 from turgor.core.materials.fitting.law_specs import law_spec, shape_bounds
 from turgor.core.materials.fitting.points import (
@@ -29,6 +30,7 @@ from turgor.core.materials.laws.law_spec import LawSpec
 from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.laws.stability import Mode, instabilities
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.finding import Finding
 
 Shapes: TypeAlias = Sequence[float] | Array
 
@@ -93,7 +95,12 @@ def fit(
         weights=weights,
         tests=used,
     )
-    return fitted.with_findings((*fit_findings(fitted, given), *check_copies(given)))
+    return fitted.with_findings((*fit_findings(fitted, given), *check_tests(given, used)))
+
+
+def check_tests(given: Sequence[MaterialTest], used: Sequence[MaterialTest]) -> tuple[Finding, ...]:
+    """Return the findings about tests, whole and as they are fitted: copies, slack, and their range."""
+    return (*check_copies(given), *check_slack(used), *check_working_range(used))
 
 
 def _used(

@@ -18,6 +18,10 @@ _FAILS: Mapping[Criterion, str] = {
 }
 
 
+#: Findings that concern the tests, not a law.
+OF_TESTS = ("P08", "P10", "P11")
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Ranking:
     """Fits of several laws to the same tests, the best first.
@@ -25,7 +29,7 @@ class Ranking:
     Parameters
     ----------
     fits : tuple of Fit
-        In the order of Akaike's criterion.
+        In the order of Akaike's criterion; laws that lose their stability where soft actuators work come last.
     failed : tuple of str
         A sentence for each law that could not be fitted.
     """
@@ -37,7 +41,7 @@ class Ranking:
 
     @property
     def best(self) -> Fit:
-        """The fit with the smallest AIC."""
+        """The first fit: of the stable laws that with the smallest AIC."""
         return self.fits[0]
 
     @property
@@ -61,7 +65,7 @@ def rank(
     starts: int = 20,
     seed: int = 0,
 ) -> Ranking:
-    """Fit several laws to the same tests and order them by Akaike's criterion, the best first.
+    """Fit several laws to the same tests and order them by Akaike's criterion, the best first, the stable ones before.
 
     Parameters
     ----------
@@ -80,7 +84,12 @@ def rank(
             failed.append(str(error))
     if not fits:
         raise TurgorError(" ".join(dict.fromkeys(failed)))
-    return Ranking(fits=tuple(sorted(fits, key=lambda each: each.aic)), failed=tuple(failed))
+    return Ranking(fits=tuple(sorted(fits, key=lambda each: (_unstable(each), each.aic))), failed=tuple(failed))
+
+
+def _unstable(fitted: Fit) -> bool:
+    """Whether a law loses its stability within the range of its tests or the usual one of soft actuators."""
+    return bool(fitted.instability) or any(finding.code == "M06" for finding in fitted.findings)
 
 
 def _on_order(fits: Sequence[Fit]) -> list[str]:
@@ -92,9 +101,15 @@ def _on_order(fits: Sequence[Fit]) -> list[str]:
                 f"{each.spec.name} suits strains up to {100 * (limit - 1):.0f} %; over the "
                 f"{100 * (each.stretch[1] - 1):.0f} % wanted it is {100 * each.relative:.2g} % off (M03)."
             )
-    good = [each for each in fits if each.relative <= 1.25 * min(other.relative for other in fits)]
-    fewest = min(good, key=lambda each: (len(each.spec.names), each.aic))
     best = fits[0]
+    alike = [each for each in fits if _unstable(each) == _unstable(best)]
+    good = [each for each in alike if each.relative <= 1.25 * min(other.relative for other in alike)]
+    fewest = min(good, key=lambda each: (len(each.spec.names), each.aic))
+    lines += [
+        f"{each.spec.name} is closer, {100 * each.relative:.2g} % off, but comes later because it loses its stability."
+        for each in fits
+        if each.aic < best.aic
+    ]
     if fewest is best:
         lines.append(f"{best.spec.name} fits best, {100 * best.relative:.2g} % off.")
     else:
@@ -119,8 +134,9 @@ def _on_modes(fits: Sequence[Fit]) -> list[str]:
 
 
 def _on_tests(fits: Sequence[Fit]) -> list[str]:
-    """Sentences on series that are copies of each other (P08)."""
-    return [f"{finding.message} {finding.advice} (P08)" for finding in fits[0].findings if finding.code == "P08"]
+    """Sentences on the tests themselves: copies, slack, and where their points lie."""
+    of_tests = [finding for finding in fits[0].findings if finding.code in OF_TESTS]
+    return [f"{finding.message} {finding.advice} ({finding.code})" for finding in of_tests]
 
 
 def _on_range(fits: Sequence[Fit]) -> list[str]:

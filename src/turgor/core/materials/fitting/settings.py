@@ -28,6 +28,10 @@ class FitSettings:
         Number of best starts that are iterated to convergence.
     same_decimals : int
         Stretches that are equal to so many decimals count as one.
+    working : float
+        Largest stretch of most soft actuators: their rubber works at strains up to 150 %.
+    working_share : float
+        Share of the points up to that stretch below which it is reported that the fit is for larger ones.
     range_slack : float
         Tolerance of the ends of a range, as a share, because digitized curves have no sharp ends.
     """
@@ -40,6 +44,8 @@ class FitSettings:
     beyond: float = 1.005
     refined_starts: int = 3
     same_decimals: int = 3
+    working: float = 2.5
+    working_share: float = 0.25
     range_slack: float = 0.02
 
 

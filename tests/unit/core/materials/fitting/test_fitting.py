@@ -329,7 +329,8 @@ def test_ranking_orders_and_explains():
     ranking = rank(["neo-hooke", "yeoh", "ogden-2", "rivlin-6"], made(YEOH, upto=5.0, points=20), starts=5)
     assert ranking.best.spec.name == "yeoh"
     assert ranking.fits[-1].spec.name == "neo-hooke"
-    assert [fit.aic for fit in ranking.fits] == sorted(fit.aic for fit in ranking.fits)
+    stable = [each.aic for each in ranking.fits if "M06" not in [finding.code for finding in each.findings]]
+    assert stable == sorted(stable) == [each.aic for each in ranking.fits[: len(stable)]]
     assert len(ranking.failed) == 1 and "rivlin-6 needs stresses at 28 different" in ranking.failed[0]
     words = " ".join(ranking.words)
     assert "neo-hooke suits strains up to 50 %; over the 400 % wanted" in words
