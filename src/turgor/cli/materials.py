@@ -1,5 +1,6 @@
-"""Commands ``turgor materials list | show | plot``: thin calls of public functions."""
+"""Commands ``turgor materials list | choose | show | plot``: thin calls of public functions."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -10,7 +11,7 @@ from turgor.cli.options import Debug, Json, output_option
 
 materials_app = typer.Typer(
     rich_markup_mode=None,
-    help="List, show and plot the materials of the library, or of a file of your own that ends in .toml.",
+    help="List, choose, show and plot the materials of the library, or of a file of your own that ends in .toml.",
 )
 
 Name = Annotated[str, typer.Argument(metavar="NAME", help="Material, or a TOML file of your own.", show_default=False)]
@@ -26,22 +27,76 @@ def _materials(context: typer.Context) -> None:
 
 @materials_app.command("list")
 def _list(as_json: Json = False, debug: Debug = False) -> None:
-    """List the library materials and their records, with the codes of their warnings."""
+    """List the library materials: hardness, modulus, tested range, and the record to take."""
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.cli.answers.file_results import materials_result
-        from turgor.core.materials.library.doubts import find_doubts
-        from turgor.core.materials.library.record_files import library, records
-        from turgor.foundation.finding import Severity
+        from turgor.core.materials.library.choose import material_rows
+        from turgor.core.materials.library.record_files import library
 
-        lines = []
-        for name in library():
-            lines.append(name)
-            for record in records(name):
-                codes = sorted({doubt.code for doubt in find_doubts(record) if doubt.severity is Severity.WARNING})
-                marks = f" [{', '.join(codes)}]" if codes else ""
-                lines.append(f"  {record.name}: {record.law}, {record.printed}; {record.source}{marks}")
-        typer.echo("\n".join(lines))
+        head = ("material", "kind", "Shore", "E", "of sets", "stretch", "sets", "record to take")
+        rows = [
+            (
+                each.name,
+                each.kind,
+                each.hardness or "–",
+                _modulus(each.modulus),
+                _spread(each.spread),
+                _stretches(each.stretch_range),
+                str(each.records),
+                each.record or "–",
+            )
+            for each in material_rows()
+        ]
+        typer.echo(_aligned([head, *rows]))
+        typer.echo("E is the initial Young's modulus of the record to take, and of all sets without a warning.")
+        typer.echo("'turgor materials show NAME' prints sets, sources, caveats; 'choose' finds a rubber by a modulus.")
         answer.give(lambda: materials_result(library()))
+
+
+@materials_app.command("choose")
+def _choose(
+    modulus: Annotated[str, typer.Option(help="Stress over strain in tension, such as '100 kPa'.", show_default=False)],
+    stretch: Annotated[float, typer.Option(help="Stretch at which it is wanted; 2 is the 100 % modulus.")] = 2.0,
+    count: Annotated[int, typer.Option(min=1, help="Number of rubbers to print.")] = 5,
+    debug: Debug = False,
+) -> None:
+    """Find rubbers whose modulus at a stretch is near a wanted one."""
+    with errors_as_sentences(debug):
+        from turgor.core.materials.library.choose import choose
+        from turgor.units import parse_quantity
+
+        near = choose(parse_quantity(modulus, "pressure"), stretch)[:count]
+        head = ("material", "Shore", f"at stretch {stretch:g}", "tested stretch", "record")
+        rows = [(row.name, row.hardness or "–", _modulus(value), _stretches(row.stretch_range), row.record)
+                for row, value in near]  # fmt: skip
+        typer.echo(_aligned([head, *rows]))
+        for row, _ in near:
+            if row.why:
+                typer.echo(f"{row.name}: {row.why}")
+
+
+def _modulus(value: float | None) -> str:
+    if value is None:
+        return "–"
+    factor, unit = next((each for each in ((1e9, "GPa"), (1e6, "MPa")) if value >= each[0]), (1e3, "kPa"))
+    return f"{value / factor:.3g} {unit}"
+
+
+def _spread(values: tuple[float, float] | None) -> str:
+    if values is None or values[0] == values[1]:
+        return "–"
+    return f"{_modulus(values[0])} to {_modulus(values[1])}"
+
+
+def _stretches(values: tuple[float, float] | None) -> str:
+    return "–" if values is None else f"{values[0]:g} to {values[1]:g}"
+
+
+def _aligned(rows: Sequence[Sequence[str]]) -> str:
+    """Lay out rows of texts in columns."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = ("  ".join(text.ljust(width) for text, width in zip(row, widths, strict=True)).rstrip() for row in rows)
+    return "\n".join(lines)
 
 
 @materials_app.command("show")

@@ -23,8 +23,11 @@ if TYPE_CHECKING:
     from turgor.core.materials.laws.laws import YeohN as YeohN
     from turgor.core.materials.laws.stability import first_instability as first_instability
     from turgor.core.materials.laws.stability import instabilities as instabilities
+    from turgor.core.materials.library.choose import choose as choose
+    from turgor.core.materials.library.choose import material_rows as material_rows
     from turgor.core.materials.library.doubts import doubts_of as doubts_of
     from turgor.core.materials.library.records import library as library
+    from turgor.core.materials.library.records import recommended as recommended
     from turgor.core.materials.library.records import records as records
     from turgor.foundation.source import Source as Source
 else:

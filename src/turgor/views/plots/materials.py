@@ -117,11 +117,13 @@ def material_figure(
     record : str, optional
         One record; by default all.
     tests : sequence of MaterialTest
-        Measured tests to compare with; they set the mode.
+        Measured tests to compare with; they set the mode. By default those of the library that records were fitted to.
     stretch : (float, float), optional
         Smallest and largest stretch to show; by default the range of the tests, up to 4.
     """
     chosen = records(name) if record is None else (find_record(name, record),)
+    own = [test for each in chosen if each.fitted is not None for test in each.fitted.read()]
+    tests = tests or [test for test in own if test.mode == "uniaxial"]
     modes = {test.mode for test in tests} or {"uniaxial"}
     if len(modes) > 1:
         raise TurgorError(f"the tests are {' and '.join(sorted(modes))}; plot tests of one mode at a time.")

@@ -14,7 +14,7 @@ _POWERS = {"uniaxial": 2, "planar": 3, "equibiaxial": 5}
 
 
 def zero_stretch(test: MaterialTest) -> float | None:
-    """Return the stretch at which the beginning of a curve meets zero stress; None where it cannot be told.
+    """Return the stretch at which the beginning of a curve meets zero stress; None where it cannot be determined.
 
     The beginning is fitted by a neo-Hookean rubber whose length at rest is free.
 

@@ -10,10 +10,11 @@ from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.materials.laws.conventions import describe, has_no_unit, law_from_printed
 from turgor.core.materials.laws.laws import LAWS, Hooke, Law
 from turgor.core.materials.laws.names import spelled
+from turgor.core.materials.library.fitted_tests import FittedTests, read_fitted
 from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.core.materials.library.supplier import Supplier
 from turgor.core.materials.library.table_keys import table
-from turgor.foundation.errors import TurgorError
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.units import parse_quantity
 
 REVIEW = (
@@ -27,10 +28,10 @@ KINDS = ("rubber", "fiber", "sheet", "composite")
 #: What a sheet is modeled as; "combined" constants are those of the rubber below it and the sheet together.
 FORMS = ("shell", "membrane", "combined")
 
-FILE_KEYS = ("name", "kind", "shore_hardness", "density", "supplier", "records")
+FILE_KEYS = ("name", "kind", "shore_hardness", "density", "supplier", "recommended", "records")
 RECORD_KEYS = (
     *("law", "parameters", "convention", "convention_reason", "assumed", "compressibility", "stretch_range"),
-    *("viscoelasticity", "stress_softening", "form", "bending_stiffness"),
+    *("viscoelasticity", "stress_softening", "form", "bending_stiffness", "fitted"),
     *("density", "diameter", "software", "source", "cited_by", "references", "quoted_in", "printed_name", "doubts"),
 )
 
@@ -94,6 +95,10 @@ class Record:
         One of `FORMS`, what jobs model a sheet of it as by default; empty where it is no sheet.
     bending_stiffness : float or None [N m]
         Of a sheet that bends more easily than a plate of its thickness, such as a woven fabric.
+    fitted : FittedTests or None
+        Tests of the library that turgor has fitted it to; None for a published set of constants.
+    recommended : str
+        Why it is the one of its material to take; empty for the others.
     """
 
     library: str
@@ -123,6 +128,8 @@ class Record:
     stress_softening: Mullins | None = None
     form: str = ""
     bending_stiffness: float | None = None
+    fitted: FittedTests | None = None
+    recommended: str = ""
 
     def build_law(self) -> Law | Hooke:
         """Return the law in canonical coefficients; raises TurgorError where none can exist."""
@@ -195,6 +202,8 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         stress_softening=_part(entry, "stress_softening", where, read_stress_softening),
         form=_form(entry, where),
         bending_stiffness=_optional(entry, "bending_stiffness", "bending stiffness", where),
+        fitted=_part(entry, "fitted", where, read_fitted),
+        recommended=_recommended(content, name, library),
     )
 
 
@@ -231,6 +240,16 @@ def _kind(content: Mapping[str, Any], library: str) -> str:
     if kind not in KINDS:
         raise TurgorError(f"{library}: kind is {kind!r}; allowed is {', '.join(KINDS)}.")
     return str(kind)
+
+
+def _recommended(content: Mapping[str, Any], name: str, library: str) -> str:
+    """Why a record is the recommended one of its file; empty for another."""
+    if "recommended" not in content:
+        return ""
+    given = table(content["recommended"], f"{library}: recommended", ("record", "why"), ("record", "why"))
+    if given["record"] not in content["records"]:
+        raise unknown(f"record in {library}: recommended", str(given["record"]), content["records"])
+    return _text(given, "why", f"{library}: recommended") if given["record"] == name else ""
 
 
 def _form(entry: Mapping[str, Any], where: str) -> str:

@@ -22,7 +22,7 @@ def library() -> tuple[str, ...]:
     Examples
     --------
     >>> library()[:3]
-    ('dragon-skin-10', 'dragon-skin-20', 'dragon-skin-30')
+    ('body-double-silk', 'dragon-skin-10', 'dragon-skin-20')
     """
     folder = files("turgor.core.materials.library").joinpath("data")
     return tuple(sorted(file.name.removesuffix(".toml") for file in folder.iterdir() if file.name.endswith(".toml")))
@@ -60,7 +60,7 @@ def all_records() -> tuple[Record, ...]:
     Examples
     --------
     >>> len(all_records())
-    39
+    54
     """
     return tuple(record for name in library() for record in records(name))
 

@@ -81,8 +81,8 @@ def doubts_list() -> str:
 
     Examples
     --------
-    >>> doubts_list().splitlines()[0][:70]
-    '- **dragon-skin-10**, ogden-nuthi-2018: M04 far from the supplier: The'
+    >>> doubts_list().splitlines()[0][:61]
+    '- **body-double-silk**, yeoh-marechal-2020: M04 stated: The s'
     """
     lines = []
     for record in all_records():
@@ -111,6 +111,10 @@ def _lines(record: Record) -> Iterator[str]:
         yield f"bulk modulus: {record.bulk_modulus / 1e6:.4g} MPa"
     if record.stretch_range is not None:
         yield f"fitted from stretch {record.stretch_range[0]:g} to {record.stretch_range[1]:g}"
+    if record.recommended:
+        yield f"recommended: {record.recommended}"
+    if record.fitted is not None:
+        yield f"fitted by turgor ({record.fitted.law}) to {', '.join(record.fitted.names)}, which the library holds"
     for what, text in describe_history(record.viscoelasticity, record.stress_softening):
         yield f"{what}: {text}"
     if record.density is not None:

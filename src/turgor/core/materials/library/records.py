@@ -25,6 +25,7 @@ __all__ = [
     "library",
     "material_of",
     "read_records",
+    "recommended",
     "records",
 ]
 
@@ -70,12 +71,31 @@ def find_record(name: str, record: str | None = None) -> Record:
     if record is None:
         if len(known) > 1:
             listed = "; ".join(f"{entry.name} ({entry.law}: {entry.printed})" for entry in known.values())
-            raise TurgorError(f"'{name}' has {len(known)} records; choose one with record: {listed}.")
+            advised = recommended(name)
+            best = f" Recommended is {advised.name}: {advised.recommended}" if advised and advised.recommended else ""
+            raise TurgorError(f"'{name}' has {len(known)} records; choose one with record: {listed}.{best}")
         record = next(iter(known))
     if record not in known:
         hint = near_match(record, known) or "."
         raise TurgorError(f"unknown record '{record}' of '{name}'{hint} Known: {', '.join(known)}.")
     return known[record]
+
+
+def recommended(name: str) -> Record | None:
+    """Return the record of a material to take where nothing else is known; None where there are several and no advice.
+
+    Parameters
+    ----------
+    name : str
+        One of `library()`, or the path of a file of your own.
+
+    Examples
+    --------
+    >>> recommended("ecoflex-00-30").name
+    'yeoh-kulkarni-2015'
+    """
+    known = records(name)
+    return next((each for each in known if each.recommended), known[0] if len(known) == 1 else None)
 
 
 def material_of(record: Record) -> Material:
