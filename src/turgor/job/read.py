@@ -25,7 +25,7 @@ from turgor.job.tables.procedures import drives, duration_of, read_procedure
 from turgor.job.tables.sections import read_actuator, read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_type
 from turgor.job.tables.stages import STAGES, Around, first_duration, read_stages, with_names
-from turgor.job.tables.supports import read_supports
+from turgor.job.tables.supports import moves_a_face, read_supports
 from turgor.job.text.lines import key_lines
 from turgor.job.text.overrides import changed, changed_places
 from turgor.job.text.problems import JobError, Problems
@@ -135,8 +135,8 @@ def _given(content: Mapping[str, Any], problems: Problems) -> dict[str, Any]:
 
 
 def _alone(given: Mapping[str, Any]) -> bool:
-    """Whether no load is needed, because the procedure drives the actuator or stages have loads of their own."""
-    return given[STAGES] is not None or drives(given["procedure"])
+    """Whether no load is needed: the procedure or a moved face drives the actuator, or stages have their own loads."""
+    return given[STAGES] is not None or drives(given["procedure"]) or moves_a_face(given["supports"])
 
 
 def _read_path(given: Mapping[str, Any], around: Around, problems: Problems) -> tuple[Setup | None, Procedure | None]:

@@ -48,6 +48,11 @@ def _reasons(content: Mapping[str, Any]) -> Iterator[Reason]:
         if isinstance(stage, Mapping):
             yield from _of_loads(_table(stage, "loads"))
             yield from _of_procedure(_table(stage, "procedure"))
+    for name, support in _table(content, "supports").items():
+        moved = support.get("displacement") if isinstance(support, Mapping) else None
+        if isinstance(moved, list) and len(moved) == 3:
+            going = [axis for axis, part in zip(AXES, moved, strict=True) if part]
+            yield from _along(going, f"the face '{name}' is moved along {{}}")
     for name in _table(content, "points"):
         yield AXES, AXES, f"point '{name}' is not known to stay in the plane or on the axis"
     for name in _table(content, "obstacles"):

@@ -148,6 +148,7 @@ class Model(Saved, Shown):
             for name in support.named_faces:
                 if name not in points:
                     self.mesh.face(name)
+            support.check(self.mesh)
         for fibers in self.reinforcements:
             for name in fibers.faces:
                 self.mesh.face(name)

@@ -28,6 +28,7 @@ from turgor.job.tables.points import points_tables
 from turgor.job.tables.procedures import written_procedure
 from turgor.job.tables.setups import written_setup
 from turgor.job.tables.stages import STAGES, stages_tables
+from turgor.job.tables.supports import supports_table
 from turgor.units import format_quantity
 
 #: Units in which a lock file states the dimensions of a value.
@@ -61,7 +62,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "mesh": _mesh(job),
         "materials": {name: _material(entry) for name, entry in job.materials.items()},
         "fibers": fibers_tables(job.fibers),
-        "supports": {support.place: support.job_text() for support in job.supports},
+        "supports": supports_table(job.supports),
         "loads": loads_table(job.loads),
         "points": points_tables(job.points),
         "contact": contact_table(job.contact),

@@ -1,18 +1,37 @@
-"""Supports of a job file: for each face the directions in which it is fixed, its radius, or that it stays plane.
+"""Supports of a job file: for each face the directions in which it is fixed, how it is moved, or that it stays plane.
 
 A file in `turgor.core.model.supports` whose class states ``job_texts`` is all that a new one needs.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
 
+from pydantic import Field
+
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.model.supports import Fixed, Support
+from turgor.core.model.supports import Displacement, Fixed, Shift, Support
 from turgor.foundation.errors import unknown
 from turgor.foundation.registry import Registry, class_of_file
+from turgor.job.tables.obstacles import Lengths
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import shown
+from turgor.job.text.quantities import Table, read_table, shown
+
+
+class MovedFaceTable(Table):
+    """``[supports.FACE]``: a face that is moved, in proportion to the load factor.
+
+    Keys
+    ----
+    displacement : list of lengths
+        Where it is at the end, relative to where it was.
+    directions : str
+        Directions in which it is prescribed; it is free in the others.
+    """
+
+    displacement: Lengths = Field(examples=['[0, 0, "5 mm"]'])
+    directions: str = "xyz"
+
 
 #: Supports by the name of their file: the classes in their folder.
 SUPPORTS: Registry[type[Support]] = Registry(
@@ -33,7 +52,7 @@ def stated_supports() -> dict[str, Callable[[str], Support]]:
 
 
 def read_supports(values: Any, geometry: Geometry | None, problems: Problems) -> tuple[Support, ...]:
-    """Read ``[supports]``: for each face the directions in which it is fixed, ``"radial"`` or ``"plane section"``."""
+    """Read ``[supports]``: for each face the directions in which it is fixed, ``"radial"``, or a table of its move."""
     if not isinstance(values, Mapping):
         problems.add(("supports",), f"{shown(values)} is not a table; write [supports] and faces below it.")
         return ()
@@ -43,6 +62,9 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
         key = ("supports", face)
         if geometry is not None and face not in geometry.faces:
             problems.add(key, str(unknown("face", face, geometry.faces)))
+        elif isinstance(stated, Mapping):
+            moved = _moved(face, stated, problems)
+            supports += [] if moved is None else [moved]
         elif isinstance(stated, str) and stated in by_text:
             supports.append(by_text[stated](face))
         elif not isinstance(stated, str) or not stated or not set(stated) <= set("xyz"):
@@ -50,8 +72,39 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
             problems.add(
                 key,
                 f"{shown(stated)} is not allowed; name the fixed directions, such as 'xyz' or 'z', or one "
-                f"of {allowed}.",
+                f'of {allowed}, or state a move, such as {{ displacement = [0, 0, "5 mm"] }}.',
             )
         else:
             supports.append(Fixed(face, stated))
     return tuple(supports)
+
+
+def _moved(face: str, stated: Mapping[str, Any], problems: Problems) -> Displacement | None:
+    """Read the table of a face that is moved."""
+    key = ("supports", face)
+    table: MovedFaceTable | None = read_table(MovedFaceTable, stated, key, problems)
+    if table is None:
+        return None
+    moved = problems.attempt(key, partial(Displacement, face, Shift(table.displacement), table.directions))
+    free = [axis for axis, part in zip("xyz", table.displacement, strict=True) if part and axis not in table.directions]
+    if moved is not None and free:
+        along = ", ".join(free)
+        problems.add((*key, "directions"), f"it moves along {along}, but is prescribed in {table.directions} only.")
+    return moved
+
+
+def moves_a_face(supports: object) -> bool:
+    """Return whether any support of a job file moves a face, which drives the actuator where no load does."""
+    entries = supports.values() if isinstance(supports, Mapping) else ()
+    return any(isinstance(entry, Mapping) for entry in entries)
+
+
+def supports_table(supports: Iterable[Support]) -> dict[str, Any]:
+    """Write supports as a table of a job file; `read_supports` gives the same ones back.
+
+    Examples
+    --------
+    >>> supports_table([Fixed("fixed", "xz"), Displacement("tip", (0, 0, 5e-3))])
+    {'fixed': 'xz', 'tip': {'displacement': ['0 mm', '0 mm', '5 mm'], 'directions': 'xyz'}}
+    """
+    return {each.place: each.job_text() for each in supports}

@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, History, checked, share_at
 from turgor.core.model.loads.load import Deck, DeckRows
 from turgor.core.model.supports.support import Array, Support, check_directions
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantities, name, vector
+from turgor.units import format_quantity, mm
 
 #: Displacement of points [m] at a load factor.
 Move: TypeAlias = Callable[[Array, float], Array]
@@ -76,6 +78,20 @@ class Displacement(Support):
             raise TurgorError(f"the displacement of '{self.face}' is a function, which has no form in a file.")
         return self.value.vector
 
+    def check(self, mesh: Mesh) -> None:
+        """Refuse a `Shift` of a face out of a mirror plane that it meets, where nothing moves across."""
+        if not isinstance(self.value, Shift) or self.face not in mesh.faces:
+            return
+        nodes = mesh.face_nodes(self.face)
+        for plane, (axis, _) in zip(mesh.symmetry_faces, mesh.mirror_planes, strict=True):
+            across = "xyz"[axis] in self.directions and self.value.vector[axis]
+            if across and np.isin(mesh.face_nodes(plane), nodes).any():
+                raise TurgorError(
+                    f"the displacement of '{self.face}' along {'xyz'[axis]} is {across / mm:g} mm, but the face meets the "
+                    f"mirror plane '{plane}', where nothing moves across; model the whole actuator (symmetric = "
+                    "false)."
+                )
+
     def displacement(self, points: Array, load_factor: float) -> Array:
         """Return the value."""
         return np.asarray(self.value(points, load_factor), dtype=np.float64)
@@ -90,6 +106,12 @@ class Displacement(Support):
     def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
         """Return the rows of a `Shift` of a reference point."""
         return (DeckRows("*BOUNDARY", self.way or RAMP, deck.displaced(self.face, self.shift, self.directions)),)
+
+    def job_text(self) -> dict[str, object]:
+        """Return the table of a `Shift` that grows with the load factor."""
+        if self.way != RAMP:
+            raise TurgorError(f"the displacement of '{self.face}' has a history, which has no form in a job file.")
+        return {"displacement": [format_quantity(part, "mm") for part in self.shift], "directions": self.directions}
 
     def text(self) -> str:
         """Return the sentence of a report."""

@@ -86,6 +86,9 @@ class Support:
         """Names of the measures of contact and blocked tips that a response has by itself."""
         return ()
 
+    def check(self, mesh: Mesh) -> None:
+        """Raise an error if it cannot act on a mesh that has all faces which it names."""
+
     def text(self) -> str:
         """Return the sentence of a report."""
         return f"{type(self).__name__} of {self.place}."
@@ -136,7 +139,7 @@ class Support:
         """Return the rows in the first step of an .inp file by which it moves a reference point."""
         return ()
 
-    def job_text(self) -> str:
+    def job_text(self) -> str | dict[str, object]:
         """Return how ``[supports]`` of a job file states it."""
         kind: Any = type(self)
         for text, values in self.job_texts.items():
