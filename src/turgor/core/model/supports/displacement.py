@@ -87,8 +87,8 @@ class Displacement(Support):
             across = "xyz"[axis] in self.directions and self.value.vector[axis]
             if across and np.isin(mesh.face_nodes(plane), nodes).any():
                 raise TurgorError(
-                    f"the displacement of '{self.face}' along {'xyz'[axis]} is {across / mm:g} mm, but the face meets the "
-                    f"mirror plane '{plane}', where nothing moves across; model the whole actuator (symmetric = "
+                    f"the displacement of '{self.face}' along {'xyz'[axis]} is {across / mm:g} mm, but the face meets "
+                    f"the mirror plane '{plane}', where nothing moves across; model the whole actuator (symmetric = "
                     "false)."
                 )
 
