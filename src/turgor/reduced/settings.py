@@ -11,6 +11,8 @@ class NewtonSettings:
     ----------
     tolerance : float
         Size of the last update over the largest size of trained coordinates, below which a state counts as one.
+    near : float
+        Size of an update, over the same, below which the next tangent has the stresses of its place.
     longest : float
         Longest update, over the largest size of trained coordinates.
     iterations : int
@@ -24,6 +26,7 @@ class NewtonSettings:
     """
 
     tolerance: float = 1e-5
+    near: float = 1e-3
     longest: float = 0.5
     iterations: int = 14
     shortest: float = 1 / 64

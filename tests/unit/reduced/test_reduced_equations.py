@@ -1,10 +1,13 @@
 """The equations of a reduced model are those of the full one, contracted with its modes."""
 
+from itertools import permutations
+
 import numpy as np
 import pytest
 from reduced_cases import PRESSURE, built, drive, finger, path, system
 
 from turgor.core.engine.chamber_volumes import cavity_volume
+from turgor.reduced.parts.polynomials import Cubics, packed
 from turgor.reduced.parts.touching import Touching
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.newton import Balance, follow, newton
@@ -42,6 +45,17 @@ def test_volume_and_constraint_are_the_full_ones_to_round_off():
     at = system().evaluate(full_unknowns(y), 0.0)
     lost = at.residual[3 * system().node_count :][: system().element.mean_count]
     assert values[1:] == pytest.approx(made.stresses.vectors.T @ lost, abs=1e-12 * np.abs(lost).sum())
+
+
+def test_cubic_polynomials_are_the_sums_of_their_terms():
+    R, q = 5, np.append(1.0, RANDOM.standard_normal(4))
+    forms = RANDOM.standard_normal((3, R, R, R))
+    forms = sum(forms.transpose(0, *order) for order in permutations((1, 2, 3)))
+    at = Cubics(packed(forms), R).at(q[1:])
+    assert at.values == pytest.approx(np.einsum("pijk,i,j,k->p", forms, q, q, q), rel=1e-12)
+    assert at.gradients == pytest.approx(3 * np.einsum("pijk,j,k->pi", forms, q, q)[:, 1:], rel=1e-12)
+    factors = np.array([1.0, -2.0, 0.5])
+    assert at.hessian(factors) == pytest.approx(6 * np.einsum("p,pijk,k->ij", factors, forms, q)[1:, 1:], rel=1e-12)
 
 
 def test_residual_without_sampling_is_the_projected_full_one():

@@ -81,10 +81,13 @@ class Search:
         if (inside != start.inputs).any():
             state = moved(start, inside)
         merit, longest = self._merit(state, request), CONTROL.longest
-        for _ in range(self.iterations):
+        for number in range(self.iterations):
             step = self._step(state, request, longest)
             size = float(np.abs(step).max())
             if size <= CONTROL.tolerance:
+                break
+            if number and max(size, self.error(state, request.target) / self.output.size) <= CONTROL.along:
+                state = along(state, np.clip(state.inputs + step * self.limits.widths, request.low, request.high))
                 break
             new = self._tried(state, step, request)
             value = np.inf if new is None else self._merit(new, request)
@@ -163,6 +166,9 @@ class Search:
 
 def moved(state: ReducedState, inputs: Array) -> ReducedState:
     """Find the equilibrium at other inputs, from a state and its derivatives."""
-    change = inputs - state.inputs
-    predicted = replace(state, inputs=inputs, y=state.y + state.rates @ change)
-    return state.reduced.at(inputs, predicted)
+    return state.reduced.at(inputs, along(state, inputs))
+
+
+def along(state: ReducedState, inputs: Array) -> ReducedState:
+    """Go to other inputs along the derivatives of a state."""
+    return replace(state, inputs=inputs, y=state.y + state.rates @ (inputs - state.inputs))
