@@ -86,7 +86,7 @@ class Search:
             size = float(np.abs(step).max())
             if size <= CONTROL.tolerance:
                 break
-            if number and max(size, self.error(state, request.target) / self.output.size) <= CONTROL.along:
+            if number and max(size, self._effect(state, step)) <= CONTROL.along:
                 state = along(state, np.clip(state.inputs + step * self.limits.widths, request.low, request.high))
                 break
             new = self._tried(state, step, request)
@@ -131,6 +131,10 @@ class Search:
     def error(self, state: ReducedState, target: Array) -> float:
         """Distance of the output of a state from a target [SI]."""
         return float(np.linalg.norm(self.output.at(state)[0] - target))
+
+    def _effect(self, state: ReducedState, step: Array) -> float:
+        """Change of the output over its size in the linear model, for a step of the inputs over their ranges."""
+        return float(np.linalg.norm(continued(self.output, state)[1] @ (step * self.limits.widths))) / self.output.size
 
     def _tried(self, state: ReducedState, step: Array, request: Request) -> ReducedState | None:
         aim = np.clip(state.inputs + step * self.limits.widths, request.low, request.high)
