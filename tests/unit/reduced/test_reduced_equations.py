@@ -1,5 +1,6 @@
 """The equations of a reduced model are those of the full one, contracted with its modes."""
 
+from dataclasses import replace
 from itertools import permutations
 
 import numpy as np
@@ -9,9 +10,11 @@ from reduced_cases import PRESSURE, built, drive, finger, path, system
 from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.reduced.parts.polynomials import Cubics, packed
 from turgor.reduced.parts.touching import Touching
+from turgor.reduced.settings import TRAINING
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.newton import Balance, follow, newton
 from turgor.reduced.states.spline import Spline
+from turgor.reduced.training import build as build_module
 from turgor.reduced.training.assembly import assemble
 from turgor.reduced.training.box import corners, inputs_of
 from turgor.reduced.training.build import bases, modes_needed
@@ -115,6 +118,12 @@ def test_as_many_mean_stress_modes_as_displacement_modes_lock():
     errors = [np.linalg.norm(each.at.y[:6] - made.y[5, :6]) for each in (found, half)]
     assert errors[0] > 5 * errors[1]
     assert np.linalg.norm(found.at.y[6:]) > 50 * np.linalg.norm(half.at.y[6:])
+
+
+def test_mean_stress_modes_are_half_as_many_and_not_too_many(monkeypatch):
+    assert bases(system(), [path()], 6)[1].vectors.shape[1] == 3
+    monkeypatch.setattr(build_module, "TRAINING", replace(TRAINING, pressed=2))
+    assert bases(system(), [path()], 6)[1].vectors.shape[1] == 2
 
 
 def test_rows_without_weights_amplify_soft_directions():

@@ -110,9 +110,7 @@ class Trainer:
         derivatives = np.zeros((0, 3 * nodes)), np.zeros((0, m))
         inertial = derivatives
         if differentiated and states:
-            middle = min(states, key=lambda state: abs(state.load_factor - 0.5))
-            rates = [self._rates(system, tangent, state) for state in {id(s): s for s in (middle, states[-1])}.values()]
-            derivatives = _split(system, np.concatenate(rates))
+            derivatives = _split(system, self._rates(system, tangent, states[-1]))
             if self.motion:
                 inertial = _split(system, self._inertial(system, tangent, states))
         return Path(
