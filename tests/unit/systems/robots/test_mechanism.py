@@ -124,7 +124,7 @@ def test_every_dimension_of_an_object_takes_a_unit(file):
 @pytest.mark.parametrize(
     ("shape", "inside", "outside"),
     [
-        (Plane(point=(0.01, 0, 0), normal=(0, 1, 1)), (0, -0.1, -0.1), (0, 0.1, 0.1)),
+        (Plane(point=(0.01, 0, 0), normal=(0, 1, 1)), (0, -0.1, 0.05), (0, 0.1, -0.05)),
         (Cylinder(center=(0, 0, 0.1), axis=(1, 1, 0), radius=0.01, length=0.08), (0.02, 0.02, 0.1), (0.02, -0.02, 0.1)),
         (Cylinder(center=(0, 0, 0.1), axis=(0, 1, 0), radius=0.01), (0, 0.5, 0.1), (0.02, 0, 0.1)),
         (Box(center=(0, 0, 0.1), size=(0.02, 0.04, 0.06), rounding=0.001), (0, 0.015, 0.1), (0.015, 0, 0.1)),
