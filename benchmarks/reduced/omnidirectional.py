@@ -45,11 +45,12 @@ PAGE, OPTIONS = Path(__file__).with_suffix(".md"), tg.EngineOptions(threads=1)
 STRETCH, PRESSURE, FORCE, WEIGHT = 3.0, 19.5 * kPa, 0.0093, 9.81
 CAVITIES = ("cavity_1", "cavity_2", "cavity_3")
 PRESSURES = {f"loads.{name}.pressure": (0.0, PRESSURE) for name in CAVITIES}
-#: Between the corners: chambers full, others half full.
+#: Between the corners: chambers full, others half full; with forces and gravity at ends of their ranges.
 PRESSED = (
     *permutations((1.0, 0.5, 0.0)), *sorted(set(permutations((1.0, 0.5, 0.5)))),
     *sorted(set(permutations((1.0, 1.0, 0.5)))),
 )  # fmt: skip
+SIGNS = np.random.default_rng(0).integers(0, 2, (8, 6)).astype(float)
 STATES, HELD_OUT = 1000, 64
 HEAD = """# Reduced models of an arm that bends to all sides
 
@@ -80,7 +81,10 @@ CASES = {
         "forces",
         PRESSURES | {"loads.tip.vector": (-FORCE, FORCE), "loads.gravity.falling": (-WEIGHT, WEIGHT)},
         (tg.loads.Force("tip", (0, 0, FORCE)), tg.Gravity()),
-        Budget(error=0.01, paths=16, held_out=0, modes=40, steps=7),
+        Budget(
+            error=0.01, paths=24, held_out=0, modes=40, steps=7,
+            aims=tuple((*pressures, *others) for pressures, others in zip(PRESSED[:8], SIGNS.tolist(), strict=True)),
+        ),
     ),
 }  # fmt: skip
 
