@@ -75,7 +75,7 @@ class Case:
 CASES = {
     "pressures": Case(
         "pressures", PRESSURES, (),
-        Budget(error=0.005, paths=19, held_out=0, modes=30, steps=7, aims=PRESSED),
+        Budget(error=0.005, paths=19, held_out=0, modes=36, steps=7, aims=PRESSED),
     ),
     "forces": Case(
         "forces",
@@ -136,26 +136,28 @@ def random_inputs(case: str, seed: int) -> Array:
     return values if case == "forces" else values[:3]
 
 
-def distance_of(answer: tg.real_time.ReducedState, case: str) -> float:
-    """Error of an answer against the path of the full model to its inputs."""
-    model = answer.reduced.model
-    variation = model_variation(model, list(answer.reduced.inputs.keys), inputs=True).model
-    path = Trainer(variation, answer.reduced.inputs, 7, OPTIONS).path(answer.inputs, differentiated=False)
-    return errors_of(answer, path.displacements[-1])[0] if path.reached else np.inf
+def whole_path(answer: tg.real_time.ReducedState) -> Array:
+    """Displacement [m] of the full model at the inputs of an answer, by the path from rest."""
+    reduced = answer.reduced
+    variation = model_variation(reduced.model, list(reduced.inputs.keys), inputs=True).model
+    path = Trainer(variation, reduced.inputs, 7, OPTIONS).path(answer.inputs, differentiated=False)
+    share = 1.0 if path.reached else np.inf
+    return np.asarray(path.displacements[-1] * reduced.scales[0] * share)
 
 
 def held_out(folder: Path, case: str, seed: int) -> tuple[float, float, float]:
-    """True and estimated error of one random state, and the processor time of its full solve [s], or those saved."""
-    file = folder / f"{case}-{seed}.npy"
+    """True and estimated error of one random state, and the processor time of its full solve [s], perhaps before."""
+    file, answer = folder / f"{case}-{seed}.npz", Reduced.load(folder / f"{case}.reduced").at(random_inputs(case, seed))
     if not file.exists():
-        answer, began = Reduced.load(folder / f"{case}.reduced").at(random_inputs(case, seed)), process_time()
+        began = process_time()
         try:
-            true = tg.real_time.verified(answer, OPTIONS).displacement
-        except NotSolved:  # the whole path
-            true = distance_of(answer, case)
-        np.save(file, [true, answer.estimate, process_time() - began])
-    values: list[float] = np.load(file).tolist()
-    return values[0], values[1], values[2]
+            full = tg.real_time.verified(answer, OPTIONS).state.displacement
+        except NotSolved:
+            full = whole_path(answer)
+        np.savez(file, displacement=full, seconds=process_time() - began)
+    saved = np.load(file)
+    true = errors_of(answer, saved["displacement"] / answer.reduced.scales[0])[0]
+    return true, answer.estimate, float(saved["seconds"])
 
 
 def times(reduced: Reduced, case: str) -> Array:

@@ -1,14 +1,20 @@
 """The equations of a reduced model are those of the full one, contracted with its modes."""
 
+from dataclasses import replace
+from itertools import permutations
+
 import numpy as np
 import pytest
 from reduced_cases import PRESSURE, built, drive, finger, path, system
 
 from turgor.core.engine.chamber_volumes import cavity_volume
+from turgor.reduced.parts.polynomials import Cubics, packed
 from turgor.reduced.parts.touching import Touching
+from turgor.reduced.settings import TRAINING
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.newton import Balance, follow, newton
 from turgor.reduced.states.spline import Spline
+from turgor.reduced.training import build as build_module
 from turgor.reduced.training.assembly import assemble
 from turgor.reduced.training.box import corners, inputs_of
 from turgor.reduced.training.build import bases, modes_needed
@@ -42,6 +48,17 @@ def test_volume_and_constraint_are_the_full_ones_to_round_off():
     at = system().evaluate(full_unknowns(y), 0.0)
     lost = at.residual[3 * system().node_count :][: system().element.mean_count]
     assert values[1:] == pytest.approx(made.stresses.vectors.T @ lost, abs=1e-12 * np.abs(lost).sum())
+
+
+def test_cubic_polynomials_are_the_sums_of_their_terms():
+    R, q = 5, np.append(1.0, RANDOM.standard_normal(4))
+    forms = RANDOM.standard_normal((3, R, R, R))
+    forms = sum(forms.transpose(0, *order) for order in permutations((1, 2, 3)))
+    at = Cubics(packed(forms), R).at(q[1:])
+    assert at.values == pytest.approx(np.einsum("pijk,i,j,k->p", forms, q, q, q), rel=1e-12)
+    assert at.gradients == pytest.approx(3 * np.einsum("pijk,j,k->pi", forms, q, q)[:, 1:], rel=1e-12)
+    factors = np.array([1.0, -2.0, 0.5])
+    assert at.hessian(factors) == pytest.approx(6 * np.einsum("p,pijk,k->ij", factors, forms, q)[1:, 1:], rel=1e-12)
 
 
 def test_residual_without_sampling_is_the_projected_full_one():
@@ -101,6 +118,12 @@ def test_as_many_mean_stress_modes_as_displacement_modes_lock():
     errors = [np.linalg.norm(each.at.y[:6] - made.y[5, :6]) for each in (found, half)]
     assert errors[0] > 5 * errors[1]
     assert np.linalg.norm(found.at.y[6:]) > 50 * np.linalg.norm(half.at.y[6:])
+
+
+def test_mean_stress_modes_are_half_as_many_and_not_too_many(monkeypatch):
+    assert bases(system(), [path()], 6)[1].vectors.shape[1] == 3
+    monkeypatch.setattr(build_module, "TRAINING", replace(TRAINING, pressed=2))
+    assert bases(system(), [path()], 6)[1].vectors.shape[1] == 2
 
 
 def test_rows_without_weights_amplify_soft_directions():

@@ -23,6 +23,9 @@ from turgor.foundation.store.field_kinds import wrong_fields
 
 Json = Any
 
+#: Metadata of a field whose array is saved with seven digits, in half of the space, and computes with all digits.
+SEVEN_DIGITS: Mapping[str, bool] = MappingProxyType({"seven digits": True})
+
 #: Names under which a reader finds objects and arrays that are written elsewhere; None where they are not.
 Known = Callable[[object], str | None]
 
@@ -111,9 +114,9 @@ class Encoder:
 
     def _fields(self, value: Any, where: str) -> dict[str, Json]:
         kind = type(value).__name__
-        return {
-            item.name: self.encode(getattr(value, item.name), f"{where}, {kind}.{item.name}") for item in fields(value)
-        }
+        values = {item.name: getattr(value, item.name) for item in fields(value)}
+        shorter = {name: values[name].astype(np.float32) for name in _shortened(type(value))}
+        return {name: self.encode(each, f"{where}, {kind}.{name}") for name, each in (values | shorter).items()}
 
     def _noted(self, value: object, first: Json, again: Json) -> Json:
         """Remember the name of a value from now on. The reference to it stays, so that no other value gets its id."""
@@ -198,9 +201,15 @@ class Decoder:
         if wrong:
             raise TurgorError(f"{tree['class']} has values of another kind than they can have: {', '.join(wrong)}.")
         instance = _blank(kind)
+        values |= {name: values[name].astype(np.float64) for name in _shortened(kind)}
         for name, value in values.items():
             object.__setattr__(instance, name, value)
         return instance
+
+
+def _shortened(kind: Any) -> list[str]:
+    """Fields of a dataclass whose arrays are saved with seven digits."""
+    return [item.name for item in fields(kind) if item.metadata == SEVEN_DIGITS]
 
 
 def _blank(kind: Any) -> Any:

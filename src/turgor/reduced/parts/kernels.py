@@ -104,19 +104,22 @@ def forces(F, S, weights, G, starts):
 def stiffened(F, S, D, weights, G):
     """W (F D Fᵀ + δ S) G (p, 9, r), whose product with G is the tangent; S is that of the geometric part."""
     count = G.shape[2]
-    out = np.zeros(G.shape)
+    out, a = np.empty(G.shape), np.empty(9)
     FD, A = np.empty((9, 6)), np.zeros((9, 9))
     for p in range(len(F)):
         push_forward(F[p], D[p], S[p], FD, A)
         for i in range(9):
             for k in range(3 * (i // 3)):
                 A[i, k] = A[k, i]
-        w = weights[p]
         for i in range(9):
             for k in range(9):
-                x = w * A[i, k]
-                for b in range(count):
-                    out[p, i, b] += x * G[p, k, b]
+                a[k] = weights[p] * A[i, k]
+            for b in range(count):  # one pass over a row takes half of the time of nine
+                out[p, i, b] = (
+                    (a[0] * G[p, 0, b] + a[1] * G[p, 1, b] + a[2] * G[p, 2, b])
+                    + (a[3] * G[p, 3, b] + a[4] * G[p, 4, b] + a[5] * G[p, 5, b])
+                    + (a[6] * G[p, 6, b] + a[7] * G[p, 7, b] + a[8] * G[p, 8, b])
+                )
     return out
 
 

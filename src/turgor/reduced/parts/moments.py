@@ -6,13 +6,14 @@ moments are combinations of a few.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.reduced.parts.polynomials import Cubics, CubicsAt, symmetric
+from turgor.foundation.store.codec import SEVEN_DIGITS
+from turgor.reduced.parts.polynomials import Cubics, CubicsAt
 
 Array = NDArray[np.float64]
 
@@ -29,7 +30,7 @@ class Moments:
         L.
     """
 
-    packed: Array
+    packed: Array = field(metadata=SEVEN_DIGITS)
     slopes: Array
 
     @cached_property
@@ -38,7 +39,7 @@ class Moments:
         size = 1
         while size * (size + 1) * (size + 2) // 6 < self.packed.shape[1]:
             size += 1
-        return Cubics(symmetric(self.packed, size))
+        return Cubics(np.ascontiguousarray(self.packed), size)
 
     def at(self, y: Array) -> "MomentsAt":
         """Evaluate at unknowns (r + m,)."""

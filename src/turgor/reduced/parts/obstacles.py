@@ -4,7 +4,7 @@ The translation of a body is three coordinates more, whose values follow from th
 its derivatives come with those of the actuator.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.contact.settings import PENALTY
 from turgor.core.model.obstacles import RigidShape
+from turgor.foundation.store.codec import SEVEN_DIGITS
 
 Array = NDArray[np.float64]
 
@@ -55,7 +56,7 @@ class Shaped:
     """
 
     rest: Array
-    modes: Array
+    modes: Array = field(metadata=SEVEN_DIGITS)
     stiff: Array
     deeper: Array
     shape: RigidShape

@@ -1,12 +1,13 @@
 """Pieces: parts of terms that are no polynomials, such as the bending of shells, on some sides or edges."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.term import Configuration, Term
+from turgor.foundation.store.codec import SEVEN_DIGITS
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -28,7 +29,7 @@ class Pieces:
 
     term: Any
     rest: Array
-    modes: Array
+    modes: Array = field(metadata=SEVEN_DIGITS)
 
     @staticmethod
     def of(term: Term, points: Array, vectors: Array) -> "Pieces":

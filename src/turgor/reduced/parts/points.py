@@ -1,7 +1,7 @@
 """Points: Gauss points with weights, at which the isochoric energy of the rubber is evaluated."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import cast
 
@@ -14,6 +14,7 @@ from turgor.core.materials.history.softening import INVARIANT_PAIRS
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
 from turgor.core.materials.laws.laws import InvariantLaw, Law
 from turgor.core.materials.material import Material
+from turgor.foundation.store.codec import SEVEN_DIGITS
 from turgor.reduced.parts import kernels
 from turgor.reduced.parts.remembering import advanced, recoverable, remembered, slow_memories, stepped
 
@@ -42,7 +43,7 @@ class Points:
         What the points of each law bring into a step; empty for an infinitely slow one from rest.
     """
 
-    gradients: Array
+    gradients: Array = field(metadata=SEVEN_DIGITS)
     weights: Array
     laws: tuple[Law, ...]
     starts: Ints

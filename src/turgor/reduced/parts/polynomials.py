@@ -7,45 +7,63 @@ quadratic form of the products q̂ᵢ q̂ⱼ.
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import permutations
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Cubics:
     """Cubic polynomials.
 
     Parameters
     ----------
-    forms : (k, R, R, R) array
-        Symmetric coefficients, R one more than there are coordinates.
+    packed : (p, triples) array
+        Entries i ≤ j ≤ k of the symmetric coefficients T, one row of i and j after another.
+    size : int
+        R, one more than there are coordinates.
     """
 
-    forms: Array
+    packed: Array
+    size: int
 
     def at(self, q: Array) -> "CubicsAt":
         """Values and derivatives at coordinates (r,)."""
         one = np.concatenate([[1.0], q])
-        k, R = self.forms.shape[:2]
-        twice = (self.forms.reshape(-1, R) @ one).reshape(k, R, R)
-        once = twice @ one
-        return CubicsAt(once @ one, 3.0 * once[:, 1:], twice)
+        upper, place = self._rows
+        twice = (one @ upper).reshape(-1, len(self.packed))[place]
+        once = one @ twice
+        return CubicsAt(one @ once, 3.0 * once[1:].T, twice)
+
+    @cached_property
+    def _rows(self) -> tuple[Array, Ints]:
+        """Coefficients (R, pairs i ≤ j times p), and the pair (R, R) of any i and j."""
+        R = self.size
+        i, j, k = triples(R)
+        at = np.empty((R, R, R), dtype=np.int64)
+        for a, b, c in permutations((i, j, k)):
+            at[a, b, c] = np.arange(len(i))
+        upper = np.triu_indices(R)
+        place = np.empty((R, R), dtype=np.int64)
+        place[upper] = place.T[upper] = np.arange(len(upper[0]))
+        return np.ascontiguousarray(self.packed.T[at[upper].T].reshape(R, -1)), place
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CubicsAt:
-    """Values (k,) and gradients (k, r) of cubic polynomials, and what their Hessians follow from."""
+    """Values (p,) and gradients (p, r) of cubic polynomials, and Σₖ Tᵢⱼₖ q̂ₖ (R, R, p)."""
 
     values: Array
     gradients: Array
     twice: Array
 
     def hessian(self, factors: Array) -> Array:
-        """Σ factorₖ times the Hessian of polynomial k, (r, r)."""
-        return 6.0 * np.tensordot(factors, self.twice[:, 1:, 1:], 1)
+        """Σ factorₚ times the Hessian of polynomial p, (r, r)."""
+        return 6.0 * (self.twice @ factors)[1:, 1:]
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +97,7 @@ class Sheets:
         return np.ascontiguousarray(slopes[:, 1:])
 
     @cached_property
-    def pairs(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    def pairs(self) -> tuple[Ints, Ints]:
         """Which i and j each product has."""
         return np.triu_indices(self.size)
 
@@ -118,10 +136,12 @@ class SheetsAt:
         return self.stress + self.sheets.form @ (self.slopes @ update)
 
 
-def symmetric(packed: Array, R: int) -> Array:
-    """Symmetric forms (k, R, R, R) of their entries (k, triples i ≤ j ≤ k)."""
-    i, j, k = np.array([(i, j, k) for i in range(R) for j in range(i, R) for k in range(j, R)]).T
-    out = np.empty((len(packed), R, R, R))
-    for a, b, c in ((i, j, k), (i, k, j), (j, i, k), (j, k, i), (k, i, j), (k, j, i)):
-        out[:, a, b, c] = packed
-    return out
+def triples(R: int) -> Ints:
+    """Numbers (3, triples) i ≤ j ≤ k below R, in the order of the entries of cubic polynomials."""
+    return np.array([(i, j, k) for i in range(R) for j in range(i, R) for k in range(j, R)]).T
+
+
+def packed(forms: Array) -> Array:
+    """Entries (p, triples) of symmetric forms (p, R, R, R)."""
+    i, j, k = triples(forms.shape[1])
+    return np.ascontiguousarray(forms[:, i, j, k])

@@ -1,11 +1,13 @@
 """Threads: sampled pieces of fibers, which stretch along themselves and go slack in compression."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.fibers.settings import FIBERS
+from turgor.foundation.store.codec import SEVEN_DIGITS
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -30,7 +32,7 @@ class Threads:
     """
 
     rest: Array
-    modes: Array
+    modes: Array = field(metadata=SEVEN_DIGITS)
     weights: Array
     stiffness: Array
     pushed: Array
@@ -50,7 +52,7 @@ class Threads:
         return ThreadsAt(self, along / stretch[:, None], stretch, np.zeros_like(stretch))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class ThreadsAt:
     """Pieces of fibers at some coordinates: unit tangents (k, 3) and stretches (k,)."""
 
@@ -90,7 +92,7 @@ class ThreadsAt:
         t, stretch = self.threads, self.stretch + change
         return np.asarray(t.stiffness * np.where(stretch >= 1, 1.0, t.pushed) * (stretch - 1))
 
-    @property
+    @cached_property
     def _slopes(self) -> Array:
         """Derivatives (k, r) of the stretches."""
         return np.asarray((self.unit[:, None, :] @ self.threads.modes)[:, 0])

@@ -1,11 +1,12 @@
 """Touching: contact of the actuator with itself and with planes, at points that ever came near something."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.foundation.store.codec import SEVEN_DIGITS
 from turgor.reduced.parts import touching_kernels
 
 Array = NDArray[np.float64]
@@ -38,7 +39,7 @@ class Touching:
     """
 
     rest: Array
-    modes: Array
+    modes: Array = field(metadata=SEVEN_DIGITS)
     points: Ints
     shape: Array
     springs: Array
@@ -114,7 +115,7 @@ class Facing:
     """
 
     rest: Array
-    slopes: Array
+    slopes: Array = field(metadata=SEVEN_DIGITS)
     stiff: Array
 
     def at(self, q: Array) -> "FacingAt":

@@ -1,11 +1,12 @@
 """Wrinkling: sampled points of sheets that bear tension only."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.faces.tension_field import TensionField
+from turgor.foundation.store.codec import SEVEN_DIGITS
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -27,7 +28,7 @@ class Wrinkling:
     """
 
     rest: Array
-    modes: Array
+    modes: Array = field(metadata=SEVEN_DIGITS)
     weights: Array
     field: TensionField
 

@@ -107,6 +107,11 @@ class ControlledAt:
     y: Array
 
     @property
+    def equations(self) -> Controlled:
+        """The equations."""
+        return self.controlled
+
+    @property
     def inputs(self) -> Array:
         """Inputs (1 + n,), the found ones among them."""
         return self.plain.inputs
@@ -268,7 +273,7 @@ def _solved(reduced: Reduced, cavities: Ints, law: Law, values: Mapping[str, flo
         if isinstance(result, Balance):
             at = result.at.plain  # type: ignore[attr-defined]
             box.check(at.inputs[1:])
-            return ReducedState.of(reduced, Balance(at, result.inverse, result.iterations), vain)
+            return ReducedState.of(reduced, Balance.of(at, result.iterations), vain)
         vain += result
     raise NotSolved(
         f"the reduced model finds no equilibrium with these volumes or this gas within {vain} updates; the pressure "

@@ -242,7 +242,7 @@ class Run:
         """The answer where the history is."""
         at = self.reduced.equations.at(now.at.y, now.at.inputs)
         assert at is not None  # it was found before
-        answer = ReducedState.of(self.reduced, Balance(at, now.inverse, 0), 0)
+        answer = ReducedState.of(self.reduced, Balance.of(at, 0), 0)
         if self.moving is None and now.equations is self.reduced.equations:
             return answer
         away = np.linalg.norm(self.reduced.trained[:, : len(answer.q)] - answer.q, axis=1) / self.reduced.size

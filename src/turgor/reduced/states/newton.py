@@ -1,6 +1,6 @@
 """Newton's method in reduced coordinates: linearized stresses, whole updates, substeps."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,16 +17,32 @@ class Balance:
 
     Parameters
     ----------
-    at : EquationsAt
+    before : EquationsAt
+        Before the last update, which is smaller than the tolerance.
+    y : (r + m,) array
+        Unknowns of the equilibrium.
     inverse : (r + m, r + m) array
-        Of the tangent there, or of that of the last update.
+        Of the tangent before the last update.
     iterations : int
         Updates of all substeps.
     """
 
-    at: EquationsAt
+    before: EquationsAt
+    y: Array
     inverse: Array
     iterations: int
+
+    @staticmethod
+    def of(at: EquationsAt, iterations: int) -> "Balance":
+        """Equations that are in balance, with the inverse of their own tangent."""
+        return Balance(at, at.y, np.linalg.inv(at.tangent()).astype(np.float64), iterations)
+
+    @property
+    def at(self) -> EquationsAt:
+        """The equations at the equilibrium, evaluated once more."""
+        at = self.before.equations.at(self.y, self.before.inputs)
+        assert at is not None  # so small an update turns no point inside out
+        return at
 
 
 def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Balance | int:
@@ -61,12 +77,13 @@ def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Ba
         change = float(np.linalg.norm(update[:r]))
         if not np.isfinite(change):
             return iteration
+        if change <= NEWTON.tolerance * size:
+            return Balance(at, at.y + update, inverse, iteration)
         length = min(1.0, NEWTON.longest * size / max(change, 1e-300))
         length, new = _inside(equations, at, length, update)
-        geometric = at.linearized(length * update)
+        # nearby the tangent itself is as good, and the derivatives by the inputs are those of the last one
+        geometric = at.linearized(length * update) if change > NEWTON.near * size else None
         at = new
-        if length == 1.0 and change <= NEWTON.tolerance * size and at is not None:
-            return Balance(at, inverse, iteration)
     return NEWTON.iterations
 
 
@@ -113,5 +130,5 @@ def follow(equations: Equations, start: Array, way: tuple[Array, Array], size: f
             continue
         count += result.iterations
         if aim == 1.0:
-            return Balance(result.at, result.inverse, count)
-        done, y, share = aim, result.at.y, 2.0 * share
+            return replace(result, iterations=count)
+        done, y, share = aim, result.y, 2.0 * share

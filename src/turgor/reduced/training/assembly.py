@@ -23,7 +23,7 @@ from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 from turgor.reduced.parts.pieces import Pieces
 from turgor.reduced.parts.points import Points
-from turgor.reduced.parts.polynomials import Cubics, Sheets
+from turgor.reduced.parts.polynomials import Cubics, Sheets, packed
 from turgor.reduced.states.equations import Equations, Part
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.training import forms
@@ -147,14 +147,14 @@ def assemble(system: System, drive: Drive, modes: Modes, stresses: Modes) -> Who
     R = vectors.shape[1] + 1
     volumes = [forms.volume(system, np.ascontiguousarray(mesh.face(face)), shift, vectors) for face in drive.faces]
     whole = [cavity_volume(mesh, face) / mesh.symmetry_factor / system.length**3 for face in drive.faces]
-    caps = np.array([v - form[0, 0, 0] for v, form in zip(whole, volumes, strict=True)])
-    cubics = np.concatenate([np.array(volumes).reshape(-1, R, R, R), constraint])
-    cubics[: len(caps), 0, 0, 0] += caps
+    for form, at_rest in zip(volumes, whole, strict=True):
+        form[0, 0, 0] = at_rest  # caps included
+    cubics = np.concatenate([packed(np.array(volumes).reshape(-1, R, R, R)), constraint])
     sheets = [term for term in system.terms.all if isinstance(term, MembraneTerm) and term.field is None]
     exact = []
     if sheets:
         exact.append(Sheets(np.asarray(sum(forms.sheet(system, term, vectors) for term in sheets)), R))
-    equations = Equations(tuple(exact), Cubics(cubics), drive.pressures, vectors.T @ drive.forces, compliance,
+    equations = Equations(tuple(exact), Cubics(cubics, R), drive.pressures, vectors.T @ drive.forces, compliance,
                           forms.moments(system, vectors, stresses.vectors))  # fmt: skip
     bending = (term for term in system.terms.all if isinstance(term, PlateTerm | HingeTerm))
     pieces = tuple(Pieces.of(term, system.points, vectors) for term in bending)

@@ -138,7 +138,7 @@ def modes_needed(system: System, paths: Sequence[Path], error: float, most: int)
 
 
 def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0) -> tuple[Modes, Modes]:
-    """Modes of displacement and, half as many by default, of mean stress."""
+    """Modes of displacement and, half as many by default and not too many, of mean stress."""
     stiffness = rest_stiffness(system)
     moved = [path.displacements.reshape(len(path.displacements), -1) for path in paths]
     derivatives = np.concatenate([path.derivatives[0] for path in paths])
@@ -156,7 +156,7 @@ def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0)
         basis = with_more(basis, swings, stiffness, TRAINING.inertial)
         largest = np.sqrt(max(np.einsum("kn,kn->k", each, (stiffness @ each.T).T).max() for each in moved))
         pressed.append(np.concatenate([each[1] for each in responses]) * (SAMPLING.swing * largest / sizes)[:, None])
-    half = of_stress or max(1, basis.vectors.shape[1] // 2)
+    half = of_stress or max(1, min(basis.vectors.shape[1] // 2, TRAINING.pressed))
     volumes = sp.diags(system.mean_stress_volumes).tocsr()
     basis = replace(basis, vectors=with_points(system, basis.vectors))
     return basis, modes_of(np.concatenate(pressed).T, volumes, half, 0.0)

@@ -10,7 +10,6 @@ from turgor.core.engine.faces.membrane_term import MembraneTerm
 from turgor.core.engine.system import System
 from turgor.reduced.parts.kernels import constraint_forms
 from turgor.reduced.parts.moments import Moments
-from turgor.reduced.parts.polynomials import symmetric
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -42,7 +41,7 @@ def chunks(count: int) -> Iterator[Ints]:
 
 
 def constraint(system: System, vectors: Array, stresses: Array) -> tuple[Array, Array]:
-    """Forms (m, R, R, R) of ∫ ψ (J − 1) dV for the modes ψ (mean_count, m), and ∫ ψ ψ / κ dV (m, m)."""
+    """Forms (m, triples) of ∫ ψ (J − 1) dV for the modes ψ (mean_count, m), and ∫ ψ ψ / κ dV (m, m)."""
     R, m = vectors.shape[1] + 1, stresses.shape[1]
     packed, compliance = np.zeros((R * (R + 1) * (R + 2) // 6, m)), np.zeros((m, m))
     tables = system.element.tables
@@ -56,7 +55,7 @@ def constraint(system: System, vectors: Array, stresses: Array) -> tuple[Array, 
         constraint_forms(F, np.ascontiguousarray(weighted.reshape(-1, m)), packed)
         compliance += np.einsum("c,cqk,cql->kl", system.materials.compliance[cells], weighted, psi, optimize=True)
         packed[0] -= weighted.sum(axis=(0, 1))
-    return symmetric(packed.T, R), compliance
+    return packed.T, compliance
 
 
 def volume(system: System, sides: Ints, shift: Array, vectors: Array) -> Array:

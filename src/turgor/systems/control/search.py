@@ -81,10 +81,13 @@ class Search:
         if (inside != start.inputs).any():
             state = moved(start, inside)
         merit, longest = self._merit(state, request), CONTROL.longest
-        for _ in range(self.iterations):
+        for number in range(self.iterations):
             step = self._step(state, request, longest)
             size = float(np.abs(step).max())
             if size <= CONTROL.tolerance:
+                break
+            if number and max(size, self._effect(state, step)) <= CONTROL.along:
+                state = along(state, np.clip(state.inputs + step * self.limits.widths, request.low, request.high))
                 break
             new = self._tried(state, step, request)
             value = np.inf if new is None else self._merit(new, request)
@@ -129,6 +132,10 @@ class Search:
         """Distance of the output of a state from a target [SI]."""
         return float(np.linalg.norm(self.output.at(state)[0] - target))
 
+    def _effect(self, state: ReducedState, step: Array) -> float:
+        """Change of the output over its size in the linear model, for a step of the inputs over their ranges."""
+        return float(np.linalg.norm(continued(self.output, state)[1] @ (step * self.limits.widths))) / self.output.size
+
     def _tried(self, state: ReducedState, step: Array, request: Request) -> ReducedState | None:
         aim = np.clip(state.inputs + step * self.limits.widths, request.low, request.high)
         try:
@@ -163,6 +170,9 @@ class Search:
 
 def moved(state: ReducedState, inputs: Array) -> ReducedState:
     """Find the equilibrium at other inputs, from a state and its derivatives."""
-    change = inputs - state.inputs
-    predicted = replace(state, inputs=inputs, y=state.y + state.rates @ change)
-    return state.reduced.at(inputs, predicted)
+    return state.reduced.at(inputs, along(state, inputs))
+
+
+def along(state: ReducedState, inputs: Array) -> ReducedState:
+    """Go to other inputs along the derivatives of a state."""
+    return replace(state, inputs=inputs, y=state.y + state.rates @ (inputs - state.inputs))

@@ -17,6 +17,9 @@ class ControlSettings:
         Gauss–Newton updates of a row at most.
     tolerance : float
         Update of the inputs over their ranges, below which a row counts as solved.
+    along : float
+        Last update of the inputs over their ranges, and its effect on the output over its size, that need no new
+        equilibrium: the derivatives miss about the square of it, a hundredth of what a reduced model misses.
     gained : float
         Share of the squared distance below which an update has gained nothing: a target out of reach is approached
         more and more slowly, and its distance is then known to some 1e-4.
@@ -32,7 +35,8 @@ class ControlSettings:
         Share of a volume by which its limit may be exceeded.
     stalled : float
         Distance from a target over the size of the output, above which other starts are tried, once on a path that
-        leaves what it can reach: near rest a chamber does little, and a search may end where its pressure is zero.
+        leaves what it can reach: near rest a chamber does little, and a search may end where its pressure is zero. None
+        are tried where rates leave the inputs less than the longest update: all starts are within it.
     starts : int
         How many: the nearest training states.
     approach : float
@@ -43,6 +47,7 @@ class ControlSettings:
     smoothness: float = 1e-7
     iterations: int = 25
     tolerance: float = 1e-6
+    along: float = 3e-3
     gained: float = 1e-5
     longest: float = 0.25
     shortest: float = 1e-4

@@ -145,7 +145,8 @@ def track(
         start = start or reduced.at(np.clip(0.0, low, high))
         request = Request(row, low, high, start.inputs)
         state = search.nearest(start, request)
-        if reached_before and search.error(state, row) > CONTROL.stalled * of.size:
+        far = (high - low > CONTROL.longest * bounds.widths).any()
+        if far and reached_before and search.error(state, row) > CONTROL.stalled * of.size:
             state = search.best(state, other_starts(search, row, low, high), request)
         reached_before = search.error(state, row) <= CONTROL.stalled * of.size
         seconds.append(process_time() - began)

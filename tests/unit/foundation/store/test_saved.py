@@ -13,6 +13,7 @@ import turgor as tg
 from refused import refused
 from turgor.foundation.store.codec import Decoder, Encoder
 from turgor.foundation.store.folder import Store
+from turgor.reduced.parts.threads import Threads
 
 
 @pytest.fixture(scope="module")
@@ -154,3 +155,14 @@ def test_a_store_writes_every_array_once_and_forgets_what_nobody_needs(tmp_path)
     assert sorted(file.stem for file in tmp_path.iterdir()) == ["b", "c"]
     again = Store(tmp_path).read("c")
     assert np.array_equal(again[0], first) and np.array_equal(again[1], second)
+
+
+def test_a_field_of_seven_digits_takes_half_of_the_space():
+    threads = Threads(*(np.full(shape, 1 / 3) for shape in ((2, 3), (2, 3, 4), (2,), (2,), (2,))))
+    encoder = Encoder()
+    tree = encoder.encode(threads)
+    assert sorted(array.nbytes for array in encoder.arrays.values()) == [16, 16, 16, 48, 96]
+    loaded = Decoder(encoder.arrays, lambda name: None).decode(tree)
+    assert loaded.modes.dtype == np.float64
+    assert loaded.modes == pytest.approx(threads.modes, rel=1e-7)
+    assert (loaded.rest == threads.rest).all()

@@ -6,6 +6,7 @@ from reduced_cases import KEY, PRESSURE, reduced
 
 import turgor as tg
 from refused import refused
+from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.box import aims_of
 from turgor.systems.control.least_squares import least_squares
 from turgor.systems.control.search import Request, Search
@@ -36,6 +37,41 @@ def test_limits_of_pressure_and_rate_are_fulfilled_to_1e_9_and_named():
     assert result.active[-1] == (f"{KEY} high",)
     closest = np.linalg.norm(reduced().solve(6e3).tip - result.target[-1])
     assert result.distance[-1] == pytest.approx(closest, rel=1e-4)
+
+
+@pytest.fixture
+def solves(monkeypatch):
+    """Iterations of all equilibria that are found."""
+    counts: list[int] = []
+    under = Reduced.under
+
+    def counted(self, aim, start=None):
+        answer = under(self, aim, start)
+        counts.append(answer.iterations)
+        return answer
+
+    monkeypatch.setattr(Reduced, "under", counted)
+    return counts
+
+
+def test_rows_near_each_other_take_one_equilibrium_each_and_are_met(solves):
+    pressures = np.linspace(5e3, 7e3, 20)
+    path = tips(pressures)
+    solves.clear()
+    result = tg.control.track(reduced(), path)
+    assert len(solves) <= len(path) + 3  # the first row is far
+    assert result.distance.max() < 1e-6
+    state = reduced().solve(float(result.inputs[-1, 0]))
+    assert result.reached[-1] == pytest.approx(state.tip, abs=1e-9)
+
+
+def test_rows_that_a_rate_leaves_behind_try_no_far_starts(solves):
+    path = tips(np.linspace(5e3, 7e3, 20))
+    solves.clear()
+    limits = tg.control.Limits(rate={"pressure": 80.0})
+    result = tg.control.track(reduced(), path, times=np.arange(20.0), limits=limits)
+    assert result.distance[-1] > 1e-4
+    assert len(solves) <= len(path) + 3
 
 
 def test_a_limit_of_volume_is_fulfilled_and_named():

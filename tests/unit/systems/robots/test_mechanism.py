@@ -11,6 +11,9 @@ import turgor as tg
 from refused import refused
 from turgor.cli.app import main
 from turgor.cli.exits import BAD_INPUT
+from turgor.core.model.obstacles.box import Box
+from turgor.core.model.obstacles.cylinder import Cylinder
+from turgor.core.model.obstacles.plane import Plane
 from turgor.systems.robots.chains.chain import TipForce
 from turgor.systems.robots.mechanisms import mechanism_file
 
@@ -116,6 +119,31 @@ def test_every_dimension_of_an_object_takes_a_unit(file):
     file.write_text(text, encoding="utf-8")
     made = mechanism_file.read_mechanism(file).mechanism.object
     assert (made.size, made.rounding) == ((0.02, 0.03, 0.04), 0.002)
+
+
+@pytest.mark.parametrize(
+    ("shape", "inside", "outside"),
+    [
+        (Plane(point=(0.01, 0, 0), normal=(0, 1, 1)), (0, -0.1, 0.05), (0, 0.1, -0.05)),
+        (Cylinder(center=(0, 0, 0.1), axis=(1, 1, 0), radius=0.01, length=0.08), (0.02, 0.02, 0.1), (0.02, -0.02, 0.1)),
+        (Cylinder(center=(0, 0, 0.1), axis=(0, 1, 0), radius=0.01), (0, 0.5, 0.1), (0.02, 0, 0.1)),
+        (Box(center=(0, 0, 0.1), size=(0.02, 0.04, 0.06), rounding=0.001), (0, 0.015, 0.1), (0.015, 0, 0.1)),
+    ],
+)
+def test_objects_stand_in_mujoco_where_the_mechanism_has_them(tmp_path, shape, inside, outside):
+    """A small ball touches where the distance is less than its radius."""
+    file = tg.robots.write_mechanism({"arm": spatial()}, shape, tmp_path / "robot.xml")
+    text = file.read_text(encoding="utf-8")
+    for place in (inside, outside):
+        ball = (
+            f'<body pos="{" ".join(map(str, place))}"><freejoint/><geom name="ball" size="0.002"/></body></worldbody>'
+        )
+        model = mujoco.MjModel.from_xml_string(text.replace("</worldbody>", ball))
+        data = mujoco.MjData(model)
+        mujoco.mj_forward(model, data)
+        pairs = [{model.geom(each.geom1).name, model.geom(each.geom2).name} for each in data.contact[: data.ncon]]
+        distance = shape.signed_distance(np.array([place], dtype=float))[0][0]
+        assert ({"object", "ball"} in pairs) == (distance < 0.002) == (place is inside)
 
 
 @pytest.mark.parametrize(

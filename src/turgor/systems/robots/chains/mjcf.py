@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 from xml.etree import ElementTree as Xml
 
 import numpy as np
@@ -11,15 +10,34 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from turgor.core.meshing.exchange.formats.write_stl import closed_surface
+from turgor.core.model.obstacles.box import Box
+from turgor.core.model.obstacles.cylinder import Cylinder
+from turgor.core.model.obstacles.plane import Plane
 from turgor.core.model.obstacles.rigid_shape import RigidShape
+from turgor.core.model.obstacles.sphere import Sphere
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.store.atomic_files import whole
-from turgor.job.tables.obstacles import SHAPES
 from turgor.systems.robots.chains.chain import SLIDE, Chain
 from turgor.systems.robots.chains.chain_of import FittedChain
 
 #: Names of the coordinates of a joint.
 COORDINATES = {1: "bend_y", 2: "bend_z", SLIDE: "stretch"}
+
+
+@dataclass(frozen=True, slots=True)
+class MjcfSettings:
+    """Settings of models of MuJoCo.
+
+    Parameters
+    ----------
+    endless : float [m]
+        Half of the length of a cylinder without ends: MuJoCo has none, and no arm is nearly as long.
+    """
+
+    endless: float = 1.0
+
+
+MJCF = MjcfSettings()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,7 +116,8 @@ def write_mechanism(
     chains : mapping of str to Chain
         As the states of a `Mechanism` have them.
     shape : RigidShape or None
-        A sphere is written; others are left out, and a comment says so.
+        A sphere, plane, cylinder or box. Rounded edges of a box become sharp, at the same faces, and a comment says
+        so; surfaces of triangles are left out, and a comment says so.
     path : str or Path
     name : str
     """
@@ -106,16 +125,34 @@ def write_mechanism(
     if shape is not None:
         world = root.find("worldbody")
         assert world is not None
-        if isinstance(shape, SHAPES["sphere"]):
-            ball: Any = shape
-            place, size = numbers(ball.center), numbers(ball.radius)
-            Xml.SubElement(world, "geom", name="object", type="sphere", size=size, pos=place)
-        else:
-            world.append(Xml.Comment(f" the object is left out: {shape.text()} "))
+        _add_object(world, shape)
     file = Path(path)
     with whole(file) as part:
         part.write_text(text_of(root), encoding="utf-8")
     return file
+
+
+def _add_object(world: Xml.Element, shape: RigidShape) -> None:
+    """Add an object to the element ``worldbody``; what MuJoCo has no geometry for is a comment."""
+    match shape:
+        case Sphere():
+            geometry = {"type": "sphere", "size": numbers(shape.radius), "pos": numbers(shape.center)}
+        case Plane():  # sizes of 0: without end
+            geometry = {"type": "plane", "size": "0 0 0.01", "pos": numbers(shape.point)}
+            geometry["zaxis"] = numbers(shape.normal)
+        case Cylinder():
+            half = MJCF.endless if shape.length is None else shape.length / 2
+            geometry = {"type": "cylinder", "size": numbers([shape.radius, half]), "pos": numbers(shape.center)}
+            geometry["zaxis"] = numbers(shape.axis)
+        case Box():
+            if shape.rounding:
+                world.append(Xml.Comment(f" the edges of the object are sharp here: {shape.text()} "))
+            half_sizes = [length / 2 for length in shape.size]
+            geometry = {"type": "box", "size": numbers(half_sizes), "pos": numbers(shape.center)}
+        case _:
+            world.append(Xml.Comment(f" the object is left out: {shape.text()} "))
+            return
+    Xml.SubElement(world, "geom", {"name": "object", **geometry})
 
 
 def chain_element(chain: Chain, name: str, options: MjcfOptions) -> Xml.Element:
