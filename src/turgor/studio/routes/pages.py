@@ -1,0 +1,38 @@
+"""Pages: the files of the page itself. The viewer is the one of the report."""
+
+from functools import cache
+from importlib.resources import files
+
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import Mount, Route
+from starlette.staticfiles import StaticFiles
+
+_TYPES = {"js": "text/javascript", "css": "text/css", "html": "text/html; charset=utf-8"}
+
+
+def _index(request: Request) -> Response:
+    return Response((files("turgor.studio") / "page" / "index.html").read_bytes(), media_type=_TYPES["html"])
+
+
+def _viewer_script(request: Request) -> Response:
+    return Response(_viewer("js"), media_type=_TYPES["js"])
+
+
+def _viewer_style(request: Request) -> Response:
+    return Response(_viewer("css"), media_type=_TYPES["css"])
+
+
+@cache
+def _viewer(kind: str) -> str:
+    from turgor.views.viewer.viewer import viewer_scripts, viewer_style
+
+    return viewer_scripts() if kind == "js" else viewer_style()
+
+
+PAGES = [
+    Route("/", _index),
+    Route("/viewer.js", _viewer_script),
+    Route("/viewer.css", _viewer_style),
+    Mount("/page", StaticFiles(packages=[("turgor.studio", "page")])),
+]
