@@ -8,6 +8,8 @@ from starlette.responses import Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
+from turgor.views.viewer.assets import viewer_frame, viewer_scripts, viewer_style
+
 _TYPES = {"js": "text/javascript", "css": "text/css", "html": "text/html; charset=utf-8"}
 
 
@@ -23,16 +25,19 @@ def _viewer_style(request: Request) -> Response:
     return Response(_viewer("css"), media_type=_TYPES["css"])
 
 
+def _viewer_frame(request: Request) -> Response:
+    return Response(_viewer("html"), media_type=_TYPES["html"])
+
+
 @cache
 def _viewer(kind: str) -> str:
-    from turgor.views.viewer.viewer import viewer_scripts, viewer_style
-
-    return viewer_scripts() if kind == "js" else viewer_style()
+    return {"js": viewer_scripts, "css": viewer_style, "html": viewer_frame}[kind]()
 
 
 PAGES = [
     Route("/", _index),
     Route("/viewer.js", _viewer_script),
     Route("/viewer.css", _viewer_style),
+    Route("/viewer.html", _viewer_frame),
     Mount("/page", StaticFiles(packages=[("turgor.studio", "page")])),
 ]

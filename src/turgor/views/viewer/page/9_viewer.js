@@ -1,4 +1,6 @@
-// Viewer: reads the scene, builds the picture, and connects it with the controls.
+// Viewer: reads the scene, builds the picture, and connects it with the controls. Each part of a scene is packed, or a
+// source that a page computes, such as a reduced model: indices as an array, and steps as an object with `steps`,
+// `points` and `at(step)`.
 
 const PLAY = 160; // milliseconds between two steps
 const BETWEEN = 0.05; // smallest part of a step on the slider
@@ -29,6 +31,9 @@ function moved(points, rest) {
   return out;
 }
 
+const indexOf = (given) => (given.buffer ? given : unpackedIndex(given));
+const stepsOf = (given, places) => (given.at ? given : unpackedSteps(given, places));
+
 class Viewer {
   constructor(root, values) {
     this.root = root;
@@ -41,11 +46,11 @@ class Viewer {
   async start() {
     const { surface, inside, fields, threads, obstacles, path, images, places: drive } = this.values;
     const [triangles, cut, centers, positions] = await Promise.all([
-      unpackedIndex(surface.triangles), unpackedIndex(surface.cut), unpackedIndex(surface.centers),
-      unpackedSteps(surface.positions, drive),
+      indexOf(surface.triangles), indexOf(surface.cut), indexOf(surface.centers),
+      stepsOf(surface.positions, drive),
     ]);
     this.positions = positions;
-    this.data = await Promise.all(fields.map((field) => field.data && unpackedSteps(field.data)));
+    this.data = await Promise.all(fields.map((field) => field.data && stepsOf(field.data)));
     const picture = this.find("picture");
     this.root.hidden = false;
     this.stage = new Stage(picture, this.values);
@@ -54,11 +59,11 @@ class Viewer {
       slow: this.stage.slow,
     });
     this.body = new Body(this.stage, this.skin, this.values);
-    if (threads) this.body.addThreads(await unpackedIndex(threads.lengths), await unpackedSteps(threads.positions, drive));
-    const places = obstacles && (await unpackedSteps(obstacles.positions, drive));
-    if (obstacles) this.body.addObstacles(await unpackedIndex(obstacles.triangles), places);
-    const line = path && (await unpackedSteps(path.positions, drive));
-    if (path) this.body.addPath(await unpackedIndex(path.triangles), line);
+    if (threads) this.body.addThreads(await indexOf(threads.lengths), await stepsOf(threads.positions, drive));
+    const places = obstacles && (await stepsOf(obstacles.positions, drive));
+    if (obstacles) this.body.addObstacles(await indexOf(obstacles.triangles), places);
+    const line = path && (await stepsOf(path.positions, drive));
+    if (path) this.body.addPath(await indexOf(path.triangles), line);
     this.section = new Section(this.stage, this.skin, inside ? await this.#open(inside, fields) : []);
     this.rest = positions.at(0);
     this.#frame(places, line);
@@ -73,9 +78,9 @@ class Viewer {
   }
 
   async #open(inside, fields) {
-    this.depth = await unpackedSteps(inside.positions, this.values.places);
-    this.within = await Promise.all(fields.map((field) => field.inside && unpackedSteps(field.inside)));
-    return unpackedIndex(inside.tetrahedra);
+    this.depth = await stepsOf(inside.positions, this.values.places);
+    this.within = await Promise.all(fields.map((field) => field.inside && stepsOf(field.inside)));
+    return indexOf(inside.tetrahedra);
   }
 
   // The face of the cut at this step, colored by the field.
@@ -138,6 +143,20 @@ class Viewer {
     const row = around(step).reduce((sum, [k, weight]) => sum + weight * steps[k].state, 0);
     this.linked.forEach((each) => each.mark(row));
     this.stage.draw();
+  }
+
+  // Draw the step again, because a source has changed.
+  refresh() {
+    const { step } = this;
+    this.step = -1;
+    this.show(step);
+  }
+
+  // Free what the graphics card has; the picture is gone then.
+  close() {
+    this.play(false);
+    this.stage?.renderer.dispose();
+    this.root.remove();
   }
 
   // Show the step nearest to a state of the solution.
@@ -249,4 +268,13 @@ async function startViewers() {
   }
 }
 
+// Put a viewer into an element of another page, from the markup of viewer.html without its data.
+async function mountViewer(place, markup, values) {
+  place.innerHTML = markup;
+  const viewer = new Viewer(place.querySelector(".viewer"), values);
+  await viewer.start();
+  return viewer;
+}
+
+globalThis.turgorViewer = { mount: mountViewer };
 startViewers();
