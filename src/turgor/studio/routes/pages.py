@@ -1,5 +1,6 @@
 """Pages: the files of the page itself. The viewer is the one of the report."""
 
+from collections.abc import Callable, Mapping
 from functools import cache
 from importlib.resources import files
 
@@ -29,9 +30,12 @@ def _viewer_frame(request: Request) -> Response:
     return Response(_viewer("html"), media_type=_TYPES["html"])
 
 
+_VIEWER: Mapping[str, Callable[[], str]] = {"js": viewer_scripts, "css": viewer_style, "html": viewer_frame}
+
+
 @cache
 def _viewer(kind: str) -> str:
-    return {"js": viewer_scripts, "css": viewer_style, "html": viewer_frame}[kind]()
+    return _VIEWER[kind]()
 
 
 PAGES = [
