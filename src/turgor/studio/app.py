@@ -10,6 +10,7 @@ from starlette.types import ASGIApp
 from turgor.studio.answers import Studio
 from turgor.studio.guard import Access, Guard
 from turgor.studio.routes.events import EVENTS
+from turgor.studio.routes.geometry import GEOMETRY
 from turgor.studio.routes.jobs import JOBS
 from turgor.studio.routes.pages import PAGES
 from turgor.studio.settings import STUDIO
@@ -25,7 +26,7 @@ def studio_app(studio: Studio, access: Access) -> ASGIApp:
     access : Access
         Who may talk to it.
     """
-    app = Starlette(routes=[*JOBS, *EVENTS, *PAGES], lifespan=_lifespan)
+    app = Starlette(routes=[*GEOMETRY, *JOBS, *EVENTS, *PAGES], lifespan=_lifespan)
     app.state.studio = studio
     return Guard(app, access)
 

@@ -15,6 +15,13 @@ def job_of_family(family: str) -> str:
     return starter(family)
 
 
+def families() -> list[dict[str, str]]:
+    """Return the name of each actuator family, and what it is."""
+    from turgor.job.job import ACTUATORS
+
+    return [{"name": name, "words": (kind.__doc__ or "").splitlines()[0]} for name, kind in ACTUATORS.items()]
+
+
 def job_of_part(part: Path, unit: str | None) -> str:
     """Return the commented job of a part from a CAD or mesh file."""
     from turgor.job.reference.part_starters import part_starter
