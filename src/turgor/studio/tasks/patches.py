@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.cad.facets import named_facets
+from turgor.core.geometry.cad.facets import faces_between, named_facets
 from turgor.core.geometry.cad.inspection import Inspection
 from turgor.core.geometry.cad.surface.grouping import grouped
 from turgor.core.geometry.directions import FileAxes, rotation_to
@@ -124,23 +124,9 @@ def patches_of_file(inspection: Inspection, axes: FileAxes | None) -> Patches:
 
 
 def _cad_faces(geometry: Geometry) -> tuple[Patch, ...]:
-    scale = geometry.length_scale
-    shape = geometry._cad
-    facets = [(name, corners * scale) for name, corners in named_facets(shape)]
-    between = _between(shape) if hasattr(shape, "solids") else [False] * len(facets)
-    pairs = zip(facets, between, strict=True)
-    return tuple(Patch(name=name, triangles=corners, inner=inner) for (name, corners), inner in pairs if len(corners))
-
-
-def _between(shape: Any) -> list[bool]:
-    """Whether each face of a CAD shape lies between two bodies, in the order of `named_facets`."""
-    from turgor.core.geometry import occ
-
-    owners: dict[Any, int] = {}
-    for solid in shape.solids:
-        for face in dict.fromkeys(solid.faces):
-            owners[face] = owners.get(face, 0) + 1
-    return [owners.get(face, 0) > 1 for face in dict.fromkeys(occ.OCCGeometry(shape).faces)]
+    scale, shape = geometry.length_scale, geometry._cad
+    pairs = zip(named_facets(shape), faces_between(shape), strict=True)
+    return tuple(Patch(name=name, triangles=c * scale, inner=inner) for (name, c), inner in pairs if len(c))
 
 
 def _mesh_faces(mesh: Mesh) -> tuple[Patch, ...]:
