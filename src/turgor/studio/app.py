@@ -13,6 +13,7 @@ from turgor.studio.routes.events import EVENTS
 from turgor.studio.routes.geometry import GEOMETRY
 from turgor.studio.routes.jobs import JOBS
 from turgor.studio.routes.pages import PAGES
+from turgor.studio.routes.uploads import UPLOADS
 from turgor.studio.settings import STUDIO
 
 
@@ -26,7 +27,7 @@ def studio_app(studio: Studio, access: Access) -> ASGIApp:
     access : Access
         Who may talk to it.
     """
-    app = Starlette(routes=[*GEOMETRY, *JOBS, *EVENTS, *PAGES], lifespan=_lifespan)
+    app = Starlette(routes=[*GEOMETRY, *UPLOADS, *JOBS, *EVENTS, *PAGES], lifespan=_lifespan)
     app.state.studio = studio
     return Guard(app, access)
 

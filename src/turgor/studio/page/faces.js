@@ -35,15 +35,20 @@ export class Faces {
       if (how === "click") this.pick(name, face);
     };
     this.#chips(scene.parts.names);
-    parts.paint(this.colors);
+    this.#color();
   }
 
   /** Color faces by name, each with a note on its button. @param {Record<string, string>} colors @param {Record<string, string>} [notes] */
   paint(colors, notes = {}) {
     this.colors = colors;
     this.notes = notes;
-    this.viewer?.parts.paint(colors);
+    this.#color();
     if (this.scene) this.#chips(this.scene.parts.names);
+  }
+
+  #color() {
+    const inside = Object.keys(this.colors).filter((name) => name.startsWith("cavity"));
+    this.viewer?.parts.paint(this.colors, inside);
   }
 
   /** @param {string | null} name */

@@ -21,7 +21,10 @@ const FACTORS = [
  */
 
 /** Words of a key. @param {string} name */
-export const words = (name) => name.replaceAll("_", " ");
+export const words = (name) => name.replaceAll("_", " ").replace("pneunet", "PneuNet");
+
+/** A name as a title. @param {string} name */
+export const titled = (name) => words(name)[0].toUpperCase() + words(name).slice(1);
 
 /** A TOML value as plain text, for a field: texts without quotes, lists without brackets. @param {any} value @returns {string} */
 export function written(value) {

@@ -18,12 +18,12 @@ async def _forms(studio: Studio, request: Request) -> Any:
     return await studio.worker.do("forms.forms_of", studio.workspace.job(request.path_params["name"]), LOADS)
 
 
-async def _families(studio: Studio, request: Request) -> Any:
-    return await studio.worker.do("starting.families")
+async def _ready(studio: Studio, request: Request) -> Any:
+    return await studio.worker.do("starting.ready")
 
 
 GEOMETRY = [
-    route("/api/families", _families),
+    route("/api/ready", _ready),
     route("/api/jobs/{name}/shape", _shape),
     route("/api/jobs/{name}/forms", _forms),
 ]

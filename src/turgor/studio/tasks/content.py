@@ -27,12 +27,20 @@ def content_of(file: Path) -> tuple[dict[str, Any], Problems]:
 
 def noted(problems: Problems) -> list[dict[str, str]]:
     """Return each problem with its key and its sentence."""
-    out = []
-    for _, entry in sorted(problems.entries, key=lambda each: each[0]):
-        words = re.sub(r"\A:(\d+)", "", entry.removeprefix(problems.file)).removeprefix(": ")
-        key, _, sentence = words.partition(": ")
-        out.append({"key": key, "sentence": sentence})
-    return out
+    return [at_key(entry, problems.file) for _, entry in sorted(problems.entries, key=lambda each: each[0])]
+
+
+def at_key(entry: str, file: str) -> dict[str, str]:
+    """Return the key and the sentence of a problem.
+
+    Examples
+    --------
+    >>> at_key("finger.toml:3: actuator.wall: -1 mm; allowed is 0.01 mm to 4 mm.", "finger.toml")
+    {'key': 'actuator.wall', 'sentence': '-1 mm; allowed is 0.01 mm to 4 mm.'}
+    """
+    words = re.sub(r"\A:(\d+)", "", entry.removeprefix(file)).removeprefix(": ")
+    key, _, sentence = words.partition(": ")
+    return {"key": key, "sentence": sentence}
 
 
 def plain(value: Any) -> Any:

@@ -10,8 +10,10 @@ from typing import Any
 from turgor.core.geometry.geometry import Geometry
 from turgor.foundation.errors import TurgorError
 from turgor.job.job import ACTUATORS
+from turgor.job.read import read_job
 from turgor.job.reference.tables import JobKey, JobTable, family_table
-from turgor.studio.tasks.content import content_of, plain, table_in
+from turgor.job.text.problems import JobError
+from turgor.studio.tasks.content import at_key, content_of, plain, table_in
 
 #: A range in a sentence, such as ``0.01 mm to 10.967 mm, so that …`` or ``a whole number from 1 to 100``.
 _RANGE = re.compile(r"(-?[\d.]+)(?: ([^\s\d,]+))? to (-?[\d.]+)(?: ([^\s\d,]+))?")
@@ -71,7 +73,13 @@ def forms_of(file: Path, headers: Iterable[str]) -> dict[str, Any]:
     if shape is None:
         raise TurgorError("the shape has a mistake; mend it on the screen Shape first.")
     wanted = tuple(headers)
+    wrong: tuple[str, ...] = ()
+    try:
+        read_job(file)
+    except JobError as error:
+        wrong = error.problems
     return {
+        "problems": [at_key(entry, str(file)) for entry in wrong],
         "content": plain(content),
         "faces": list(shape.faces),
         "regions": list(shape.regions),

@@ -15,11 +15,8 @@ def job_of_family(family: str) -> str:
     return starter(family)
 
 
-def families() -> list[dict[str, str]]:
-    """Return the name of each actuator family, and what it is."""
-    from turgor.job.job import ACTUATORS
-
-    return [{"name": name, "words": (kind.__doc__ or "").splitlines()[0]} for name, kind in ACTUATORS.items()]
+def ready() -> None:
+    """Load what a picture of a shape needs, while the user still looks at the first screen."""
 
 
 def job_of_part(part: Path, unit: str | None) -> str:

@@ -2,7 +2,7 @@
 
 import { h, fill, say } from "../dom.js";
 import { COLORS, coalesced, Faces, shapeOf } from "../faces.js";
-import { Form, words } from "../form.js";
+import { Form, titled, words } from "../form.js";
 
 /** Names that supports, loads and measures look for. */
 const NAMES = ["fixed", "tip", "strain_limiting_layer", "outside"];
@@ -36,7 +36,9 @@ class Shape {
     this.about = h("p", { class: "quiet" });
     this.faces = new Faces((name, face) => this.#pick(name, face));
     const left = h("div", { class: "stack" }, h("div", { class: "card" }, this.title, this.about, this.problems, this.form.element), this.quality);
-    this.element = h("div", { class: "split" }, left, h("div", { class: "stack" }, this.faces.element, this.naming, h("div", { class: "card" }, h("h2", {}, "What follows"), this.facts)));
+    this.rest = [left, h("div", { class: "card" }, h("h2", {}, "What follows"), this.facts)];
+    this.rest.forEach((each) => (each.hidden = true)); // until there is something in them
+    this.element = h("div", { class: "split" }, left, h("div", { class: "stack" }, this.faces.element, this.naming, this.rest[1]));
   }
 
   async draw() {
@@ -44,6 +46,7 @@ class Shape {
     try {
       const shape = await shapeOf(this.app.job.name);
       this.shape = shape;
+      this.rest.forEach((each) => (each.hidden = false));
       this.#fields(shape);
       this.#mesh(shape.content.mesh ?? {});
       if (shape.scene) {
@@ -53,6 +56,7 @@ class Shape {
       }
       this.element.dataset.version = state?.version;
     } catch (error) {
+      this.rest[0].hidden = false;
       fill(this.problems, h("p", { class: "wrong" }, /** @type {Error} */ (error).message));
     }
   }
@@ -68,7 +72,7 @@ class Shape {
       else if (key.startsWith("actuator")) others.push(h("p", { class: "wrong" }, sentence));
     }
     const file = content.actuator?.file;
-    this.title.textContent = form ? `${words(String(kind))[0].toUpperCase()}${words(String(kind)).slice(1)}` : String(file ?? "Shape");
+    this.title.textContent = form ? titled(String(kind)) : String(file ?? "Shape");
     this.about.textContent = form
       ? "Move a slider or write a value with its unit. Each range is what the other dimensions allow."
       : "Point at a face of the picture, and click it to give it a name. The job then says what is fixed and where the tip is.";

@@ -23,10 +23,13 @@ class Parts {
     return this.parts.names[this.parts.of[hit.faceIndex]] ?? "";
   }
 
-  // Color faces by their names, such as { fixed: "#56b4e9" }; all others are plain.
-  paint(colors) {
+  // Color faces by their names, such as { fixed: "#56b4e9" }; those that lie inside are seen through the rubber.
+  paint(colors, inside = []) {
     this.#remove(this.painted);
-    this.painted = Object.entries(colors).flatMap(([name, color]) => this.#overlay(this.#of(name), color, 0.7, false));
+    this.painted = Object.entries(colors).flatMap(([name, color]) => {
+      const through = inside.includes(name);
+      return this.#overlay(this.#of(name), color, through ? 0.22 : 0.7, through);
+    });
     this.cut();
     this.stage.draw();
   }
