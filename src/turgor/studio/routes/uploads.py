@@ -88,10 +88,8 @@ async def _received(request: Request, part: Path) -> None:
             file.write(piece)
         empty = file.tell() == 0
     if count > STUDIO.upload_bytes:
-        most = STUDIO.upload_bytes / 1e6
-        raise TooLarge(
-            f"'{part.name}' has more than {most:.0f} MB, which is the most that is read; put it into the folder."
-        )
+        most = f"more than {STUDIO.upload_bytes / 1e6:.0f} MB"
+        raise TooLarge(f"'{part.name}' has {most}, which is the most that is read; put it into the folder.")
     if empty:
         raise TurgorError(f"'{part.name}' is empty.")
 

@@ -106,9 +106,9 @@ def _mass(shape: Geometry, content: dict[str, Any], copies: int) -> float | None
 
 def _of_file(actuator: CadFile) -> dict[str, Any]:
     """A CAD file: the whole part with all its faces, each with a selector that picks it."""
-    found = _inspected(_Named(actuator))
-    patches = patches_of_file(found, actuator.axes)
-    in_file = Counter(face.name_in_file for face in found.faces)
+    part = _inspected(_Named(actuator))
+    patches = patches_of_file(part, actuator.axes)
+    in_file = Counter(face.name_in_file for face in part.faces)
     faces = [
         {
             "name": face.name,
@@ -118,16 +118,16 @@ def _of_file(actuator: CadFile) -> dict[str, Any]:
             if face.name_in_file and in_file[face.name_in_file] == 1
             else {"near": _point_on(patch.triangles)},
         }
-        for face, patch in zip(found.faces, patches.faces, strict=True)
+        for face, patch in zip(part.faces, patches.faces, strict=True)
     ]
     facts = {
         "size": patches.size(),
-        "wall": found.smallest_wall,
-        "cavities": {cavity.name: cavity.volume for cavity in found.cavities},
-        "volume": sum(body.volume for body in found.bodies),
+        "wall": part.smallest_wall,
+        "cavities": {cavity.name: cavity.volume for cavity in part.cavities},
+        "volume": sum(body.volume for body in part.bodies),
         "mass": None,
     }
-    return {"scene": patches.scene(), "facts": facts, "faces": faces, "findings": _sentences(found.findings)}
+    return {"scene": patches.scene(), "facts": facts, "faces": faces, "findings": _sentences(part.findings)}
 
 
 @dataclass(frozen=True, slots=True)

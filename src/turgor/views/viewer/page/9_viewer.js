@@ -311,6 +311,7 @@ async function mountViewer(place, markup, values) {
   place.innerHTML = markup;
   const viewer = new Viewer(place.querySelector(".viewer"), values);
   await viewer.start();
+  viewer.root.viewer = viewer;
   return viewer;
 }
 
