@@ -159,7 +159,9 @@ def test_part_is_brought_and_its_faces_are_named_by_clicks(shown, studio):
     page.get_by_label("name of the face").fill("grip")
     changed(page, file.name, page.get_by_role("button", name="Name it").click)
     page.wait_for_selector("[data-face=grip]")
-    (choice,) = [value for name, value in tomllib.loads(file.read_text())["actuator"]["faces"].items() if name == "grip"]
+    (choice,) = [
+        value for name, value in tomllib.loads(file.read_text())["actuator"]["faces"].items() if name == "grip"
+    ]
     assert "near" in choice or "name" in choice
     grip = read_job(file).geometry()
     assert "grip" in grip.faces
