@@ -1,4 +1,4 @@
-"""Shape and loads in the studio: a family is picked and changed, a part is brought and its faces are named by clicks."""
+"""Shape and loads in the studio: a family is picked and changed, faces of a part are named by clicks."""
 
 import re
 import shutil
@@ -11,7 +11,7 @@ from served import PATIENCE, needs_browser, open_page, served
 from turgor.job.job import ACTUATORS
 from turgor.job.read import read_job
 
-pytestmark = [needs_browser, pytest.mark.slow]
+pytestmark = needs_browser
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 
@@ -124,6 +124,7 @@ def test_impossible_value_is_explained_at_its_field(shown):
     assert field.locator(".wrong").is_hidden()
 
 
+@pytest.mark.slow
 def test_no_slider_leaves_the_range(shown):
     page = shown.page
     go(page, "shape", "finger.toml")
@@ -141,6 +142,7 @@ def test_no_slider_leaves_the_range(shown):
         assert low <= least < most <= high, name
 
 
+@pytest.mark.slow
 def test_part_is_brought_and_its_faces_are_named_by_clicks(shown, studio):
     page = shown.page
     page.locator("#part-file").set_input_files(
@@ -169,6 +171,7 @@ def test_part_is_brought_and_its_faces_are_named_by_clicks(shown, studio):
     assert file.read_bytes() == before
 
 
+@pytest.mark.slow
 def test_loads_are_put_on_faces(shown, studio):
     page = shown.page
     go(page, "setup", "finger.toml")
@@ -189,6 +192,7 @@ def test_loads_are_put_on_faces(shown, studio):
     assert len(job.contact.obstacles) == 1
 
 
+@pytest.mark.slow
 def test_wrong_load_is_explained_at_its_field(shown):
     page = shown.page
     go(page, "setup", "cad_file.toml")
@@ -197,6 +201,7 @@ def test_wrong_load_is_explained_at_its_field(shown):
     assert "kPa" in field.locator(".wrong").inner_text()
 
 
+@pytest.mark.slow
 def test_tour_points_at_five_things_once(shown):
     page = shown.page
     page.wait_for_selector(".tour")
@@ -210,6 +215,7 @@ def test_tour_points_at_five_things_once(shown):
     assert page.locator(".tour").count() == 0
 
 
+@pytest.mark.slow
 def test_every_family_has_a_picture_to_begin_with(shown):
     page = shown.page
     assert {each.get_attribute("data-family") for each in page.locator(".family").all()} == set(ACTUATORS)

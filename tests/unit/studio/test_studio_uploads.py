@@ -119,7 +119,6 @@ MALFORMED = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("kind", MALFORMED)
 def test_malformed_file_is_refused_and_leaves_nothing(studio, kind):
     name, body, word = MALFORMED[kind]
@@ -153,7 +152,6 @@ def test_file_that_does_not_state_its_size_is_refused_at_the_limit(studio):
     assert files(studio) - before <= {".turgor-studio/.gitignore"}
 
 
-@pytest.mark.slow
 def test_part_is_stored_under_a_plain_and_free_name(studio):
     for name in ("My print (1).STL", "my-print-1.stl"):
         status, answer = send(studio, name, STL)
