@@ -2,7 +2,7 @@
 
 import { fill, h, later } from "./dom.js";
 
-const REST = 200; // milliseconds after which a slider that moved counts as one that stopped
+const REST = 120; // milliseconds after which a slider that moved counts as one that stopped
 const PLACES = 200; // places of a slider
 
 /** Factors of units that sliders know, by dimension, to the first of each. */

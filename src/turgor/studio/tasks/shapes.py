@@ -50,7 +50,7 @@ def shape_of(file: Path) -> dict[str, Any]:
     except TurgorError as error:
         problems.add(("actuator",), error.on_command_line)
     out["problems"] = noted(problems)
-    out["form"] = form_of_actuator(table if not out["problems"] else {"type": table.get("type")})
+    out["form"] = form_of_actuator(table)
     return out
 
 
