@@ -11,9 +11,9 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-ROOT = Path(__file__).parents[2]
-for folder in ("tests/unit/studio", "tests/unit/views/viewing", "."):
-    sys.path.insert(0, str(ROOT / folder))
+sys.path.insert(0, str(Path(__file__).parents[2]))
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests/unit/studio"))
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests/unit/views/viewing"))
 from served import open_page, served
 
 from benchmarks.shared.machine import machine

@@ -1,7 +1,7 @@
 // Start: the files of the folder, families as pictures to begin with, and a place where own parts are dropped.
 
 import { get, part, post } from "../api.js";
-import { fill, h, say } from "../dom.js";
+import { fill, h } from "../dom.js";
 import { titled } from "../form.js";
 import { tour } from "../tour.js";
 
