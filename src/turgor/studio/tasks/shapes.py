@@ -15,10 +15,12 @@ from turgor.core.geometry.cad.inspection import Inspection, inspect_here
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.core.model.contact import Obstacle
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
 from turgor.job.job import Actuator
 from turgor.job.tables.cad import CAD_FILE
+from turgor.job.tables.contact import read_contact
 from turgor.job.tables.materials import read_materials
 from turgor.job.tables.sections import read_actuator
 from turgor.job.text.problems import Problems
@@ -72,20 +74,21 @@ def _of_family(actuator: Actuator) -> Geometry:
 def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems) -> dict[str, Any]:
     if table.get("type") == CAD_FILE:
         actuator = read_actuator(table, problems)
-        return _of_file(actuator) if isinstance(actuator, CadFile) else {}
+        return _of_file(actuator, content) if isinstance(actuator, CadFile) else {}
     shape = built(table, problems)
     if shape is None:
         return {}
     patches = patches_of(shape)
     copies = len(patches.images)
     facts = {
-        "size": patches.size(),
+        "size": np.ptp(patches.box(), axis=0).tolist(),
         "wall": shape.smallest_wall,
         "cavities": {name: volume * copies for name, volume in shape.cavity_volumes.items()},
         "volume": shape.solid_volume * copies,
         "mass": _mass(shape, content, copies),
     }
-    return {"scene": patches.scene(), "facts": facts, "faces": [], "findings": _sentences(shape.findings)}
+    obstacles = _obstacles(content, shape)
+    return {"scene": patches.scene(obstacles), "facts": facts, "faces": [], "findings": _sentences(shape.findings)}
 
 
 def _mass(shape: Geometry, content: dict[str, Any], copies: int) -> float | None:
@@ -104,7 +107,13 @@ def _mass(shape: Geometry, content: dict[str, Any], copies: int) -> float | None
     return copies * sum(volume * each for volume, each in parts if each is not None)
 
 
-def _of_file(actuator: CadFile) -> dict[str, Any]:
+def _obstacles(content: dict[str, Any], shape: Geometry | None) -> tuple[Obstacle, ...]:
+    """The obstacles that are right; what is wrong with others is said on the screen Loads."""
+    contact, _ = read_contact({}, content.get("obstacles", {}), shape, Problems("", {}))
+    return contact.obstacles
+
+
+def _of_file(actuator: CadFile, content: dict[str, Any]) -> dict[str, Any]:
     """A CAD file: the whole part with all its faces, each with a selector that picks it."""
     part = _inspected(_Named(actuator))
     patches = patches_of_file(part, actuator.axes)
@@ -121,13 +130,14 @@ def _of_file(actuator: CadFile) -> dict[str, Any]:
         for face, patch in zip(part.faces, patches.faces, strict=True)
     ]
     facts = {
-        "size": patches.size(),
+        "size": np.ptp(patches.box(), axis=0).tolist(),
         "wall": part.smallest_wall,
         "cavities": {cavity.name: cavity.volume for cavity in part.cavities},
         "volume": sum(body.volume for body in part.bodies),
         "mass": None,
     }
-    return {"scene": patches.scene(), "facts": facts, "faces": faces, "findings": _sentences(part.findings)}
+    scene = patches.scene(_obstacles(content, None))
+    return {"scene": scene, "facts": facts, "faces": faces, "findings": _sentences(part.findings)}
 
 
 @dataclass(frozen=True, slots=True)
