@@ -1,5 +1,6 @@
 """Shape and loads in the studio: a family is picked and changed, faces of a part are named by clicks."""
 
+import json
 import re
 import shutil
 import tomllib
@@ -14,6 +15,7 @@ from turgor.job.read import read_job
 pytestmark = needs_browser
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
+PAGE = Path(__file__).parents[3] / "src/turgor/studio/page/families"  # run docs/studio_thumbnails.py for new families
 
 #: The pixel of the picture that shows the middle of a point, from the viewer that is mounted.
 POINT = """async (point) => {
@@ -172,6 +174,27 @@ def test_part_is_brought_and_its_faces_are_named_by_clicks(shown, studio):
 
 
 @pytest.mark.slow
+def test_unit_is_asked_for_where_a_file_states_none(shown, studio):
+    page = shown.page
+    page.get_by_label("close the tour").click()
+    page.locator("#part-file").set_input_files(EXAMPLES / "print.stl")
+    page.get_by_role("button", name="50 × 16 × 8 cm").click()
+    page.wait_for_selector("main.screen-shape [data-version]")
+    assert tomllib.loads((studio.workspace / "print.toml").read_text())["actuator"]["unit"] == "cm"
+    assert fact(page, "Outer size") == "500 × 160 × 80 mm"
+
+
+@pytest.mark.slow
+def test_part_that_cannot_be_read_is_explained_at_the_drop_zone(shown, studio):
+    page = shown.page
+    page.get_by_label("close the tour").click()
+    page.locator("#part-file").set_input_files({"name": "bad.step", "mimeType": "", "buffer": b"ISO-10303-21;"})
+    assert "bad.step" in page.locator("[role=alert] .wrong").inner_text()
+    assert not (studio.workspace / "bad.step").exists()
+    shown.complaints.clear()  # the browser notes the refusal
+
+
+@pytest.mark.slow
 def test_loads_are_put_on_faces(shown, studio):
     page = shown.page
     go(page, "setup", "finger.toml")
@@ -215,9 +238,16 @@ def test_tour_points_at_five_things_once(shown):
     assert page.locator(".tour").count() == 0
 
 
+def test_list_of_families_is_that_of_the_registry():
+    listed = json.loads((PAGE / "families.json").read_text(encoding="utf-8"))
+    assert listed == [{"name": name, "words": kind.__doc__.splitlines()[0]} for name, kind in ACTUATORS.items()]
+    assert {file.stem for file in PAGE.glob("*.png")} == set(ACTUATORS)
+
+
 @pytest.mark.slow
 def test_every_family_has_a_picture_to_begin_with(shown):
     page = shown.page
+    page.wait_for_selector(".family")
     assert {each.get_attribute("data-family") for each in page.locator(".family").all()} == set(ACTUATORS)
     page.wait_for_function("[...document.querySelectorAll('.family img')].every((each) => each.loading)")
     for image in page.locator(".family img").all():

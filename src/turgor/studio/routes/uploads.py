@@ -81,22 +81,18 @@ async def _received(request: Request, part: Path) -> None:
     stated = request.headers.get("content-length", "0")
     count = int(stated) if stated.isdigit() else 0
     with part.open("xb") as file:
-        async for piece in request.stream() if count <= STUDIO.upload_bytes else _nothing():
-            count = max(count, file.tell() + len(piece))
-            if count > STUDIO.upload_bytes:
-                break
-            file.write(piece)
+        if count <= STUDIO.upload_bytes:
+            async for piece in request.stream():
+                count = max(count, file.tell() + len(piece))
+                if count > STUDIO.upload_bytes:
+                    break
+                file.write(piece)
         empty = file.tell() == 0
     if count > STUDIO.upload_bytes:
         most = f"more than {STUDIO.upload_bytes / 1e6:.0f} MB"
         raise TooLarge(f"'{part.name}' has {most}, which is the most that is read; put it into the folder.")
     if empty:
         raise TurgorError(f"'{part.name}' is empty.")
-
-
-async def _nothing() -> Any:
-    for piece in ():
-        yield piece
 
 
 def _check_job(file: Path) -> None:

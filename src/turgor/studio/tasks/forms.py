@@ -59,7 +59,7 @@ def form_of_actuator(table: dict[str, Any]) -> dict[str, Any] | None:
 
     Where the table has a mistake, ranges are those around the defaults.
     """
-    kind = table.get("type")
+    kind = str(table.get("type"))
     if kind not in ACTUATORS:
         return None
     actuator = read_actuator(table, Problems("", {}))

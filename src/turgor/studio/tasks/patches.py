@@ -17,7 +17,7 @@ from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import outer_triangles
-from turgor.core.model.contact import Obstacle
+from turgor.core.model.obstacles import Obstacle
 from turgor.views.viewer.packing import pack_index, pack_steps
 
 Array = NDArray[np.float64]

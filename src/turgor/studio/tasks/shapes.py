@@ -1,7 +1,7 @@
 """Shapes: the picture of an actuator from its dimensions or its file, without a mesh, and its size and volumes."""
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from pathlib import Path
@@ -15,10 +15,9 @@ from turgor.core.geometry.cad.inspection import Inspection, inspect_here
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.mesh_file import MeshFile
-from turgor.core.model.contact import Obstacle
+from turgor.core.model.obstacles import Obstacle
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
-from turgor.job.job import Actuator
 from turgor.job.tables.cad import CAD_FILE
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.materials import read_materials
@@ -61,14 +60,16 @@ def built(table: Mapping[str, Any], problems: Problems) -> Geometry | None:
     actuator = read_actuator(table, problems)
     if actuator is None:
         return None
-    make = actuator.build if isinstance(actuator, CadFile | MeshFile) else partial(_of_family, actuator)
+    is_file = isinstance(actuator, CadFile | MeshFile) or not isinstance(actuator, Hashable)
+    make = actuator.build if is_file else partial(_of_family, actuator)
     return problems.attempt(("actuator",), make)
 
 
 @lru_cache(maxsize=8)
-def _of_family(actuator: Actuator) -> Geometry:
+def _of_family(actuator: Any) -> Geometry:
     """Build a family once: the screens of the page ask for it one after another."""
-    return actuator.build()
+    shape: Geometry = actuator.build()
+    return shape
 
 
 def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems) -> dict[str, Any]:
@@ -133,6 +134,7 @@ def _of_file(actuator: CadFile, content: dict[str, Any]) -> dict[str, Any]:
         "size": np.ptp(patches.box(), axis=0).tolist(),
         "wall": part.smallest_wall,
         "cavities": {cavity.name: cavity.volume for cavity in part.cavities},
+        "bodies": [{"name": body.region, "volume": body.volume, "color": body.color} for body in part.bodies],
         "volume": sum(body.volume for body in part.bodies),
         "mass": None,
     }
