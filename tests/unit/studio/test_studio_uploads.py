@@ -3,6 +3,7 @@
 import base64
 import http.client
 import json
+import os
 import struct
 import zipfile
 import zlib
@@ -169,6 +170,15 @@ def test_job_file_is_stored_as_it_is(studio):
     status, answer = send(studio, "finger.toml", text)
     assert (status, answer) == (200, {"name": "finger.toml", "kind": "job"})
     assert (studio.workspace / "finger.toml").read_bytes() == text
+
+
+def test_upload_of_a_killed_server_is_removed(studio):
+    left = studio.workspace / ".turgor-studio" / "uploads" / "left"
+    left.mkdir(parents=True)
+    (left / "large.step").write_bytes(b"half")
+    os.utime(left, (0, 0))
+    send(studio, "finger.toml", (EXAMPLES / "fast_pneunet.toml").read_bytes())
+    assert not left.exists()
 
 
 @pytest.mark.parametrize("name", ["a/b.step", "a\\b.step", "..", "a.step\n", "a\0.step", "a.exe", ".step", "a"])

@@ -3,6 +3,7 @@
 import os
 import re
 import shutil
+import time
 import tomllib
 from pathlib import Path
 from tempfile import mkdtemp
@@ -18,6 +19,9 @@ from turgor.studio.workspace import PARTS
 
 #: Endings of what the page may send: parts and job files.
 ALLOWED = (*PARTS, ".toml")
+
+#: Age after which an unfinished upload is one of a server that was killed [s]; reading takes minutes at most.
+STALE = 3600.0
 
 #: Longest name of a stored file without its ending: what every file system takes, with a number behind it.
 LONGEST_STEM = 80
@@ -54,7 +58,9 @@ async def _upload(studio: Studio, request: Request) -> Any:
     """Store a file: its name and the unit of its numbers are in the address."""
     name = stored_name(request.query_params.get("name", ""))
     unit = request.query_params.get("unit") or None
-    folder = Path(mkdtemp(dir=studio.workspace.own("uploads")))
+    place = studio.workspace.own("uploads")
+    _sweep(place)
+    folder = Path(mkdtemp(dir=place))
     try:
         part = folder / name
         await _received(request, part)
@@ -66,6 +72,13 @@ async def _upload(studio: Studio, request: Request) -> Any:
         return {"name": await to_thread.run_sync(_moved, part, studio.workspace.folder), **facts}
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def _sweep(place: Path) -> None:
+    """Remove what a server has left that was killed during an upload."""
+    for each in place.iterdir():
+        if each.stat().st_mtime < time.time() - STALE:
+            shutil.rmtree(each, ignore_errors=True)
 
 
 async def _looked(studio: Studio, part: Path, unit: str | None) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.cad.facets import faces_between, named_facets
+from turgor.core.geometry.cad.facets import RoundFacets, faces_between, round_facets
 from turgor.core.geometry.cad.inspection import Inspection
 from turgor.core.geometry.cad.surface.grouping import grouped
 from turgor.core.geometry.directions import FileAxes, rotation_to
@@ -16,7 +16,7 @@ from turgor.core.geometry.whole import Image, MirrorPlane, images_of
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.surface import outer_triangles
+from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.obstacles import Obstacle
 from turgor.views.viewer.packing import pack_index, pack_steps
 
@@ -148,17 +148,32 @@ def patches_of_file(inspection: Inspection, axes: FileAxes | None) -> Patches:
 
 
 def _cad_faces(geometry: Geometry) -> tuple[Patch, ...]:
-    scale, shape = geometry.length_scale, geometry._cad
-    pairs = zip(named_facets(shape), faces_between(shape), strict=True)
-    return tuple(Patch(name=name, triangles=c * scale, inner=inner) for (name, c), inner in pairs if len(c))
+    shape, scale = geometry._cad, geometry.length_scale
+    if hasattr(shape, "corners"):  # facets, whose normals point out already
+        parts = [(face.name, shape.corners[shape.face == i], False) for i, face in enumerate(shape.faces)]
+    else:
+        facets = round_facets(shape)
+        corners = _outward(facets)
+        pairs = enumerate(zip(facets.faces, faces_between(shape), strict=True))
+        parts = [(str(face.name), corners[facets.face == i], inner) for i, (face, inner) in pairs]
+    return tuple(Patch(name=name, triangles=own * scale, inner=inner) for name, own, inner in parts if len(own))
+
+
+def _outward(facets: RoundFacets) -> Array:
+    """Triangles of the display, turned to the side of the normals of the true surface; the kernel leaves that open."""
+    corners = facets.corners
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    wrong = np.einsum("ti,ti->t", across, facets.normals.sum(axis=1)) < 0
+    return np.asarray(np.where(wrong[:, None, None], corners[:, ::-1], corners))
 
 
 def _mesh_faces(mesh: Mesh) -> tuple[Patch, ...]:
     """Faces of a mesh, each cut where it has an edge."""
-    outer = {tuple(side) for side in np.sort(outer_triangles(mesh), axis=1).tolist()}
+    count = len(mesh.points)
+    outer = corner_keys(outer_triangles(mesh), count)
     patches = []
     for name, sides in mesh.faces.items():
-        inner = len(sides) > 0 and tuple(sorted(sides[0].tolist())) not in outer
+        inner = not np.isin(corner_keys(sides, count), outer).all()
         corners = six_node_triangles(sides)[:, :3]
         group = grouped(mesh.points, corners)
         for k in range(int(group.max(initial=-1)) + 1):

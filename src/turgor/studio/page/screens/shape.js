@@ -75,6 +75,8 @@ class Shape {
     this.title.textContent = form ? titled(String(kind)) : String(file ?? "Shape");
     this.about.textContent = form
       ? "Move a slider or write a value with its unit. Each range is what the other dimensions allow."
+      : kind === "mesh_file"
+      ? "A mesh is used as it is. Its faces have the names of the file, or those that the job gives them in [actuator.faces]."
       : "Point at a face of the picture, and click it to give it a name. The job then says what is fixed and where the tip is.";
     fill(this.problems, ...others, ...(findings ?? []).map((/** @type {string} */ each) => h("p", { class: "note" }, each)));
     this.form.update(form?.keys ?? [], content.actuator ?? {}, at);
