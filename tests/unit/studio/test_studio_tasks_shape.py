@@ -10,7 +10,7 @@ from turgor.job.reference.starters import example_job
 from turgor.job.tables.sections import read_actuator
 from turgor.job.text.problems import Problems
 from turgor.studio.tasks.content import content_of, noted
-from turgor.studio.tasks.forms import form_of_actuator
+from turgor.studio.tasks.forms import LIBRARY, form_of_actuator, forms_of
 from turgor.studio.tasks.patches import patches_of
 from turgor.studio.tasks.shapes import shape_of
 from turgor.views.viewer.packing import unpack
@@ -88,3 +88,13 @@ def test_problems_are_at_their_keys(tmp_path):
     assert [each["key"] for each in shape["problems"]] == ["actuator.gap"]
     assert "scene" not in shape
     assert shape["form"]["keys"]
+
+
+def test_layer_may_be_chosen_from_the_library_on_any_part(tmp_path):
+    job = tmp_path / "tube.toml"
+    job.write_text(example_job("twisting_tube").read_text(encoding="utf-8"), encoding="utf-8")
+    forms = forms_of(job, (LIBRARY,))
+    assert "strain_limiting_layer" not in forms["faces"]
+    (table,) = forms["tables"]
+    assert "paper" in next(key["choices"] for key in table["keys"] if key["name"] == "library")
+    assert forms["problems"] == []

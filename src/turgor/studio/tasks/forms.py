@@ -24,6 +24,10 @@ _RANGE = re.compile(r"(-?[\d.]+)(?: ([^\s\d,]+))? to (-?[\d.]+)(?: ([^\s\d,]+))?
 _ZERO = re.compile(r"\b0 (?:\(none\)|leaves it out)")
 
 
+#: Header of the table of a material of the library.
+LIBRARY = "[materials.NAME], from the library"
+
+
 def table_as_json(table: JobTable) -> dict[str, Any]:
     """Return a table with the limits of its keys as numbers.
 
@@ -99,4 +103,7 @@ def forms_of(file: Path, headers: Iterable[str]) -> dict[str, Any]:
 def _tables(shape: Geometry) -> list[dict[str, Any]]:
     from turgor.job.reference.sections import section_tables  # here: it loads the engine, and a picture needs none
 
-    return [table_as_json(table) for table in section_tables(shape)]
+    # a part without such a face has no range of a layer, but may have a layer all the same
+    library = next(table for table in section_tables() if table.header == LIBRARY)
+    tables = (library if table.header == LIBRARY else table for table in section_tables(shape))
+    return [table_as_json(table) for table in tables]
