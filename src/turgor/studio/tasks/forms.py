@@ -14,7 +14,7 @@ from turgor.job.read import read_job
 from turgor.job.reference.tables import JobKey, JobTable, family_table
 from turgor.job.tables.sections import read_actuator
 from turgor.job.text.problems import JobError, Problems
-from turgor.studio.tasks.content import at_key, content_of, plain, table_in
+from turgor.studio.tasks.content import actuator_in, at_key, content_of, plain
 from turgor.studio.tasks.reach import reach
 
 #: A range in a sentence, such as ``0.01 mm to 10.967 mm, so that …`` or ``a whole number from 1 to 100``.
@@ -80,7 +80,7 @@ def forms_of(file: Path, headers: Iterable[str]) -> dict[str, Any]:
     from turgor.studio.tasks.shapes import built
 
     content, problems = content_of(file)
-    shape = built(table_in(content, "actuator"), problems)
+    shape = built(actuator_in(content), problems)
     if shape is None:
         raise TurgorError("the shape has a mistake; mend it on the screen Shape first.")
     wanted = tuple(headers)

@@ -23,7 +23,7 @@ from turgor.job.tables.contact import read_contact
 from turgor.job.tables.materials import read_materials
 from turgor.job.tables.sections import read_actuator
 from turgor.job.text.problems import Problems
-from turgor.studio.tasks.content import content_of, noted, plain, table_in
+from turgor.studio.tasks.content import actuator_in, content_of, noted, plain
 from turgor.studio.tasks.forms import form_of_actuator
 from turgor.studio.tasks.patches import patches_of, patches_of_file
 from turgor.units import format_quantity, mm
@@ -44,7 +44,7 @@ def shape_of(file: Path) -> dict[str, Any]:
         ``facts`` and ``faces``.
     """
     content, problems = content_of(file)
-    table = table_in(content, "actuator")
+    table = actuator_in(content)
     out: dict[str, Any] = {"content": plain(content), "kind": table.get("type"), "form": None, "problems": []}
     try:
         out |= _drawn(table, content, problems)
