@@ -14,6 +14,7 @@ from turgor.job.read import read_job
 from turgor.job.reference.tables import JobKey, JobTable, family_table
 from turgor.job.tables.sections import read_actuator
 from turgor.job.text.problems import JobError, Problems
+from turgor.studio.tasks.building import built
 from turgor.studio.tasks.content import actuator_in, at_key, content_of, plain
 from turgor.studio.tasks.reach import reach
 
@@ -77,8 +78,6 @@ def form_of_actuator(table: dict[str, Any]) -> dict[str, Any] | None:
 
 def forms_of(file: Path, headers: Iterable[str]) -> dict[str, Any]:
     """Return the forms of some tables of a job by the beginnings of their headers, and the content of the job."""
-    from turgor.studio.tasks.shapes import built
-
     content, problems = content_of(file)
     shape = built(actuator_in(content), problems)
     if shape is None:

@@ -1,9 +1,9 @@
 """Shapes: the picture of an actuator from its dimensions or its file, without a mesh, and its size and volumes."""
 
 from collections import Counter
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,6 @@ from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.inspection import Inspection, inspect_here
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
-from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.model.obstacles import Obstacle
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
@@ -23,6 +22,7 @@ from turgor.job.tables.contact import read_contact
 from turgor.job.tables.materials import read_materials
 from turgor.job.tables.sections import read_actuator
 from turgor.job.text.problems import Problems
+from turgor.studio.tasks.building import built
 from turgor.studio.tasks.content import actuator_in, content_of, noted, plain
 from turgor.studio.tasks.forms import form_of_actuator
 from turgor.studio.tasks.patches import patches_of, patches_of_file
@@ -53,23 +53,6 @@ def shape_of(file: Path) -> dict[str, Any]:
     out["problems"] = noted(problems)
     out["form"] = form_of_actuator(table)
     return out
-
-
-def built(table: Mapping[str, Any], problems: Problems) -> Geometry | None:
-    """Return the geometry of a table ``[actuator]``; None where it is wrong, which is noted."""
-    actuator = read_actuator(table, problems)
-    if actuator is None:
-        return None
-    is_file = isinstance(actuator, CadFile | MeshFile) or not isinstance(actuator, Hashable)
-    make = actuator.build if is_file else partial(_of_family, actuator)
-    return problems.attempt(("actuator",), make)
-
-
-@lru_cache(maxsize=8)
-def _of_family(actuator: Any) -> Geometry:
-    """Build a family once: the screens of the page ask for it one after another."""
-    shape: Geometry = actuator.build()
-    return shape
 
 
 def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems) -> dict[str, Any]:
