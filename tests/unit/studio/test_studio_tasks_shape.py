@@ -5,6 +5,8 @@ import tomllib
 import numpy as np
 import pytest
 
+from turgor.core.geometry.cad.placing.rotate import turned_shape
+from turgor.core.geometry.directions import rotation_to
 from turgor.core.meshing.generate import mesh
 from turgor.core.results.files.mesh_vtu import write_mesh_vtu
 from turgor.job.job import ACTUATORS
@@ -119,3 +121,17 @@ def test_mesh_is_shown_as_the_whole(tmp_path):
     assert shape["facts"]["volume"] == pytest.approx(2 * half.solid_volume, rel=1e-3)
     assert len(shape["scene"]["images"]) == 2
     assert whole_of(shape["scene"]) == pytest.approx(2 * half.solid_volume, rel=1e-3)
+
+
+def test_part_is_named_as_in_its_file_and_loaded_as_it_is_modeled(tmp_path):
+    """A finger that lies along z in its file, with fixed and tip: loads and gravity are along our axes."""
+    finger = ACTUATORS["rectangular_bender"](symmetric=False).build()
+    turned_shape(finger.shape, rotation_to(("z", "x", "y"))).WriteStep(str(tmp_path / "finger.step"))
+    job = tmp_path / "finger.toml"
+    job.write_text('[actuator]\ntype = "cad_file"\nfile = "finger.step"\n', encoding="utf-8")
+    in_file, modeled = shape_of(job), shape_of(job, modeled=True)
+    assert modeled["facts"]["size"][0] == pytest.approx(max(in_file["facts"]["size"]), rel=1e-6)
+    assert in_file["facts"]["size"][0] < max(in_file["facts"]["size"]) / 2
+    assert in_file["facts"]["volume"] == pytest.approx(modeled["facts"]["volume"], rel=1e-9)
+    assert {each["name"] for each in in_file["faces"]} >= {"fixed", "tip", "cavity"}
+    assert whole_of(in_file["scene"]) == pytest.approx(whole_of(modeled["scene"]), rel=1e-3)

@@ -29,13 +29,15 @@ from turgor.studio.tasks.patches import patches_of, patches_of_file
 from turgor.units import format_quantity, mm
 
 
-def shape_of(file: Path) -> dict[str, Any]:
+def shape_of(file: Path, modeled: bool = False) -> dict[str, Any]:
     """Return what the page shows of the shape of a job.
 
     Parameters
     ----------
     file : Path
         A job; only its table ``[actuator]`` must be right.
+    modeled : bool
+        Whether a CAD file is shown as it is modeled, along our axes; else as it lies in the file, where it is named.
 
     Returns
     -------
@@ -47,7 +49,7 @@ def shape_of(file: Path) -> dict[str, Any]:
     table = actuator_in(content)
     out: dict[str, Any] = {"content": plain(content), "kind": table.get("type"), "form": None, "problems": []}
     try:
-        out |= _drawn(table, content, problems)
+        out |= _drawn(table, content, problems, modeled)
     except TurgorError as error:
         problems.add(("actuator",), error.on_command_line)
     out["problems"] = noted(problems)
@@ -55,10 +57,10 @@ def shape_of(file: Path) -> dict[str, Any]:
     return out
 
 
-def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems) -> dict[str, Any]:
-    if table.get("type") == CAD_FILE:
+def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems, modeled: bool) -> dict[str, Any]:
+    if table.get("type") == CAD_FILE and not modeled:
         actuator = read_actuator(table, problems)
-        return _of_file(actuator, content) if isinstance(actuator, CadFile) else {}
+        return _of_file(actuator) if isinstance(actuator, CadFile) else {}
     shape = built(table, problems)
     if shape is None:
         return {}
@@ -91,13 +93,13 @@ def _mass(shape: Geometry, content: dict[str, Any], copies: int) -> float | None
     return copies * sum(volume * each for volume, each in parts if each is not None)
 
 
-def _obstacles(content: dict[str, Any], shape: Geometry | None) -> tuple[Obstacle, ...]:
+def _obstacles(content: dict[str, Any], shape: Geometry) -> tuple[Obstacle, ...]:
     """The obstacles that are right; what is wrong with others is said on the screen Loads."""
     contact, _ = read_contact({}, content.get("obstacles", {}), shape, Problems("", {}))
     return contact.obstacles
 
 
-def _of_file(actuator: CadFile, content: dict[str, Any]) -> dict[str, Any]:
+def _of_file(actuator: CadFile) -> dict[str, Any]:
     """A CAD file: the whole part with all its faces, each with a selector that picks it."""
     part = _inspected(_Named(actuator))
     patches = patches_of_file(part, actuator.axes)
@@ -121,8 +123,7 @@ def _of_file(actuator: CadFile, content: dict[str, Any]) -> dict[str, Any]:
         "volume": sum(body.volume for body in part.bodies),
         "mass": None,
     }
-    scene = patches.scene(_obstacles(content, None))
-    return {"scene": scene, "facts": facts, "faces": faces, "findings": _sentences(part.findings)}
+    return {"scene": patches.scene(), "facts": facts, "faces": faces, "findings": _sentences(part.findings)}
 
 
 @dataclass(frozen=True, slots=True)

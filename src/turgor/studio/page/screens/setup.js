@@ -51,7 +51,7 @@ class Setup {
   async draw() {
     const { state, name } = this.app.job;
     try {
-      const shape = await shapeOf(name);
+      const shape = await shapeOf(name, true);
       if (shape.scene && JSON.stringify(shape.scene) !== this.drawn) {
         this.drawn = JSON.stringify(shape.scene);
         await this.faces.draw(shape.scene);
