@@ -20,9 +20,10 @@ from turgor.views.plots.figures import svg_of
 from turgor.views.plots.linked_plots import places_of_points
 from turgor.views.plots.systems.track_plot import track_panels
 from turgor.views.report.templating import rendered
+from turgor.views.viewer.assets import viewer_scripts, viewer_style
 from turgor.views.viewer.curves import curves_of
 from turgor.views.viewer.scene import Scene, chosen_steps, scene_of
-from turgor.views.viewer.viewer import viewer_markup, viewer_scripts, viewer_style
+from turgor.views.viewer.viewer import viewer_markup
 from turgor.views.viewer.wanted_path import wanted_path
 
 Array = NDArray[np.float64]

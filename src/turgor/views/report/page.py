@@ -35,10 +35,11 @@ from turgor.views.report.references import references
 from turgor.views.report.response_table import is_zero, parted, response_table
 from turgor.views.report.settings import PAGE
 from turgor.views.report.templating import rendered
+from turgor.views.viewer.assets import viewer_scripts, viewer_style
 from turgor.views.viewer.curves import Measured
 from turgor.views.viewer.scene import Scene, scene_of
 from turgor.views.viewer.settings import VIEWER
-from turgor.views.viewer.viewer import viewer_markup, viewer_scripts, viewer_style
+from turgor.views.viewer.viewer import viewer_markup
 
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 

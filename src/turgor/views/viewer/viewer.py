@@ -2,22 +2,15 @@
 
 import json
 from dataclasses import dataclass, field
-from functools import cache
 from html import escape
-from importlib.resources import files
 from pathlib import Path
 
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
+from turgor.views.viewer.assets import viewer_markup_of, viewer_scripts, viewer_style
 from turgor.views.viewer.scene import Scene, scene_of
 from turgor.views.viewer.settings import VIEWER
-
-#: Scripts of the viewer in the order in which they stand in a page.
-SCRIPTS = (
-    "1_unpack.js", "2_skin.js", "3_stage.js", "4_body.js", "5_section.js", "6_chart.js", "7_linked.js", "8_overlay.js",
-    "9_viewer.js",
-)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -112,20 +105,4 @@ def viewer(of: Solution, *, response: Response | None = None) -> Viewer:
 def viewer_markup(scene: Scene) -> str:
     """Return the element of the viewer with its data, as HTML."""
     values = json.dumps(scene.values, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
-    return _text("page/viewer.html").replace("{{ values | safe }}", values)
-
-
-def viewer_style() -> str:
-    """Return the style of the viewer."""
-    return _text("page/viewer.css")
-
-
-@cache
-def viewer_scripts() -> str:
-    """Return the scripts of the viewer and of the library that it draws with, as one text."""
-    own = "".join(_text(f"page/{name}") for name in SCRIPTS)
-    return f'{_text("vendor/three.min.js")}\n(() => {{\n"use strict";\n{own}}})();\n'
-
-
-def _text(name: str) -> str:
-    return files("turgor.views.viewer").joinpath(name).read_text(encoding="utf-8")
+    return viewer_markup_of(values)

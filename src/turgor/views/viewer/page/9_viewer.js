@@ -1,4 +1,6 @@
-// Viewer: reads the scene, builds the picture, and connects it with the controls.
+// Viewer: reads the scene, builds the picture, and connects it with the controls. Each part of a scene is packed, or a
+// source that a page computes, such as a reduced model: indices as an array, and steps as an object with `steps`,
+// `points` and `at(step)`.
 
 const PLAY = 160; // milliseconds between two steps
 const BETWEEN = 0.05; // smallest part of a step on the slider
@@ -29,6 +31,9 @@ function moved(points, rest) {
   return out;
 }
 
+const indexOf = (given) => (given.buffer ? given : unpackedIndex(given));
+const stepsOf = (given, places) => (given.at ? given : unpackedSteps(given, places));
+
 class Viewer {
   constructor(root, values) {
     this.root = root;
@@ -39,47 +44,78 @@ class Viewer {
   }
 
   async start() {
-    const { surface, inside, fields, threads, obstacles, path, images, places: drive } = this.values;
-    const [triangles, cut, centers, positions] = await Promise.all([
-      unpackedIndex(surface.triangles), unpackedIndex(surface.cut), unpackedIndex(surface.centers),
-      unpackedSteps(surface.positions, drive),
-    ]);
-    this.positions = positions;
-    this.data = await Promise.all(fields.map((field) => field.data && unpackedSteps(field.data)));
     const picture = this.find("picture");
     this.root.hidden = false;
-    this.stage = new Stage(picture, this.values);
+    this.stage = new Stage(picture);
+    const places = await this.#fill();
+    this.#frame(...places);
+    new Overlay(this.stage, picture);
+    new Probe(this, picture);
+    this.#controls();
+    this.#first();
+  }
+
+  // Show another scene of the same kind, such as after a change of a dimension, from the same side; aim at it again
+  // where its size has changed.
+  async replace(values) {
+    const { radius } = this.stage;
+    this.values = values;
+    this.stage.clear();
+    const places = await this.#fill();
+    const turn = this.stage.direction;
+    this.#frame(...places);
+    if (Math.abs(this.stage.radius - radius) < 1e-9 * radius) this.stage.restore(turn);
+    else this.stage.look(turn.azimuth, turn.elevation);
+    for (const control of this.root.querySelectorAll(".v-side input[type=checkbox]")) control.dispatchEvent(new Event("change"));
+    this.step = -1;
+    this.#first();
+    this.cut();
+  }
+
+  async #fill() {
+    const { surface, inside, fields, threads, obstacles, path, parts, images, places: drive } = this.values;
+    const [triangles, cut, centers, positions] = await Promise.all([
+      indexOf(surface.triangles), indexOf(surface.cut), indexOf(surface.centers),
+      stepsOf(surface.positions, drive),
+    ]);
+    this.positions = positions;
+    this.data = await Promise.all(fields.map((field) => field.data && stepsOf(field.data)));
+    this.stage.images(images);
     this.skin = new Skin(triangles, {
       shape: surface.triangles.shape, cut, centers, mirrors: surface.mirrors, sides: surface.sides, images: images.length,
       slow: this.stage.slow,
     });
     this.body = new Body(this.stage, this.skin, this.values);
-    if (threads) this.body.addThreads(await unpackedIndex(threads.lengths), await unpackedSteps(threads.positions, drive));
-    const places = obstacles && (await unpackedSteps(obstacles.positions, drive));
-    if (obstacles) this.body.addObstacles(await unpackedIndex(obstacles.triangles), places);
-    const line = path && (await unpackedSteps(path.positions, drive));
-    if (path) this.body.addPath(await unpackedIndex(path.triangles), line);
+    if (threads) this.body.addThreads(await indexOf(threads.lengths), await stepsOf(threads.positions, drive));
+    const places = obstacles && (await stepsOf(obstacles.positions, drive));
+    if (obstacles) this.body.addObstacles(await indexOf(obstacles.triangles), places);
+    const line = path && (await stepsOf(path.positions, drive));
+    if (path) this.body.addPath(await indexOf(path.triangles), line);
     this.section = new Section(this.stage, this.skin, inside ? await this.#open(inside, fields) : []);
     this.rest = positions.at(0);
-    this.#frame(places, line);
-    new Overlay(this.stage, picture);
-    new Probe(this.stage, this.body, picture, (share) => this.#describe(share));
-    this.#controls();
+    if (!fields.length) this.body.surface.color.set(RUBBER);
+    this.parts = parts && new Parts(this.stage, this.body, await namedParts(parts), this.rest, triangles);
+    return [places, line];
+  }
+
+  #first() {
+    for (const name of ["obstacles", "threads", "path"]) this.find(name).parentElement.hidden = !this.body[name];
     this.show(0);
-    this.body.keepRest();
-    this.field(0);
+    if (this.values.steps.length > 1) this.body.keepRest();
+    if (this.values.fields.length) this.field(0);
     this.show(this.values.steps.length - 1);
     this.stage.now();
   }
 
   async #open(inside, fields) {
-    this.depth = await unpackedSteps(inside.positions, this.values.places);
-    this.within = await Promise.all(fields.map((field) => field.inside && unpackedSteps(field.inside)));
-    return unpackedIndex(inside.tetrahedra);
+    this.depth = await stepsOf(inside.positions, this.values.places);
+    this.within = await Promise.all(fields.map((field) => field.inside && stepsOf(field.inside)));
+    return indexOf(inside.tetrahedra);
   }
 
   // The face of the cut at this step, colored by the field.
   #face() {
+    if (!this.shown) return;
     const points = this.body.open && this.depth?.at(this.step);
     this.section.material.map = this.body.surface.map;
     this.section.material.needsUpdate = true;
@@ -116,7 +152,10 @@ class Viewer {
     this.stage.frame(cloud);
   }
 
-  #describe(share) {
+  // What the pointer is at: the name of a face, or the value of the field.
+  describe(hit) {
+    if (this.parts && !this.shown) return this.parts.nameAt(hit).replaceAll("_", " ");
+    const share = hit.uv.x;
     const field = this.shown;
     const value = field.low + share * (field.high - field.low);
     return `${field.label} ${written(value, 3)} ${field.unit}`.trim();
@@ -138,6 +177,20 @@ class Viewer {
     const row = around(step).reduce((sum, [k, weight]) => sum + weight * steps[k].state, 0);
     this.linked.forEach((each) => each.mark(row));
     this.stage.draw();
+  }
+
+  // Draw the step again, because a source has changed.
+  refresh() {
+    const { step } = this;
+    this.step = -1;
+    this.show(step);
+  }
+
+  // Free what the graphics card has; the picture is gone then.
+  close() {
+    this.play(false);
+    this.stage?.renderer.dispose();
+    this.root.remove();
   }
 
   // Show the step nearest to a state of the solution.
@@ -169,6 +222,10 @@ class Viewer {
     slider.addEventListener("input", () => this.show(Number(slider.value)));
     this.find("play").addEventListener("click", () => this.play(!this.timer));
     const menu = this.find("field");
+    menu.parentElement.hidden = !this.values.fields.length;
+    slider.parentElement.hidden = this.values.steps.length < 2;
+    this.find("ghost").parentElement.hidden = this.values.steps.length < 2;
+    this.find("cells").parentElement.hidden = !this.values.fields.length; // flat triangles of a picture are no cells
     this.values.fields.forEach((field, k) => menu.append(new Option(field.unit ? `${field.label} [${field.unit}]` : field.label, k)));
     menu.addEventListener("change", () => this.field(Number(menu.value)));
     const toggles = {
@@ -183,7 +240,6 @@ class Viewer {
     for (const [name, change] of Object.entries(toggles)) {
       this.find(name).addEventListener("change", (event) => change(event.target.checked));
     }
-    for (const name of ["obstacles", "threads", "path"]) this.find(name).parentElement.hidden = !this.body[name];
     for (const name of ["axis", "turned", "place"]) this.find(name).addEventListener("input", () => this.cut());
     const views = { start: [AZIMUTH, ELEVATION], front: [0, 0], side: [Math.PI / 2, 0], top: [0, Math.PI / 2 - 1e-4] };
     for (const [name, way] of Object.entries(views)) this.find(name).addEventListener("click", () => this.stage.look(...way));
@@ -192,7 +248,7 @@ class Viewer {
   }
 
   #visible(objects, on) {
-    objects.forEach((each) => (each.visible = on));
+    objects?.forEach((each) => (each.visible = on));
     this.stage.draw();
   }
 
@@ -216,6 +272,7 @@ class Viewer {
     const share = Number(this.find("place").value) / 1000;
     const [low, high] = [this.box.min, this.box.max].map((corner) => corner.toArray()[Math.max(axis, 0)]);
     this.body.cut(axis, low + share * (high - low), this.find("turned").checked);
+    this.parts?.cut();
     this.#face();
     this.find("where").textContent = axis < 0 ? "" : `${"xyz"[axis]} = ${written(1000 * (low + share * (high - low)), 3)} mm`;
   }
@@ -249,4 +306,14 @@ async function startViewers() {
   }
 }
 
+// Put a viewer into an element of another page, from the markup of viewer.html without its data.
+async function mountViewer(place, markup, values) {
+  place.innerHTML = markup;
+  const viewer = new Viewer(place.querySelector(".viewer"), values);
+  await viewer.start();
+  viewer.root.viewer = viewer;
+  return viewer;
+}
+
+globalThis.turgorViewer = { mount: mountViewer };
 startViewers();

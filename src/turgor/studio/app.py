@@ -1,0 +1,54 @@
+"""App: the server of the studio from its routes."""
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager, suppress
+
+from starlette.applications import Starlette
+from starlette.types import ASGIApp
+
+from turgor.studio.answers import Studio
+from turgor.studio.guard import Access, Guard
+from turgor.studio.routes.events import EVENTS
+from turgor.studio.routes.geometry import GEOMETRY
+from turgor.studio.routes.jobs import JOBS
+from turgor.studio.routes.pages import PAGES
+from turgor.studio.routes.uploads import UPLOADS
+from turgor.studio.settings import STUDIO
+
+
+def studio_app(studio: Studio, access: Access) -> ASGIApp:
+    """Return the server as an ASGI application.
+
+    Parameters
+    ----------
+    studio : Studio
+        Its workspace and workers.
+    access : Access
+        Who may talk to it.
+    """
+    app = Starlette(routes=[*GEOMETRY, *UPLOADS, *JOBS, *EVENTS, *PAGES], lifespan=_lifespan)
+    app.state.studio = studio
+    return Guard(app, access)
+
+
+@asynccontextmanager
+async def _lifespan(app: Starlette) -> AsyncIterator[None]:
+    studio: Studio = app.state.studio
+    resting = asyncio.create_task(_rest(studio))
+    try:
+        yield
+    finally:
+        resting.cancel()
+        with suppress(asyncio.CancelledError):
+            await resting
+        for worker in (studio.worker, studio.slow):
+            worker.stop()
+
+
+async def _rest(studio: Studio) -> None:
+    """End workers that were not used for long."""
+    while True:
+        await asyncio.sleep(STUDIO.idle / 10)
+        for worker in (studio.worker, studio.slow):
+            worker.rest()

@@ -1,0 +1,1 @@
+"""Routes of the page: each file answers for one kind of thing."""

@@ -1,0 +1,40 @@
+"""Settings of the studio: every number that was chosen, with its reason."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class StudioSettings:
+    """Limits and times of the server.
+
+    Parameters
+    ----------
+    port : int
+        Port that is tried first; a free one where it is taken.
+    upload_bytes : int
+        Largest file that a page may send [bytes]: a detailed STEP file has 20 MB.
+    body_bytes : int
+        Largest request otherwise [bytes]: a job file has some kilobytes.
+    watch : float
+        Time between two looks at the folder [s]: shorter than what a person notices as late.
+    idle : float
+        Time after which an unused worker ends [s], because it has 200 MB.
+    patience : float
+        Longest time of a task of the worker [s]; a mesh of a large part takes a minute.
+    cancel : float
+        Time that a run has to end by itself before it is killed [s]; its states are on disk.
+    undo : int
+        Edits of a file that can be undone.
+    """
+
+    port: int = 8765
+    upload_bytes: int = 100_000_000
+    body_bytes: int = 2_000_000
+    watch: float = 0.4
+    idle: float = 300.0
+    patience: float = 300.0
+    cancel: float = 0.8
+    undo: int = 200
+
+
+STUDIO = StudioSettings()

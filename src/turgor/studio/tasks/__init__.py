@@ -1,0 +1,1 @@
+"""Tasks of the worker: what needs the engine, the CAD kernel or minutes, in a process of its own."""
