@@ -131,7 +131,7 @@ def _along(reduced: Reduced) -> list[ReducedState]:
     answers, box = [], reduced.inputs
     for share in SHARES:
         try:
-            answers.append(reduced.at(box.low + share * (box.high - box.low)))
+            answers.append(reduced.at(box.at_shares(share)))
         except NotSolved:
             continue
     return answers

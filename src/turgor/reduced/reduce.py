@@ -197,7 +197,7 @@ class Training:
                 shares = shares[away > TRAINING.apart] if (away > TRAINING.apart).any() else shares
         worst, place = (False, -1.0), self.box.high
         for share in shares:
-            values = self.box.low + share * (self.box.high - self.box.low)
+            values = self.box.at_shares(share)
             try:
                 answer = reduced.at(values)
             except NotSolved:
@@ -214,7 +214,7 @@ class Training:
             shares = 0.9 + 0.1 * shares
         if not len(shares):
             return reduced
-        aims = list(self.box.low + shares * (self.box.high - self.box.low))
+        aims = list(self.box.at_shares(shares))
         between = replace(trainer, steps=trainer.steps + 1)  # states lie between those of training
         paths = self._paths(between, aims, "held-out path")
         parts = [compared(reduced, path, reached_only=False) for path in paths]

@@ -54,7 +54,45 @@ class Inputs:
                 bounds = f"{self.shown(place, low)} and {self.shown(place, high)}"
                 raise TurgorError(f"the input '{key}' has no value; one between {bounds} is needed.")
         self.check(out)
+        self._check_lengths(out)
         return out
+
+    @property
+    def vectors(self) -> list[list[int]]:
+        """Places of the components of each vector of any direction: all have one range, the same on both sides of zero.
+
+        Such a vector is trained up to a length, that of the range. At the corners of the box of its components it would
+        be up to 1.7 times as long.
+        """
+        names: dict[str, list[int]] = {}
+        for place, key in enumerate(self.keys):
+            if re.search(r"\.[123]$", key):
+                names.setdefault(key[:-2], []).append(place)
+        return [
+            places
+            for places in names.values()
+            if len(places) > 1 and (self.low[places] == -self.high[places[0]]).all() and np.ptp(self.high[places]) == 0
+        ]
+
+    def at_shares(self, shares: Array) -> Array:
+        """Values (..., n) at shares of the ranges; vectors of any direction stay within their length."""
+        values = self.low + np.asarray(shares, dtype=np.float64) * (self.high - self.low)
+        for places in self.vectors:
+            parts = values[..., places]
+            length = np.linalg.norm(parts, axis=-1, keepdims=True)
+            largest = np.abs(parts).max(axis=-1, keepdims=True)
+            values[..., places] = parts * np.divide(largest, length, out=np.ones_like(length), where=length > 0)
+        return values
+
+    def _check_lengths(self, values: Array) -> None:
+        """Refuse vectors of any direction that are longer than what was trained."""
+        for places in self.vectors:
+            length, most = float(np.linalg.norm(values[places])), float(self.high[places[0]])
+            if length > most * (1 + 1e-9):
+                raise TurgorError(
+                    f"the input '{self.keys[places[0]][:-2]}' has the length {self.shown(places[0], length)}, outside "
+                    f"of the trained range up to {self.shown(places[0], most)}."
+                )
 
     @property
     def places(self) -> NDArray[np.bool_]:

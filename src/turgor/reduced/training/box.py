@@ -93,7 +93,7 @@ def aims_of(box: Inputs, shares: Sequence[Sequence[float]]) -> list[Array]:
                 f"an aim of training is {tuple(each)}; {len(box.keys)} numbers from 0 to 1 are needed, one for each "
                 "input."
             )
-    return [box.low + np.asarray(each, dtype=np.float64) * (box.high - box.low) for each in shares]
+    return [box.at_shares(np.asarray(each)) for each in shares]
 
 
 def random_shares(n: int, seed: int, count: int) -> Array:
@@ -112,7 +112,7 @@ def corners(box: Inputs) -> list[Array]:
     bits = n if n <= 3 else n.bit_length()
     columns = sorted(range(1, 2**bits), key=lambda c: (c.bit_count() > 1, c.bit_count() % 2 == 0, c))[:n]
     shares = np.array([[1.0 - (row & column).bit_count() % 2 for column in columns] for row in range(2**bits)])
-    values = box.low + shares * (box.high - box.low)
+    values = box.at_shares(shares)
     loads = ~box.places
     return [value for value in values if not loads.any() or np.abs(value[loads]).max() > 0]
 

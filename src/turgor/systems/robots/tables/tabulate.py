@@ -143,7 +143,7 @@ def tabulate(reduced: Reduced, samples: int = 64) -> RobotTable:
         raise TurgorError(f"a table of {samples} rows is too short; 12 are needed at least.")
     box = reduced.inputs
     shares, tested = _points(len(box.keys), samples)
-    inputs = box.low + shares * (box.high - box.low)
+    inputs = box.at_shares(shares)
     backbone, forces = backbone_of(reduced, SLICES), tip_forces_of(reduced)
     angle = Angle().of(reduced) if "tip" in reduced.model.mesh.faces else None
     rows = []
