@@ -9,7 +9,7 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.shapes.sections import Outline
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.sizing.settings import SIZING
-from turgor.core.meshing.sizing.sizes import is_tube
+from turgor.core.meshing.sizing.sizes import is_row, is_tube
 from turgor.core.meshing.sweeping.axis import core_outline, core_radius, reaches_axis, with_core, without_core
 from turgor.core.meshing.sweeping.grid import grid_section
 from turgor.core.meshing.sweeping.hexahedra import fill
@@ -27,9 +27,10 @@ KINDS = ("tetrahedra", "hexahedra", "axisymmetric")
 def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """Generate hexahedra that fill a geometry which is a swept section, and carry its names.
 
-    All nodes lie on the true shape. In a large mesh the middles of sides and cells follow the other nodes; where that
-    is not enough, it has no short cells next to feature lines, unless their length is stated. Where the section is a
-    grid or rings, walls get one cell unless more are requested; sections of other outlines get two.
+    All nodes lie on the true shape. In a large mesh the middles of sides and cells follow the other nodes. Where the
+    section is a grid or rings, walls get one cell unless more are requested; sections of other outlines get two. Where
+    a section that is a grid comes again along the path, it has short cells next to its outer walls alone, that of a
+    long row of chambers has none, unless their length is stated.
 
     Parameters
     ----------
@@ -55,13 +56,15 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     (373, '27-node hexahedron', 'cavity')
     """
     fine = short_at_edges(geometry, fine)
+    row = is_row(geometry) and grid_section(_sweep_of(geometry).outlines, fine) is not None
+    fine = replace(fine, lines="outer" if row else "all")
     mesh = _all_nodes(geometry, fine)
-    if mesh.unknown_count <= SIZING.free_middles:
+    if mesh.unknown_count <= (SIZING.row if row else SIZING.free_middles):
         return mesh
     mesh = replace(mesh, serendipity=True)
-    if mesh.unknown_count <= SIZING.short_cells:
+    if not row or mesh.unknown_count <= SIZING.row:
         return mesh
-    return replace(_all_nodes(geometry, replace(fine, even=True)), serendipity=True)
+    return replace(_all_nodes(geometry, replace(fine, lines="none")), serendipity=True)
 
 
 def _all_nodes(geometry: Geometry, fine: Fineness) -> Mesh:
