@@ -34,11 +34,13 @@ class SizingSettings:
         Hexahedra of a sweep have middles of sides and cells with unknowns of their own up to so many unknowns. Beyond,
         middles follow the other nodes, which leaves six tenths of the unknowns and half of the time; on the same mesh
         errors are up to twice as large, but large meshes have small ones (`benchmarks/choices.md`).
+    short_cells : float
+        Beyond so many unknowns after that, there are no short cells next to feature lines. A revolute joint with 48,443
+        unknowns is 0.7 % off with them, and 2.1 % without.
     row : float
-        The same of chambers in a row, whose sections are grids; and beyond so many unknowns after that, such a section
-        has no short cells. Five chambers at 12 kPa are 0.2 % off with 21,891 unknowns, 1.5 % with 36,402 on the same
-        cells; three with an open bottom 1.2 % with 14,274, 0.3 % with 23,634. The demo finger has 41,619, not 48,243,
-        and takes 71 instead of 106 CPU s.
+        Both limits for chambers in a row, whose sections are grids; a long row still has short cells along the path.
+        Five chambers at 12 kPa are 0.2 % off with 21,891 unknowns, 1.5 % with 36,402 on the same cells; three with an
+        open bottom 1.2 % with 14,274, 0.3 % with 23,634. The demo finger takes 71 CPU s with 41,619, 106 with 48,243.
     unknowns_per_volume, unknowns_per_area : float
         Unknowns per volume over size cubed, measured on the fast PneuNet from 1.5 to 1 mm: 40 to 35; and per area over
         size squared that a face with a size of its own adds, measured on its cavity from 1 to 0.5 mm: 15 to 19.
@@ -75,6 +77,7 @@ class SizingSettings:
     most_unknowns: float = 3e6
     unknowns_of_pairs: float = 1e5
     free_middles: float = 6e4
+    short_cells: float = 5e4
     row: float = 3e4
     unknowns_per_volume: float = 40.0
     unknowns_per_area: float = 20.0

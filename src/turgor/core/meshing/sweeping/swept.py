@@ -28,9 +28,9 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """Generate hexahedra that fill a geometry which is a swept section, and carry its names.
 
     All nodes lie on the true shape. In a large mesh the middles of sides and cells follow the other nodes. Where the
-    section is a grid or rings, walls get one cell unless more are requested; sections of other outlines get two. Where
-    a section that is a grid comes again along the path, it has short cells next to its outer walls alone, that of a
-    long row of chambers has none, unless their length is stated.
+    section is a grid or rings, walls get one cell unless more are requested; sections of other outlines get two. The
+    grid of chambers in a row has short cells next to its outer walls alone, that of a long row none, and other large
+    meshes have none along the path either, unless their length is stated.
 
     Parameters
     ----------
@@ -53,18 +53,20 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
     >>> made = swept_mesh(FastPneuNet(chambers=2, length=20e-3).build(), Fineness(size=4e-3))
     >>> len(made.cells), made.cell_type.name, sorted(made.faces)[0]
-    (373, '27-node hexahedron', 'cavity')
+    (343, '27-node hexahedron', 'cavity')
     """
     fine = short_at_edges(geometry, fine)
     row = is_row(geometry) and grid_section(_sweep_of(geometry).outlines, fine) is not None
     fine = replace(fine, lines="outer" if row else "all")
     mesh = _all_nodes(geometry, fine)
-    if mesh.unknown_count <= (SIZING.row if row else SIZING.free_middles):
+    free_middles, short_cells = (SIZING.row, SIZING.row) if row else (SIZING.free_middles, SIZING.short_cells)
+    fewer = replace(fine, lines="along" if row else "none")
+    if mesh.unknown_count <= free_middles:
         return mesh
     mesh = replace(mesh, serendipity=True)
-    if not row or mesh.unknown_count <= SIZING.row:
+    if mesh.unknown_count <= short_cells:
         return mesh
-    return replace(_all_nodes(geometry, replace(fine, lines="none")), serendipity=True)
+    return replace(_all_nodes(geometry, fewer), serendipity=True)
 
 
 def _all_nodes(geometry: Geometry, fine: Fineness) -> Mesh:
