@@ -27,10 +27,10 @@ KINDS = ("tetrahedra", "hexahedra", "axisymmetric")
 def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """Generate hexahedra that fill a geometry which is a swept section, and carry its names.
 
-    All nodes lie on the true shape. In a large mesh the middles of sides and cells follow the other nodes. Where the
-    section is a grid or rings, walls get one cell unless more are requested; sections of other outlines get two. The
-    grid of chambers in a row has short cells next to its outer walls alone, that of a long row none, and other large
-    meshes have none along the path either, unless their length is stated.
+    All nodes lie on the true shape. In a large mesh the middles of sides and cells follow the other nodes; where that
+    is not enough, it has no short cells next to feature lines, unless their length is stated. In a grid of chambers in
+    a row, short cells stand next to its outer walls alone before that. Where the section is a grid or rings, walls get
+    one cell unless more are requested; sections of other outlines get two.
 
     Parameters
     ----------
@@ -53,20 +53,19 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
     >>> made = swept_mesh(FastPneuNet(chambers=2, length=20e-3).build(), Fineness(size=4e-3))
     >>> len(made.cells), made.cell_type.name, sorted(made.faces)[0]
-    (343, '27-node hexahedron', 'cavity')
+    (373, '27-node hexahedron', 'cavity')
     """
     fine = short_at_edges(geometry, fine)
-    row = is_row(geometry) and grid_section(_sweep_of(geometry).outlines, fine) is not None
-    fine = replace(fine, lines="outer" if row else "all")
     mesh = _all_nodes(geometry, fine)
-    free_middles, short_cells = (SIZING.row, SIZING.row) if row else (SIZING.free_middles, SIZING.short_cells)
-    fewer = replace(fine, lines="along" if row else "none")
-    if mesh.unknown_count <= free_middles:
-        return mesh
-    mesh = replace(mesh, serendipity=True)
-    if mesh.unknown_count <= short_cells:
-        return mesh
-    return replace(_all_nodes(geometry, fewer), serendipity=True)
+    if is_row(geometry) and grid_section(_sweep_of(geometry).outlines, fine) is not None:
+        free_middles, short_cells, kinds = SIZING.row, SIZING.row, ("outer", "along")
+    else:
+        free_middles, short_cells, kinds = SIZING.free_middles, SIZING.short_cells, ("all", "none")
+    for lines in kinds:
+        if mesh.unknown_count <= (short_cells if mesh.serendipity else free_middles):
+            break
+        mesh = replace(_all_nodes(geometry, replace(fine, lines=lines)), serendipity=True)
+    return mesh
 
 
 def _all_nodes(geometry: Geometry, fine: Fineness) -> Mesh:

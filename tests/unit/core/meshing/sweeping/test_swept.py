@@ -113,9 +113,9 @@ def test_names_are_those_of_the_tetrahedra() -> None:
 
 
 def test_cells_of_the_default_pneunet_are_counted_by_hand() -> None:
-    # along: 2 | 7.5 in 4 | 1 | 1 | 1 | 7.5 in 4 | 2, across: 1.5 | 1 | 5.5 in 3 | 2, up: 1.5 | 1.5 | 2 | 1 | 7 in 3 | 2
+    # along: 2 | 7.5 in 4 | 1 | 1 | 1 | 7.5 in 4 | 2, across: 1.5 | 1 | 5.5 in 3 | 2, up: 1.5 | 1.5 | 2 | 1 | 7 in 4 | 2
     made = mesh(FastPneuNet(chambers=2, length=22 * mm).build(), size=4 * mm, cells="hexahedra")
-    slab, walls, chambers, gap = 13 * 6 * 2, 4 * (6 * 6) - 2 * 1, 8 * (6 * 6 - 5 * 5), 2 * 2 - 1
+    slab, walls, chambers, gap = 13 * 6 * 2, 4 * (6 * 7) - 2 * 1, 8 * (6 * 7 - 5 * 6), 2 * 2 - 1
     assert len(made.cells) == slab + walls + chambers + gap
 
 
@@ -162,7 +162,7 @@ def test_unknown_cells_and_sizes_of_faces_are_refused() -> None:
     geometry = FastPneuNet(**SHORT).build()
     with refused("hexaedra", "hexahedra"):
         mesh(geometry, size=3 * mm, cells="hexaedra")
-    with refused("outside", "0.12 mm", "5.6 million", "hexahedra"):
+    with refused("outside", "0.12 mm", "6.9 million", "hexahedra"):
         mesh(geometry, size=3 * mm, cells="hexahedra", face_sizes={"outside": 0.12 * mm})
     with refused("mesh size", "40 mm", "0.305 mm to 24 mm"):
         mesh(geometry, size=40 * mm, cells="hexahedra")
