@@ -42,9 +42,9 @@ class Fineness:
         Length of the cells next to a feature line within, from which they grow to the size; None makes one cell of a
         third of the size there. Stresses have no bound along sharp edges; reference values need short cells there.
     lines : str
-        Next to which feature lines within cells are short where no `edge` is stated: ``"all"``, ``"along"`` for those
-        along the path, ``"outer"`` for these and the first and the last one in each direction of the section, which are
-        the inner sides of outer walls, or ``"none"``.
+        Next to which feature lines within cells are short where no `edge` is stated: ``"all"``, ``"outer"`` for those
+        along the path and the first and the last one in each direction of the section, which are the inner sides of
+        outer walls, or ``"none"``.
     quarter_cells : int or None
         Cells around a quarter of a turn, even; None takes as many as size and curvature require.
     along : float or None [m]

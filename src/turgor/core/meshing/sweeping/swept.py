@@ -58,10 +58,10 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     fine = short_at_edges(geometry, fine)
     mesh = _all_nodes(geometry, fine)
     if is_row(geometry) and grid_section(_sweep_of(geometry).outlines, fine) is not None:
-        free_middles, short_cells, kinds = SIZING.row, SIZING.row, ("outer", "along")
+        free_middles, short_cells, first = SIZING.row, SIZING.row, "outer"
     else:
-        free_middles, short_cells, kinds = SIZING.free_middles, SIZING.short_cells, ("all", "none")
-    for lines in kinds:
+        free_middles, short_cells, first = SIZING.free_middles, SIZING.short_cells, "all"
+    for lines in (first, "none"):
         if mesh.unknown_count <= (short_cells if mesh.serendipity else free_middles):
             break
         mesh = replace(_all_nodes(geometry, replace(fine, lines=lines)), serendipity=True)
