@@ -41,7 +41,7 @@ SETTINGS = NewtonSettings(tolerance=1e-4, max_iterations=12)
 
 #: The same with contact, or where simple updates diverge: for an estimate, and for a state that takes the place of the
 #: first one.
-ROUGH_SETTINGS = NewtonSettings(tolerance=1e-3, max_iterations=12)
+ROUGH_SETTINGS = NewtonSettings(tolerance=1e-2, max_iterations=12)
 EXACT_SETTINGS = NewtonSettings(tolerance=1e-5, max_iterations=30)
 
 #: One update, whatever it leaves: an estimate by a linear solve.
@@ -74,7 +74,7 @@ class SecondMesh:
         linear solve alone, where the loads are given.
         """
         controlled = procedure.filled(state.model)
-        system, tangent = self._equations(state.model, controlled)
+        system, tangent = self._equations(state, controlled)
         history = system.history(self.transfer.memory(state.memory), 0.0 if state.memory is not None else inf)
         start, equations = self._start(system, state), (system, tangent, history)
         free = controlled or (procedure.finds_load and state.model.pressures)
@@ -100,11 +100,16 @@ class SecondMesh:
             touches={},
         )
 
-    def _equations(self, model: Model, controlled: tuple[str, ...]) -> tuple[System, Tangent]:
+    def _equations(self, state: State, controlled: tuple[str, ...]) -> tuple[System, Tangent]:
+        model = state.model
         for known, faces, system, tangent in self._known:
             if known is model and faces == controlled:
                 return system, tangent
         system = System(replace(model, mesh=self.refinement.mesh), controlled)
+        if _touching(state):  # else the tangent would be analyzed again, with what touches
+            at = system.evaluate(self._start(system, state), state.load_factor)
+            if at is not None:
+                system.lay_out(at)
         tangent = Tangent(system, self.options.linear_solver, self.options.threads, self.options.iteration)
         self._known = [(model, controlled, system, tangent)]  # one at a time: factors are large
         return system, tangent
@@ -127,7 +132,7 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
     at = system.evaluate(unknowns, state.load_factor, history=history)
     if at is None:
         return None
-    if any(touch.area > 0 for touch in state.touches.values()):
+    if _touching(state):
         return _carefully(system, tangent, at, state, exact)
     case = SimpleUpdates(
         Border(load_control(system, history=history), tangent), exact, float(np.linalg.norm(unknowns[system.moving]))
@@ -207,6 +212,10 @@ def _state(system: System, at: Evaluation, state: State, modes: int | None = Non
         pressures={**state.pressures, **acting_pressures(system, at)},
         memory=at.history.memory,
     )
+
+
+def _touching(state: State) -> bool:
+    return any(touch.area > 0 for touch in state.touches.values())
 
 
 def _silent(iteration: int, residual: float, correction: float, step_length: float) -> None:

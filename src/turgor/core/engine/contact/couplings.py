@@ -4,7 +4,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.core.engine.algebra.multipoint import UNTIED, MultiPoint
+from turgor.core.engine.algebra.multipoint import UNTIED, MultiPoint, Places
 from turgor.core.engine.algebra.pattern import Pattern, locate
 
 Array = NDArray[np.float64]
@@ -37,7 +37,7 @@ class Layout:
         self._known = np.zeros(0, dtype=np.int64)
         self.ties: tuple[Ints, list[Ints]] | None = None
         self._place: NDArray[np.int32] | None = None
-        self._base_followers = tied.places(base) if len(tied.followers) else None
+        self._base_followers: Places | None = None
         self._find_prescribed()
 
     def _find_prescribed(self) -> None:
@@ -45,9 +45,7 @@ class Layout:
         column_of = np.repeat(np.arange(pattern.size, dtype=np.int32), np.diff(pattern.indptr))
         self.dropped = np.flatnonzero(self._prescribed[pattern.indices] | self._prescribed[column_of])
         self.prescribed_diagonal = pattern.diagonal[self._prescribed]
-        self._followers = self._base_followers
-        if self._followers is not None and pattern is not self.base:
-            self._followers = self._tied.places(pattern)
+        self._followers: Places | None = None  # places take long, and few patterns of a run need them
 
     def covers(self, keys: Ints) -> bool:
         """Whether all ties, given by a key each, are in the present pattern."""
@@ -82,12 +80,14 @@ class Layout:
 
     def reduce(self, data: Array) -> None:
         """Add the stiffness of tied unknowns to that of the unknowns they follow, in place."""
-        if self._followers is not None:
+        if len(self._tied.followers):
+            self._followers = self._followers or self._tied.places(self.pattern)
             self._followers.add(data)
 
     def reduce_base(self, data: Array) -> None:
         """Do the same in the base pattern."""
-        if self._base_followers is not None:
+        if len(self._tied.followers):
+            self._base_followers = self._base_followers or self._tied.places(self.base)
             self._base_followers.add(data)
 
     def apply_supports(self, data: Array) -> None:

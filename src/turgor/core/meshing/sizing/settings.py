@@ -35,8 +35,13 @@ class SizingSettings:
         middles follow the other nodes, which leaves six tenths of the unknowns and half of the time; on the same mesh
         errors are up to twice as large, but large meshes have small ones (`benchmarks/choices.md`).
     short_cells : float
-        Beyond so many unknowns after that, there are no short cells next to feature lines. The demo finger then takes a
-        third of the time; but a revolute joint with 48,443 unknowns is 0.7 % off with them, and 2.1 % without.
+        Beyond so many unknowns after that, there are no short cells next to feature lines. A revolute joint with 48,443
+        unknowns is 0.7 % off with them, and 2.1 % without.
+    row : float
+        Both limits for chambers in a row, whose sections are grids. Beyond the first one, sections have short cells
+        next to their outer walls alone: five chambers at 12 kPa take 17 CPU s with 21,891 unknowns, 34 with 45,037 of
+        free middles and short cells everywhere, and are not further off. The demo finger takes 53 with 36,812 unknowns
+        and no short cells, 71 with 41,619 and those along its path, 106 with 48,243 and those at its outer walls.
     unknowns_per_volume, unknowns_per_area : float
         Unknowns per volume over size cubed, measured on the fast PneuNet from 1.5 to 1 mm: 40 to 35; and per area over
         size squared that a face with a size of its own adds, measured on its cavity from 1 to 0.5 mm: 15 to 19.
@@ -74,6 +79,7 @@ class SizingSettings:
     unknowns_of_pairs: float = 1e5
     free_middles: float = 6e4
     short_cells: float = 5e4
+    row: float = 3e4
     unknowns_per_volume: float = 40.0
     unknowns_per_area: float = 20.0
     cells_per_radius: float = 2.0

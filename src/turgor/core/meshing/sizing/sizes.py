@@ -193,6 +193,23 @@ def is_tube(geometry: Geometry) -> bool:
     return 2 * max(lengths) > sum(lengths) and max(lengths) > THIN_CORNERS.long * geometry.smallest_wall
 
 
+def is_row(geometry: Geometry) -> bool:
+    """Whether a hollow section comes again along a straight path, as where chambers stand in a row.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> from turgor.core.geometry.actuators.rectangular_bender import RectangularBender
+    >>> [is_row(kind().build()) for kind in (FastPneuNet, RectangularBender)]
+    [True, False]
+    """
+    sweep = geometry._sweep
+    if sweep is None or not isinstance(sweep.path, Along):
+        return False
+    hollow = [layer.fill for layer in sweep.layers if any(str(name).startswith("cavity") for name, _ in layer.fill)]
+    return len(set(hollow)) < len(hollow)
+
+
 def _check_wall_cells(wall_cells: object) -> None:
     whole = isinstance(wall_cells, Integral) and not isinstance(wall_cells, bool)
     if not whole or not 1 <= int(wall_cells) <= SIZING.wall_cells:  # type: ignore[call-overload]

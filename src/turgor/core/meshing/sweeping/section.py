@@ -41,8 +41,10 @@ class Fineness:
     edge : float or None [m]
         Length of the cells next to a feature line within, from which they grow to the size; None makes one cell of a
         third of the size there. Stresses have no bound along sharp edges; reference values need short cells there.
-    even : bool
-        Whether cells next to feature lines are as long as others where no `edge` is stated.
+    lines : str
+        Next to which feature lines within cells are short where no `edge` is stated: ``"all"``, ``"outer"`` for those
+        along the path and the first and the last one in each direction of the section, which are the inner sides of
+        outer walls, or ``"none"``.
     quarter_cells : int or None
         Cells around a quarter of a turn, even; None takes as many as size and curvature require.
     along : float or None [m]
@@ -56,7 +58,7 @@ class Fineness:
     curvature: float = 2.0
     grading: float = 0.5
     edge: float | None = None
-    even: bool = False
+    lines: str = "all"
     quarter_cells: int | None = None
     along: float | None = None
     corners: tuple[Point, ...] = ()
@@ -65,7 +67,7 @@ class Fineness:
     def of_path(self) -> "Fineness":
         """How fine cells are along a straight path."""
         if self.along is None or self.along <= self.size:
-            return self
+            return self if self.lines == "none" else replace(self, lines="all")
         return replace(self, size=self.along, edge=self.edge or SIZING.short * self.size)
 
 
@@ -180,11 +182,19 @@ def divided(lines: Array, fine: Fineness) -> Array:
     [0.0, 0.5, 1.0, 1.5, 2.0, 3.5, 5.0]
     """
     last = len(lines) - 2
-    pieces = [_ticks(lines[i], lines[i + 1], (i > 0, i < last), fine)[1:] for i in range(last + 1)]
+    starts, ends = _refined(last, "all" if fine.edge else fine.lines)
+    pieces = [_ticks(lines[i], lines[i + 1], (i in starts, i in ends), fine)[1:] for i in range(last + 1)]
     ticks = np.concatenate([lines[:1], *pieces]).astype(np.float64)
     nodes = np.empty(2 * len(ticks) - 1)
     nodes[::2], nodes[1::2] = ticks, (ticks[1:] + ticks[:-1]) / 2
     return nodes
+
+
+def _refined(last: int, lines: str) -> tuple[Sequence[int], Sequence[int]]:
+    """Which intervals between feature lines have short cells at their start and at their end."""
+    if lines == "all":
+        return range(1, last + 1), range(last)
+    return ([1], [last - 1]) if lines == "outer" else ([], [])
 
 
 def _ticks(start: float, end: float, refined: tuple[bool, bool], fine: Fineness) -> Array:
@@ -206,7 +216,7 @@ def _short_cells(room: float, lines: int, fine: Fineness) -> list[float]:
     """Lengths of the short cells next to a feature line, of which there are one or two with so much room each."""
     short = SIZING.short * fine.size
     if fine.edge is None:
-        return [short] if not fine.even and room * lines > (1 + lines) * short * (1 + 1e-6) else []
+        return [short] if room * lines > (1 + lines) * short * (1 + 1e-6) else []
     lengths: list[float] = []
     short = fine.edge
     while short < fine.size and sum(lengths) + short * (1 + 1 / lines) <= room * (1 + 1e-6):

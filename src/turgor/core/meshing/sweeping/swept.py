@@ -9,7 +9,7 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.shapes.sections import Outline
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.sizing.settings import SIZING
-from turgor.core.meshing.sizing.sizes import is_tube
+from turgor.core.meshing.sizing.sizes import is_row, is_tube
 from turgor.core.meshing.sweeping.axis import core_outline, core_radius, reaches_axis, with_core, without_core
 from turgor.core.meshing.sweeping.grid import grid_section
 from turgor.core.meshing.sweeping.hexahedra import fill
@@ -28,8 +28,9 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """Generate hexahedra that fill a geometry which is a swept section, and carry its names.
 
     All nodes lie on the true shape. In a large mesh the middles of sides and cells follow the other nodes; where that
-    is not enough, it has no short cells next to feature lines, unless their length is stated. Where the section is a
-    grid or rings, walls get one cell unless more are requested; sections of other outlines get two.
+    is not enough, it has no short cells next to feature lines, unless their length is stated. In a grid of chambers in
+    a row, short cells stand next to its outer walls alone before that. Where the section is a grid or rings, walls get
+    one cell unless more are requested; sections of other outlines get two.
 
     Parameters
     ----------
@@ -56,12 +57,15 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """
     fine = short_at_edges(geometry, fine)
     mesh = _all_nodes(geometry, fine)
-    if mesh.unknown_count <= SIZING.free_middles:
-        return mesh
-    mesh = replace(mesh, serendipity=True)
-    if mesh.unknown_count <= SIZING.short_cells:
-        return mesh
-    return replace(_all_nodes(geometry, replace(fine, even=True)), serendipity=True)
+    if is_row(geometry) and grid_section(_sweep_of(geometry).outlines, fine) is not None:
+        free_middles, short_cells, first = SIZING.row, SIZING.row, "outer"
+    else:
+        free_middles, short_cells, first = SIZING.free_middles, SIZING.short_cells, "all"
+    for lines in (first, "none"):
+        if mesh.unknown_count <= (short_cells if mesh.serendipity else free_middles):
+            break
+        mesh = replace(_all_nodes(geometry, replace(fine, lines=lines)), serendipity=True)
+    return mesh
 
 
 def _all_nodes(geometry: Geometry, fine: Fineness) -> Mesh:

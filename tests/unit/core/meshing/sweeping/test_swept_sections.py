@@ -204,6 +204,21 @@ def test_hinges_are_the_re_entrant_corners_of_folds() -> None:
     assert sorted(folds.hinges(4 * mm)) == [pytest.approx(point) for point in sorted([*crests, *necks])]
 
 
+def test_sections_of_chambers_in_a_row_have_short_cells_next_to_outer_walls_alone() -> None:
+    lines = np.array([0.0, 1.5, 3.0, 10.0, 12.0]) * mm
+    ticks = {which: divided(lines, Fineness(size=4 * mm, lines=which))[::2] / mm for which in ("all", "outer", "none")}
+    assert ticks["all"] == pytest.approx([0, 1.5, 3, 13 / 3, 6.5, 26 / 3, 10, 12])
+    assert ticks["outer"] == pytest.approx([0, 1.5, 3, 35 / 6, 26 / 3, 10, 12])
+    assert ticks["none"] == pytest.approx([0, 1.5, 3, 6.5, 10, 12])
+    for chambers, which in ((2, "all"), (5, "outer"), (12, "none")):
+        row = swept_mesh(FastPneuNet(chambers=chambers, length=chambers * 10 * mm).build(), Fineness(size=3 * mm))
+        x, _, z = (np.unique(np.round(row.points[row.cells[:, :8], k] / mm, 6)) for k in range(3))
+        expected = divided(np.array([0, 1.5, 3, 5, 6, 13, 15]), Fineness(size=3, lines=which))[::2]
+        assert z == pytest.approx(expected)
+        assert row.serendipity == (which != "all")
+        assert (np.diff(x)[1] == pytest.approx(1)) == (which != "none")  # next to the end wall
+
+
 def test_rectangular_tubes_have_short_cells_within_and_long_ones_along() -> None:
     bender = RectangularBender(length=110 * mm).build()
     made = swept_mesh(bender, Fineness(size=4.5 * mm))
