@@ -20,7 +20,7 @@ PATIENCE = 60
 
 @dataclass
 class Studio:
-    """A server that runs: the printed address (with the token), its parts, its process, and the folder that it shows."""
+    """A server that runs: the printed address with the token, its process, and the folder that it shows."""
 
     url: str
     process: subprocess.Popen
