@@ -30,11 +30,19 @@ class Studio:
         For what a person waits for: shapes, checks, scenes.
     slow : Worker
         For what takes longer: fits, uploads.
+    live : Worker
+        For reduced models, whose answers must not wait for others.
     """
 
     workspace: Workspace
     worker: Worker
     slow: Worker
+    live: Worker
+
+    @property
+    def workers(self) -> tuple[Worker, ...]:
+        """All of them."""
+        return self.worker, self.slow, self.live
 
 
 Answer = Callable[[Studio, Request], Awaitable[Any]]

@@ -12,6 +12,7 @@ from turgor.studio.guard import Access, Guard
 from turgor.studio.routes.events import EVENTS
 from turgor.studio.routes.jobs import JOBS
 from turgor.studio.routes.pages import PAGES
+from turgor.studio.routes.reduced import REDUCED
 from turgor.studio.settings import STUDIO
 
 
@@ -25,7 +26,7 @@ def studio_app(studio: Studio, access: Access) -> ASGIApp:
     access : Access
         Who may talk to it.
     """
-    app = Starlette(routes=[*JOBS, *EVENTS, *PAGES], lifespan=_lifespan)
+    app = Starlette(routes=[*JOBS, *EVENTS, *REDUCED, *PAGES], lifespan=_lifespan)
     app.state.studio = studio
     return Guard(app, access)
 
@@ -40,7 +41,7 @@ async def _lifespan(app: Starlette) -> AsyncIterator[None]:
         resting.cancel()
         with suppress(asyncio.CancelledError):
             await resting
-        for worker in (studio.worker, studio.slow):
+        for worker in studio.workers:
             worker.stop()
 
 
@@ -48,5 +49,5 @@ async def _rest(studio: Studio) -> None:
     """End workers that were not used for long."""
     while True:
         await asyncio.sleep(STUDIO.idle / 10)
-        for worker in (studio.worker, studio.slow):
+        for worker in studio.workers:
             worker.rest()

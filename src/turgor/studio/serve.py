@@ -90,7 +90,7 @@ def serve(
         where = f"http://{address.host}:{port}/?token={access.token}{start}"
         for sentence in _sentences(address, where):
             say(sentence)
-        studio = Studio(workspace=workspace, worker=Worker(), slow=Worker())
+        studio = Studio(workspace=workspace, worker=Worker(), slow=Worker(), live=Worker())
         config = uvicorn.Config(
             studio_app(studio, access), log_level="warning", access_log=False, ws="websockets-sansio", lifespan="on"
         )

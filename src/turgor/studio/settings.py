@@ -38,3 +38,34 @@ class StudioSettings:
 
 
 STUDIO = StudioSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class LiveSettings:
+    """Settings of the window in which a reduced model moves.
+
+    Parameters
+    ----------
+    frames : int
+        States at the ends of the ranges that the picture has room for.
+    flat : float
+        Share of the travel of the tip that it may be out of a plane to count as moving in one.
+    updates : int
+        Updates of the search while the tip is dragged: the next ones follow with the next place of the mouse.
+    rest : float
+        Time without a change after which all measures are read off [s]; reading takes longer than a frame.
+    rows : float
+        Time between two rows of a saved sequence [s].
+    longest : float
+        Longest sequence [s], whose states take a minute.
+    """
+
+    frames: int = 8
+    flat: float = 1e-3
+    updates: int = 4
+    rest: float = 0.2
+    rows: float = 0.05
+    longest: float = 600.0
+
+
+LIVE = LiveSettings()

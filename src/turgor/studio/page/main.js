@@ -24,6 +24,7 @@ const SCREENS = [
  * @property {(screen: string, name?: string) => void} go show a screen
  * @property {EventTarget} changes "change" events with the names of changed files and runs in `detail`
  * @property {string} shown name of what the screen shows
+ * @property {any} seen what the screen before showed, for the code that repeats it
  */
 
 /** @type {App} */
@@ -35,6 +36,7 @@ const app = {
   },
   changes: new EventTarget(),
   shown: "",
+  seen: null,
 };
 
 const place = /** @type {HTMLElement} */ (document.getElementById("screen"));
@@ -45,7 +47,8 @@ let count = 0;
 const last = { job: "", run: "", reduced: "" };
 
 async function show() {
-  const [, name = "start", of = ""] = location.hash.split("/").map(decodeURIComponent);
+  const [, name = "start", of = "", way = ""] = location.hash.split("/").map(decodeURIComponent);
+  document.body.classList.toggle("single", way === "alone"); // a window of its own, without the other steps
   const screen = SCREENS.find((each) => each.name === name) ?? SCREENS[0];
   const own = ++count;
   end();
