@@ -126,6 +126,7 @@ def _bound(address: Address, before: int) -> socket.socket:
         made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             made.bind((address.host, port))
+            made.listen()  # whoever opens the printed address at once waits, and is not refused
         except OSError as error:
             made.close()
             errors.append(error)

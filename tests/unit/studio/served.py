@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -97,6 +98,13 @@ class Shown:
         inside = url.replace("ws://", "http://").startswith(f"{origin}/")
         if not inside and not url.startswith(("data:", "blob:", "about:")):
             self.requests.append(url)
+
+    def until(self, expression: str) -> None:
+        """Wait until an expression is true in the page, whose policy forbids `wait_for_function` to evaluate it."""
+        end = time.monotonic() + PATIENCE
+        while not self.page.evaluate(expression):
+            assert time.monotonic() < end, f"this was not so within {PATIENCE} s: {expression}"
+            self.page.wait_for_timeout(30)
 
     def check(self) -> None:
         """The page complained about nothing (drawing in software is no complaint) and called no other host."""

@@ -118,16 +118,16 @@ def test_slider_tip_and_sequence_in_the_page(folder):
         page = shown.page
         page.wait_for_selector(".live-grip")
         assert not page.locator("nav").is_visible()  # a window of its own
-        page.wait_for_function("document.querySelector('.live-rows').innerText.includes('reduction')")
+        shown.until("document.querySelector('.live-rows').innerText.includes('reduction')")
         page.get_by_role("button", name="Record").click()
         _slide(page, 9.0)
-        page.wait_for_function("document.querySelector('.live-number').value === '9'")
+        shown.until("document.querySelector('.live-number').value === '9'")
         assert _angle(page) == pytest.approx(
             float(tg.bending_angle(model().solve(9 * kPa).state())) * 57.29578, abs=0.1
         )
         page.wait_for_timeout(300)
         _drag_tip(page, -4000, 0)  # far away, so that a limit is reached
-        page.wait_for_function("/pressure (low|high)/.test(document.querySelector('.live-far').textContent)")
+        shown.until("/pressure (low|high)/.test(document.querySelector('.live-far').textContent)")
         assert "mm away" in page.inner_text(".live-far")
         page.get_by_role("button", name="Stop recording").click()
         entries = page.locator(".live-steps li").all_inner_texts()
@@ -136,12 +136,12 @@ def test_slider_tip_and_sequence_in_the_page(folder):
         page.wait_for_selector(".message:has-text('rows with the tip')")
         assert read_response(folder / "finger-sequence.csv")["loads_pressure"].max() > 8.9 * kPa
         page.get_by_role("button", name="Play").click()
-        page.wait_for_function("document.querySelector('main').live.sequence.playing > 0")
-        page.wait_for_function("document.querySelector('main').live.sequence.playing === 0")
+        shown.until("document.querySelector('main').live.sequence.playing > 0")
+        shown.until("document.querySelector('main').live.sequence.playing === 0")
         page.get_by_role("button", name="Clear").click()
         page.select_option(".live-row select", "finger-sequence.csv")
         page.get_by_role("button", name="Load").click()
-        page.wait_for_function("document.querySelectorAll('.live-steps li').length === 4")
+        shown.until("document.querySelectorAll('.live-steps li').length === 4")
         shown.check()
 
 
@@ -153,7 +153,7 @@ def test_value_outside_is_refused_with_its_sentence(folder):
         page.fill(".live-input .live-number", "99")
         page.keyboard.press("Enter")
         page.wait_for_selector("[role=alert]:has-text('outside of the trained range')")
-        page.wait_for_function("document.querySelector('.live-input .live-number').value === '0'")
+        shown.until("document.querySelector('.live-input .live-number').value === '0'")
 
 
 def _slide(page, value: float) -> None:
