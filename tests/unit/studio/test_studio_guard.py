@@ -150,12 +150,14 @@ def test_killed_server_starts_again_and_the_open_page_goes_on(tmp_path):
     with served(tmp_path) as first, open_page(first, "#/code/finger.toml") as shown:
         first.kill()
         shown.page.wait_for_selector(".message.wrong")
+        job.write_text(job.read_text("utf-8").replace("1 mm", "2 mm"), encoding="utf-8")
         second = server(tmp_path, "--port", str(first.port))
         try:
             assert second.url == first.url
             shown.page.wait_for_selector(".message:has-text('answers again')")
-            job.write_text(job.read_text("utf-8").replace("1 mm", "2 mm"), encoding="utf-8")
             shown.until("document.querySelector('textarea').value.includes('2 mm')")
+            job.write_text(job.read_text("utf-8").replace("2 mm", "3 mm"), encoding="utf-8")
+            shown.until("document.querySelector('textarea').value.includes('3 mm')")
         finally:
             second.kill()
 

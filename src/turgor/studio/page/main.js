@@ -109,6 +109,8 @@ window.addEventListener("keydown", (event) => {
 });
 
 let there = true;
+/** @type {HTMLElement | null} */
+let lost = null;
 listen(
   (names) => {
     if (names.includes(app.job.name)) app.job.read().catch((error) => say(error.message, true));
@@ -118,8 +120,9 @@ listen(
     if (connected === there) return;
     there = connected;
     document.body.classList.toggle("alone", !connected);
-    say(connected ? "The studio answers again." : "The studio does not answer; this page waits for it.", !connected);
-    if (connected) show();
+    lost?.remove();
+    lost = say(connected ? "The studio answers again." : "The studio does not answer; this page waits for it.", !connected);
+    if (connected) app.job.read().catch((error) => say(error.message, true)).then(show);
   },
 );
 show();
