@@ -10,9 +10,12 @@ from starlette.types import ASGIApp
 from turgor.studio.answers import Studio
 from turgor.studio.guard import Access, Guard
 from turgor.studio.routes.events import EVENTS
+from turgor.studio.routes.geometry import GEOMETRY
 from turgor.studio.routes.jobs import JOBS
+from turgor.studio.routes.materials import MATERIALS
 from turgor.studio.routes.pages import PAGES
 from turgor.studio.routes.reduced import REDUCED
+from turgor.studio.routes.uploads import UPLOADS
 from turgor.studio.settings import STUDIO
 
 
@@ -26,7 +29,8 @@ def studio_app(studio: Studio, access: Access) -> ASGIApp:
     access : Access
         Who may talk to it.
     """
-    app = Starlette(routes=[*JOBS, *EVENTS, *REDUCED, *PAGES], lifespan=_lifespan)
+    routes = [*GEOMETRY, *UPLOADS, *JOBS, *MATERIALS, *REDUCED, *EVENTS, *PAGES]
+    app = Starlette(routes=routes, lifespan=_lifespan)
     app.state.studio = studio
     return Guard(app, access)
 

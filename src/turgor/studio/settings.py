@@ -69,3 +69,28 @@ class LiveSettings:
 
 
 LIVE = LiveSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class FittingSettings:
+    """Settings of the screen of materials.
+
+    Parameters
+    ----------
+    points : int
+        Points of a curve and of a thinned test, as `turgor fit` has.
+    curves : int
+        Curves in one picture at most: as many as there are colors that can be told apart.
+    most : float
+        Largest stretch of a curve [-]: beyond it no law of the library was tested.
+    laws : int
+        Laws in one comparison at most; each takes some seconds.
+    """
+
+    points: int = 60
+    curves: int = 8
+    most: float = 10.0
+    laws: int = 12
+
+
+FITTING = FittingSettings()
