@@ -29,7 +29,7 @@ def studio_app(studio: Studio, access: Access) -> ASGIApp:
     access : Access
         Who may talk to it.
     """
-    routes = [*GEOMETRY, *UPLOADS, *JOBS, *MATERIALS, *REDUCED, *EVENTS, *PAGES]
+    routes = [*GEOMETRY, *UPLOADS, *MATERIALS, *REDUCED, *JOBS, *EVENTS, *PAGES]
     app = Starlette(routes=routes, lifespan=_lifespan)
     app.state.studio = studio
     return Guard(app, access)

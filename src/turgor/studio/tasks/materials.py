@@ -1,4 +1,4 @@
-"""Materials: the library with its curves, tests of a user with the laws fitted to them, and both as entries of a job."""
+"""Materials: the library with its curves, tests of a user with laws fitted to them, and both as entries of a job."""
 
 import tomllib
 from collections.abc import Mapping, Sequence
@@ -68,7 +68,7 @@ def curves(chosen: Sequence[Sequence[str]], mode: str, most: float) -> list[dict
     Returns
     -------
     list of dict
-        ``stretch``, nominal ``stress`` [MPa] (None where no law can have the constants), and the ``range`` of the tests.
+        ``stretch``, nominal ``stress`` [MPa], None where no law can have the constants, and the ``range`` of the tests.
     """
     if mode not in MODES:
         raise TurgorError(f"'{mode[:40]}' is no mode of a curve; allowed are {', '.join(MODES)}.")
@@ -140,7 +140,7 @@ def fitted(
     Returns
     -------
     dict
-        ``fits``, the best first, each with its curves, its findings and its entry of a job; ``words`` that compare them.
+        ``fits``, the best first, each with its curves, findings and entry of a job; ``words`` that compare them.
     """
     tests = [_used(test, ends) for file in files for test in _tests(file, how)]
     ranking = rank(list(laws), tests, stretch=None if ends is None else (min(ends[0], 1.0), ends[1]))

@@ -32,8 +32,8 @@ def look(part: Path, unit: str | None) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``kind``, ``size`` [m], whether its ``unit`` is stated, and the numbers of ``faces`` and ``cavities``; of a table
-        the numbers of ``columns`` and ``rows``.
+        ``kind``, ``size`` [m], whether its ``unit`` is stated, and the numbers of ``faces`` and ``cavities``; of a
+        table the numbers of ``columns`` and ``rows``.
 
     Raises
     ------

@@ -128,7 +128,8 @@ class Start {
     fill(this.answer, h("p", { class: "quiet" }, `'${file.name}' is being read …`));
     try {
       const sent = await post(`/api/uploads?name=${part(file.name)}`, new Blob([file]));
-      if (sent.kind === "job") this.app.go("shape", sent.name);
+      if (sent.kind === "table") fill(this.answer, h("p", {}, `'${sent.name}' is a table: fit laws to it on the screen Materials of a job.`));
+      else if (sent.kind === "job") this.app.go("shape", sent.name);
       else await this.#job(sent);
     } catch (error) {
       this.#wrong(/** @type {Error} */ (error).message);
