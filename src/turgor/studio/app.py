@@ -9,6 +9,7 @@ from starlette.types import ASGIApp
 
 from turgor.studio.answers import Studio
 from turgor.studio.guard import Access, Guard
+from turgor.studio.routes.code import CODE
 from turgor.studio.routes.events import EVENTS
 from turgor.studio.routes.geometry import GEOMETRY
 from turgor.studio.routes.jobs import JOBS
@@ -29,7 +30,7 @@ def studio_app(studio: Studio, access: Access) -> ASGIApp:
     access : Access
         Who may talk to it.
     """
-    routes = [*GEOMETRY, *UPLOADS, *MATERIALS, *REDUCED, *JOBS, *EVENTS, *PAGES]
+    routes = [*GEOMETRY, *UPLOADS, *CODE, *MATERIALS, *REDUCED, *JOBS, *EVENTS, *PAGES]
     app = Starlette(routes=routes, lifespan=_lifespan)
     app.state.studio = studio
     return Guard(app, access)

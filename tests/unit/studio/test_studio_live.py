@@ -118,7 +118,7 @@ def test_slider_tip_and_sequence_in_the_page(folder):
         page = shown.page
         page.wait_for_selector(".live-grip")
         assert not page.locator("nav").is_visible()  # a window of its own
-        shown.until("document.querySelector('.live-rows').innerText.includes('reduction')")
+        shown.until("document.querySelector('.live-readings').innerText.includes('reduction')")
         page.get_by_role("button", name="Record").click()
         _slide(page, 9.0)
         shown.until("document.querySelector('.live-number').value === '9'")

@@ -105,6 +105,7 @@ def test_choice_leaves_the_rest_of_the_job_as_it_was():
     assert content["materials"]["base"] == tomllib.loads(JOB)["materials"]["base"]
     assert content["loads"] == {"pressure": "10 kPa"}
     assert "# a finger" in text
+    assert 'body = {library = "ecoflex-00-30"' in text
 
 
 @needs_browser

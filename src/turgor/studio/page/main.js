@@ -14,7 +14,7 @@ const SCREENS = [
   { name: "look", title: "Look", of: "run" },
   { name: "decide", title: "Decide", of: "job" },
   { name: "live", title: "Real time", of: "reduced" },
-  { name: "code", title: "Code", of: "job" },
+  { name: "code", title: "Code", of: "job" }, // of no job where none is open
 ];
 
 /**
@@ -24,7 +24,7 @@ const SCREENS = [
  * @property {(screen: string, name?: string) => void} go show a screen
  * @property {EventTarget} changes "change" events with the names of changed files and runs in `detail`
  * @property {string} shown name of what the screen shows
- * @property {any} seen what the screen before showed, for the code that repeats it
+ * @property {any} seen what the screen shows, for the code that repeats it (see snippets.js); a screen may add to it
  */
 
 /** @type {App} */
@@ -57,9 +57,10 @@ async function show() {
   if (screen.of) last[screen.of] = app.shown;
   try {
     if (screen.of === "job") {
-      if (!app.shown) return app.go("start");
-      await app.job.open(app.shown);
+      if (!app.shown && screen.name !== "code") return app.go("start");
+      if (app.shown) await app.job.open(app.shown);
     }
+    if (screen.name !== "code") app.seen = { screen: screen.name, title: screen.title, name: app.shown };
     document.title = `${app.shown ? `${app.shown} · ` : ""}${screen.title} · turgor studio`;
     frame(screen.name);
     const module = await import(`./screens/${screen.name}.js`);
@@ -90,7 +91,7 @@ function tools() {
   const { state } = app.job;
   const button = (/** @type {"undo" | "redo"} */ way, /** @type {string} */ sign) =>
     h("button", { type: "button", title: `${way} (Ctrl+${way === "undo" ? "Z" : "Y"})`, "aria-label": way, disabled: !state?.[way], onclick: () => app.job.step(way) }, sign);
-  const code = h("a", { class: "button", href: last.job ? `#/code/${encodeURIComponent(last.job)}` : "#/start" }, "Show the code");
+  const code = h("a", { class: "button", href: `#/code${last.job ? `/${encodeURIComponent(last.job)}` : ""}` }, "Show the code");
   fill(
     /** @type {Element} */ (document.getElementById("tools")),
     h("span", { class: "file", title: last.job }, last.job), button("undo", "↶"), button("redo", "↷"), code,

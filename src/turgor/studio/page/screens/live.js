@@ -58,6 +58,9 @@ class Live {
     /** Milliseconds from a change to its picture, for the benchmark. @type {number[]} */
     this.delays = [];
     this.rows = h("dl", { class: "live-rows" });
+    this.readings = h("dl", { class: "live-rows" });
+    this.measures = h("section", { class: "card live-readings", "aria-label": "Measures", hidden: true }, h("h2", {}, "All measures"),
+      h("p", { class: "quiet" }, "They follow when nothing moves. The first ± is the error of the mesh of the full model, the second the largest known one of the reduction."), this.readings);
     this.far = h("p", { class: "live-far", role: "status" });
     this.state = h("p", { class: "live-state", role: "status" });
     this.refusal = h("p", { class: "wrong", role: "alert", hidden: true });
@@ -65,20 +68,22 @@ class Live {
   }
 
   async start() {
-    const shown = h("div", { class: "live-picture" });
+    const drawn = h("div", {});
+    const shown = h("div", { class: "live-picture" }, drawn);
     const side = h(
       "div", { class: "live-side" },
       h("section", { class: "card", "aria-label": "Inputs" }, h("h2", {}, "Inputs"), ...this.table.inputs.map((each) => this.#input(each)), this.refusal),
       h("section", { class: "card", "aria-label": "State" }, h("h2", {}, "State"), this.far, this.rows, this.state,
-        h("p", { class: "quiet" }, `${this.table.trained} The first ± is the error of the mesh of the full model.`)),
+        h("p", { class: "quiet" }, `${this.table.trained} ± is the error of the mesh of the full model.`)),
       this.sequence.drawn,
     );
     this.place.append(h("div", { class: "split live-split" }, side, shown));
-    this.viewer = await picture(shown, this.model.scene());
+    this.viewer = await picture(drawn, this.model.scene());
     if (this.table.tip) {
       this.handle = new Handle(this.viewer, this.table, (wanted, settle) => this.#want(wanted, settle));
       shown.append(h("p", { class: "quiet" }, "Drag the blue dot at the tip: the inputs that are marked follow. Drag elsewhere to turn the picture."));
     }
+    shown.append(this.measures);
     this.connection.addEventListener("answer", (event) => this.#answered(/** @type {CustomEvent} */ (event).detail));
     this.connection.addEventListener("end", () => (this.state.textContent = "The connection has ended."));
     const changed = (/** @type {any} */ event) => {
@@ -148,7 +153,10 @@ class Live {
   /** @param {any} answer */
   #answered(answer) {
     if (answer.readings) {
-      if (answer.number === this.connection.number) this.#list(answer.readings, true);
+      if (answer.number !== this.connection.number) return;
+      write(this.readings, answer.readings);
+      this.measures.hidden = !answer.readings.length;
+      this.measures.classList.remove("old");
       return;
     }
     const began = this.sent.get(answer.number);
@@ -159,12 +167,13 @@ class Live {
       this.#fields(this.model.values, true);
       return;
     }
+    this.measures.classList.add("old"); // until those of this state come
     this.model.set(answer.q, answer.inputs);
     this.viewer.refresh();
     this.handle?.at(answer.tip);
     this.#fields(answer.inputs, false);
     this.#describe(answer);
-    this.app.seen = { screen: "live", name: this.table.name, inputs: this.table.inputs.map((each) => ({ ...each, value: answer.inputs[each.key] })) };
+    this.app.seen = { ...this.app.seen, inputs: this.table.inputs.map((each) => ({ ...each, value: answer.inputs[each.key] })) };
     if (began) requestAnimationFrame(() => requestAnimationFrame(() => this.delays.push(performance.now() - began)));
     if (answer.number === this.dragging) this.sequence.ends({ ...answer.inputs });
   }
@@ -186,7 +195,7 @@ class Live {
     this.far.hidden = answer.distance === undefined;
     this.far.textContent = near ? "The tip is where you want it." : `The wanted place is ${number(millimeters)} mm away.${limits.length ? ` At a limit: ${limits.join(", ")}.` : ""}`;
     this.far.classList.toggle("out", !near);
-    this.#list(answer.rows, false);
+    write(this.rows, answer.rows);
     const percent = Number((100 * answer.estimate).toPrecision(2));
     this.state.textContent = answer.doubtful
       ? `Doubtful: the error of the reduction may be more than 2 % here (estimated ${percent} %).`
@@ -194,14 +203,11 @@ class Live {
     this.state.classList.toggle("out", answer.doubtful);
   }
 
-  /** @param {[string, string][]} rows @param {boolean} all readings of all measures, which come when nothing moves */
-  #list(rows, all) {
-    const seen = all ? new Set(rows.map(([words]) => words)) : new Set();
-    const kept = all ? [...this.rows.querySelectorAll("dt")].filter((dt) => !seen.has(dt.textContent ?? "") && !dt.dataset.read) : [];
-    const pairs = kept.flatMap((dt) => [dt, /** @type {Element} */ (dt.nextElementSibling)]);
-    const made = rows.flatMap(([words, text]) => [h("dt", { "data-read": all || null }, words), h("dd", {}, text)]);
-    fill(this.rows, ...made, ...pairs);
-  }
+}
+
+/** @param {HTMLElement} list @param {[string, string][]} rows */
+function write(list, rows) {
+  fill(list, ...rows.map(([words, text]) => h("div", {}, h("dt", {}, words), h("dd", {}, text))));
 }
 
 /** A number as short as it can be with four digits. @param {number} value */

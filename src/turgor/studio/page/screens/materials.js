@@ -26,9 +26,9 @@ export async function show(place, app) {
       const before = region.value;
       fill(region, ...(entries.length ? entries.map(([name]) => name) : ["body"]).map((name) => h("option", {}, name)));
       if (entries.some(([name]) => name === before)) region.value = before;
-      fill(now, ...entries.flatMap(([name, entry]) => [h("dt", {}, name), h("dd", {}, said(/** @type {any} */ (entry)))]));
+      fill(now, ...entries.map(([name, entry]) => h("div", {}, h("dt", {}, name), h("dd", {}, said(/** @type {any} */ (entry))))));
     } catch (error) {
-      fill(now, h("dd", { class: "wrong" }, /** @type {Error} */ (error).message));
+      fill(now, h("div", { class: "wrong" }, /** @type {Error} */ (error).message));
     }
   };
   const tables = async () => tests.tables((await app.workspace()).tables);
