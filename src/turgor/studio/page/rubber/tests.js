@@ -28,7 +28,8 @@ export class Tests {
     this.cycle = pick("cycle of the test", [["first", "the first loading"], ["last", "the last loading"]]);
     this.specimen = h("input", { placeholder: "33 mm, 6 mm, 3 mm", "aria-label": "length, width and thickness of the specimen", onchange: () => this.#readAll() });
     const edge = (/** @type {string} */ label) => h("input", { type: "number", step: 0.05, min: 0, class: "live-number", "aria-label": label, onchange: () => this.#draw() });
-    [this.low, this.high] = [edge("smallest stretch that counts"), edge("largest stretch that counts")];
+    this.low = edge("smallest stretch that counts");
+    this.high = edge("largest stretch that counts");
     this.laws = LAWS.map((law) => ({ law, box: h("input", { type: "checkbox", checked: USUAL.includes(law) }) }));
     this.run = h("button", { type: "button", class: "primary", onclick: () => this.#fit() }, "Fit and compare");
     this.results = h("div", { class: "rubber-scroll", "aria-live": "polite" });
