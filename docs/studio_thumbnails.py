@@ -1,7 +1,7 @@
-"""Draws the small pictures of the actuator families for the studio, and lists them: ``python docs/studio_thumbnails.py``.
+"""Draws the small pictures of the actuator families for the studio, and lists them.
 
-The pictures are cut out of those of the pages on actuators, `docs/actuator_pages.py`. The list lets the page show the
-families before anything heavy is loaded.
+Run it with ``python docs/studio_thumbnails.py``. The pictures are cut out of those of the pages on actuators,
+`docs/actuator_pages.py`. The list lets the page show the families before anything heavy is loaded.
 """
 
 import json

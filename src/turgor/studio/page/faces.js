@@ -73,8 +73,8 @@ export class Faces {
     const dot = h("span", { class: "dot", "aria-hidden": "true" });
     dot.style.background = this.colors[name] ?? "transparent";
     const note = this.notes[name] ? h("span", { class: "quiet" }, ` ${this.notes[name]}`) : "";
-    const over = () => this.viewer?.parts.light(name);
-    const out = () => this.viewer?.parts.light(null);
+    const over = () => this.light(name);
+    const out = () => this.light(null);
     return h("button", { type: "button", class: "chip", "data-face": name, onmouseenter: over, onmouseleave: out, onfocus: over, onblur: out, onclick: () => this.pick(name, -1) }, dot, words(name), note);
   }
 

@@ -12,8 +12,10 @@ from turgor.foundation.errors import TurgorError
 from turgor.job.job import ACTUATORS
 from turgor.job.read import read_job
 from turgor.job.reference.tables import JobKey, JobTable, family_table
-from turgor.job.text.problems import JobError
+from turgor.job.tables.sections import read_actuator
+from turgor.job.text.problems import JobError, Problems
 from turgor.studio.tasks.content import at_key, content_of, plain, table_in
+from turgor.studio.tasks.reach import reach
 
 #: A range in a sentence, such as ``0.01 mm to 10.967 mm, so that …`` or ``a whole number from 1 to 100``.
 _RANGE = re.compile(r"(-?[\d.]+)(?: ([^\s\d,]+))? to (-?[\d.]+)(?: ([^\s\d,]+))?")
@@ -53,15 +55,20 @@ def choices(key: JobKey) -> list[str]:
 
 
 def form_of_actuator(table: dict[str, Any]) -> dict[str, Any] | None:
-    """Return the form of the dimensions of a family, with ranges where the other dimensions are those of the table."""
-    kind = table.get("type")
+    """Return the form of the dimensions of a family, with ranges where its other dimensions stay.
+
+    Where the table has a mistake, ranges are those around the defaults.
+    """
+    kind = str(table.get("type"))
     if kind not in ACTUATORS:
         return None
-    given = {key: value for key, value in table.items() if key != "type"}
-    try:
-        return table_as_json(family_table(kind, given))
-    except TurgorError:  # a reader that raises: ranges for the defaults are better than none
-        return table_as_json(family_table(kind))
+    actuator = read_actuator(table, Problems("", {}))
+    given = {key: value for key, value in table.items() if key != "type"} if actuator is not None else {}
+    form = table_as_json(family_table(kind, given))
+    for key in form["keys"]:
+        if actuator is not None and key["limits"]:
+            key["limits"] = reach(actuator, key["name"], key["limits"])
+    return form
 
 
 def forms_of(file: Path, headers: Iterable[str]) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """Shapes: the picture of an actuator from its dimensions or its file, without a mesh, and its size and volumes."""
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from pathlib import Path
@@ -15,10 +15,11 @@ from turgor.core.geometry.cad.inspection import Inspection, inspect_here
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.core.model.obstacles import Obstacle
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
-from turgor.job.job import Actuator
 from turgor.job.tables.cad import CAD_FILE
+from turgor.job.tables.contact import read_contact
 from turgor.job.tables.materials import read_materials
 from turgor.job.tables.sections import read_actuator
 from turgor.job.text.problems import Problems
@@ -50,7 +51,7 @@ def shape_of(file: Path) -> dict[str, Any]:
     except TurgorError as error:
         problems.add(("actuator",), error.on_command_line)
     out["problems"] = noted(problems)
-    out["form"] = form_of_actuator(table if not out["problems"] else {"type": table.get("type")})
+    out["form"] = form_of_actuator(table)
     return out
 
 
@@ -59,33 +60,36 @@ def built(table: Mapping[str, Any], problems: Problems) -> Geometry | None:
     actuator = read_actuator(table, problems)
     if actuator is None:
         return None
-    make = actuator.build if isinstance(actuator, CadFile | MeshFile) else partial(_of_family, actuator)
+    is_file = isinstance(actuator, CadFile | MeshFile) or not isinstance(actuator, Hashable)
+    make = actuator.build if is_file else partial(_of_family, actuator)
     return problems.attempt(("actuator",), make)
 
 
 @lru_cache(maxsize=8)
-def _of_family(actuator: Actuator) -> Geometry:
+def _of_family(actuator: Any) -> Geometry:
     """Build a family once: the screens of the page ask for it one after another."""
-    return actuator.build()
+    shape: Geometry = actuator.build()
+    return shape
 
 
 def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems) -> dict[str, Any]:
     if table.get("type") == CAD_FILE:
         actuator = read_actuator(table, problems)
-        return _of_file(actuator) if isinstance(actuator, CadFile) else {}
+        return _of_file(actuator, content) if isinstance(actuator, CadFile) else {}
     shape = built(table, problems)
     if shape is None:
         return {}
     patches = patches_of(shape)
     copies = len(patches.images)
     facts = {
-        "size": patches.size(),
+        "size": np.ptp(patches.box(), axis=0).tolist(),
         "wall": shape.smallest_wall,
         "cavities": {name: volume * copies for name, volume in shape.cavity_volumes.items()},
         "volume": shape.solid_volume * copies,
         "mass": _mass(shape, content, copies),
     }
-    return {"scene": patches.scene(), "facts": facts, "faces": [], "findings": _sentences(shape.findings)}
+    obstacles = _obstacles(content, shape)
+    return {"scene": patches.scene(obstacles), "facts": facts, "faces": [], "findings": _sentences(shape.findings)}
 
 
 def _mass(shape: Geometry, content: dict[str, Any], copies: int) -> float | None:
@@ -104,11 +108,17 @@ def _mass(shape: Geometry, content: dict[str, Any], copies: int) -> float | None
     return copies * sum(volume * each for volume, each in parts if each is not None)
 
 
-def _of_file(actuator: CadFile) -> dict[str, Any]:
+def _obstacles(content: dict[str, Any], shape: Geometry | None) -> tuple[Obstacle, ...]:
+    """The obstacles that are right; what is wrong with others is said on the screen Loads."""
+    contact, _ = read_contact({}, content.get("obstacles", {}), shape, Problems("", {}))
+    return contact.obstacles
+
+
+def _of_file(actuator: CadFile, content: dict[str, Any]) -> dict[str, Any]:
     """A CAD file: the whole part with all its faces, each with a selector that picks it."""
-    found = _inspected(_Named(actuator))
-    patches = patches_of_file(found, actuator.axes)
-    in_file = Counter(face.name_in_file for face in found.faces)
+    part = _inspected(_Named(actuator))
+    patches = patches_of_file(part, actuator.axes)
+    in_file = Counter(face.name_in_file for face in part.faces)
     faces = [
         {
             "name": face.name,
@@ -118,16 +128,18 @@ def _of_file(actuator: CadFile) -> dict[str, Any]:
             if face.name_in_file and in_file[face.name_in_file] == 1
             else {"near": _point_on(patch.triangles)},
         }
-        for face, patch in zip(found.faces, patches.faces, strict=True)
+        for face, patch in zip(part.faces, patches.faces, strict=True)
     ]
     facts = {
-        "size": patches.size(),
-        "wall": found.smallest_wall,
-        "cavities": {cavity.name: cavity.volume for cavity in found.cavities},
-        "volume": sum(body.volume for body in found.bodies),
+        "size": np.ptp(patches.box(), axis=0).tolist(),
+        "wall": part.smallest_wall,
+        "cavities": {cavity.name: cavity.volume for cavity in part.cavities},
+        "bodies": [{"name": body.region, "volume": body.volume, "color": body.color} for body in part.bodies],
+        "volume": sum(body.volume for body in part.bodies),
         "mass": None,
     }
-    return {"scene": patches.scene(), "facts": facts, "faces": faces, "findings": _sentences(found.findings)}
+    scene = patches.scene(_obstacles(content, None))
+    return {"scene": scene, "facts": facts, "faces": faces, "findings": _sentences(part.findings)}
 
 
 @dataclass(frozen=True, slots=True)
