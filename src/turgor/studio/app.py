@@ -9,9 +9,12 @@ from starlette.types import ASGIApp
 
 from turgor.studio.answers import Studio
 from turgor.studio.guard import Access, Guard
+from turgor.studio.routes.checks import CHECKS
 from turgor.studio.routes.events import EVENTS
 from turgor.studio.routes.jobs import JOBS
 from turgor.studio.routes.pages import PAGES
+from turgor.studio.routes.runs import RUNS
+from turgor.studio.routes.studies import STUDIES
 from turgor.studio.settings import STUDIO
 
 
@@ -25,7 +28,7 @@ def studio_app(studio: Studio, access: Access) -> ASGIApp:
     access : Access
         Who may talk to it.
     """
-    app = Starlette(routes=[*JOBS, *EVENTS, *PAGES], lifespan=_lifespan)
+    app = Starlette(routes=[*JOBS, *CHECKS, *RUNS, *STUDIES, *EVENTS, *PAGES], lifespan=_lifespan)
     app.state.studio = studio
     return Guard(app, access)
 
@@ -40,7 +43,7 @@ async def _lifespan(app: Starlette) -> AsyncIterator[None]:
         resting.cancel()
         with suppress(asyncio.CancelledError):
             await resting
-        for worker in (studio.worker, studio.slow):
+        for worker in studio.workers:
             worker.stop()
 
 
@@ -48,5 +51,5 @@ async def _rest(studio: Studio) -> None:
     """End workers that were not used for long."""
     while True:
         await asyncio.sleep(STUDIO.idle / 10)
-        for worker in (studio.worker, studio.slow):
+        for worker in studio.workers:
             worker.rest()

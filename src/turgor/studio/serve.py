@@ -17,6 +17,7 @@ from turgor.foundation.store.atomic_files import write_whole
 from turgor.foundation.store.caches import caches, private
 from turgor.studio.answers import Studio
 from turgor.studio.app import studio_app
+from turgor.studio.checking import Checking
 from turgor.studio.guard import access_to
 from turgor.studio.settings import STUDIO
 from turgor.studio.worker import Worker
@@ -90,7 +91,7 @@ def serve(
         where = f"http://{address.host}:{port}/?token={access.token}{start}"
         for sentence in _sentences(address, where):
             say(sentence)
-        studio = Studio(workspace=workspace, worker=Worker(), slow=Worker())
+        studio = Studio(workspace=workspace, worker=Worker(), slow=Worker(), checking=Checking(Worker()))
         config = uvicorn.Config(
             studio_app(studio, access), log_level="warning", access_log=False, ws="websockets-sansio", lifespan="on"
         )
