@@ -127,6 +127,7 @@ def _bound(address: Address, before: int) -> socket.socket:
         made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             made.bind((address.host, port))
+            made.listen()  # who comes before the server runs waits for it
         except OSError as error:
             made.close()
             errors.append(error)

@@ -157,7 +157,5 @@ def check_name(name: str) -> str:
     """Return a name of a folder of results, or say what is wrong with it."""
     plain = re.fullmatch(r"[\w][\w. -]{0,118}", name)
     if not plain:
-        raise TurgorError(
-            f"'{name[:120]}' is no name of a folder; letters, digits, '-', '_', '.' and blanks are allowed."
-        )
+        raise TurgorError(f"'{name[:120]}' is no name of a folder; use letters, digits and signs as in 'my-finger'.")
     return name

@@ -8,36 +8,8 @@ from turgor.foundation.errors import TurgorError
 
 #: Units at the end of headers; a test compares them with those of `turgor.foundation.response`.
 UNITS = frozenset(
-    [
-        "m",
-        "mm",
-        "um",
-        "1/m",
-        "rad",
-        "deg",
-        "Pa",
-        "kPa",
-        "MPa",
-        "m2",
-        "mm2",
-        "m3",
-        "L",
-        "mL",
-        "N",
-        "mN",
-        "Nm",
-        "J",
-        "mJ",
-        "N/m",
-        "kg",
-        "g",
-        "s",
-        "ms",
-        "m3/s",
-        "L/min",
-        "mL/min",
-        "K",
-    ]
+    ["m", "mm", "um", "1/m", "rad", "deg", "Pa", "kPa", "MPa", "m2", "mm2", "m3", "L", "mL", "N", "mN", "Nm", "J", "mJ"]
+    + ["N/m", "kg", "g", "s", "ms", "m3/s", "L/min", "mL/min", "K"]
 )
 
 #: End of the name of a column with the mesh error of another one.
