@@ -7,13 +7,12 @@ from typing import Any
 
 from starlette.requests import Request
 
-import turgor
 from turgor.foundation.errors import TurgorError
 from turgor.studio.answers import Studio, route
 from turgor.studio.history import version_of
 
 #: Where the page of findings is: in the package, or in the repository next to it.
-_PAGES = ("studio/findings.md", "../../docs/findings.md")
+_PAGES = ("findings.md", "../../../docs/findings.md")
 
 
 async def _check(studio: Studio, request: Request) -> Any:
@@ -41,7 +40,7 @@ async def _finding(studio: Studio, request: Request) -> Any:
 @cache
 def _sections() -> dict[str, list[str]]:
     """Paragraphs of each section of the page of findings, by code."""
-    home = Path(turgor.__file__).parent
+    home = Path(__file__).parents[1]
     text = next((file.read_text(encoding="utf-8") for each in _PAGES if (file := home / each).is_file()), "")
     sections = {}
     for part in re.split(r"^## ", text, flags=re.MULTILINE)[1:]:
