@@ -66,6 +66,47 @@ async def _new(studio: Studio, request: Request) -> Any:
     return {"name": file.name, **planned, **await _begin(studio, file.name, kind)}
 
 
+async def _numbers(studio: Studio, request: Request) -> Any:
+    """What a study of a job may vary and read."""
+    return await studio.slow.do("studies.numbers", studio.workspace.job(request.path_params["job"]))
+
+
+async def _reach(studio: Studio, request: Request) -> Any:
+    """Compute the workspace of several cavities of a job."""
+    given = await table_of(request)
+    file, pressures = studio.workspace.job(text_in(given, "job")), given.get("pressures")
+    if not isinstance(pressures, dict) or not pressures:
+        raise TurgorError("a workspace needs pressures by cavity.")
+    folder = check_name(f"{file.stem}-workspace")
+    texts = [f"{name}={text}" for name, text in pressures.items()]
+    child = Child(
+        name=folder, kind="workspace", job=file.name, module="turgor.studio.tasks.reach",
+        arguments=(file.name, folder, _processes(), *texts),
+    )  # fmt: skip
+    await to_thread.run_sync(studio.children.start, child)
+    return {"folder": folder}
+
+
+async def _reached(studio: Studio, request: Request) -> Any:
+    """What a workspace has reached so far."""
+    file = studio.workspace.job(request.path_params["job"])
+    name = check_name(f"{file.stem}-workspace")
+    child = studio.children.get(name)
+    folder = studio.workspace.folder / name
+    if child is None and not folder.is_dir():
+        return {"state": "none", "points": []}
+    running = child is not None and child.alive
+    log = studio.children.log(name)
+    said = log.read_text(encoding="utf-8", errors="replace").strip() if log.exists() else ""
+    state = "running" if running else "ended" if (folder / "workspace.csv").exists() else "failed"
+    return {"state": state, "message": said[-1000:], **await studio.slow.do("reach.reached", folder)}
+
+
+def _processes() -> str:
+    """Processes at once: one for each processor."""
+    return str(max(1, len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1))
+
+
 async def _start(studio: Studio, request: Request) -> Any:
     """Start a study, or go on with it: what has ended is read, not computed again."""
     given = await table_of(request)
@@ -74,8 +115,7 @@ async def _start(studio: Studio, request: Request) -> Any:
 
 async def _begin(studio: Studio, name: str, kind: str) -> dict[str, Any]:
     file, folder = _place(studio, name, kind)
-    count = str(max(1, len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1))
-    arguments = (kind, file.name, "--output", folder.name, "--processes", count)
+    arguments = (kind, file.name, "--output", folder.name, "--processes", _processes())
     child = Child(name=folder.name, kind=kind, job=file.name, arguments=arguments)
     await to_thread.run_sync(studio.children.start, child)
     return {"folder": folder.name}
@@ -170,4 +210,7 @@ STUDIES = [
     route("/api/studies/curve", _curve),
     route("/api/studies/design", _design, "POST"),
     route("/api/studies/end", _end, "POST"),
+    route("/api/studies/numbers/{job}", _numbers),
+    route("/api/studies/workspace", _reach, "POST"),
+    route("/api/studies/workspace/{job}", _reached),
 ]

@@ -35,6 +35,31 @@ def check(file: Path, kind: str) -> dict[str, Any]:
     return {"planned": None if study.calibrate is None else study.calibrate.most_solves, "rule": "at most"}
 
 
+def numbers(file: Path) -> dict[str, Any]:
+    """Return the numbers of a job that a study may vary, with every default, and what the job measures.
+
+    Parameters
+    ----------
+    file : Path
+        A job file.
+    """
+    from turgor.core.results.measures.measures import MEASURES
+    from turgor.job.output.lock import lock_text
+    from turgor.job.read import read_job
+    from turgor.studies.runs.jobs.job_numbers import numbers_of
+
+    job = read_job(file)
+    known = numbers_of(tomllib.loads(lock_text(job, {})))
+    return {
+        "numbers": [
+            {"key": each.key, "value": float(f"{each.value / each.factor:.6g}"), "unit": each.unit, "whole": each.whole}
+            for each in known.values()
+        ],
+        "measures": list(dict.fromkeys([*job.output.measures, *MEASURES])),
+        "cavities": [load.face for load in job.loads if hasattr(load, "pressure")],
+    }
+
+
 def rows(file: Path, folder: Path, kind: str) -> list[dict[str, Any]]:
     """Return a row for each run that has ended: its numbers, measures with mesh errors, and what went wrong.
 

@@ -90,8 +90,9 @@ class Look {
     const same = this.runs.length && runs.every((each, k) => each.states === this.runs[k].states && each.state === this.runs[k].state);
     this.runs = runs;
     this.drawFiles();
-    if (!same) await this.drawPictures();
     this.drawCurves();
+    if (!same) await this.drawPictures();
+    if (this.alive) this.marks();
   }
 
   // ---- pictures
