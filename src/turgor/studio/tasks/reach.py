@@ -11,7 +11,7 @@ RUNS, TABLE = "runs", "workspace.csv"
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Compute a workspace: ``JOB FOLDER PROCESSES cavity_1='0, 10, 20 kPa' …``; what has ended is not computed again."""
+    """Compute a workspace: ``JOB FOLDER PROCESSES cavity_1='0, 10, 20 kPa' …``; what has ended is read."""
     from turgor.foundation.errors import TurgorError
     from turgor.job.read import read_job
     from turgor.studies.runs.evaluations import saved_in
