@@ -32,6 +32,8 @@ class Studio:
         For what a person waits for: shapes, checks, scenes.
     slow : Worker
         For what takes longer: fits, uploads.
+    live : Worker
+        For reduced models, whose answers must not wait for others.
     checking : Checking
         For checks of jobs, which newer ones replace.
     """
@@ -39,12 +41,13 @@ class Studio:
     workspace: Workspace
     worker: Worker
     slow: Worker
+    live: Worker
     checking: Checking
 
     @property
     def workers(self) -> tuple[Worker, ...]:
-        """All workers."""
-        return self.worker, self.slow, self.checking.worker
+        """All of them."""
+        return self.worker, self.slow, self.live, self.checking.worker
 
     @property
     def children(self) -> Children:

@@ -48,3 +48,59 @@ class StudioSettings:
 
 
 STUDIO = StudioSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class LiveSettings:
+    """Settings of the window in which a reduced model moves.
+
+    Parameters
+    ----------
+    frames : int
+        States at the ends of the ranges that the picture has room for.
+    flat : float
+        Share of the travel of the tip that it may be out of a plane to count as moving in one.
+    updates : int
+        Updates of the search while the tip is dragged: the next ones follow with the next place of the mouse.
+    rest : float
+        Time without a change after which all measures are read off [s]; reading takes longer than a frame.
+    rows : float
+        Time between two rows of a saved sequence [s].
+    longest : float
+        Longest sequence [s], whose states take a minute.
+    """
+
+    frames: int = 8
+    flat: float = 1e-3
+    updates: int = 4
+    rest: float = 0.2
+    rows: float = 0.05
+    longest: float = 600.0
+
+
+LIVE = LiveSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class FittingSettings:
+    """Settings of the screen of materials.
+
+    Parameters
+    ----------
+    points : int
+        Points of a curve and of a thinned test, as `turgor fit` has.
+    curves : int
+        Curves in one picture at most: as many as there are colors that can be told apart.
+    most : float
+        Largest stretch of a curve [-]: beyond it no law of the library was tested.
+    laws : int
+        Laws in one comparison at most; each takes some seconds.
+    """
+
+    points: int = 60
+    curves: int = 8
+    most: float = 10.0
+    laws: int = 12
+
+
+FITTING = FittingSettings()

@@ -16,7 +16,7 @@ OWN = ".turgor-studio"
 RESULTS_MARK = ".turgor-files.json"
 
 #: Endings of parts that an actuator may come from.
-PARTS = (".step", ".stp", ".brep", ".stl", ".msh", ".inp", ".vtu")
+PARTS = (".step", ".stp", ".brep", ".brp", ".stl", ".msh", ".inp", ".vtk", ".vtu")
 
 #: Folders deeper than this below the workspace are not searched for runs.
 DEPTH = 3

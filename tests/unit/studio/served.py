@@ -3,11 +3,14 @@
 import re
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from http.cookiejar import CookieJar
 from pathlib import Path
 from urllib.parse import urlsplit
+from urllib.request import HTTPCookieProcessor, build_opener
 
 import pytest
 from browser import CHROMIUM, SOFTWARE_GL, needs_browser
@@ -41,6 +44,12 @@ class Studio:
     def token(self) -> str:
         """Secret of the first address."""
         return re.search(r"token=([^&#]+)", self.url)[1]
+
+    def cookie(self) -> str:
+        """Header that a browser sends after it has opened the printed address."""
+        jar = CookieJar()
+        build_opener(HTTPCookieProcessor(jar)).open(self.url).close()
+        return "; ".join(f"{each.name}={each.value}" for each in jar)
 
     def kill(self) -> None:
         """End the process at once, as `kill -9` does."""
@@ -89,6 +98,13 @@ class Shown:
         inside = url.replace("ws://", "http://").startswith(f"{origin}/")
         if not inside and not url.startswith(("data:", "blob:", "about:")):
             self.requests.append(url)
+
+    def until(self, expression: str) -> None:
+        """Wait until an expression is true in the page, whose policy forbids `wait_for_function` to evaluate it."""
+        end = time.monotonic() + PATIENCE
+        while not self.page.evaluate(expression):
+            assert time.monotonic() < end, f"this was not so within {PATIENCE} s: {expression}"
+            self.page.wait_for_timeout(30)
 
     def check(self) -> None:
         """The page complained about nothing (drawing in software is no complaint) and called no other host."""

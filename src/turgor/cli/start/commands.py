@@ -13,6 +13,7 @@ from turgor.cli.start.extensions import add_extensions
 COMMANDS: Mapping[str, str] = {
     "run": "run.run_command",
     "studio": "studio.studio_command",
+    "live": "studio.live_command",
     "materials": "materials.materials_app",
     "actuators": "families.actuators.actuators_command",
     "check": "check.check_command",

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from math import isinf
+from types import MappingProxyType
 from typing import Any
 
 from pydantic import BaseModel
@@ -123,13 +124,15 @@ class Source:
         )
 
 
-def family_table(name: str) -> JobTable:
-    """Return the keys of an actuator family, with ranges where the other dimensions have their defaults.
+def family_table(name: str, given: Mapping[str, Any] = MappingProxyType({})) -> JobTable:
+    """Return the keys of an actuator family, with the range of each where the other dimensions stay.
 
     Parameters
     ----------
     name : str
         One of `ACTUATORS`.
+    given : mapping
+        Dimensions that the family accepts, as a job file has them; the others have their defaults.
 
     Examples
     --------
@@ -145,7 +148,7 @@ def family_table(name: str) -> JobTable:
         problems.attempt((), lambda: kind(**{each: getattr(given, each) for each in names}), fields=names)
 
     words = (kind.__doc__ or "").splitlines()[0]
-    return Source(model=model, described=(kind,), read=read).table("[actuator]", words)
+    return Source(model=model, described=(kind,), read=read, base=given).table("[actuator]", words)
 
 
 def toml(value: Any, kind: Kind) -> str:

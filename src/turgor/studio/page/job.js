@@ -9,6 +9,8 @@ export class Job extends EventTarget {
     this.name = "";
     /** @type {{name: string, text: string, version: string, undo: number, redo: number} | null} */
     this.state = null;
+    /** @type {Promise<void>} */
+    this.waiting = Promise.resolve(); // for the changes before
   }
 
   /** Open a job file; the one that is open is not read again. @param {string} name */
@@ -47,8 +49,7 @@ export class Job extends EventTarget {
   /** @param {() => Promise<any>} request */
   async #change(request) {
     // one after another, each with the version that the one before it has made
-    const before = this.waiting ?? Promise.resolve();
-    const own = before.then(async () => {
+    this.waiting = this.waiting.then(async () => {
       try {
         this.#take(await request());
       } catch (error) {
@@ -56,8 +57,7 @@ export class Job extends EventTarget {
         if (error instanceof Refused && error.status === 409) await this.read();
       }
     });
-    this.waiting = own;
-    return own;
+    return this.waiting;
   }
 
   /** @param {any} state */

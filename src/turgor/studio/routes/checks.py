@@ -20,12 +20,12 @@ async def _check(studio: Studio, request: Request) -> Any:
     name = request.path_params["name"]
     file = studio.workspace.job(name)
     version = version_of(file.read_bytes().decode("utf-8", errors="replace"))
-    answer = await studio.checking.do(name, "checks.check", file, name)
+    answer = await studio.checking.do(name, "runs.checks.check", file, name)
     return {"superseded": True} if answer is None else {**answer, "version": version}
 
 
 async def _estimate(studio: Studio, request: Request) -> Any:
-    return await studio.slow.do("estimates.estimate", studio.workspace.job(request.path_params["name"]))
+    return await studio.slow.do("runs.estimates.estimate", studio.workspace.job(request.path_params["name"]))
 
 
 async def _finding(studio: Studio, request: Request) -> Any:

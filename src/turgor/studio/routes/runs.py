@@ -60,7 +60,7 @@ async def _start(studio: Studio, request: Request) -> Any:
         return await _begin(studio, fine)
     if way != "coarse" and way != "both":
         raise TurgorError(f"'{way[:40]}' is no way to start; allowed are both, coarse, fine and resume.")
-    changes = await studio.checking.worker.do("checks.coarse_of", file)
+    changes = await studio.checking.worker.do("runs.checks.coarse_of", file)
     options = ["--force", *(f"--set={change}" for change in changes)]
     name = f"{stem}{COARSE}"
     coarse = Child(name=name, kind="coarse", job=job, arguments=_arguments(job, name, *options))
@@ -106,7 +106,7 @@ async def _end(studio: Studio, request: Request) -> Any:
 async def _scene(studio: Studio, request: Request) -> Any:
     """What the viewer draws of a run; nothing where it has no state yet."""
     folder = folder_of(studio.workspace, studio.children, _query(request, "run"))
-    text = await studio.worker.do("scenes.scene", folder, _query(request, "part") != "live")
+    text = await studio.worker.do("runs.scenes.scene", folder, _query(request, "part") != "live")
     return Response(text, media_type="application/json") if text else Response(status_code=204)
 
 
@@ -147,7 +147,7 @@ async def _make(studio: Studio, request: Request) -> Any:
         raise TurgorError("the run still writes into its folder; wait until it has ended, or pause it.")
     folder = folder_of(studio.workspace, studio.children, name)
     number = state if isinstance(state, int) else 10**6
-    return {"file": await studio.slow.do("making.make", folder, text_in(given, "kind"), number)}
+    return {"file": await studio.slow.do("runs.making.make", folder, text_in(given, "kind"), number)}
 
 
 async def _experiment(studio: Studio, request: Request) -> Any:

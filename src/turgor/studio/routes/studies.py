@@ -16,7 +16,7 @@ from turgor.studio.children.run_folders import check_name
 from turgor.studio.children.tables import columns_of
 from turgor.studio.edits import with_values
 from turgor.studio.settings import STUDIO
-from turgor.studio.tasks.studies import FOLDERS, RUNS
+from turgor.studio.tasks.runs.studies import FOLDERS, RUNS
 
 #: Files of a study that a page shows or saves.
 _FILES = {".png": "image/png", ".csv": "text/csv; charset=utf-8", ".txt": "text/plain; charset=utf-8",
@@ -59,7 +59,7 @@ async def _new(studio: Studio, request: Request) -> Any:
         raise TurgorError("a study needs a kind and a table of values.")
     file.write_text(with_values("", {"job": text_in(given, "job"), **values}), encoding="utf-8")
     try:
-        planned = await studio.slow.do("studies.check", file, kind)
+        planned = await studio.slow.do("runs.studies.check", file, kind)
     except TurgorError:
         file.unlink()
         raise
@@ -68,7 +68,7 @@ async def _new(studio: Studio, request: Request) -> Any:
 
 async def _numbers(studio: Studio, request: Request) -> Any:
     """What a study of a job may vary and read."""
-    return await studio.slow.do("studies.numbers", studio.workspace.job(request.path_params["job"]))
+    return await studio.slow.do("runs.studies.numbers", studio.workspace.job(request.path_params["job"]))
 
 
 async def _reach(studio: Studio, request: Request) -> Any:
@@ -80,7 +80,7 @@ async def _reach(studio: Studio, request: Request) -> Any:
     folder = check_name(f"{file.stem}-workspace")
     texts = [f"{name}={text}" for name, text in pressures.items()]
     child = Child(
-        name=folder, kind="workspace", job=file.name, module="turgor.studio.tasks.reach",
+        name=folder, kind="workspace", job=file.name, module="turgor.studio.tasks.runs.reach",
         arguments=(file.name, folder, _processes(), *texts),
     )  # fmt: skip
     await to_thread.run_sync(studio.children.start, child)
@@ -99,7 +99,7 @@ async def _reached(studio: Studio, request: Request) -> Any:
     log = studio.children.log(name)
     said = log.read_text(encoding="utf-8", errors="replace").strip() if log.exists() else ""
     state = "running" if running else "ended" if (folder / "workspace.csv").exists() else "failed"
-    return {"state": state, "message": said[-1000:], **await studio.slow.do("reach.reached", folder)}
+    return {"state": state, "message": said[-1000:], **await studio.slow.do("runs.reach.reached", folder)}
 
 
 def _processes() -> str:
@@ -128,8 +128,8 @@ async def _status(studio: Studio, request: Request) -> Any:
     child = studio.children.get(folder.name)
     running = child is not None and child.alive
     try:
-        rows = await studio.slow.do("studies.rows", file, folder, kind)
-        planned = await studio.slow.do("studies.check", file, kind)
+        rows = await studio.slow.do("runs.studies.rows", file, folder, kind)
+        planned = await studio.slow.do("runs.studies.check", file, kind)
     except TurgorError as error:
         rows, planned = [], {"planned": None, "rule": "", "problem": error.on_command_line}
     log = studio.children.log(folder.name)
@@ -189,7 +189,7 @@ async def _design(studio: Studio, request: Request) -> Any:
     key = text_in(given, "row")
     name = f"{folder.name}-{key[:8]}.toml"
     if name not in studio.workspace.jobs():
-        await studio.slow.do("studies.design", folder, key, studio.workspace.new(name, ".toml"))
+        await studio.slow.do("runs.studies.design", folder, key, studio.workspace.new(name, ".toml"))
     return {"name": name}
 
 

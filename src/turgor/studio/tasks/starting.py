@@ -15,6 +15,10 @@ def job_of_family(family: str) -> str:
     return starter(family)
 
 
+def ready() -> None:
+    """Load what a picture of a shape needs, while the user still looks at the first screen."""
+
+
 def job_of_part(part: Path, unit: str | None) -> str:
     """Return the commented job of a part from a CAD or mesh file."""
     from turgor.job.reference.part_starters import part_starter

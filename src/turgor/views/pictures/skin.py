@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells.reference import reference_nodes, tables_at
+from turgor.core.geometry.whole import Image
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
-from turgor.core.results.fields.state_fields import Image, MeshFacts
+from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.views.pictures.settings import RENDERING
 
 Array = NDArray[np.float64]

@@ -6,7 +6,7 @@ from importlib.resources import files
 #: Scripts of the viewer in the order in which they stand in a page.
 SCRIPTS = (
     "1_unpack.js", "2_skin.js", "3_stage.js", "4_body.js", "5_section.js", "6_chart.js", "7_linked.js", "8_overlay.js",
-    "9_viewer.js",
+    "8_parts.js", "9_viewer.js",
 )  # fmt: skip
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.core.results.fields.contact import extents_of
 from turgor.core.results.fields.path_fields import PathFields
-from turgor.core.results.fields.state_fields import Image, MeshFacts, StateFields
+from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Response
@@ -113,7 +113,7 @@ def _values(path: PathFields, response: Response | None, surface: Surface, steps
     return {
         "steps": [{"state": k, "label": _label(path.solution, response, k)} for k in steps],
         "surface": _surface(states, surface, path.facts),
-        "images": [_matrix(image) for image in path.facts.images],
+        "images": [image.matrix for image in path.facts.images],
         "fields": shown_fields(states, surface, inside),
         "inside": None if inside is None else _inside(states, inside),
         "obstacles": _obstacles(states),
@@ -183,14 +183,6 @@ def _inside(states: Sequence[StateFields], inside: Inside) -> dict[str, Any]:
         "tetrahedra": pack_index(inside.tetrahedra),
         "positions": pack_steps(np.stack([at.points[inside.node] for at in states])),
     }
-
-
-def _matrix(image: Image) -> list[float]:
-    """Matrix (4 × 4, row by row) of the map of the modeled part onto a part of the whole."""
-    out = np.eye(4)
-    out[:3, :3] = image.turn
-    out[:3, 3] = image.center - image.turn @ image.center
-    return [round(float(value), 12) for value in out.ravel()]
 
 
 def _obstacles(states: Sequence[StateFields]) -> dict[str, Any] | None:

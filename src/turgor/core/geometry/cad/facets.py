@@ -5,6 +5,7 @@ circle has 36 corners only. They give positions and topology; volumes need the e
 imported in functions, because they are slow to load and every job loads this file.
 """
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -98,6 +99,14 @@ def named_facets(shape: Any) -> list[tuple[str, Array]]:
     corners = data["vertices"].reshape(-1, 3, 3).astype(np.float64)
     number = data["indices"].astype(np.int64)
     return [(str(face.name), corners[number == i]) for i, face in enumerate(_unique(occ.OCCGeometry(shape).faces))]
+
+
+def faces_between(shape: Any) -> list[bool]:
+    """Return whether each face of a shape lies between two of its bodies, in the order of `named_facets`."""
+    if hasattr(shape, "corners"):  # one body
+        return [False] * len(shape.faces)
+    owners = Counter(face for solid in shape.solids for face in _unique(solid.faces))
+    return [owners[face] > 1 for face in _unique(occ.OCCGeometry(shape).faces)]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

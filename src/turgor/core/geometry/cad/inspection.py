@@ -42,7 +42,7 @@ class BodyFacts:
 class FaceFacts:
     """One face: its name, name and color in the file, area [m²], center [m], and normal of a plane face.
 
-    ``triangles`` (t, 3, 3) [m] are for pictures.
+    ``between`` says whether it lies between two bodies; ``triangles`` (t, 3, 3) [m] are for pictures.
     """
 
     name: str
@@ -51,6 +51,7 @@ class FaceFacts:
     area: float
     center: Vector
     normal: Vector | None
+    between: bool = False
     triangles: Array = field(repr=False)
 
 
@@ -180,9 +181,10 @@ def _faces(part: Part, naming: Naming) -> tuple[FaceFacts, ...]:
             area=float(face.mass) * mm**2,
             center=item.center,
             normal=item.normal,
+            between=len(owners) > 1,
             triangles=item.triangles,
         )
-        for name, item, face in zip(naming.names, part.items, part.faces, strict=True)
+        for name, item, face, owners in zip(naming.names, part.items, part.faces, part.owners, strict=True)
     )
 
 

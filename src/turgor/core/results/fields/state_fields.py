@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Hashable
 from functools import cached_property
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses, discrete_threads
 from turgor.core.engine.fields import CellFields, cell_fields, nodal_average, nodal_mean_stress
 from turgor.core.engine.percentiles import volume_percentile
+from turgor.core.geometry.whole import Image, MirrorPlane, images_of
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.proximity import FacingWalls, find_facing_walls
 from turgor.core.meshing.refining.region_nodes import RegionNodes, region_nodes
@@ -20,35 +21,6 @@ from turgor.core.solvers.solution import State
 
 Array = NDArray[np.float64]
 Value = TypeVar("Value")
-
-
-class Image(NamedTuple):
-    """A map of the modeled part onto a part of the whole: x → center + turn (x − center); ``flips`` if it mirrors."""
-
-    turn: Array
-    center: Array
-    flips: bool
-
-    def of(self, points: Array) -> Array:
-        """Images (…, 3) of points (…, 3) [m]."""
-        return np.asarray((points - self.center) @ self.turn.T + self.center)
-
-
-#: The map of the modeled part onto itself.
-ITSELF = Image(np.eye(3), np.zeros(3), False)
-
-
-class MirrorPlane(NamedTuple):
-    """A plane on which a half or quarter model is cut: ``points[:, axis] == position`` [m]."""
-
-    axis: int
-    position: float
-
-    def image(self) -> Image:
-        """The map onto the other side."""
-        flip, at = np.eye(3), np.zeros(3)
-        flip[self.axis, self.axis], at[self.axis] = -1.0, self.position
-        return Image(flip, at, True)
 
 
 class MeshFacts:
@@ -74,14 +46,7 @@ class MeshFacts:
     @cached_property
     def images(self) -> tuple[Image, ...]:
         """Maps of the modeled part onto all parts of the whole, itself first."""
-        images = [ITSELF]
-        for plane in map(MirrorPlane.image, self.mirrors):  # each moves along one axis of its own
-            images += [Image(plane.turn @ each.turn, each.center + plane.center, not each.flips) for each in images]
-        wedge = self.mesh.wedge
-        if wedge is not None:
-            center = np.array(wedge.center)
-            images += [Image(wedge.turn(k), center, False) for k in range(1, wedge.fold)]
-        return tuple(images)
+        return images_of(self.mirrors, self.mesh.wedge)
 
     @cached_property
     def walls(self) -> FacingWalls:

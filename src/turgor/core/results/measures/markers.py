@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.faces.attached import Attached, attach
+from turgor.core.geometry.whole import MirrorPlane
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.results.fields.state_fields import MeshFacts, MirrorPlane, StateFields
+from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.measure import Measure
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm

@@ -15,6 +15,7 @@ export class Reach {
     this.app = app;
     this.element = h("section", { class: "card", hidden: true });
     this.plot = h("div", {});
+    this.known = "";
     this.alive = true;
   }
 
@@ -44,6 +45,7 @@ export class Reach {
   }
 
   async look() {
+    /** @type {any} */
     let found;
     try {
       found = await get(`/api/studies/workspace/${part(this.app.job.name)}`);

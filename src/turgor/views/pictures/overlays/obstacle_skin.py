@@ -5,9 +5,10 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.geometry.whole import ITSELF, MirrorPlane
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.results.fields.contact import drawn_obstacles, place_of
-from turgor.core.results.fields.state_fields import ITSELF, MeshFacts, MirrorPlane, StateFields
+from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.views.pictures.raycast import Camera, Hits
 from turgor.views.pictures.settings import LOOK, RENDERING
 from turgor.views.pictures.shading import Bytes, draw_lines, find_lines

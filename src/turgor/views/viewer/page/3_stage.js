@@ -16,7 +16,7 @@ function drawsInSoftware() {
 }
 
 class Stage {
-  constructor(box, values) {
+  constructor(box) {
     this.box = box;
     this.slow = drawsInSoftware();
     this.renderer = new THREE.WebGLRenderer({ antialias: !this.slow, stencil: true, preserveDrawingBuffer: true });
@@ -28,7 +28,7 @@ class Stage {
     this.scene = new THREE.Scene();
     this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10);
     this.camera.up.set(0, 0, 1);
-    this.matrices = values.images.map((rows) => new THREE.Matrix4().set(...rows));
+    this.matrices = [];
     this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
     this.controls.enableZoom = false; // until the picture was clicked, so that the page scrolls past it
     this.controls.addEventListener("change", () => this.draw());
@@ -46,6 +46,43 @@ class Stage {
     this.rough = false;
     this.waiting = false;
     new ResizeObserver(() => this.fit()).observe(box);
+  }
+
+  // The maps of the modeled part onto all parts of the whole.
+  images(rows) {
+    this.matrices = rows.map((each) => new THREE.Matrix4().set(...each));
+  }
+
+  // Remove what is drawn, and free what the graphics card has of it.
+  clear() {
+    const lights = [this.ambient, this.lamp, this.lamp.target];
+    for (const each of this.scene.children.filter((child) => !lights.includes(child))) {
+      this.scene.remove(each);
+      each.geometry?.dispose();
+      each.material?.dispose();
+    }
+    this.faint = [];
+    this.hidden = [];
+  }
+
+  // Where the camera looks from.
+  get direction() {
+    const away = this.camera.position.clone().sub(this.controls.target).normalize();
+    const { position, zoom } = this.camera;
+    return {
+      azimuth: Math.atan2(away.x, -away.y), elevation: Math.asin(Math.max(-1, Math.min(1, away.z))),
+      position: position.clone(), target: this.controls.target.clone(), zoom,
+    };
+  }
+
+  // Look from where the camera was.
+  restore({ position, target, zoom }) {
+    this.camera.position.copy(position);
+    this.controls.target.copy(target);
+    this.camera.zoom = zoom;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.draw();
   }
 
   // Show an object once for each image of the modeled part.

@@ -33,9 +33,9 @@ class Overlay {
   }
 }
 
-// Shows the value under the pointer while no button is pressed.
+// Shows what is under the pointer while no button is pressed.
 class Probe {
-  constructor(stage, body, box, describe) {
+  constructor(viewer, box) {
     this.caster = new THREE.Raycaster();
     this.tip = document.createElement("div");
     this.tip.className = "v-tip";
@@ -45,7 +45,7 @@ class Probe {
     box.addEventListener("pointermove", (event) => {
       clearTimeout(waiting);
       this.tip.hidden = true;
-      if (event.buttons === 0) waiting = setTimeout(() => this.#show(stage, body, box, event, describe), 120);
+      if (event.buttons === 0) waiting = setTimeout(() => this.#show(viewer, box, event), 120);
     });
     box.addEventListener("pointerleave", () => {
       clearTimeout(waiting);
@@ -53,17 +53,24 @@ class Probe {
     });
   }
 
-  #show(stage, body, box, event, describe) {
+  #show(viewer, box, event) {
     const frame = box.getBoundingClientRect();
     const [x, y] = [event.clientX - frame.left, event.clientY - frame.top];
-    this.caster.setFromCamera(new THREE.Vector2((2 * x) / frame.width - 1, 1 - (2 * y) / frame.height), stage.camera);
-    const cut = body.surface.clippingPlanes?.[0];
-    const hits = this.caster.intersectObjects(body.meshes).filter((hit) => !cut || cut.distanceToPoint(hit.point) >= 0);
-    if (!hits.length) return;
-    const place = hits[0].point.toArray().map((value) => written(1000 * value));
-    this.tip.textContent = `${describe(hits[0].uv.x)} at (${place.join(", ")}) mm`;
+    const [hit] = hitsAt(this.caster, viewer.stage, viewer.body, event);
+    if (!hit) return;
+    const place = hit.point.toArray().map((value) => written(1000 * value));
+    this.tip.textContent = `${viewer.describe(hit)} at (${place.join(", ")}) mm`;
     this.tip.style.left = `${Math.min(x + 12, frame.width - 220)}px`;
     this.tip.style.top = `${y + 14}px`;
     this.tip.hidden = false;
   }
+}
+
+// What a ray through the pointer meets of the surface, the nearest first, without what is cut away.
+function hitsAt(caster, stage, body, event) {
+  const frame = stage.box.getBoundingClientRect();
+  const [x, y] = [event.clientX - frame.left, event.clientY - frame.top];
+  caster.setFromCamera(new THREE.Vector2((2 * x) / frame.width - 1, 1 - (2 * y) / frame.height), stage.camera);
+  const cut = body.surface.clippingPlanes?.[0];
+  return caster.intersectObjects(body.meshes).filter((hit) => !cut || cut.distanceToPoint(hit.point) >= 0);
 }

@@ -44,16 +44,43 @@ class Viewer {
   }
 
   async start() {
-    const { surface, inside, fields, threads, obstacles, path, images, places: drive } = this.values;
+    const picture = this.find("picture");
+    this.root.hidden = false;
+    this.stage = new Stage(picture);
+    const places = await this.#fill();
+    this.#frame(...places);
+    new Overlay(this.stage, picture);
+    new Probe(this, picture);
+    this.#controls();
+    this.#first();
+  }
+
+  // Show another scene of the same kind, such as after a change of a dimension, from the same side; aim at it again
+  // where its size has changed.
+  async replace(values) {
+    const { radius } = this.stage;
+    this.values = values;
+    this.stage.clear();
+    const places = await this.#fill();
+    const turn = this.stage.direction;
+    this.#frame(...places);
+    if (Math.abs(this.stage.radius - radius) < 1e-9 * radius) this.stage.restore(turn);
+    else this.stage.look(turn.azimuth, turn.elevation);
+    for (const control of this.root.querySelectorAll(".v-side input[type=checkbox]")) control.dispatchEvent(new Event("change"));
+    this.step = -1;
+    this.#first();
+    this.cut();
+  }
+
+  async #fill() {
+    const { surface, inside, fields, threads, obstacles, path, parts, images, places: drive } = this.values;
     const [triangles, cut, centers, positions] = await Promise.all([
       indexOf(surface.triangles), indexOf(surface.cut), indexOf(surface.centers),
       stepsOf(surface.positions, drive),
     ]);
     this.positions = positions;
     this.data = await Promise.all(fields.map((field) => field.data && stepsOf(field.data)));
-    const picture = this.find("picture");
-    this.root.hidden = false;
-    this.stage = new Stage(picture, this.values);
+    this.stage.images(images);
     this.skin = new Skin(triangles, {
       shape: surface.triangles.shape, cut, centers, mirrors: surface.mirrors, sides: surface.sides, images: images.length,
       slow: this.stage.slow,
@@ -66,13 +93,15 @@ class Viewer {
     if (path) this.body.addPath(await indexOf(path.triangles), line);
     this.section = new Section(this.stage, this.skin, inside ? await this.#open(inside, fields) : []);
     this.rest = positions.at(0);
-    this.#frame(places, line);
-    new Overlay(this.stage, picture);
-    new Probe(this.stage, this.body, picture, (share) => this.#describe(share));
-    this.#controls();
+    if (!fields.length) this.body.surface.color.set(RUBBER);
+    this.parts = parts && new Parts(this.stage, this.body, await namedParts(parts), this.rest, triangles);
+    return [places, line];
+  }
+
+  #first() {
     this.show(0);
     this.body.keepRest();
-    this.field(0);
+    if (this.values.fields.length) this.field(0);
     this.show(this.values.steps.length - 1);
     this.stage.now();
   }
@@ -85,6 +114,7 @@ class Viewer {
 
   // The face of the cut at this step, colored by the field.
   #face() {
+    if (!this.shown) return;
     const points = this.body.open && this.depth?.at(this.step);
     this.section.material.map = this.body.surface.map;
     this.section.material.needsUpdate = true;
@@ -121,7 +151,10 @@ class Viewer {
     this.stage.frame(cloud);
   }
 
-  #describe(share) {
+  // What the pointer is at: the name of a face, or the value of the field.
+  describe(hit) {
+    if (this.parts && !this.shown) return this.parts.nameAt(hit).replaceAll("_", " ");
+    const share = hit.uv.x;
     const field = this.shown;
     const value = field.low + share * (field.high - field.low);
     return `${field.label} ${written(value, 3)} ${field.unit}`.trim();
@@ -188,6 +221,10 @@ class Viewer {
     slider.addEventListener("input", () => this.show(Number(slider.value)));
     this.find("play").addEventListener("click", () => this.play(!this.timer));
     const menu = this.find("field");
+    menu.parentElement.hidden = !this.values.fields.length;
+    slider.parentElement.hidden = this.values.steps.length < 2;
+    this.find("ghost").parentElement.hidden = this.values.steps.length < 2;
+    this.find("cells").parentElement.hidden = !this.values.fields.length; // flat triangles of a picture are no cells
     this.values.fields.forEach((field, k) => menu.append(new Option(field.unit ? `${field.label} [${field.unit}]` : field.label, k)));
     menu.addEventListener("change", () => this.field(Number(menu.value)));
     const toggles = {
@@ -211,7 +248,7 @@ class Viewer {
   }
 
   #visible(objects, on) {
-    objects.forEach((each) => (each.visible = on));
+    objects?.forEach((each) => (each.visible = on));
     this.stage.draw();
   }
 
@@ -235,6 +272,7 @@ class Viewer {
     const share = Number(this.find("place").value) / 1000;
     const [low, high] = [this.box.min, this.box.max].map((corner) => corner.toArray()[Math.max(axis, 0)]);
     this.body.cut(axis, low + share * (high - low), this.find("turned").checked);
+    this.parts?.cut();
     this.#face();
     this.find("where").textContent = axis < 0 ? "" : `${"xyz"[axis]} = ${written(1000 * (low + share * (high - low)), 3)} mm`;
   }

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from turgor.foundation.errors import TurgorError
-from turgor.studio.tasks.fixes import fixes_of, problem_of
+from turgor.studio.tasks.runs.fixes import fixes_of, problem_of
 
 if TYPE_CHECKING:
     from turgor.job.job import Job
