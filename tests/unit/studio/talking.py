@@ -88,8 +88,9 @@ class Talk:
         """Wait until the state of a run satisfies a condition."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            state = self.run(name)
-            if until(state):
+            status, _, body = self.raw(f"/api/runs/status?run={quote(name)}")
+            state = json.loads(body)
+            if status == 200 and until(state):
                 return state
             time.sleep(0.1)
         raise AssertionError(state)

@@ -223,11 +223,10 @@ def test_a_fix_button_changes_the_file_and_the_check_follows(tmp_path):
         page = shown.page
         assert page.wait_for_selector(".finding a").inner_text() == "line 8"
         page.click("button.fix:has-text('Rename to size')")
-        page.wait_for_selector("text=axisymmetric >> nth=0", state="attached")
         page.wait_for_selector(".finding:has-text('G01') button.fix")
         assert 'size = "3 mm"' in file.read_text()
         page.click("button.fix:has-text('Two cells')")
-        page.wait_for_selector(".good, .finding:not(:has-text('G01'))")
+        page.wait_for_selector("p.good")
         assert "wall_cells = 2" in file.read_text()
         shown.check()
 
@@ -271,8 +270,8 @@ def test_a_killed_server_loses_no_run_and_nothing_runs_twice(tmp_path):
     studio = server(tmp_path, "--port", "0")
     try:
         with open_page(studio, "#/solve/tube.toml") as shown:
-            page, second = shown.page, shown.page.context.new_page()
-            second.goto(studio.origin + "/#/solve/tube.toml")
+            page, second = shown.page, shown.page.context.browser.new_page()
+            second.goto(studio.url + "#/solve/tube.toml")
             page.click("button:has-text('Fine only'):enabled")
             talk = Talk(studio)
             talk.wait("tube-results", lambda state: state["states"] > 3)
