@@ -9,6 +9,7 @@ from starlette.types import ASGIApp
 
 from turgor.studio.answers import Studio
 from turgor.studio.guard import Access, Guard
+from turgor.studio.routes.checks import CHECKS
 from turgor.studio.routes.code import CODE
 from turgor.studio.routes.events import EVENTS
 from turgor.studio.routes.geometry import GEOMETRY
@@ -16,6 +17,8 @@ from turgor.studio.routes.jobs import JOBS
 from turgor.studio.routes.materials import MATERIALS
 from turgor.studio.routes.pages import PAGES
 from turgor.studio.routes.reduced import REDUCED
+from turgor.studio.routes.runs import RUNS
+from turgor.studio.routes.studies import STUDIES
 from turgor.studio.routes.uploads import UPLOADS
 from turgor.studio.settings import STUDIO
 
@@ -30,8 +33,8 @@ def studio_app(studio: Studio, access: Access) -> ASGIApp:
     access : Access
         Who may talk to it.
     """
-    routes = [*GEOMETRY, *UPLOADS, *CODE, *MATERIALS, *REDUCED, *JOBS, *EVENTS, *PAGES]
-    app = Starlette(routes=routes, lifespan=_lifespan)
+    kinds = (GEOMETRY, UPLOADS, CODE, MATERIALS, REDUCED, JOBS, CHECKS, RUNS, STUDIES, EVENTS, PAGES)
+    app = Starlette(routes=[route for kind in kinds for route in kind], lifespan=_lifespan)
     app.state.studio = studio
     return Guard(app, access)
 

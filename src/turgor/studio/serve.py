@@ -18,6 +18,7 @@ from turgor.foundation.store.atomic_files import write_whole
 from turgor.foundation.store.caches import caches, private
 from turgor.studio.answers import Studio
 from turgor.studio.app import studio_app
+from turgor.studio.checking import Checking
 from turgor.studio.guard import Access, access_to, in_address
 from turgor.studio.settings import STUDIO
 from turgor.studio.worker import Worker
@@ -91,7 +92,7 @@ def serve(
         where += start
         for sentence in _sentences(address, access, where):
             say(sentence)
-        studio = Studio(workspace=workspace, worker=Worker(), slow=Worker(), live=Worker())
+        studio = Studio(workspace=workspace, worker=Worker(), slow=Worker(), live=Worker(), checking=Checking(Worker()))
         config = uvicorn.Config(
             studio_app(studio, access), log_level="warning", access_log=False, ws="websockets-sansio", lifespan="on"
         )

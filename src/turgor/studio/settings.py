@@ -23,6 +23,13 @@ class StudioSettings:
         Longest time of a task of the worker [s]; a mesh of a large part takes a minute.
     cancel : float
         Time that a run has to end by itself before it is killed [s]; its states are on disk.
+    look : float
+        Time between two looks at a process that ends [s].
+    impatient : float
+        Time after which a check of an older text is killed for that of a newer one [s]: a new process needs as long to
+        begin.
+    lines : int
+        Lines of a log that the page shows.
     undo : int
         Edits of a file that can be undone.
     """
@@ -34,6 +41,9 @@ class StudioSettings:
     idle: float = 300.0
     patience: float = 300.0
     cancel: float = 0.8
+    look: float = 0.02
+    impatient: float = 2.0
+    lines: int = 60
     undo: int = 200
 
 

@@ -59,6 +59,8 @@ class Editor {
   async start() {
     this.app.job.addEventListener("change", this.changed);
     this.#read();
+    const line = Number(location.hash.split("/")[3]); // of a problem that another screen shows
+    if (line) this.#jump(line);
   }
 
   end() {
