@@ -59,5 +59,5 @@ def test_lines_of_plots_can_be_seen(scheme):
 def test_every_color_has_both_schemes():
     style = (files("turgor.studio") / "page" / "studio.css").read_text("utf-8")
     used = set(re.findall(r"var\(--([\w-]+)\)", style))
-    assert used <= set(_schemes()["light"])
+    assert used - {"c"} <= set(_schemes()["light"])  # c is the color of one face, which the page sets
     assert _stated()["light"].keys() == _stated()["dark"].keys()
