@@ -8,8 +8,7 @@ import json
 from pathlib import Path
 
 from PIL import Image, ImageChops
-
-from turgor.job.job import ACTUATORS
+from turgor.jobs import ACTUATORS
 
 #: The pictures of the pages, and where the studio has its own.
 FROM, TO = Path(__file__).parent / "images" / "actuators", Path(__file__).parents[1] / "src/turgor/studio/page/families"
