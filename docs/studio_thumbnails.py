@@ -8,7 +8,8 @@ import json
 from pathlib import Path
 
 from PIL import Image, ImageChops
-from turgor.jobs import ACTUATORS
+
+import turgor as tg
 
 #: The pictures of the pages, and where the studio has its own.
 FROM, TO = Path(__file__).parent / "images" / "actuators", Path(__file__).parents[1] / "src/turgor/studio/page/families"
@@ -34,7 +35,7 @@ def small(picture: Image.Image) -> Image.Image:
 
 def families() -> list[dict[str, str]]:
     """Name of each actuator family, and what it is."""
-    return [{"name": name, "words": (kind.__doc__ or "").splitlines()[0]} for name, kind in ACTUATORS.items()]
+    return [{"name": name, "words": (kind.__doc__ or "").splitlines()[0]} for name, kind in tg.jobs.ACTUATORS.items()]
 
 
 def main() -> None:

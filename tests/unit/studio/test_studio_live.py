@@ -174,6 +174,7 @@ def _drag_tip(page, dx: float, dy: float) -> None:
     page.mouse.down()
     for share in (0.2, 0.5, 1.0):
         page.mouse.move(x + share * dx, y + share * dy)
+    page.wait_for_selector(".live-far:has-text('mm away')")  # while the button is down
     page.mouse.up()
 
 

@@ -84,8 +84,11 @@ export class Faces {
   }
 }
 
-/** The shape of a job. @param {string} job @returns {Promise<any>} */
-export const shapeOf = (job) => get(`/api/jobs/${part(job)}/shape`);
+/**
+ * The shape of a job; a CAD file as it lies in the file, or as it is modeled.
+ * @param {string} job @param {boolean} [modeled] @returns {Promise<any>}
+ */
+export const shapeOf = (job, modeled = false) => get(`/api/jobs/${part(job)}/shape${modeled ? "?modeled" : ""}`);
 
 /**
  * Call a function again for each change, one call after another; changes during a call give one more.

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from turgor.core.geometry.cad.facets import RoundFacets, faces_between, round_facets
 from turgor.core.geometry.cad.inspection import Inspection
 from turgor.core.geometry.cad.surface.grouping import grouped
+from turgor.core.geometry.cad.symmetry.whole import Image, MirrorPlane, images_of
 from turgor.core.geometry.directions import FileAxes, rotation_to
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.geometry.whole import Image, MirrorPlane, images_of
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh

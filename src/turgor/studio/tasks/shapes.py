@@ -1,9 +1,9 @@
 """Shapes: the picture of an actuator from its dimensions or its file, without a mesh, and its size and volumes."""
 
 from collections import Counter
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,6 @@ from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.inspection import Inspection, inspect_here
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
-from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.model.obstacles import Obstacle
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
@@ -23,19 +22,22 @@ from turgor.job.tables.contact import read_contact
 from turgor.job.tables.materials import read_materials
 from turgor.job.tables.sections import read_actuator
 from turgor.job.text.problems import Problems
-from turgor.studio.tasks.content import content_of, noted, plain, table_in
+from turgor.studio.tasks.building import built
+from turgor.studio.tasks.content import actuator_in, content_of, noted, plain
 from turgor.studio.tasks.forms import form_of_actuator
 from turgor.studio.tasks.patches import patches_of, patches_of_file
 from turgor.units import format_quantity, mm
 
 
-def shape_of(file: Path) -> dict[str, Any]:
+def shape_of(file: Path, modeled: bool = False) -> dict[str, Any]:
     """Return what the page shows of the shape of a job.
 
     Parameters
     ----------
     file : Path
         A job; only its table ``[actuator]`` must be right.
+    modeled : bool
+        Whether a CAD file is shown as it is modeled, along our axes; else as it lies in the file, where it is named.
 
     Returns
     -------
@@ -44,10 +46,10 @@ def shape_of(file: Path) -> dict[str, Any]:
         ``facts`` and ``faces``.
     """
     content, problems = content_of(file)
-    table = table_in(content, "actuator")
+    table = actuator_in(content)
     out: dict[str, Any] = {"content": plain(content), "kind": table.get("type"), "form": None, "problems": []}
     try:
-        out |= _drawn(table, content, problems)
+        out |= _drawn(table, content, problems, modeled)
     except TurgorError as error:
         problems.add(("actuator",), error.on_command_line)
     out["problems"] = noted(problems)
@@ -55,27 +57,10 @@ def shape_of(file: Path) -> dict[str, Any]:
     return out
 
 
-def built(table: Mapping[str, Any], problems: Problems) -> Geometry | None:
-    """Return the geometry of a table ``[actuator]``; None where it is wrong, which is noted."""
-    actuator = read_actuator(table, problems)
-    if actuator is None:
-        return None
-    is_file = isinstance(actuator, CadFile | MeshFile) or not isinstance(actuator, Hashable)
-    make = actuator.build if is_file else partial(_of_family, actuator)
-    return problems.attempt(("actuator",), make)
-
-
-@lru_cache(maxsize=8)
-def _of_family(actuator: Any) -> Geometry:
-    """Build a family once: the screens of the page ask for it one after another."""
-    shape: Geometry = actuator.build()
-    return shape
-
-
-def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems) -> dict[str, Any]:
-    if table.get("type") == CAD_FILE:
+def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems, modeled: bool) -> dict[str, Any]:
+    if table.get("type") == CAD_FILE and not modeled:
         actuator = read_actuator(table, problems)
-        return _of_file(actuator, content) if isinstance(actuator, CadFile) else {}
+        return _of_file(actuator) if isinstance(actuator, CadFile) else {}
     shape = built(table, problems)
     if shape is None:
         return {}
@@ -108,13 +93,13 @@ def _mass(shape: Geometry, content: dict[str, Any], copies: int) -> float | None
     return copies * sum(volume * each for volume, each in parts if each is not None)
 
 
-def _obstacles(content: dict[str, Any], shape: Geometry | None) -> tuple[Obstacle, ...]:
+def _obstacles(content: dict[str, Any], shape: Geometry) -> tuple[Obstacle, ...]:
     """The obstacles that are right; what is wrong with others is said on the screen Loads."""
     contact, _ = read_contact({}, content.get("obstacles", {}), shape, Problems("", {}))
     return contact.obstacles
 
 
-def _of_file(actuator: CadFile, content: dict[str, Any]) -> dict[str, Any]:
+def _of_file(actuator: CadFile) -> dict[str, Any]:
     """A CAD file: the whole part with all its faces, each with a selector that picks it."""
     part = _inspected(_Named(actuator))
     patches = patches_of_file(part, actuator.axes)
@@ -138,8 +123,7 @@ def _of_file(actuator: CadFile, content: dict[str, Any]) -> dict[str, Any]:
         "volume": sum(body.volume for body in part.bodies),
         "mass": None,
     }
-    scene = patches.scene(_obstacles(content, None))
-    return {"scene": scene, "facts": facts, "faces": faces, "findings": _sentences(part.findings)}
+    return {"scene": patches.scene(), "facts": facts, "faces": faces, "findings": _sentences(part.findings)}
 
 
 @dataclass(frozen=True, slots=True)

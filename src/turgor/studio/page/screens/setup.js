@@ -13,6 +13,7 @@ const HELD = { xyz: "clamped", radial: "keeps its radius", "plane section": "sta
 
 /** A sheet and a winding to begin with. */
 const SHEET = { library: "paper", record: "hooke-polygerinos-2020", thickness: "0.1 mm" };
+const STATED = ["name", "law", "E", "nu", "density"]; // keys of a fiber that is not from the library
 const WINDING = { library: "kevlar-fiber", angle_from_circumference: "0 deg", spacing: "3 mm" };
 
 /** @param {HTMLElement} place @param {import("../main.js").App} app */
@@ -50,7 +51,7 @@ class Setup {
   async draw() {
     const { state, name } = this.app.job;
     try {
-      const shape = await shapeOf(name);
+      const shape = await shapeOf(name, true);
       if (shape.scene && JSON.stringify(shape.scene) !== this.drawn) {
         this.drawn = JSON.stringify(shape.scene);
         await this.faces.draw(shape.scene);
@@ -141,7 +142,7 @@ class Setup {
     const table = this.#table(kind);
     const entries = Object.entries(table).filter(([, values]) => typeof values === "object").map(([name, values]) => {
       const path = `${kind}.${name}`;
-      const keys = kind === "obstacles" ? [...this.#keys(header, ["friction", "spring", "face"]), ...this.#keys(`[obstacles.NAME], shape = "${values.shape}"`)] : this.#keys(header);
+      const keys = kind === "obstacles" ? [...this.#keys(header, ["friction", "spring", "face"]), ...this.#keys(`[obstacles.NAME], shape = "${values.shape}"`)] : this.#keys(header).filter((/** @type {any} */ key) => !values.library || !STATED.includes(key.name));
       const remove = h("button", { type: "button", onclick: () => this.app.job.set({ [path]: null }) }, "Remove");
       const toggle = (/** @type {any} */ event) => (event.target.open ? this.open.add(path) : this.open.delete(path));
       return h("details", { open: this.open.has(path), ontoggle: toggle }, h("summary", {}, `${name} `, h("span", { class: "quiet" }, values.shape ?? written(values.face))), this.#form(path, keys, values), remove);

@@ -101,7 +101,7 @@ class Viewer {
   #first() {
     for (const name of ["obstacles", "threads", "path"]) this.find(name).parentElement.hidden = !this.body[name];
     this.show(0);
-    this.body.keepRest();
+    if (this.values.steps.length > 1) this.body.keepRest();
     if (this.values.fields.length) this.field(0);
     this.show(this.values.steps.length - 1);
     this.stage.now();
