@@ -1,7 +1,8 @@
 """Frames per second of the studio while a run is scrubbed: python benchmarks/studio/scrubbing.py FOLDER.
 
 FOLDER holds a run, such as runs/demo. The screen Look shows it, with its curves and numbers, in headless Chromium,
-which draws in software, without a graphics card. The slider moves by a twentieth of a step with each frame. The rate falls
+which draws in software, without a graphics card. The slider moves by a twentieth of a step with each frame.
+The rate falls
 with all else that the machine does, so measure on an idle one; the CPU time of the page for each frame is printed, too.
 Exit code 1 below 30 frames a second.
 """
