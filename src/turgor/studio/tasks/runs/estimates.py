@@ -9,6 +9,7 @@ import numpy as np
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
+    from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
     from turgor.foundation.response import Response
     from turgor.job.job import Job
 
@@ -24,8 +25,8 @@ ROUND_OFF = 1e-9
 #: Steps of the load: few, for a curve of a few points.
 FIRST, LONGEST = 0.2, 0.5
 
-#: Families whose gaps between chambers bend alike; with the fewest chambers for which two of them save time.
-OF_CHAMBERS, FEWEST = ("fast_pneunet",), 4
+#: Fewest chambers of a finger for which two of them save time.
+FEWEST = 4
 
 
 def estimate(file: Path) -> dict[str, Any]:
@@ -36,13 +37,14 @@ def estimate(file: Path) -> dict[str, Any]:
     file : Path
         A job file.
     """
-    from turgor.job.job import actuator_type
+    from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
     from turgor.job.read import read_job
 
     try:
         job = read_job(file)
-        if actuator_type(job.actuator) in OF_CHAMBERS and job.actuator.chambers >= FEWEST:
-            return {"columns": _columns(_of_two_chambers(file, job)), "part": "two of its chambers", "reason": ""}
+        if isinstance(job.actuator, FastPneuNet) and job.actuator.chambers >= FEWEST:
+            response = _of_two_chambers(file, job.actuator)
+            return {"columns": _columns(response), "part": "two of its chambers", "reason": ""}
         response = _of_section(job)
     except TurgorError as error:
         return {"columns": [], "part": "", "reason": error.on_command_line}
@@ -58,7 +60,7 @@ def _of_section(job: "Job") -> "Response":
     return replace(response, columns=tuple(map(response.find, names)))
 
 
-def _of_two_chambers(file: Path, job: "Job") -> "Response":
+def _of_two_chambers(file: Path, finger: "FastPneuNet") -> "Response":
     """Bending of a finger with two chambers for each gap, times the gaps: every gap bends alike.
 
     For the demo finger with 11 chambers, both as drafts, it is 6 to 10 % more than that of the whole one up to 18 kPa.
@@ -72,10 +74,10 @@ def _of_two_chambers(file: Path, job: "Job") -> "Response":
     from turgor.job.text.overrides import parse_changes
     from turgor.studio.tasks.runs.checks import coarse_of
 
-    count = job.actuator.chambers
-    length = f"{2e3 * job.actuator.length / count:.9g} mm"
+    count = finger.chambers
+    length = f"{2e3 * finger.length / count:.9g} mm"
     changes = parse_changes(coarse_of(file)) | {"actuator.chambers": 2, "actuator.length": length}
-    if isinstance(job.procedure, Static):
+    if isinstance(read_job(file).procedure, Static):
         changes |= {"procedure.first_step": FIRST, "procedure.max_step": LONGEST}
     short = read_job(file, changes)
     solution = solve(prepare(short)[0], short.procedure, throw=False, progress=False)
