@@ -90,7 +90,7 @@ class FittingSettings:
     points : int
         Points of a curve and of a thinned test, as `turgor fit` has.
     curves : int
-        Curves in one picture at most: as many as there are colors that differ enough.
+        Curves in one picture at most: as many as there are colors that can be distinguished.
     most : float
         Largest stretch of a curve [-]: beyond it no law of the library was tested.
     laws : int

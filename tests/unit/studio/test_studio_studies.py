@@ -39,9 +39,8 @@ def test_a_form_with_a_mistake_writes_no_file(tmp_path):
     with served(tmp_path) as studio:
         talk = Talk(studio)
         values = {**SWEEP, "factors.actuator.wal": {"low": "1 mm", "high": "2 mm"}}
-        sentence = talk.refusal(
-            "/api/studies", {"name": "a.toml", "kind": "sweep", "job": "tube.toml", "values": values}
-        )
+        form = {"name": "a.toml", "kind": "sweep", "job": "tube.toml"}
+        sentence = talk.refusal("/api/studies", {**form, "values": values})
         assert "actuator.wal" in sentence
         assert not (tmp_path / "a.toml").exists()
         assert talk.get("/api/runs") == []

@@ -118,8 +118,8 @@ def _text(file: Path) -> list[str]:
 
 def _findings(lines: list[str]) -> list[dict[str, str]]:
     """Findings in a log: the code, the severity and the sentences."""
-    found = {match[0]: match for line in lines if (match := _FINDING.search(line))}
-    return [{"code": each[1], "severity": each[2], "message": each[3], "advice": ""} for each in found.values()]
+    known = {match[0]: match for line in lines if (match := _FINDING.search(line))}
+    return [{"code": each[1], "severity": each[2], "message": each[3], "advice": ""} for each in known.values()]
 
 
 def listed(folder: Path) -> frozenset[str]:

@@ -118,7 +118,7 @@ class Decide {
     const measures = /** @type {any[]} */ (this.#measures()).slice(0, 8);
     const units = (/** @type {string} */ name) => rows.flatMap((/** @type {any} */ row) => row.factors).find((/** @type {any} */ each) => each.name === name)?.unit;
     const open = (/** @type {any} */ row) => () => this.#open(row);
-    const body = rows.map((/** @type {any} */ row, /** @type {number} */ k) => h("tr", { class: "row", "data-row": row.key },
+    const body = rows.map((/** @type {any} */ row, /** @type {number} */ k) => h("tr", { class: "design", "data-row": row.key },
       h("td", {}, h("button", { type: "button", onclick: open(row) }, `Look at ${k + 1}`)),
       ...factors.map((name) => {
         const value = row.factors.find((/** @type {any} */ each) => each.name === name)?.value;

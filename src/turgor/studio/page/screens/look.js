@@ -8,6 +8,7 @@ import { attempt, badge, fileOf, sceneOf, statusOf } from "../parts/runs.js";
 import { picture } from "../picture.js";
 import { drive, measures } from "./solve.js";
 
+const NUMBERS = 120; // milliseconds between two updates of curves and numbers while one scrubs: the picture goes first
 const MOST = 3; // runs side by side: more pictures than this are too small
 
 /** Files that a button makes where they are not there yet: kind, title, name. @type {[string, string, (names: string[]) => string | undefined][]} */
@@ -45,6 +46,8 @@ class Look {
     /** @type {any[]} */
     this.viewers = [];
     this.measure = "";
+    /** @type {number | undefined} */
+    this.late = undefined;
     /** @type {{name: string, columns: any[]} | null} */
     this.experiment = null;
     this.pictures = h("div", { class: "stack" });
@@ -131,7 +134,7 @@ class Look {
         if (other && number !== k) other.viewer.show(this.#same(k, step, number));
       });
       this.linking = false;
-      this.marks();
+      this.late ??= window.setTimeout(() => { this.late = undefined; this.marks(); }, NUMBERS);
     };
   }
 

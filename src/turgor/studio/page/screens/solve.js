@@ -134,10 +134,10 @@ class Solve {
     await this.look();
   }
 
-  // What the cross-section says, where there is one: before the first state of the coarse run.
+  // What a part of the actuator says, within seconds: before the coarse run has ended.
   async guess() {
     const estimate = await attempt(() => get(`/api/estimates/${part(this.job.name)}`));
-    this.estimate = estimate?.columns.length ? estimate : null;
+    this.estimate = estimate?.columns.length ? { name: `from ${estimate.part}`, coarse: true, columns: estimate.columns } : null;
     if (this.alive) this.drawCurves();
   }
 
@@ -182,6 +182,7 @@ class Solve {
 
   drawCurves() {
     const runs = this.runs.filter((each) => each.columns.length && each.columns[0].values.length);
+    if (this.estimate && !runs.some((each) => each.state === "ended")) runs.push(this.estimate);
     const names = [...new Set(runs.flatMap((each) => measures(each).map((column) => column.name)))];
     const shown = [];
     if (names.length) {
@@ -196,7 +197,6 @@ class Solve {
       fill(this.last, table(runs));
     }
     this.last.hidden = !names.length;
-    if (this.estimate && !runs.some((each) => each.state === "ended")) shown.push(...guessed(this.estimate));
     fill(this.curves, h("h2", {}, "Curves"), ...(shown.length ? shown : [h("p", { class: "quiet" }, "Each state adds a point to the curves.")]));
   }
 
@@ -267,15 +267,4 @@ function table(runs) {
     h("caption", {}, "At the last state"),
     h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Measure"), ...heads)),
     h("tbody", {}, ...names.map((name) => h("tr", {}, h("th", { scope: "row" }, words(name)), ...runs.map((run) => cell(run, name)))))));
-}
-
-/** What the cross-section says. @param {any} estimate */
-function guessed(estimate) {
-  const [x, ...rest] = estimate.columns;
-  const lines = rest.map((/** @type {any} */ each) => {
-    const k = last(each.values);
-    return h("li", {}, `${words(each.name)} ${withError(each.values[k], each.error?.[k], each.unit)}`);
-  });
-  const k = last(x.values);
-  return [h("h3", {}, "From the cross-section ", badge(true)), h("p", { class: "quiet small" }, `At ${withError(x.values[k], null, x.unit)}, far from the ends:`), h("ul", {}, ...lines)];
 }

@@ -105,7 +105,7 @@ def loads_of(content: dict[str, Any]) -> list[dict[str, Any]]:
     Each has a key, its points ``[place, share]``, what the place is, and whether it can be dragged.
     """
     loads, procedure = content.get("loads"), content.get("procedure")
-    found = []
+    histories = []
     for name, table in loads.items() if isinstance(loads, dict) else ():
         if not isinstance(table, dict) or not {"pressure", "force", "hangs"} & set(table):
             continue
@@ -113,11 +113,11 @@ def loads_of(content: dict[str, Any]) -> list[dict[str, Any]]:
         given = table.get(key, [[0, 0], [1, 1]])
         points = given if isinstance(given, list) else None
         full = str(table.get("pressure", table.get("hangs", table.get("force"))))
-        found.append({"key": f"loads.{name}.{key}", "name": name, "points": points, "text": given, "full": full})
+        histories.append({"key": f"loads.{name}.{key}", "name": name, "points": points, "text": given, "full": full})
     states = procedure.get("at", []) if isinstance(procedure, dict) else []
     numbers = [each for each in states if isinstance(each, int | float)] if isinstance(states, list) else []
     return [
-        *found,
+        *histories,
         {"key": "procedure.at", "name": "states", "at": numbers, "fixed": len(numbers) != len(states or [])},
     ]
 

@@ -56,7 +56,7 @@ def reached(folder: Path) -> dict[str, Any]:
         points.append({"name": name, "tip": ends})
     try:
         whole = workspace(responses)
-        size = {"area": whole.area / mm**2, "volume": whole.volume / mL}
+        size: dict[str, float | None] = {"area": whole.area / mm**2, "volume": whole.volume / mL}
     except (TurgorError, ValueError):
         size = {"area": None, "volume": None}
     return {"points": points, **size}

@@ -3,10 +3,15 @@
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from turgor.foundation.errors import TurgorError
+
+if TYPE_CHECKING:
+    from turgor.foundation.response import Response
+    from turgor.views.viewer.curves import Measured
 
 #: States of a run that is being solved: its shape is drawn again after each of them.
 WHILE_SOLVING = 6
@@ -36,7 +41,8 @@ def scene(folder: Path, whole: bool) -> str:
     if not whole and len(solution.states) > WHILE_SOLVING:
         chosen = np.unique(np.rint(np.linspace(0, len(solution.states) - 1, WHILE_SOLVING)).astype(int))
         solution = replace(solution, states=tuple(solution.states[k] for k in chosen))
-    response, measured = None, ()
+    response: Response | None = None
+    measured: tuple[Measured, ...] = ()
     if whole:
         try:
             response = read_response(folder / "response.csv")

@@ -43,6 +43,7 @@ def numbers(file: Path) -> dict[str, Any]:
     file : Path
         A job file.
     """
+    from turgor.core.model.loads import pressures_among
     from turgor.core.results.measures.measures import MEASURES
     from turgor.job.output.lock import lock_text
     from turgor.job.read import read_job
@@ -56,7 +57,7 @@ def numbers(file: Path) -> dict[str, Any]:
             for each in known.values()
         ],
         "measures": list(dict.fromkeys([*job.output.measures, *MEASURES])),
-        "cavities": [load.face for load in job.loads if hasattr(load, "pressure")],
+        "cavities": [load.face for load in pressures_among(job.loads)],
     }
 
 
@@ -77,7 +78,8 @@ def rows(file: Path, folder: Path, kind: str) -> list[dict[str, Any]]:
     if not (folder / START).is_file():
         return []
     numbers = numbers_of(_start(folder))
-    at, measures = None, ()
+    at: tuple[str, float] | None = None
+    measures: tuple[str, ...] = ()
     if kind == "sweep":
         plan = read_study_file(file, kind=kind).sweep
         at, measures = (None, ()) if plan is None else (plan.at, tuple(plan.measures))
