@@ -21,7 +21,7 @@ help:
 	@echo "make quick         fast unit tests, a minute at most; CONTRIBUTING.md says how to test one folder"
 	@echo "make test          all tests but the slow ones, and the examples in the docstrings"
 	@echo "make slow          the slow tests"
-	@echo "make lint          ruff, import-linter, mypy (of the examples, too) and spelling"
+	@echo "make lint          ruff, import-linter, mypy (of the examples, too), spelling, and types of the studio's page"
 	@echo "make format        let ruff format and tidy the code"
 	@echo "make verification  all verification tests (half an hour of one core); renews docs/verification.md"
 	@echo "make actuators     write docs/actuators from the families, with their pictures (some minutes)"
@@ -64,6 +64,8 @@ lint: $(DEV)
 	$(BIN)/lint-imports --no-logo
 	$(BIN)/mypy
 	$(BIN)/typos
+	@if command -v npx > /dev/null; then npx --yes -p typescript@5.9.3 tsc -p src/turgor/studio/page/jsconfig.json; \
+	else echo "no npx here: the types of the studio's page are not checked"; fi
 
 format: $(DEV)
 	$(BIN)/ruff check --fix

@@ -73,6 +73,23 @@ def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutco
     TurgorError
         If the folder holds no path or no lock file.
     """
+    outcome, fields = outcome_of_folder(folder)
+    return replace(outcome, files=write_results(outcome, notify, fields))
+
+
+def outcome_of_folder(folder: str | Path) -> tuple[RunOutcome, PathFields]:
+    """Return the outcome of a run from its folder, measured again, without files, and the fields of its path.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Of `run_job` or `turgor run`.
+
+    Raises
+    ------
+    TurgorError
+        If the folder holds no path or no lock file.
+    """
     folder = Path(folder)
     solution: Solution = load(folder)
     job = _job(folder)
@@ -88,7 +105,7 @@ def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutco
         notices=(),
         folder=folder,
     )
-    return replace(outcome, files=write_results(outcome, notify, fields))
+    return outcome, fields
 
 
 def _with_known_errors(response: Response, file: Path) -> Response:

@@ -10,6 +10,8 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from turgor.foundation.errors import TurgorError
+from turgor.studio.checking import Checking
+from turgor.studio.children.children import Children
 from turgor.studio.history import Conflict
 from turgor.studio.settings import STUDIO
 from turgor.studio.worker import Worker
@@ -30,11 +32,27 @@ class Studio:
         For what a person waits for: shapes, checks, scenes.
     slow : Worker
         For what takes longer: fits, uploads.
+    live : Worker
+        For reduced models, whose answers must not wait for others.
+    checking : Checking
+        For checks of jobs, which newer ones replace.
     """
 
     workspace: Workspace
     worker: Worker
     slow: Worker
+    live: Worker
+    checking: Checking
+
+    @property
+    def workers(self) -> tuple[Worker, ...]:
+        """All of them."""
+        return self.worker, self.slow, self.live, self.checking.worker
+
+    @property
+    def children(self) -> Children:
+        """The processes of runs and studies."""
+        return Children(self.workspace)
 
 
 Answer = Callable[[Studio, Request], Awaitable[Any]]

@@ -5,6 +5,7 @@ from typing import Any
 
 import tomlkit
 from tomlkit.exceptions import TOMLKitError
+from tomlkit.items import Table
 
 from turgor.foundation.errors import TurgorError
 
@@ -16,7 +17,8 @@ def with_values(text: str, values: Mapping[str, Any]) -> str:
     ----------
     text : str
     values : mapping of str to value
-        By dotted keys; None removes a key. A number in a key is the place in a list of tables, from 1.
+        By dotted keys; None removes a key, and a mapping replaces a table. A number in a key is the place in a list
+        of tables, from 1.
 
     Returns
     -------
@@ -67,5 +69,28 @@ def _set(document: Any, key: str, value: Any) -> None:
         raise TurgorError(f"'{key}' names no key of a table.")
     if value is None:
         table.pop(last, None)
+    elif isinstance(value, Mapping) and isinstance(table.get(last), Table):
+        _fill(table[last], value)
     else:
-        table[last] = value
+        table[last] = _item(value)
+
+
+def _fill(table: Table, values: Mapping[str, Any]) -> None:
+    """Give a table with lines of its own other values; it stays where it is."""
+    for key in [key for key in table if key not in values]:
+        del table[key]
+    for key, value in values.items():
+        if isinstance(value, Mapping) and isinstance(table.get(key), Table):
+            _fill(table[key], value)
+        else:
+            table[key] = _item(value)
+
+
+def _item(value: Any) -> Any:
+    """A value as it is written: a table within one line, so that it can stand between the keys of another."""
+    if not isinstance(value, Mapping):
+        return value
+    table = tomlkit.inline_table()
+    for key, part in value.items():
+        table[key] = _item(part)
+    return table

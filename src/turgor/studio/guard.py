@@ -5,10 +5,11 @@ made to point here (DNS rebinding). So the name in each request must be one of t
 of this server, and a cookie must show that it was opened with the token of the first address.
 """
 
+import re
 import secrets
 from collections.abc import Iterable, MutableMapping
 from dataclasses import dataclass
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import parse_qs
 
 from starlette.responses import PlainTextResponse, RedirectResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -25,8 +26,15 @@ REPORT_POLICY = (
     "img-src data: blob:; font-src data:"
 )
 
+#: A port at the end of a name.
+_PORT = re.compile(r":\d+$")
+
 #: Methods that change nothing, which a browser sends without the page that they come from.
 SAFE = frozenset({"GET", "HEAD"})
+
+
+#: Addresses that stand for all of this machine, under which no browser reaches it.
+EVERY = ("", "0.0.0.0", "::")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,29 +47,43 @@ class Access:
         Secret of the first address; a cookie afterwards.
     hosts : frozenset of str
         Names with ports under which the server is known, such as ``"127.0.0.1:8765"``.
+    port : int
     """
 
     token: str
     hosts: frozenset[str]
+    port: int
 
     @property
     def cookie(self) -> str:
         """Name of the cookie: cookies do not know ports, so that servers on two ports need two names."""
-        return f"turgor_studio_{min(self.hosts).rpartition(':')[2]}"
+        return f"turgor_studio_{self.port}"
 
 
 def access_to(host: str, port: int, token: str = "", names: Iterable[str] = ()) -> Access:
-    """Return the access to a server at an address, also under further names.
+    """Return the access to a server at an address, also under further names, which may have a port of their own.
 
     Examples
     --------
-    >>> sorted(access_to("127.0.0.1", 8765, "secret").hosts)
-    ['127.0.0.1:8765', '[::1]:8765', 'localhost:8765']
+    >>> sorted(access_to("127.0.0.1", 8765, "secret", ["localhost:9000"]).hosts)
+    ['127.0.0.1:8765', '[::1]:8765', 'localhost:8765', 'localhost:9000']
     """
-    known = {"127.0.0.1", "localhost", "[::1]", *names}
-    if host not in ("", "0.0.0.0", "::", "::1"):
-        known.add(host)
-    return Access(token=token or secrets.token_urlsafe(32), hosts=frozenset(f"{name}:{port}" for name in known))
+    known = ["127.0.0.1", "localhost", "[::1]", *names, *([] if host in EVERY else [in_address(host)])]
+    hosts = frozenset((name if _PORT.search(name) else f"{name}:{port}").lower() for name in known)
+    return Access(token=token or secrets.token_urlsafe(32), hosts=hosts, port=port)
+
+
+def in_address(host: str) -> str:
+    """Return a host as it stands in an address: IPv6 in brackets, this machine for all of its addresses.
+
+    Examples
+    --------
+    >>> in_address("::1"), in_address("0.0.0.0"), in_address("lab.example")
+    ('[::1]', '127.0.0.1', 'lab.example')
+    """
+    if host in EVERY:
+        return "127.0.0.1"
+    return f"[{host}]" if ":" in host else host
 
 
 class Guard:
@@ -79,7 +101,7 @@ class Guard:
         headers = {key.decode("latin-1").lower(): value.decode("latin-1") for key, value in scope["headers"]}
         reason = self._refusal(scope, headers)
         if not reason and self._has_token(scope):
-            response = RedirectResponse(scope["path"], status_code=303)
+            response = RedirectResponse(f"/{scope['path'].lstrip('/')}", status_code=303)
             response.set_cookie(self.access.cookie, self.access.token, httponly=True, samesite="strict", path="/")
             await response(scope, receive, self._with_policy(scope, send))
         elif not reason and self._has_cookie(headers):
@@ -94,11 +116,14 @@ class Guard:
     def _refusal(self, scope: Scope, headers: MutableMapping[str, str]) -> str:
         if headers.get("host", "").lower() not in self.access.hosts:
             return f"The host '{headers.get('host', '')[:80]}' is none of {', '.join(sorted(self.access.hosts))}.\n"
+        if headers.get("sec-fetch-site") in ("cross-site", "same-site") and headers.get("sec-fetch-mode") != "navigate":
+            return "Another page sent this request.\n"  # one of another port sends the cookie, too: ports are one site
         origin = headers.get("origin")
         if origin is None:
             safe = scope["type"] == "http" and scope["method"] in SAFE
             return "" if safe else "The request does not say which page sends it (Origin).\n"
-        return "" if urlsplit(origin).netloc.lower() in self.access.hosts else "Another page sent this request.\n"
+        scheme, _, host = origin.lower().partition("://")
+        return "" if scheme == "http" and host in self.access.hosts else "Another page sent this request.\n"
 
     def _has_token(self, scope: Scope) -> bool:
         if scope["type"] != "http" or scope["method"] != "GET":

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import os
 import secrets
 import socket
 import webbrowser
@@ -17,7 +18,8 @@ from turgor.foundation.store.atomic_files import write_whole
 from turgor.foundation.store.caches import caches, private
 from turgor.studio.answers import Studio
 from turgor.studio.app import studio_app
-from turgor.studio.guard import access_to
+from turgor.studio.checking import Checking
+from turgor.studio.guard import Access, access_to, in_address
 from turgor.studio.settings import STUDIO
 from turgor.studio.worker import Worker
 from turgor.studio.workspace import Workspace, read_json
@@ -75,8 +77,7 @@ def serve(
     try:
         lock.acquire()
     except Timeout:
-        known = read_json(session)
-        where = f"http://{known.get('host')}:{known.get('port')}/?token={known.get('token')}{start}"
+        where = f"{read_json(session).get('where')}{start}"
         say(f"The studio of this folder runs already: {where}")
         _open(where, browser)
         return
@@ -85,12 +86,13 @@ def serve(
         bound = _bound(address, int(str(known.get("port") or 0)))
         port = int(bound.getsockname()[1])
         access = access_to(address.host, port, str(known.get("token") or secrets.token_urlsafe(32)), address.names)
-        write_whole(session, json.dumps({"host": address.host, "port": port, "token": access.token}))
+        where = f"http://{in_address(address.host)}:{port}/?token={access.token}"
+        write_whole(session, json.dumps({"port": port, "token": access.token, "where": where}))
         session.chmod(0o600)
-        where = f"http://{address.host}:{port}/?token={access.token}{start}"
-        for sentence in _sentences(address, where):
+        where += start
+        for sentence in _sentences(address, access, where):
             say(sentence)
-        studio = Studio(workspace=workspace, worker=Worker(), slow=Worker())
+        studio = Studio(workspace=workspace, worker=Worker(), slow=Worker(), live=Worker(), checking=Checking(Worker()))
         config = uvicorn.Config(
             studio_app(studio, access), log_level="warning", access_log=False, ws="websockets-sansio", lifespan="on"
         )
@@ -98,12 +100,14 @@ def serve(
         uvicorn.Server(config).run(sockets=[bound])
 
 
-def _sentences(address: Address, where: str) -> Iterable[str]:
+def _sentences(address: Address, access: Access, where: str) -> Iterable[str]:
     yield f"turgor studio: {where}"
     if address.host not in LOOPBACK:
         yield (
-            f"Warning: bound to {address.host}, so other machines can reach it, without encryption. Whoever has the "
-            "address above can run jobs as you. Bind to 127.0.0.1 and use a tunnel of SSH instead, if you can."
+            f"Warning: bound to {address.host or 'all addresses'}, so other machines can reach it, without encryption. "
+            "Whoever has the address above, or reads it on the way, can run jobs as you. Bind to 127.0.0.1 and use a "
+            f"tunnel of SSH instead, if you can. It answers to {', '.join(sorted(access.hosts))}; name others with "
+            "--allow-host."
         )
     yield "Stop it with Ctrl-C; runs that it has started continue."
 
@@ -123,7 +127,8 @@ def _bound(address: Address, before: int) -> socket.socket:
     errors = []
     for port in (address.port,) if stated else (before or address.port, address.port, 0):
         made = socket.socket(family, socket.SOCK_STREAM)
-        made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        if os.name == "posix":  # elsewhere it would let another program take the port
+            made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             made.bind((address.host, port))
             made.listen()  # whoever opens the printed address at once waits, and is not refused

@@ -7,8 +7,10 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from http.cookiejar import CookieJar
 from pathlib import Path
 from urllib.parse import urlsplit
+from urllib.request import HTTPCookieProcessor, build_opener
 
 import pytest
 from browser import CHROMIUM, SOFTWARE_GL, needs_browser
@@ -42,6 +44,12 @@ class Studio:
     def token(self) -> str:
         """Secret of the first address."""
         return re.search(r"token=([^&#]+)", self.url)[1]
+
+    def cookie(self) -> str:
+        """Header that a browser sends after it has opened the printed address."""
+        jar = CookieJar()
+        build_opener(HTTPCookieProcessor(jar)).open(self.url).close()
+        return "; ".join(f"{each.name}={each.value}" for each in jar)
 
     def kill(self) -> None:
         """End the process at once, as `kill -9` does."""

@@ -11,9 +11,8 @@ if TYPE_CHECKING:
 
     from turgor.cli.exits import Answer
     from turgor.core.model.history import History
-    from turgor.foundation.response import Response
     from turgor.reduced.states.answer import ReducedState
-    from turgor.reduced.states.following import Followed, Moving
+    from turgor.reduced.states.following import Moving
     from turgor.reduced.states.inputs import Inputs
     from turgor.reduced.states.reduced import Reduced
 
@@ -73,12 +72,13 @@ def _say(result: "ReducedState") -> None:
 def _say_history(reduced: "Reduced", values: dict[str, float], chosen: Any, answer: "Answer") -> None:
     """Follow histories of the inputs and write the table."""
     from turgor.cli.answers.reduced import followed_result
+    from turgor.reduced.history_table import history_table
 
     histories = dict(_history(text, reduced.inputs) for text in chosen.history or ())
     times, table = _table(reduced, values, histories, chosen)
     followed = reduced.follow(times, dict(zip(reduced.inputs.keys, table.T, strict=True)), _moving(chosen))
     file = chosen.output or chosen.file.with_suffix(".csv")
-    response_of(reduced, followed).to_csv(file)
+    history_table(reduced, followed).to_csv(file)
     worst = max(each.estimate for each in followed.answers)
     typer.echo(f"{len(times)} states over {times[-1]:g} s, written to {file}.")
     typer.echo(f"largest estimated error {worst:.2g} of the largest displacement in training")
@@ -167,25 +167,6 @@ def _time(text: str, option: str) -> float:
     from turgor.studies.runs.jobs.job_numbers import JobNumber, read_number
 
     return read_number(text, JobNumber(key=option, value=0.0, unit="s"), option)
-
-
-def response_of(reduced: "Reduced", followed: "Followed") -> "Response":
-    """Times, inputs, tip, volumes and estimated errors of a history as columns."""
-    import numpy as np
-
-    from turgor.foundation.response import Column, Response
-    from turgor.foundation.source import Source
-
-    box, answers = reduced.inputs, followed.answers
-    columns = [Column("time", "s", followed.times)]
-    for place, (key, unit) in enumerate(zip(box.keys, box.units, strict=True)):
-        columns.append(Column(key.replace(".", "_"), unit, np.array([each.inputs[place] for each in answers])))
-    if reduced.tip.any():
-        columns += [Column(f"tip_{axis}", "mm", followed.tip[:, k]) for k, axis in enumerate("xyz")]
-    for face in reduced.faces:
-        columns.append(Column(f"volume_{face}", "mL", np.array([each.volumes[face] for each in answers])))
-    columns.append(Column("estimated_error", "", np.array([each.estimate for each in answers])))
-    return Response(columns=tuple(columns), source=Source(text="a reduced model along a history"))
 
 
 def _values(text: str, inputs: "Inputs") -> list[tuple[str, float]]:

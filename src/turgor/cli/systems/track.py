@@ -64,11 +64,13 @@ def _run(options: _Options) -> None:
     with errors_as_sentences(options.debug, options.as_json) as answer:
         from turgor.cli.answers.systems import track_result
         from turgor.job.output.folder import claimed
+        from turgor.reduced.history_table import further_columns
         from turgor.reduced.states.reduced import Reduced
         from turgor.systems.control.path_file import read_path
         from turgor.systems.control.track import track
 
-        reduced, wanted = Reduced.load(options.model), read_path(options.path)
+        reduced = Reduced.load(options.model)
+        wanted = read_path(options.path, further_columns(reduced))
         limits = _limits(options, reduced.inputs, reduced.faces)
         folder = options.output if options.output is not None else Path(f"{options.model.stem}-track")
         with claimed(folder, options.force, files=FILES) as place:

@@ -58,7 +58,7 @@ def write_results(outcome: RunOutcome, notify: Callable[[str], None], path: Path
     current = current_files(outcome, note)
     files = list(write_tables(outcome, notify, current))
     if output.fields:
-        files += _write_fields(outcome, path, notify, current)
+        files += write_fields(outcome, path, notify, current)
     notify("plotting")
     list_files(folder, (PLOT,))
     if PLOT not in current:
@@ -79,13 +79,13 @@ def draw_path(outcome: RunOutcome, notify: Callable[[str], None], path: PathFiel
     """Write the fields and pictures that the job requests: the files that do not wait for mesh errors."""
     output = outcome.job.output
     if output.fields:
-        _write_fields(outcome, path, notify, frozenset())
+        write_fields(outcome, path, notify, frozenset())
     if output.pictures:
         notify("drawing")
         write_pictures(outcome, path, drawn_from(outcome), frozenset())
 
 
-def _write_fields(
+def write_fields(
     outcome: RunOutcome, path: PathFields, notify: Callable[[str], None], current: frozenset[str]
 ) -> list[Path]:
     """Write the fields of all states unless they are up to date; return the files to open."""

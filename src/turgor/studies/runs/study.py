@@ -142,12 +142,12 @@ class Study:
             NaN where the run failed, or its path does not reach the value.
         """
         self.unit(name)
-        return np.array([_read(row.response, name, at) for row in self.rows])
+        return np.array([read_at(row.response, name, at) for row in self.rows])
 
     def mesh_error(self, name: str, at: tuple[str, float] | None = None) -> Array:
         """Return the mesh error of a measure of each row, (rows,) [SI]; NaN where none was estimated."""
         self.unit(name)
-        return np.array([_read(row.response, name + MESH_ERROR, at) for row in self.rows])
+        return np.array([read_at(row.response, name + MESH_ERROR, at) for row in self.rows])
 
     def table(self, measures: Sequence[str] = (), at: tuple[str, float] | None = None) -> dict[str, Cells]:
         """Return a table with a row for each design, whose headers have the units of their numbers.
@@ -209,7 +209,16 @@ def values_text(factors: Sequence[Factor], values: Mapping[str, Value]) -> str:
     return ", ".join(f"{each.name} {each.shown(values[each.name])}" for each in factors)
 
 
-def _read(response: Response | None, name: str, at: tuple[str, float] | None) -> float:
+def read_at(response: Response | None, name: str, at: tuple[str, float] | None) -> float:
+    """Return a column of a response at the value of another one, or at the end; NaN where it is not known.
+
+    Parameters
+    ----------
+    response : Response or None
+    name : str
+    at : (str, float) or None
+        Another column and its value [SI].
+    """
     if response is None or name not in response or not len(response):
         return float("nan")
     values = response.column(name)

@@ -31,6 +31,7 @@ export function say(text, wrong = false) {
   const note = h("div", { class: wrong ? "message wrong" : "message" }, h("span", {}, text), close);
   place.append(note);
   if (!wrong) setTimeout(() => note.remove(), 6000);
+  return note;
 }
 
 /** Call a function some time after the last of several calls. @param {(...values: any[]) => void} call @param {number} wait */

@@ -9,6 +9,8 @@ export class Job extends EventTarget {
     this.name = "";
     /** @type {{name: string, text: string, version: string, undo: number, redo: number} | null} */
     this.state = null;
+    /** @type {Promise<void>} */
+    this.waiting = Promise.resolve(); // for the changes before
   }
 
   /** Open a job file; the one that is open is not read again. @param {string} name */
@@ -47,17 +49,16 @@ export class Job extends EventTarget {
   /** @param {() => Promise<any>} request */
   async #change(request) {
     // one after another, each with the version that the one before it has made
-    const before = this.waiting ?? Promise.resolve();
-    const own = before.then(async () => {
+    this.waiting = this.waiting.then(async () => {
       try {
         this.#take(await request());
       } catch (error) {
         say(/** @type {Error} */ (error).message, true);
-        if (error instanceof Refused && error.status === 409) await this.read();
+        // a change that fails must not stop those after it
+        if (error instanceof Refused && error.status === 409) await this.read().catch((lost) => say(lost.message, true));
       }
     });
-    this.waiting = own;
-    return own;
+    return this.waiting;
   }
 
   /** @param {any} state */

@@ -14,7 +14,7 @@ const SCREENS = [
   { name: "look", title: "Look", of: "run" },
   { name: "decide", title: "Decide", of: "job" },
   { name: "live", title: "Real time", of: "reduced" },
-  { name: "code", title: "Code", of: "job" },
+  { name: "code", title: "Code", of: "job" }, // of no job where none is open
 ];
 
 /**
@@ -24,6 +24,7 @@ const SCREENS = [
  * @property {(screen: string, name?: string) => void} go show a screen
  * @property {EventTarget} changes "change" events with the names of changed files and runs in `detail`
  * @property {string} shown name of what the screen shows
+ * @property {any} seen what the screen shows, for the code that repeats it (see snippets.js); a screen may add to it
  */
 
 /** @type {App} */
@@ -35,6 +36,7 @@ const app = {
   },
   changes: new EventTarget(),
   shown: "",
+  seen: null,
 };
 
 const place = /** @type {HTMLElement} */ (document.getElementById("screen"));
@@ -45,7 +47,8 @@ let count = 0;
 const last = { job: "", run: "", reduced: "" };
 
 async function show() {
-  const [, name = "start", of = ""] = location.hash.split("/").map(decodeURIComponent);
+  const [, name = "start", of = "", way = ""] = location.hash.split("/").map(decodeURIComponent);
+  document.body.classList.toggle("single", way === "alone"); // a window of its own, without the other steps
   const screen = SCREENS.find((each) => each.name === name) ?? SCREENS[0];
   const own = ++count;
   end();
@@ -54,9 +57,10 @@ async function show() {
   if (screen.of) last[screen.of] = app.shown;
   try {
     if (screen.of === "job") {
-      if (!app.shown) return app.go("start");
-      await app.job.open(app.shown);
+      if (!app.shown && screen.name !== "code") return app.go("start");
+      if (app.shown) await app.job.open(app.shown);
     }
+    if (screen.name !== "code") app.seen = { screen: screen.name, title: screen.title, name: app.shown };
     document.title = `${app.shown ? `${app.shown} · ` : ""}${screen.title} · turgor studio`;
     frame(screen.name);
     const module = await import(`./screens/${screen.name}.js`);
@@ -87,7 +91,7 @@ function tools() {
   const { state } = app.job;
   const button = (/** @type {"undo" | "redo"} */ way, /** @type {string} */ sign) =>
     h("button", { type: "button", title: `${way} (Ctrl+${way === "undo" ? "Z" : "Y"})`, "aria-label": way, disabled: !state?.[way], onclick: () => app.job.step(way) }, sign);
-  const code = h("a", { class: "button", href: last.job ? `#/code/${encodeURIComponent(last.job)}` : "#/start" }, "Show the code");
+  const code = h("a", { class: "button", href: `#/code${last.job ? `/${encodeURIComponent(last.job)}` : ""}` }, "Show the code");
   fill(
     /** @type {Element} */ (document.getElementById("tools")),
     h("span", { class: "file", title: last.job }, last.job), button("undo", "↶"), button("redo", "↷"), code,
@@ -106,6 +110,8 @@ window.addEventListener("keydown", (event) => {
 });
 
 let there = true;
+/** @type {HTMLElement | null} */
+let lost = null;
 listen(
   (names) => {
     if (names.includes(app.job.name)) app.job.read().catch((error) => say(error.message, true));
@@ -115,8 +121,9 @@ listen(
     if (connected === there) return;
     there = connected;
     document.body.classList.toggle("alone", !connected);
-    say(connected ? "The studio answers again." : "The studio does not answer; this page waits for it.", !connected);
-    if (connected) show();
+    lost?.remove();
+    lost = say(connected ? "The studio answers again." : "The studio does not answer; this page waits for it.", !connected);
+    if (connected) app.job.read().catch((error) => say(error.message, true)).then(show);
   },
 );
 show();

@@ -17,8 +17,8 @@ from turgor.studio.answers import Studio, TooLarge, route
 from turgor.studio.settings import STUDIO
 from turgor.studio.workspace import PARTS
 
-#: Endings of what the page may send: parts and job files.
-ALLOWED = (*PARTS, ".toml")
+#: Endings of what the page may send: parts, tests of a material, and job files.
+ALLOWED = (*PARTS, ".csv", ".toml")
 
 #: Age after which an unfinished upload is one of a server that was killed [s]; reading takes minutes at most.
 STALE = 3600.0

@@ -7,6 +7,7 @@ import numpy as np
 
 from turgor.core.geometry.cad.files import SUFFIXES, reading
 from turgor.core.geometry.child_process import Work, in_child
+from turgor.core.materials.experiments.table_text import read_table
 from turgor.foundation.errors import TurgorError
 
 #: Time after which a mesh file is no longer read [s]: 100 MB of text take a minute.
@@ -20,7 +21,7 @@ _STATED = (".step", ".stp")
 
 
 def look(part: Path, unit: str | None) -> dict[str, Any]:
-    """Read a part, and return what it is.
+    """Read a part or a table, and return what it is.
 
     Parameters
     ----------
@@ -31,13 +32,17 @@ def look(part: Path, unit: str | None) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``kind``, ``size`` [m], whether its ``unit`` is stated, and the numbers of ``faces`` and ``cavities``.
+        ``kind``, ``size`` [m], whether its ``unit`` is stated, and the numbers of ``faces`` and ``cavities``; of a
+        table the numbers of ``columns`` and ``rows``.
 
     Raises
     ------
     TurgorError
         If it cannot be read.
     """
+    if part.suffix.lower() == ".csv":
+        table = read_table(part)
+        return {"kind": "table", "columns": len(table.names), "rows": len(table.rows)}
     is_cad = part.suffix.lower() in SUFFIXES
     work = reading(part) if is_cad else Work(
         who="the reader", doing=f"reading '{part}'", advice="Export it again, or as another format.", limit=LONGEST

@@ -1,5 +1,6 @@
 """Files of a path: times and wanted outputs, a row for each time."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -8,6 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.core.results.files.response_csv import read_response
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.response import Response
 from turgor.systems.control.forces import ContactForce
 from turgor.systems.control.outputs import Angle, Output, Tip
 
@@ -40,7 +42,7 @@ class WantedPath:
     times: Array | None
 
 
-def read_path(file: str | Path) -> WantedPath:
+def read_path(file: str | Path, further: Collection[str] = ()) -> WantedPath:
     """Read a path from CSV: ``time_s``, and ``tip_x_mm``, ``tip_y_mm``, ``tip_z_mm``, or one other column.
 
     That is ``bending_angle_deg``, ``force_N`` (on the only obstacle) or, on an obstacle of a name, ``force_plate_N``.
@@ -49,6 +51,8 @@ def read_path(file: str | Path) -> WantedPath:
     Parameters
     ----------
     file : str or Path
+    further : collection of str
+        Names of columns that the file may have too and that do not count, such as inputs along a history.
 
     Returns
     -------
@@ -59,7 +63,8 @@ def read_path(file: str | Path) -> WantedPath:
     TurgorError
         If a column is unknown, has no unit or one of something else, or none is there that could be followed.
     """
-    table = read_response(file)
+    read = read_response(file)
+    table = Response(columns=tuple(each for each in read.columns if each.name not in further), source=read.source)
     for column in table.columns:
         forced = column.name == FORCE or column.name.startswith(f"{FORCE}_")
         if not forced and column.name not in (TIME, *COLUMNS):

@@ -29,7 +29,7 @@ class Start {
     this.lists = h("section", { class: "lists", "aria-label": "in this folder" });
     this.families = h("div", { class: "families" });
     this.answer = h("div", { role: "alert" });
-    this.input = h("input", { type: "file", class: "sr", id: "part-file", accept: ".step,.stp,.brep,.brp,.stl,.msh,.inp,.vtk,.vtu,.toml", onchange: () => this.#send([...this.input.files]) });
+    this.input = h("input", { type: "file", class: "sr", id: "part-file", "aria-label": "a part, a table or a job", accept: ".step,.stp,.brep,.brp,.stl,.msh,.inp,.vtk,.vtu,.toml", onchange: () => this.#send([...this.input.files]) });
     this.zone = this.#zone();
     this.tour = h("button", { type: "button", onclick: () => tour(this.element, true) }, "Show me around");
     this.draw = this.draw.bind(this);
@@ -128,7 +128,8 @@ class Start {
     fill(this.answer, h("p", { class: "quiet" }, `'${file.name}' is being read …`));
     try {
       const sent = await post(`/api/uploads?name=${part(file.name)}`, new Blob([file]));
-      if (sent.kind === "job") this.app.go("shape", sent.name);
+      if (sent.kind === "table") fill(this.answer, h("p", {}, `'${sent.name}' is a table: fit laws to it on the screen Materials of a job.`));
+      else if (sent.kind === "job") this.app.go("shape", sent.name);
       else await this.#job(sent);
     } catch (error) {
       this.#wrong(/** @type {Error} */ (error).message);

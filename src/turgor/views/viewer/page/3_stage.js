@@ -32,8 +32,8 @@ class Stage {
     this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
     this.controls.enableZoom = false; // until the picture was clicked, so that the page scrolls past it
     this.controls.addEventListener("change", () => this.draw());
-    this.controls.addEventListener("start", () => this.#turn(true));
-    this.controls.addEventListener("end", () => this.#turn(false));
+    this.controls.addEventListener("start", () => this.turn(true));
+    this.controls.addEventListener("end", () => this.turn(false));
     box.addEventListener("pointerdown", () => (this.controls.enableZoom = true));
     box.addEventListener("pointerleave", () => (this.controls.enableZoom = false));
     this.ambient = new THREE.AmbientLight(0xffffff, 1);
@@ -177,11 +177,17 @@ class Stage {
     });
   }
 
-  // While a user turns the picture, frames that come too slowly are drawn roughly; at rest all is drawn again.
-  #turn(on) {
+  // While a user turns the picture or moves along the path, frames that come too slowly are drawn roughly; at rest all is
+  // drawn again.
+  turn(on) {
     this.turning = on;
     this.late = 0;
     this.before = null;
+    this.#draft(on && this.slow);
+  }
+
+  // Draw roughly while a source moves, where a processor draws; without it all is drawn again.
+  quick(on) {
     this.#draft(on && this.slow);
   }
 

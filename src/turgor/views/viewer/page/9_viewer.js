@@ -3,6 +3,7 @@
 // `points` and `at(step)`.
 
 const PLAY = 160; // milliseconds between two steps
+const REST = 250; // milliseconds after which a slider counts as at rest
 const BETWEEN = 0.05; // smallest part of a step on the slider
 const CLOUD = 6000; // points that the picture is fitted to
 
@@ -179,6 +180,19 @@ class Viewer {
     this.stage.draw();
   }
 
+  // Show a step while the slider moves: frames that come too slowly are drawn roughly.
+  #scrub(step) {
+    if (!this.stage.turning) this.stage.turn(true);
+    clearTimeout(this.settling);
+    this.settling = setTimeout(() => this.#settle(), REST);
+    this.show(step);
+  }
+
+  #settle() {
+    clearTimeout(this.settling);
+    this.stage.turn(false);
+  }
+
   // Draw the step again, because a source has changed.
   refresh() {
     const { step } = this;
@@ -219,7 +233,8 @@ class Viewer {
     const slider = this.find("slider");
     slider.max = this.values.steps.length - 1;
     slider.step = this.values.places ? BETWEEN : 1;
-    slider.addEventListener("input", () => this.show(Number(slider.value)));
+    slider.addEventListener("input", () => this.#scrub(Number(slider.value)));
+    slider.addEventListener("change", () => this.#settle());
     this.find("play").addEventListener("click", () => this.play(!this.timer));
     const menu = this.find("field");
     menu.parentElement.hidden = !this.values.fields.length;

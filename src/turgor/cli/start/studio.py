@@ -1,13 +1,14 @@
-"""Command ``turgor studio``: the page in a browser."""
+"""Commands ``turgor studio`` and ``turgor live``: the page in a browser."""
 
 from pathlib import Path
 from typing import Annotated
+from urllib.parse import quote
 
 import typer
 
 from turgor.cli.exits import errors_as_sentences
 from turgor.cli.options import Debug
-from turgor.foundation.errors import NotHere
+from turgor.foundation.errors import NotHere, TurgorError, near_file
 
 
 def studio_command(
@@ -30,6 +31,28 @@ def studio_command(
     """Work with job files and runs in a browser: a local page, until Ctrl-C."""
     with errors_as_sentences(debug):
         serve_studio(folder, port, host, tuple(allow_host or ()), browser=browser)
+
+
+def live_command(
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE", help="Reduced model, from turgor reduce.", show_default=False)
+    ],
+    port: Annotated[
+        int | None, typer.Option(min=0, max=65535, help="Port; by default 8765 or a free one.", show_default=False)
+    ] = None,
+    browser: Annotated[bool, typer.Option(help="Open a browser.")] = True,
+    debug: Debug = False,
+) -> None:
+    """Move a reduced model in a browser, by sliders or by its tip: one window of the studio, until Ctrl-C."""
+    with errors_as_sentences(debug):
+        if not file.is_file() or file.suffix != ".reduced":
+            there = [each.name for each in file.parent.glob("*.reduced")] if file.parent.is_dir() else []
+            raise TurgorError(
+                f"'{file}' is no file of a reduced model{near_file(file, there)}",
+                command="Train one with: turgor reduce JOB --along loads.pressure='0..20 kPa' -o finger.reduced",
+            )
+        start = f"#/live/{quote(file.name)}/alone"
+        serve_studio(file.resolve().parent, port, "127.0.0.1", (), start=start, browser=browser)
 
 
 def serve_studio(

@@ -1,0 +1,1 @@
+"""Tasks about runs and studies: checks with fixes, scenes, files, and rows."""
