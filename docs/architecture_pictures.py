@@ -22,7 +22,7 @@ ROOMS = (
     "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views", "accuracy.gradients",
     "accuracy.adaptivity", "accuracy.measure", "accuracy.laboratory", "job", "studies.runs", "studies.calibration",
     "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization", "studies.study_file",
-    "reduced", "systems", "cli",
+    "reduced", "systems", "studio", "cli",
 )  # fmt: skip
 
 #: The wings above the core in the first picture: two rows, from below.
@@ -34,6 +34,7 @@ WINGS = {
     "studies": "many runs, and their use",
     "reduced": "answers in milliseconds",
     "systems": "actuators with drives",
+    "studio": "a page in the browser",
     "cli": "one command, one file",
 }
 
@@ -156,8 +157,8 @@ def panel(axes: Axes, corner: tuple[float, float], width: float, height: float, 
 def wings(axes: Axes) -> None:
     """Draw the wings on the core, and the foundation below it."""
     for place, (wing, lines) in enumerate(WINGS.items()):
-        row, column = divmod(place, 4)
-        Box(x=14 + 24 * column, y=50 + 8 * row, width=22, height=6.4, lines=lines, room=wing,
+        row, column = divmod(place, 5)
+        Box(x=11.5 + 19.25 * column, y=50 + 8 * row, width=18, height=6.4, lines=lines, room=wing,
             color=ROSE if row else AMBER).draw(axes)  # fmt: skip
     Box(x=50, y=2.6, width=94, height=4, lines="foundation:   " + ",  ".join(FOUNDATION), color=GRAY).draw(axes)
     label(

@@ -1,7 +1,7 @@
-"""Draws the small pictures of the actuator families for the studio, and lists them: ``python docs/studio_thumbnails.py``.
+"""Draws the small pictures of the actuator families for the studio, and lists them.
 
-The pictures are cut out of those of the pages on actuators, `docs/actuator_pages.py`. The list lets the page show the
-families before anything heavy is loaded.
+Run it with ``python docs/studio_thumbnails.py``. The pictures are cut out of those of the pages on actuators,
+`docs/actuator_pages.py`. The list lets the page show the families before anything heavy is loaded.
 """
 
 import json
@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PIL import Image, ImageChops
 
-from turgor.job.job import ACTUATORS
+import turgor as tg
 
 #: The pictures of the pages, and where the studio has its own.
 FROM, TO = Path(__file__).parent / "images" / "actuators", Path(__file__).parents[1] / "src/turgor/studio/page/families"
@@ -35,7 +35,7 @@ def small(picture: Image.Image) -> Image.Image:
 
 def families() -> list[dict[str, str]]:
     """Name of each actuator family, and what it is."""
-    return [{"name": name, "words": (kind.__doc__ or "").splitlines()[0]} for name, kind in ACTUATORS.items()]
+    return [{"name": name, "words": (kind.__doc__ or "").splitlines()[0]} for name, kind in tg.jobs.ACTUATORS.items()]
 
 
 def main() -> None:

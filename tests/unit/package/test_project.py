@@ -107,16 +107,29 @@ def test_what_type_checkers_read_is_what_the_modules_hold():
 
 
 def test_dependencies_are_those_that_are_imported():
+    imported = _imported(path for path in SOURCES if "studio" not in path.parts)
+    names = (re.match(r"[\w-]+", entry)[0] for entry in PROJECT["dependencies"])
+    declared = {IMPORT_NAMES.get(name, name) for name in names}
+    assert imported == declared
+
+
+def test_the_studio_imports_what_its_extra_names():
+    imported = _imported(path for path in SOURCES if "studio" in path.parts)
+    extra = {re.match(r"[\w-]+", entry)[0] for entry in PROJECT["optional-dependencies"]["studio"]}
+    others = {re.match(r"[\w-]+", entry)[0] for entry in PROJECT["dependencies"]}
+    assert imported - {IMPORT_NAMES.get(name, name) for name in others} == extra - {"websockets"}  # uvicorn names it
+
+
+def _imported(paths):
+    """Packages that files import by statements."""
     imported = set()
-    for path in SOURCES:
+    for path in paths:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Import):
                 imported |= {alias.name.split(".")[0] for alias in node.names}
             elif isinstance(node, ast.ImportFrom) and not node.level:
                 imported.add(node.module.split(".")[0])
-    names = (re.match(r"[\w-]+", entry)[0] for entry in PROJECT["dependencies"])
-    declared = {IMPORT_NAMES.get(name, name) for name in names}
-    assert imported - {"turgor", *INSIDE, *sys.stdlib_module_names} == declared
+    return imported - {"turgor", *INSIDE, *sys.stdlib_module_names}
 
 
 def test_the_conda_recipe_asks_for_the_same_packages():

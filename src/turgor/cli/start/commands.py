@@ -12,8 +12,8 @@ from turgor.cli.start.extensions import add_extensions
 #: Where each command is defined, in the order of the help text. A name that ends in ``_app`` is a group of commands.
 COMMANDS: Mapping[str, str] = {
     "run": "run.run_command",
-    "studio": "studio.studio_command",
-    "live": "studio.live_command",
+    "studio": "start.studio.studio_command",
+    "live": "start.studio.live_command",
     "materials": "materials.materials_app",
     "actuators": "families.actuators.actuators_command",
     "check": "check.check_command",

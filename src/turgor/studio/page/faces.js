@@ -73,8 +73,8 @@ export class Faces {
     const dot = h("span", { class: "dot", "aria-hidden": "true" });
     dot.style.background = this.colors[name] ?? "transparent";
     const note = this.notes[name] ? h("span", { class: "quiet" }, ` ${this.notes[name]}`) : "";
-    const over = () => this.viewer?.parts.light(name);
-    const out = () => this.viewer?.parts.light(null);
+    const over = () => this.light(name);
+    const out = () => this.light(null);
     return h("button", { type: "button", class: "chip", "data-face": name, onmouseenter: over, onmouseleave: out, onfocus: over, onblur: out, onclick: () => this.pick(name, -1) }, dot, words(name), note);
   }
 
@@ -84,8 +84,11 @@ export class Faces {
   }
 }
 
-/** The shape of a job. @param {string} job @returns {Promise<any>} */
-export const shapeOf = (job) => get(`/api/jobs/${part(job)}/shape`);
+/**
+ * The shape of a job; a CAD file as it lies in the file, or as it is modeled.
+ * @param {string} job @param {boolean} [modeled] @returns {Promise<any>}
+ */
+export const shapeOf = (job, modeled = false) => get(`/api/jobs/${part(job)}/shape${modeled ? "?modeled" : ""}`);
 
 /**
  * Call a function again for each change, one call after another; changes during a call give one more.

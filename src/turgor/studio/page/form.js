@@ -2,7 +2,7 @@
 
 import { fill, h, later } from "./dom.js";
 
-const REST = 200; // milliseconds after which a slider that moved counts as one that stopped
+const REST = 120; // milliseconds after which a slider that moved counts as one that stopped
 const PLACES = 200; // places of a slider
 
 /** Factors of units that sliders know, by dimension, to the first of each. */
@@ -90,6 +90,11 @@ class Field {
     this.key = key;
     this.change = change;
     this.id = `field-${++number}`;
+    this.moving = false;
+    /** @type {ReturnType<typeof track> | null} ends of the slider, and the value that they are around */
+    this.ends = null;
+    this.about = 0;
+    this.digits = 0;
     this.wrong = h("p", { class: "wrong", id: `${this.id}-wrong`, role: "alert" });
     this.hint = h("p", { class: "quiet hint", id: `${this.id}-hint` });
     this.slider = null;

@@ -54,7 +54,8 @@ export class Job extends EventTarget {
         this.#take(await request());
       } catch (error) {
         say(/** @type {Error} */ (error).message, true);
-        if (error instanceof Refused && error.status === 409) await this.read();
+        // a change that fails must not stop those after it
+        if (error instanceof Refused && error.status === 409) await this.read().catch((lost) => say(lost.message, true));
       }
     });
     return this.waiting;

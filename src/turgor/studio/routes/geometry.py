@@ -11,7 +11,8 @@ LOADS = ("[supports]", "[loads", "[contact]", "[obstacles", "[fibers", "[materia
 
 
 async def _shape(studio: Studio, request: Request) -> Any:
-    return await studio.worker.do("shapes.shape_of", studio.workspace.job(request.path_params["name"]))
+    modeled = "modeled" in request.query_params
+    return await studio.worker.do("shapes.shape_of", studio.workspace.job(request.path_params["name"]), modeled)
 
 
 async def _forms(studio: Studio, request: Request) -> Any:

@@ -3,6 +3,7 @@
 import os
 import re
 import shutil
+import time
 import tomllib
 from pathlib import Path
 from tempfile import mkdtemp
@@ -18,6 +19,9 @@ from turgor.studio.workspace import PARTS
 
 #: Endings of what the page may send: parts, tests of a material, and job files.
 ALLOWED = (*PARTS, ".csv", ".toml")
+
+#: Age after which an unfinished upload is one of a server that was killed [s]; reading takes minutes at most.
+STALE = 3600.0
 
 #: Longest name of a stored file without its ending: what every file system takes, with a number behind it.
 LONGEST_STEM = 80
@@ -54,7 +58,9 @@ async def _upload(studio: Studio, request: Request) -> Any:
     """Store a file: its name and the unit of its numbers are in the address."""
     name = stored_name(request.query_params.get("name", ""))
     unit = request.query_params.get("unit") or None
-    folder = Path(mkdtemp(dir=studio.workspace.own("uploads")))
+    place = studio.workspace.own("uploads")
+    _sweep(place)
+    folder = Path(mkdtemp(dir=place))
     try:
         part = folder / name
         await _received(request, part)
@@ -66,6 +72,13 @@ async def _upload(studio: Studio, request: Request) -> Any:
         return {"name": await to_thread.run_sync(_moved, part, studio.workspace.folder), **facts}
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def _sweep(place: Path) -> None:
+    """Remove what a server has left that was killed during an upload."""
+    for each in place.iterdir():
+        if each.stat().st_mtime < time.time() - STALE:
+            shutil.rmtree(each, ignore_errors=True)
 
 
 async def _looked(studio: Studio, part: Path, unit: str | None) -> dict[str, Any]:
@@ -81,24 +94,18 @@ async def _received(request: Request, part: Path) -> None:
     stated = request.headers.get("content-length", "0")
     count = int(stated) if stated.isdigit() else 0
     with part.open("xb") as file:
-        async for piece in request.stream() if count <= STUDIO.upload_bytes else _nothing():
-            count = max(count, file.tell() + len(piece))
-            if count > STUDIO.upload_bytes:
-                break
-            file.write(piece)
+        if count <= STUDIO.upload_bytes:
+            async for piece in request.stream():
+                count = max(count, file.tell() + len(piece))
+                if count > STUDIO.upload_bytes:
+                    break
+                file.write(piece)
         empty = file.tell() == 0
     if count > STUDIO.upload_bytes:
-        most = STUDIO.upload_bytes / 1e6
-        raise TooLarge(
-            f"'{part.name}' has more than {most:.0f} MB, which is the most that is read; put it into the folder."
-        )
+        most = f"more than {STUDIO.upload_bytes / 1e6:.0f} MB"
+        raise TooLarge(f"'{part.name}' has {most}, which is the most that is read; put it into the folder.")
     if empty:
         raise TurgorError(f"'{part.name}' is empty.")
-
-
-async def _nothing() -> Any:
-    for piece in ():
-        yield piece
 
 
 def _check_job(file: Path) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.toml_text import read_text, read_toml
+from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import Problems
 
@@ -58,6 +59,20 @@ def plain(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return str(value)
     return value if isinstance(value, str | int | float | bool) else str(value)
+
+
+def actuator_in(content: dict[str, Any]) -> dict[str, Any]:
+    """Return the table ``[actuator]`` of a job; a table ``[mesh]`` with a file stands for it, too.
+
+    Examples
+    --------
+    >>> actuator_in({"mesh": {"file": "finger.msh"}})
+    {'type': 'mesh_file', 'file': 'finger.msh'}
+    """
+    mesh = table_in(content, "mesh")
+    if "actuator" not in content and "file" in mesh:
+        return {"type": MESH_FILE, **mesh}
+    return table_in(content, "actuator")
 
 
 def table_in(content: dict[str, Any], name: str) -> dict[str, Any]:

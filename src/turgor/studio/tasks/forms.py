@@ -12,14 +12,21 @@ from turgor.foundation.errors import TurgorError
 from turgor.job.job import ACTUATORS
 from turgor.job.read import read_job
 from turgor.job.reference.tables import JobKey, JobTable, family_table
-from turgor.job.text.problems import JobError
-from turgor.studio.tasks.content import at_key, content_of, plain, table_in
+from turgor.job.tables.sections import read_actuator
+from turgor.job.text.problems import JobError, Problems
+from turgor.studio.tasks.building import built
+from turgor.studio.tasks.content import actuator_in, at_key, content_of, plain
+from turgor.studio.tasks.reach import reach
 
 #: A range in a sentence, such as ``0.01 mm to 10.967 mm, so that …`` or ``a whole number from 1 to 100``.
 _RANGE = re.compile(r"(-?[\d.]+)(?: ([^\s\d,]+))? to (-?[\d.]+)(?: ([^\s\d,]+))?")
 
 #: What a sentence says of a key that is left out by a zero.
 _ZERO = re.compile(r"\b0 (?:\(none\)|leaves it out)")
+
+
+#: Header of the table of a material of the library.
+LIBRARY = "[materials.NAME], from the library"
 
 
 def table_as_json(table: JobTable) -> dict[str, Any]:
@@ -53,23 +60,26 @@ def choices(key: JobKey) -> list[str]:
 
 
 def form_of_actuator(table: dict[str, Any]) -> dict[str, Any] | None:
-    """Return the form of the dimensions of a family, with ranges where the other dimensions are those of the table."""
-    kind = table.get("type")
+    """Return the form of the dimensions of a family, with ranges where its other dimensions stay.
+
+    Where the table has a mistake, ranges are those around the defaults.
+    """
+    kind = str(table.get("type"))
     if kind not in ACTUATORS:
         return None
-    given = {key: value for key, value in table.items() if key != "type"}
-    try:
-        return table_as_json(family_table(kind, given))
-    except TurgorError:  # a reader that raises: ranges for the defaults are better than none
-        return table_as_json(family_table(kind))
+    actuator = read_actuator(table, Problems("", {}))
+    given = {key: value for key, value in table.items() if key != "type"} if actuator is not None else {}
+    form = table_as_json(family_table(kind, given))
+    for key in form["keys"]:
+        if actuator is not None and key["limits"]:
+            key["limits"] = reach(actuator, key["name"], key["limits"])
+    return form
 
 
 def forms_of(file: Path, headers: Iterable[str]) -> dict[str, Any]:
     """Return the forms of some tables of a job by the beginnings of their headers, and the content of the job."""
-    from turgor.studio.tasks.shapes import built
-
     content, problems = content_of(file)
-    shape = built(table_in(content, "actuator"), problems)
+    shape = built(actuator_in(content), problems)
     if shape is None:
         raise TurgorError("the shape has a mistake; mend it on the screen Shape first.")
     wanted = tuple(headers)
@@ -92,4 +102,7 @@ def forms_of(file: Path, headers: Iterable[str]) -> dict[str, Any]:
 def _tables(shape: Geometry) -> list[dict[str, Any]]:
     from turgor.job.reference.sections import section_tables  # here: it loads the engine, and a picture needs none
 
-    return [table_as_json(table) for table in section_tables(shape)]
+    # a part without such a face has no range of a layer, but may have a layer all the same
+    library = next(table for table in section_tables() if table.header == LIBRARY)
+    tables = (library if table.header == LIBRARY else table for table in section_tables(shape))
+    return [table_as_json(table) for table in tables]

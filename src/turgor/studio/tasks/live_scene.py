@@ -112,6 +112,8 @@ def _answers(reduced: Reduced) -> list[ReducedState]:
 def _obstacles(reduced: Reduced, states: Sequence[ReducedState]) -> tuple[dict[str, Any] | None, Small]:
     """Triangles of the obstacles, and their places as a linear function of the inputs."""
     none = np.zeros((1 + len(reduced.inputs.keys), 0, 3), dtype=np.float32)
+    if not reduced.model.contact.obstacles:
+        return None, none
     fields = [StateFields(each.state()) for each in states]
     extents = extents_of(fields)
     skins = [obstacle_skin(at, extents) for at in fields]

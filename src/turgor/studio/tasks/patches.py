@@ -7,16 +7,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.cad.facets import faces_between, named_facets
+from turgor.core.geometry.cad.facets import RoundFacets, faces_between, round_facets
 from turgor.core.geometry.cad.inspection import Inspection
 from turgor.core.geometry.cad.surface.grouping import grouped
+from turgor.core.geometry.cad.symmetry.whole import Image, MirrorPlane, images_of
 from turgor.core.geometry.directions import FileAxes, rotation_to
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.geometry.whole import Image, MirrorPlane, images_of
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.surface import outer_triangles
+from turgor.core.meshing.surface import corner_keys, outer_triangles
+from turgor.core.model.obstacles import Obstacle
 from turgor.views.viewer.packing import pack_index, pack_steps
 
 Array = NDArray[np.float64]
@@ -24,6 +25,9 @@ Ints = NDArray[np.int64]
 
 #: Beginnings of the names of cut faces, which are no surface of the whole.
 CUTS = ("symmetry_", "cyclic_")
+
+#: An obstacle whose ends are this near to symmetric about a mirror plane is its own image, relative to its size.
+OWN_IMAGE = 1e-3
 
 #: Corners of each side of a triangle, as the viewer names them; triangles without middles do not need them.
 _SIDES = ((0, 1), (1, 2), (2, 0))
@@ -54,14 +58,14 @@ class Patches:
     mirrors: tuple[MirrorPlane, ...]
     images: tuple[Image, ...]
 
-    def size(self) -> list[float]:
-        """Return the sides of the box around the whole [m]."""
+    def box(self) -> Array:
+        """Return the lowest and the highest corner of the box around the whole, (2, 3) [m]."""
         corners = np.concatenate([face.triangles.reshape(-1, 3) for face in self.faces])
         points = np.concatenate([image.of(corners) for image in self.images])
-        return [float(side) for side in np.ptp(points, axis=0)]
+        return np.stack([points.min(axis=0), points.max(axis=0)])
 
-    def scene(self) -> dict[str, Any]:
-        """Return what the viewer draws: one step without fields, and the names of the faces."""
+    def scene(self, obstacles: Sequence[Obstacle] = ()) -> dict[str, Any]:
+        """Return what the viewer draws: one step without fields, names of faces, and obstacles at their start."""
         shown = [face for face in self.faces if len(self.images) == 1 or not face.name.startswith(CUTS)]
         points, triangles, face = _joined(shown)
         inner = np.array([each.inner for each in shown])[face]
@@ -83,6 +87,7 @@ class Patches:
             },
             "images": [image.matrix for image in self.images],
             "fields": [],
+            "obstacles": self._drawn(obstacles) if obstacles else None,
             "parts": {
                 "names": names,
                 "of": pack_index(part[~inner]),
@@ -90,6 +95,25 @@ class Patches:
                 "inner": pack_index(triangles[inner]),
                 "innerOf": pack_index(part[inner]),
             },
+        }
+
+    def _drawn(self, obstacles: Sequence[Obstacle]) -> dict[str, Any]:
+        """Obstacles and their images in the mirror planes, except those that are their own image."""
+        points: list[Array] = []
+        triangles: list[Ints] = []
+        for obstacle in obstacles:
+            own, corners = obstacle.shape.outline(np.zeros(3), self.box())
+            copies = [(own, corners)]
+            for plane in self.mirrors:
+                across = own[:, plane.axis] - plane.position
+                if abs(across.min() + across.max()) > OWN_IMAGE * np.ptp(own, axis=0).max():
+                    copies += [(plane.image().of(each), index[:, ::-1]) for each, index in copies]
+            for each, index in copies:
+                triangles.append(index + sum(map(len, points)))
+                points.append(each)
+        return {
+            "triangles": pack_index(np.concatenate(triangles)),
+            "positions": pack_steps(np.concatenate(points)[None]),
         }
 
 
@@ -124,17 +148,32 @@ def patches_of_file(inspection: Inspection, axes: FileAxes | None) -> Patches:
 
 
 def _cad_faces(geometry: Geometry) -> tuple[Patch, ...]:
-    scale, shape = geometry.length_scale, geometry._cad
-    pairs = zip(named_facets(shape), faces_between(shape), strict=True)
-    return tuple(Patch(name=name, triangles=c * scale, inner=inner) for (name, c), inner in pairs if len(c))
+    shape, scale = geometry._cad, geometry.length_scale
+    if hasattr(shape, "corners"):  # facets, whose normals point out already
+        parts = [(face.name, shape.corners[shape.face == i], False) for i, face in enumerate(shape.faces)]
+    else:
+        facets = round_facets(shape)
+        corners = _outward(facets)
+        pairs = enumerate(zip(facets.faces, faces_between(shape), strict=True))
+        parts = [(str(face.name), corners[facets.face == i], inner) for i, (face, inner) in pairs]
+    return tuple(Patch(name=name, triangles=own * scale, inner=inner) for name, own, inner in parts if len(own))
+
+
+def _outward(facets: RoundFacets) -> Array:
+    """Triangles of the display, turned to the side of the normals of the true surface; the kernel leaves that open."""
+    corners = facets.corners
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    wrong = np.einsum("ti,ti->t", across, facets.normals.sum(axis=1)) < 0
+    return np.asarray(np.where(wrong[:, None, None], corners[:, ::-1], corners))
 
 
 def _mesh_faces(mesh: Mesh) -> tuple[Patch, ...]:
     """Faces of a mesh, each cut where it has an edge."""
-    outer = {tuple(side) for side in np.sort(outer_triangles(mesh), axis=1).tolist()}
+    count = len(mesh.points)
+    outer = corner_keys(outer_triangles(mesh), count)
     patches = []
     for name, sides in mesh.faces.items():
-        inner = len(sides) > 0 and tuple(sorted(sides[0].tolist())) not in outer
+        inner = not np.isin(corner_keys(sides, count), outer).all()
         corners = six_node_triangles(sides)[:, :3]
         group = grouped(mesh.points, corners)
         for k in range(int(group.max(initial=-1)) + 1):

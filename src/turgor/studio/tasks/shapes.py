@@ -1,9 +1,9 @@
 """Shapes: the picture of an actuator from its dimensions or its file, without a mesh, and its size and volumes."""
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -14,27 +14,30 @@ from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.inspection import Inspection, inspect_here
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
-from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.core.model.obstacles import Obstacle
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
-from turgor.job.job import Actuator
 from turgor.job.tables.cad import CAD_FILE
+from turgor.job.tables.contact import read_contact
 from turgor.job.tables.materials import read_materials
 from turgor.job.tables.sections import read_actuator
 from turgor.job.text.problems import Problems
-from turgor.studio.tasks.content import content_of, noted, plain, table_in
+from turgor.studio.tasks.building import built
+from turgor.studio.tasks.content import actuator_in, content_of, noted, plain
 from turgor.studio.tasks.forms import form_of_actuator
 from turgor.studio.tasks.patches import patches_of, patches_of_file
 from turgor.units import format_quantity, mm
 
 
-def shape_of(file: Path) -> dict[str, Any]:
+def shape_of(file: Path, modeled: bool = False) -> dict[str, Any]:
     """Return what the page shows of the shape of a job.
 
     Parameters
     ----------
     file : Path
         A job; only its table ``[actuator]`` must be right.
+    modeled : bool
+        Whether a CAD file is shown as it is modeled, along our axes; else as it lies in the file, where it is named.
 
     Returns
     -------
@@ -43,34 +46,19 @@ def shape_of(file: Path) -> dict[str, Any]:
         ``facts`` and ``faces``.
     """
     content, problems = content_of(file)
-    table = table_in(content, "actuator")
+    table = actuator_in(content)
     out: dict[str, Any] = {"content": plain(content), "kind": table.get("type"), "form": None, "problems": []}
     try:
-        out |= _drawn(table, content, problems)
+        out |= _drawn(table, content, problems, modeled)
     except TurgorError as error:
         problems.add(("actuator",), error.on_command_line)
     out["problems"] = noted(problems)
-    out["form"] = form_of_actuator(table if not out["problems"] else {"type": table.get("type")})
+    out["form"] = form_of_actuator(table)
     return out
 
 
-def built(table: Mapping[str, Any], problems: Problems) -> Geometry | None:
-    """Return the geometry of a table ``[actuator]``; None where it is wrong, which is noted."""
-    actuator = read_actuator(table, problems)
-    if actuator is None:
-        return None
-    make = actuator.build if isinstance(actuator, CadFile | MeshFile) else partial(_of_family, actuator)
-    return problems.attempt(("actuator",), make)
-
-
-@lru_cache(maxsize=8)
-def _of_family(actuator: Actuator) -> Geometry:
-    """Build a family once: the screens of the page ask for it one after another."""
-    return actuator.build()
-
-
-def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems) -> dict[str, Any]:
-    if table.get("type") == CAD_FILE:
+def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems, modeled: bool) -> dict[str, Any]:
+    if table.get("type") == CAD_FILE and not modeled:
         actuator = read_actuator(table, problems)
         return _of_file(actuator) if isinstance(actuator, CadFile) else {}
     shape = built(table, problems)
@@ -79,13 +67,14 @@ def _drawn(table: dict[str, Any], content: dict[str, Any], problems: Problems) -
     patches = patches_of(shape)
     copies = len(patches.images)
     facts = {
-        "size": patches.size(),
+        "size": np.ptp(patches.box(), axis=0).tolist(),
         "wall": shape.smallest_wall,
         "cavities": {name: volume * copies for name, volume in shape.cavity_volumes.items()},
         "volume": shape.solid_volume * copies,
         "mass": _mass(shape, content, copies),
     }
-    return {"scene": patches.scene(), "facts": facts, "faces": [], "findings": _sentences(shape.findings)}
+    obstacles = _obstacles(content, shape)
+    return {"scene": patches.scene(obstacles), "facts": facts, "faces": [], "findings": _sentences(shape.findings)}
 
 
 def _mass(shape: Geometry, content: dict[str, Any], copies: int) -> float | None:
@@ -104,11 +93,17 @@ def _mass(shape: Geometry, content: dict[str, Any], copies: int) -> float | None
     return copies * sum(volume * each for volume, each in parts if each is not None)
 
 
+def _obstacles(content: dict[str, Any], shape: Geometry) -> tuple[Obstacle, ...]:
+    """The obstacles that are right; what is wrong with others is said on the screen Loads."""
+    contact, _ = read_contact({}, content.get("obstacles", {}), shape, Problems("", {}))
+    return contact.obstacles
+
+
 def _of_file(actuator: CadFile) -> dict[str, Any]:
     """A CAD file: the whole part with all its faces, each with a selector that picks it."""
-    found = _inspected(_Named(actuator))
-    patches = patches_of_file(found, actuator.axes)
-    in_file = Counter(face.name_in_file for face in found.faces)
+    part = _inspected(_Named(actuator))
+    patches = patches_of_file(part, actuator.axes)
+    in_file = Counter(face.name_in_file for face in part.faces)
     faces = [
         {
             "name": face.name,
@@ -118,16 +113,17 @@ def _of_file(actuator: CadFile) -> dict[str, Any]:
             if face.name_in_file and in_file[face.name_in_file] == 1
             else {"near": _point_on(patch.triangles)},
         }
-        for face, patch in zip(found.faces, patches.faces, strict=True)
+        for face, patch in zip(part.faces, patches.faces, strict=True)
     ]
     facts = {
-        "size": patches.size(),
-        "wall": found.smallest_wall,
-        "cavities": {cavity.name: cavity.volume for cavity in found.cavities},
-        "volume": sum(body.volume for body in found.bodies),
+        "size": np.ptp(patches.box(), axis=0).tolist(),
+        "wall": part.smallest_wall,
+        "cavities": {cavity.name: cavity.volume for cavity in part.cavities},
+        "bodies": [{"name": body.region, "volume": body.volume, "color": body.color} for body in part.bodies],
+        "volume": sum(body.volume for body in part.bodies),
         "mass": None,
     }
-    return {"scene": patches.scene(), "facts": facts, "faces": faces, "findings": _sentences(found.findings)}
+    return {"scene": patches.scene(), "facts": facts, "faces": faces, "findings": _sentences(part.findings)}
 
 
 @dataclass(frozen=True, slots=True)

@@ -69,13 +69,8 @@ def _mesh(part: Path, unit: str | None) -> dict[str, Any]:
     size = [float(side) for side in np.ptp(mesh.points, axis=0)]
     if not len(mesh.cells):
         raise TurgorError(f"'{part}' has no cells; a mesh of the volume is needed.")
-    return {
-        "kind": "mesh",
-        "size": size,
-        "unit": unit is not None,
-        "faces": len(mesh.faces),
-        "cavities": len(mesh.cavities),
-    }
+    counts = {"faces": len(mesh.faces), "cavities": len(mesh.cavities)}
+    return {"kind": "mesh", "size": size, "unit": unit is not None, **counts}
 
 
 def _bound_memory() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells.reference import reference_nodes, tables_at
-from turgor.core.geometry.whole import Image
+from turgor.core.geometry.cad.symmetry.whole import Image
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import TRIANGLE_EDGES, Mesh

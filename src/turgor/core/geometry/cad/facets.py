@@ -102,7 +102,7 @@ def named_facets(shape: Any) -> list[tuple[str, Array]]:
 
 
 def faces_between(shape: Any) -> list[bool]:
-    """Return whether each face of a shape lies between two of its bodies, in the order of `named_facets`."""
+    """Return whether each face of a shape lies between two of its bodies, in the order of `round_facets`."""
     if hasattr(shape, "corners"):  # one body
         return [False] * len(shape.faces)
     owners = Counter(face for solid in shape.solids for face in _unique(solid.faces))

@@ -87,8 +87,9 @@ def _gathered(raw: RawMesh, frame: Frame) -> Solids:
     blocks = raw.solids()
     listed = ", ".join(f"{len(block.nodes)} {block.kind.name}" for block in blocks)
     if not blocks:
-        other = ", ".join(f"{len(block.nodes)} {block.kind.name}" for block in raw.blocks) or "no cells at all"
-        raise TurgorError(f"'{raw.path}' has no solid cells, only {other}; export the volume mesh.")
+        other = ", ".join(f"{len(block.nodes)} {block.kind.name}" for block in raw.blocks)
+        what = f"no solid cells, only {other}" if other else "no cells"
+        raise TurgorError(f"'{raw.path}' has {what}; export the volume mesh.")
     usable = ("tetrahedron", "hexahedron")
     if not all(block.kind.name.startswith(usable) for block in blocks) or len({b.kind.name for b in blocks}) > 1:
         raise TurgorError(

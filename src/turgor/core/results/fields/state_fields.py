@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses, discrete_threads
 from turgor.core.engine.fields import CellFields, cell_fields, nodal_average, nodal_mean_stress
 from turgor.core.engine.percentiles import volume_percentile
-from turgor.core.geometry.whole import Image, MirrorPlane, images_of
+from turgor.core.geometry.cad.symmetry.whole import Image, MirrorPlane, images_of
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.proximity import FacingWalls, find_facing_walls
 from turgor.core.meshing.refining.region_nodes import RegionNodes, region_nodes

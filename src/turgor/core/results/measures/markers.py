@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.faces.attached import Attached, attach
-from turgor.core.geometry.whole import MirrorPlane
+from turgor.core.geometry.cad.symmetry.whole import MirrorPlane
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.measure import Measure

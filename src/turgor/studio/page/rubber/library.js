@@ -20,7 +20,7 @@ export class Library {
     this.most = h("input", { type: "number", min: 1.1, max: 10, step: 0.5, value: 3, class: "live-number", onchange: () => this.#curves() });
     this.filter = h("input", { type: "search", placeholder: "name, law, hardness, source …", oninput: later(() => this.#table(), 150) });
     this.rows = h("tbody", {});
-    const heads = ["curve", "material", "kind", "hardness", "law", "tested to", "doubts and source", ""];
+    const heads = ["curve", "use", "material", "law", "tested to", "doubts and source"];
     this.element = h(
       "section", { class: "card rubber-library", "aria-label": "Library" },
       h("h2", {}, "Library"),
@@ -45,7 +45,7 @@ export class Library {
       const text = `${each.library} ${each.record} ${each.name} ${each.kind} ${each.hardness} ${each.law} ${each.source}`.toLowerCase();
       return wanted.every((/** @type {string} */ word) => text.includes(word));
     });
-    fill(this.rows, ...(shown.length ? shown.map((each) => this.#row(each)) : [h("tr", {}, h("td", { colspan: 8, class: "quiet" }, "No record has these words."))]));
+    fill(this.rows, ...(shown.length ? shown.map((each) => this.#row(each)) : [h("tr", {}, h("td", { colspan: 6, class: "quiet" }, "No record has these words."))]));
   }
 
   /** @param {any} each */
@@ -66,14 +66,12 @@ export class Library {
     const words = warnings ? `${warnings} doubt${warnings > 1 ? "s" : ""}` : each.doubts.length ? "notes" : "source";
     return h(
       "tr", {},
-      h("td", {}, mark),
-      h("td", {}, h("b", {}, each.name), h("br"), h("span", { class: "quiet rubber-record" }, each.record)),
-      h("td", {}, each.kind), h("td", {}, each.hardness || "–"),
+      h("td", {}, mark), h("td", {}, use),
+      h("td", {}, h("b", {}, each.name), h("br"), h("span", { class: "quiet rubber-record" }, each.record), h("br"), `${each.kind}${each.hardness ? `, ${each.hardness}` : ""}`),
       h("td", {}, each.law.replaceAll("_", "-"), h("br"), h("span", { class: "quiet" }, each.printed)),
-      h("td", {}, each.range ? `${each.range[0]} to ${each.range[1]}` : "not stated"),
+      h("td", {}, each.range ? `${each.range[0]} to ${each.range[1]}` : "–"),
       h("td", {}, h("details", {}, h("summary", { class: warnings ? "rubber-doubt" : "" }, words),
         ...each.doubts.map((/** @type {any} */ doubt) => h("p", {}, `${doubt.code} ${doubt.severity}: ${doubt.text}`)), h("p", { class: "quiet" }, each.source))),
-      h("td", {}, use),
     );
   }
 

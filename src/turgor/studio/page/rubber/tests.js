@@ -164,7 +164,7 @@ export class Tests {
 
   /** @param {any} found */
   #table(found) {
-    const heads = ["curve", "law", "constants", "error", "AIC", "stable", "findings", ""];
+    const heads = ["curve", "use", "law", "constants", "error", "AIC", "stable", "findings"];
     const row = (/** @type {any} */ fit) => {
       const mark = h("input", { type: "checkbox", checked: this.shown.has(fit.law), "aria-label": `curve of ${fit.law}`, onchange: () => {
         if (mark.checked) this.shown.add(fit.law);
@@ -174,11 +174,10 @@ export class Tests {
       const lost = Object.entries(fit.instability).map(([mode, stretch]) => `${mode} from ${Number(stretch).toPrecision(3)}`).join(", ");
       const use = h("button", { type: "button", disabled: !fit.entry, "aria-label": `use ${fit.law}`, onclick: () => this.use(fit.entry, `${fit.law}, fitted`) }, "Use");
       return h("tr", {},
-        h("td", {}, mark), h("td", {}, h("b", {}, fit.law)), h("td", {}, ...fit.parameters.flatMap((/** @type {string} */ each) => [each, h("br")])),
+        h("td", {}, mark), h("td", {}, use), h("td", {}, h("b", {}, fit.law)), h("td", {}, ...fit.parameters.flatMap((/** @type {string} */ each) => [each, h("br")])),
         h("td", {}, `${Number((100 * fit.relative).toPrecision(2))} %`), h("td", {}, fit.aic.toFixed(0)),
         h("td", { class: fit.stable ? "good" : "rubber-doubt" }, fit.stable ? "yes" : `no: ${lost}`),
-        h("td", {}, fit.findings.length ? h("details", {}, h("summary", {}, fit.findings.map((/** @type {string} */ each) => each.split(" ")[0]).join(", ")), ...fit.findings.map((/** @type {string} */ each) => h("p", {}, each))) : "none"),
-        h("td", {}, use));
+        h("td", {}, fit.findings.length ? h("details", {}, h("summary", {}, fit.findings.map((/** @type {string} */ each) => each.split(" ")[0]).join(", ")), ...fit.findings.map((/** @type {string} */ each) => h("p", {}, each))) : "none"));
     };
     fill(this.results,
       h("table", {}, h("thead", {}, h("tr", {}, ...heads.map((head) => h("th", { scope: "col" }, head)))), h("tbody", {}, ...found.fits.map(row))),

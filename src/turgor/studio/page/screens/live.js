@@ -1,12 +1,13 @@
 // Live: a reduced model that answers while a slider or the tip moves.
 
-import { fill, h } from "../dom.js";
+import { fill, h, later } from "../dom.js";
 import { Handle } from "../live/handle.js";
 import { Connection } from "../live/model.js";
 import { Sequence, short } from "../live/sequence.js";
 import { picture } from "../picture.js";
 
 const STEPS = 400; // steps of a slider
+const FINE = 300; // milliseconds of rest after which all pixels are drawn
 
 /** @param {HTMLElement} place @param {import("../main.js").App} app */
 export async function show(place, app) {
@@ -55,6 +56,7 @@ class Live {
     this.handle = null;
     this.dragging = 0; // number of the last request of the handle
     this.sent = new Map();
+    this.fine = later(() => this.viewer.stage.quick(false), FINE);
     /** Milliseconds from a change to its picture, for the benchmark. @type {number[]} */
     this.delays = [];
     this.rows = h("dl", { class: "live-rows" });
@@ -169,7 +171,9 @@ class Live {
     }
     this.measures.classList.add("old"); // until those of this state come
     this.model.set(answer.q, answer.inputs);
+    this.viewer.stage.quick(true);
     this.viewer.refresh();
+    this.fine();
     this.handle?.at(answer.tip);
     this.#fields(answer.inputs, false);
     this.#describe(answer);

@@ -1,7 +1,7 @@
 // Loads: what holds, drives, reinforces and touches the actuator, on the picture and in fields.
 
 import { get, part } from "../api.js";
-import { fill, h, say } from "../dom.js";
+import { fill, h } from "../dom.js";
 import { COLORS, coalesced, Faces, shapeOf } from "../faces.js";
 import { Form, words, written } from "../form.js";
 
@@ -13,6 +13,7 @@ const HELD = { xyz: "clamped", radial: "keeps its radius", "plane section": "sta
 
 /** A sheet and a winding to begin with. */
 const SHEET = { library: "paper", record: "hooke-polygerinos-2020", thickness: "0.1 mm" };
+const STATED = ["name", "law", "E", "nu", "density"]; // keys of a fiber that is not from the library
 const WINDING = { library: "kevlar-fiber", angle_from_circumference: "0 deg", spacing: "3 mm" };
 
 /** @param {HTMLElement} place @param {import("../main.js").App} app */
@@ -36,6 +37,9 @@ class Setup {
     this.forms = new Map();
     this.wrong = h("div", { role: "alert" });
     this.cards = h("div", { class: "stack" });
+    /** @type {Set<string>} tables whose fields are shown */
+    this.open = new Set();
+    this.contactOpen = false;
     this.chosen = "";
     this.own = h("div", { class: "card", hidden: true });
     this.faces = new Faces((name) => this.#choose(name));
@@ -47,7 +51,7 @@ class Setup {
   async draw() {
     const { state, name } = this.app.job;
     try {
-      const shape = await shapeOf(name);
+      const shape = await shapeOf(name, true);
       if (shape.scene && JSON.stringify(shape.scene) !== this.drawn) {
         this.drawn = JSON.stringify(shape.scene);
         await this.faces.draw(shape.scene);
@@ -93,10 +97,9 @@ class Setup {
   }
 
   #cards() {
-    const shown = new Set();
     const others = this.job.problems.filter((/** @type {any} */ each) => /^(supports|loads|contact|obstacles|fibers)/.test(each.key));
     fill(this.wrong, ...others.map((/** @type {any} */ each) => h("p", { class: "wrong" }, `${each.key}: ${each.sentence}`)));
-    fill(this.cards, this.#pressures(), this.#holds(), this.#gravity(), ...this.#named("obstacles", "Plates and objects", "[obstacles.NAME]", shown), ...this.#named("fibers", "Fibers", "[fibers.NAME]", shown), this.#contact());
+    fill(this.cards, this.#pressures(), this.#holds(), this.#gravity(), ...this.#named("obstacles", "Plates and objects", "[obstacles.NAME]"), ...this.#named("fibers", "Fibers", "[fibers.NAME]"), this.#contact());
   }
 
   #pressures() {
@@ -134,16 +137,14 @@ class Setup {
     return h("details", { class: "card", open: this.contactOpen, ontoggle: (/** @type {any} */ event) => (this.contactOpen = event.target.open) }, h("summary", {}, h("b", {}, "Contact")), h("p", { class: "quiet" }, "Whether walls of the actuator touch each other, and how they rub."), form);
   }
 
-  /** Tables whose names the user chooses. @param {string} kind @param {string} title @param {string} header @param {Set<string>} shown */
-  #named(kind, title, header, shown) {
+  /** Tables whose names the user chooses. @param {string} kind @param {string} title @param {string} header */
+  #named(kind, title, header) {
     const table = this.#table(kind);
     const entries = Object.entries(table).filter(([, values]) => typeof values === "object").map(([name, values]) => {
       const path = `${kind}.${name}`;
-      shown.add(path);
-      const keys = kind === "obstacles" ? [...this.#keys(header, ["friction", "spring", "face"]), ...this.#keys(`[obstacles.NAME], shape = "${values.shape}"`)] : this.#keys(header);
+      const keys = kind === "obstacles" ? [...this.#keys(header, ["friction", "spring", "face"]), ...this.#keys(`[obstacles.NAME], shape = "${values.shape}"`)] : this.#keys(header).filter((/** @type {any} */ key) => !values.library || !STATED.includes(key.name));
       const remove = h("button", { type: "button", onclick: () => this.app.job.set({ [path]: null }) }, "Remove");
-      this.open ??= new Set();
-      const toggle = (/** @type {any} */ event) => (event.target.open ? this.open?.add(path) : this.open?.delete(path));
+      const toggle = (/** @type {any} */ event) => (event.target.open ? this.open.add(path) : this.open.delete(path));
       return h("details", { open: this.open.has(path), ontoggle: toggle }, h("summary", {}, `${name} `, h("span", { class: "quiet" }, values.shape ?? written(values.face))), this.#form(path, keys, values), remove);
     });
     const add = kind === "obstacles"
@@ -157,7 +158,6 @@ class Setup {
     const needed = this.#keys(`[obstacles.NAME], shape = "${shape}"`).filter((/** @type {any} */ key) => key.needed);
     const name = this.#free("obstacles", shape === "plane" ? "plate" : shape);
     const values = Object.fromEntries(needed.map((/** @type {any} */ key) => [`obstacles.${name}.${key.name}`, JSON.parse(key.example)]));
-    this.open ??= new Set();
     this.open.add(`obstacles.${name}`);
     return this.app.job.set({ [`obstacles.${name}.shape`]: shape, ...values });
   }
@@ -182,6 +182,9 @@ class Setup {
   }
 
   #unchoose() {
+    /** @type {Set<string>} tables whose fields are shown */
+    this.open = new Set();
+    this.contactOpen = false;
     this.chosen = "";
     this.own.hidden = true;
     this.faces.light(null);
@@ -235,7 +238,6 @@ class Setup {
     const known = Object.entries(this.#table("fibers")).filter(([, each]) => [each.face].flat().includes(face)).map(([name]) => name);
     const add = () => {
       const name = this.#free("fibers", "winding");
-      this.open ??= new Set();
       this.open.add(`fibers.${name}`);
       return this.app.job.set(Object.fromEntries(Object.entries({ face, ...WINDING }).map(([key, value]) => [`fibers.${name}.${key}`, value])));
     };

@@ -75,6 +75,8 @@ class Shape {
     this.title.textContent = form ? titled(String(kind)) : String(file ?? "Shape");
     this.about.textContent = form
       ? "Move a slider or write a value with its unit. Each range is what the other dimensions allow."
+      : kind === "mesh_file"
+      ? "A mesh is used as it is. Its faces have the names of the file, or those that the job gives them in [actuator.faces]."
       : "Point at a face of the picture, and click it to give it a name. The job then says what is fixed and where the tip is.";
     fill(this.problems, ...others, ...(findings ?? []).map((/** @type {string} */ each) => h("p", { class: "note" }, each)));
     this.form.update(form?.keys ?? [], content.actuator ?? {}, at);
@@ -94,13 +96,14 @@ class Shape {
   }
 
   /** @param {any} facts */
-  #facts({ size, wall, cavities, volume, mass }) {
+  #facts({ size, wall, cavities, bodies = [], volume, mass }) {
     const mm = (/** @type {number} */ length) => Number((1000 * length).toPrecision(4));
     const mL = (/** @type {number} */ each) => `${Number((1e6 * each).toPrecision(4))} mL`;
     const rows = [
       ["Outer size", `${size.map(mm).join(" × ")} mm`],
       ["Thinnest wall", `${mm(wall)} mm`],
       ...Object.entries(cavities).map(([name, each]) => [Object.keys(cavities).length > 1 ? words(name) : "Cavity", mL(each)]),
+      ...bodies.map((/** @type {any} */ each) => [`Body ${words(each.name)}`, h("span", {}, swatch(each.color), mL(each.volume))]),
       ["Rubber", mass ? `${mL(volume)}, ${Number((1000 * mass).toPrecision(3))} g` : `${mL(volume)}; a material without a density has no mass here`],
     ];
     fill(this.facts, ...rows.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
@@ -141,4 +144,11 @@ class Shape {
     );
     input.focus();
   }
+}
+
+/** The color that a body has in its file. @param {string} color */
+function swatch(color) {
+  const dot = h("span", { class: "dot inline", title: color });
+  dot.style.background = color || "transparent";
+  return dot;
 }

@@ -1,7 +1,7 @@
 // Start: the files of the folder, families as pictures to begin with, and a place where own parts are dropped.
 
 import { get, part, post } from "../api.js";
-import { fill, h, say } from "../dom.js";
+import { fill, h } from "../dom.js";
 import { titled } from "../form.js";
 import { tour } from "../tour.js";
 
@@ -29,7 +29,7 @@ class Start {
     this.lists = h("section", { class: "lists", "aria-label": "in this folder" });
     this.families = h("div", { class: "families" });
     this.answer = h("div", { role: "alert" });
-    this.input = h("input", { type: "file", class: "sr", id: "part-file", accept: ".step,.stp,.brep,.brp,.stl,.msh,.inp,.vtk,.vtu,.toml", onchange: () => this.#send([...this.input.files]) });
+    this.input = h("input", { type: "file", class: "sr", id: "part-file", "aria-label": "a part, a table or a job", accept: ".step,.stp,.brep,.brp,.stl,.msh,.inp,.vtk,.vtu,.toml", onchange: () => this.#send([...this.input.files]) });
     this.zone = this.#zone();
     this.tour = h("button", { type: "button", onclick: () => tour(this.element, true) }, "Show me around");
     this.draw = this.draw.bind(this);
@@ -44,7 +44,7 @@ class Start {
     const content = await this.app.workspace();
     this.names = content.jobs.map((/** @type {any} */ each) => each.name);
     const of = (/** @type {string} */ kind) => content.jobs.filter((/** @type {any} */ each) => each.kind === kind).map((/** @type {any} */ each) => each.name);
-    const used = content.parts.map((/** @type {string} */ name) => h("li", {}, name, " ", h("button", { type: "button", onclick: () => this.#job({ name, kind: "part", unit: true }) }, "Make a job")));
+    const used = content.parts.map((/** @type {string} */ name) => h("li", {}, name, " ", h("button", { type: "button", onclick: () => this.#job({ name, unit: /\.(step|stp)$/i.test(name) }) }, "Make a job")));
     fill(
       this.lists,
       list("Job files", links(of("job"), "shape"), "None yet. Choose a family below; its job file appears here."),
@@ -143,7 +143,7 @@ class Start {
       fill(this.answer);
       return this.#open({ part: sent.name }, this.#free(stem));
     }
-    const size = (/** @type {string} */ unit) => sent.size.map((/** @type {number} */ side) => Number((1000 * side).toPrecision(3))).join(" × ") + ` ${unit}`;
+    const size = (/** @type {string} */ unit) => (sent.size ?? []).map((/** @type {number} */ side) => Number((1000 * side).toPrecision(3))).join(" × ").concat(" ", unit).trim();
     const buttons = UNITS.map((unit) => h("button", { type: "button", "data-unit": unit, onclick: () => this.#open({ part: sent.name, unit }, this.#free(stem)) }, size(unit)));
     fill(this.answer, h("div", { class: "card" }, h("h2", {}, `In which unit is '${sent.name}'?`), h("p", { class: "quiet" }, "The file does not say it. How large is the part?"), h("div", { class: "row wrap" }, ...buttons)));
     buttons[0].focus();

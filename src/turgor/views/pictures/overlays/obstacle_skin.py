@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.whole import ITSELF, MirrorPlane
+from turgor.core.geometry.cad.symmetry.whole import ITSELF, MirrorPlane
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.results.fields.contact import drawn_obstacles, place_of
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields

@@ -186,6 +186,11 @@ class Stage {
     this.#draft(on && this.slow);
   }
 
+  // Draw roughly while a source moves, where a processor draws; without it all is drawn again.
+  quick(on) {
+    this.#draft(on && this.slow);
+  }
+
   // Two frames after each other that are late, and not because the pointer rested, make the next ones rough.
   #watch(time) {
     const passed = this.before === null ? 0 : time - this.before;

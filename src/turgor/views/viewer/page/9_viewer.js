@@ -100,8 +100,9 @@ class Viewer {
   }
 
   #first() {
+    for (const name of ["obstacles", "threads", "path"]) this.find(name).parentElement.hidden = !this.body[name];
     this.show(0);
-    this.body.keepRest();
+    if (this.values.steps.length > 1) this.body.keepRest();
     if (this.values.fields.length) this.field(0);
     this.show(this.values.steps.length - 1);
     this.stage.now();
@@ -254,7 +255,6 @@ class Viewer {
     for (const [name, change] of Object.entries(toggles)) {
       this.find(name).addEventListener("change", (event) => change(event.target.checked));
     }
-    for (const name of ["obstacles", "threads", "path"]) this.find(name).parentElement.hidden = !this.body[name];
     for (const name of ["axis", "turned", "place"]) this.find(name).addEventListener("input", () => this.cut());
     const views = { start: [AZIMUTH, ELEVATION], front: [0, 0], side: [Math.PI / 2, 0], top: [0, Math.PI / 2 - 1e-4] };
     for (const [name, way] of Object.entries(views)) this.find(name).addEventListener("click", () => this.stage.look(...way));
@@ -326,6 +326,7 @@ async function mountViewer(place, markup, values) {
   place.innerHTML = markup;
   const viewer = new Viewer(place.querySelector(".viewer"), values);
   await viewer.start();
+  viewer.root.viewer = viewer;
   return viewer;
 }
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.reference import CELL_QUADRATURE_DEGREE, product_rule, reference_cell
-from turgor.core.geometry.whole import Image
+from turgor.core.geometry.cad.symmetry.whole import Image
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.shape.settings import SHAPE
 
