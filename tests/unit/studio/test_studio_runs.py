@@ -13,7 +13,7 @@ from refused import refused
 from turgor.core.results.measures.measures import bending_angle, measure
 from turgor.foundation.response import COLUMN_UNITS
 from turgor.studio.children.children import Child, Children
-from turgor.studio.children.run_folders import listed
+from turgor.studio.children.run_folders import listed, status_of
 from turgor.studio.children.tables import UNITS, columns_of
 from turgor.studio.settings import STUDIO
 from turgor.studio.tasks.runs.checks import check, coarse_changes, loads_of
@@ -113,6 +113,23 @@ def test_a_manifest_cannot_name_files_elsewhere(tmp_path):
     names = ["response.csv", "../secret.txt", str(tmp_path / "secret.txt"), "link.csv", "missing.csv"]
     (run / ".turgor-files.json").write_text(json.dumps({"files": names}))
     assert listed(run) == {"response.csv"}
+
+
+@pytest.mark.parametrize(
+    ("line", "state"), [("solved to the end: Reached 1 kPa.", "ended"), ("limit point: Fell.", "early")]
+)
+def test_a_run_that_ended_early_says_so(tmp_path, line, state):
+    folder = tmp_path / "a-results"
+    (folder / "path").mkdir(parents=True)
+    (folder / "path" / "solution.turgor").touch()
+    (folder / ".turgor-files.json").write_text("{}")
+    (folder / "run.log").write_text(
+        f"solving\nstep 1: load factor 0.4, 3 iterations\n{line}\n1 steps accepted, 0 cut back\n"
+    )
+    workspace = Workspace(tmp_path)
+    status = status_of(workspace, Children(workspace), "a-results")
+    assert (status["state"], status["message"]) == (state, line.removeprefix("solved to the end: "))
+    assert status["progress"] == (1.0 if state == "ended" else 0.4)
 
 
 def test_a_problem_has_a_line_and_the_near_match_as_a_fix(tmp_path):

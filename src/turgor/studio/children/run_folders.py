@@ -1,6 +1,7 @@
 """Run folders: how a run goes or has gone, from the files on disk, whoever has started it."""
 
 import re
+from itertools import pairwise
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -16,7 +17,12 @@ RESPONSE, LOG, LOCK, IN_USE = "response.csv", "run.log", "job.lock.toml", ".in-u
 #: End of the folder of a coarse run, whose numbers the page marks.
 COARSE = "-draft"
 
+#: States of a run that has ended by itself.
+ENDED = ("ended", "early")
+
 _FINDING = re.compile(r"([A-Z]\d\d) (error|warning|note): (.+)")
+_COMPLETE = "solved to the end: "
+_COUNT = re.compile(r"\d+ steps accepted, ")
 _STEP = re.compile(r"load factor ([\d.eE+-]+)")
 
 
@@ -46,7 +52,7 @@ def status_of(workspace: Workspace, children: Children, name: str, *, curve: boo
         "job": "" if child is None else child.job,
         "coarse": name.endswith(COARSE),
         "state": state,
-        "message": _message(state, lines, child),
+        "message": _ending(folder).removeprefix(_COMPLETE) if state in ENDED else _message(state, lines, child),
         "progress": _progress(state, lines),
         "started": _started(folder, child),
         "states": len(list((folder / "path").glob("state-*.turgor"))),
@@ -57,20 +63,21 @@ def status_of(workspace: Workspace, children: Children, name: str, *, curve: boo
     return short | {
         "columns": columns_of(folder / RESPONSE),
         "log": lines[-STUDIO.lines :],
-        "findings": _findings(lines if state != "ended" else _text(folder / LOG)),
+        "findings": _findings(_text(folder / LOG) if state in ENDED else lines),
         "files": sorted(listed(folder)),
     }
 
 
 def _state(folder: Path, child: Child | None) -> str:
-    """State of a run: running, ended, paused, failed or elsewhere."""
+    """State of a run: running, ended, early (before the full load), paused, failed or elsewhere."""
     if child is not None and child.alive:
         return "running"
     path = folder / "path"
     if child is None and (folder / IN_USE).exists():
         return "elsewhere"
     if (path / "solution.turgor").exists():
-        return "ended"
+        ending = _ending(folder)
+        return "early" if ending and not ending.startswith(_COMPLETE) else "ended"
     if any(path.glob("state-*.turgor")):
         return "paused" if child is None or child.code in (None, -2, -9, 130) else "failed"
     return "failed"
@@ -82,11 +89,14 @@ def _message(state: str, lines: list[str], child: Child | None) -> str:
         if child is not None and child.code in (-2, -9, 130):
             return "It was stopped before its first state."
         return said[-1] if said else "It ended before its first state."
-    ends = [line for line in lines if line.startswith(("solved to the end:", "Reached", "Stopped"))]
-    if state == "ended" and ends:
-        return ends[-1].removeprefix("solved to the end: ")
     talking = [re.sub(r"^\[ *[\d:]+\] ", "", line) for line in lines if line.startswith("[")]
     return talking[-1] if talking and state == "running" else ""
+
+
+def _ending(folder: Path) -> str:
+    """How the solve of a run has ended, as its log says: the line before the number of steps."""
+    lines = _text(folder / LOG)
+    return next((line for line, after in pairwise(lines) if _COUNT.match(after)), "")
 
 
 def _progress(state: str, lines: list[str]) -> float:

@@ -5,7 +5,7 @@ import { h, say } from "../dom.js";
 import { duration } from "./numbers.js";
 
 /** Words for the states of a run. @type {Record<string, string>} */
-const WORDS = { running: "is being solved", ended: "has ended", paused: "is paused", failed: "failed", elsewhere: "is being solved elsewhere" };
+const WORDS = { running: "is being solved", ended: "has ended", early: "ended early", paused: "is paused", failed: "failed", elsewhere: "is being solved elsewhere" };
 
 /** @param {string} name */
 export const statusOf = (name) => get(`/api/runs/status?run=${part(name)}`);

@@ -155,8 +155,9 @@ class Solve {
       const runs = await Promise.all(own.map((/** @type {any} */ each) => statusOf(each.name)));
       const before = JSON.stringify(this.runs);
       this.runs = runs.map((each) => ({ ...each, job: each.job || this.job.name }));
-      if (!this.alive || (before === JSON.stringify(this.runs) && this.list.childElementCount)) return;
-      this.draw();
+      if (!this.alive) return;
+      if (before !== JSON.stringify(this.runs) || !this.list.childElementCount) this.draw();
+      else this.drawShape();
     } catch (error) {
       if (!(error instanceof Refused) || error.status) throw error; // the server comes back
     }
@@ -208,10 +209,10 @@ class Solve {
     try {
       const scene = await sceneOf(run.name, "live");
       if (!scene || !this.alive) return;
-      const camera = drawn.name === run.name && this.viewer ? { position: this.viewer.stage.camera.position.clone(), target: this.viewer.stage.controls.target.clone(), zoom: this.viewer.stage.camera.zoom } : null;
+      const from = drawn.name === run.name && this.viewer ? direction(this.viewer.stage) : null;
       this.viewer?.close();
       this.viewer = await picture(this.shape, scene);
-      if (camera) turn(this.viewer.stage, camera);
+      if (from) this.viewer.stage.look(...from);
       fill(this.shapeTitle, `Shape of ${run.name} `, ...[badge(run.coarse)].filter(Boolean));
       Object.assign(drawn, { name: run.name, states: run.states });
     } catch {
@@ -223,14 +224,10 @@ class Solve {
   }
 }
 
-/** Look from where one looked before. @param {any} stage @param {{position: any, target: any, zoom: number}} camera */
-function turn(stage, camera) {
-  stage.camera.position.copy(camera.position);
-  stage.controls.target.copy(camera.target);
-  stage.camera.zoom = camera.zoom;
-  stage.camera.updateProjectionMatrix();
-  stage.controls.update();
-  stage.now();
+/** From where one looks: azimuth and elevation, as the stage takes them. @param {any} stage @returns {[number, number]} */
+function direction(stage) {
+  const [x, y, z] = stage.camera.position.clone().sub(stage.controls.target).normalize().toArray();
+  return [Math.atan2(x, -y), Math.asin(Math.max(-1, Math.min(1, z)))];
 }
 
 /** The column against which a run is drawn. @param {any} run */
