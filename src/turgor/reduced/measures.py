@@ -131,7 +131,7 @@ def _along(reduced: Reduced) -> list[ReducedState]:
     answers, box = [], reduced.inputs
     for share in SHARES:
         try:
-            answers.append(reduced.at(box.at_shares(share)))
+            answers.append(reduced.at(box.at_shares(np.full(len(box.keys), share))))
         except NotSolved:
             continue
     return answers

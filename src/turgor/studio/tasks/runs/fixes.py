@@ -103,10 +103,10 @@ def problem_of(text: str, file: str, content: Mapping[str, Any]) -> dict[str, An
 
     Examples
     --------
-    >>> text = "finger.toml:4: mesh.sise: unknown key 'sise'; did you mean 'size'? Known keys: size."
-    >>> problem = problem_of(text, "finger.toml", {"mesh": {"sise": "3 mm"}})
+    >>> text = "finger.toml:4: mesh.sizes: unknown key 'sizes'; did you mean 'size'? Known keys: size."
+    >>> problem = problem_of(text, "finger.toml", {"mesh": {"sizes": "3 mm"}})
     >>> problem["line"], problem["key"], problem["fixes"][0]["values"]
-    (4, 'mesh.sise', {'mesh.sise': None, 'mesh.size': '3 mm'})
+    (4, 'mesh.sizes', {'mesh.sizes': None, 'mesh.size': '3 mm'})
     """
     match = _PROBLEM.fullmatch(text)
     if match is None:
