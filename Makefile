@@ -64,8 +64,9 @@ lint: $(DEV)
 	$(BIN)/lint-imports --no-logo
 	$(BIN)/mypy
 	$(BIN)/typos
-	@if command -v npx > /dev/null; then npx --yes -p typescript@5.9.3 tsc -p src/turgor/studio/page/jsconfig.json; \
-	else echo "no npx here: the types of the studio's page are not checked"; fi
+	@if npx --yes -p typescript@5.9.3 tsc --version > /dev/null 2>&1; then \
+	  npx --yes -p typescript@5.9.3 tsc -p src/turgor/studio/page/jsconfig.json; \
+	else echo "TypeScript cannot be fetched here: the types of the studio's page are not checked"; fi
 
 format: $(DEV)
 	$(BIN)/ruff check --fix

@@ -2,7 +2,7 @@
 
 /**
  * What a screen shows. A screen may state `python` and `shell` itself; `name` is of a job, run, study or reduced model.
- * @typedef {{screen: string, name?: string, job?: string, python?: string, shell?: string, inputs?: any[], options?: string[]}} Seen
+ * @typedef {{screen: string, name?: string, job?: string, study?: string, kind?: string, folder?: string, python?: string, shell?: string, inputs?: any[], options?: string[]}} Seen
  */
 
 /** A text for Python. @param {string} text */
@@ -10,7 +10,7 @@ const quoted = (text) => JSON.stringify(text);
 /** A word for the shell. @param {string} text */
 const word = (text) => (/^[\w./:=+-]+$/.test(text) ? text : `'${text.replaceAll("'", `'\\''`)}'`);
 /** A path with another ending. @param {string} name @param {string} ending */
-const beside = (name, ending) => name.replace(/\.toml$/, "") + ending;
+const withEnding = (name, ending) => name.replace(/\.toml$/, "") + ending;
 
 /** @type {Record<string, (seen: Seen) => {python: string, shell: string}>} */
 const OF = {
@@ -27,17 +27,23 @@ const OF = {
     shell: `turgor check ${word(job)}`,
   }),
   solve: ({ job = "" }) => ({
-    python: `job = tg.jobs.read_job(${quoted(job)})\noutcome = tg.jobs.run_job(job, ${quoted(beside(job, "-results"))})`,
-    shell: `turgor check ${word(job)}\nturgor run ${word(job)} -o ${word(beside(job, "-results"))}`,
+    python: `job = tg.jobs.read_job(${quoted(job)})\noutcome = tg.jobs.run_job(job, ${quoted(withEnding(job, "-results"))})`,
+    shell: `turgor check ${word(job)}\nturgor run ${word(job)} -o ${word(withEnding(job, "-results"))}`,
   }),
   look: ({ name = "" }) => ({
     python: `solution = tg.load(${quoted(name)})\nresponse = tg.measure(solution)\nprint(response)\ntg.pictures.viewer(solution, response=response).save("viewer.html")`,
     shell: `turgor measure ${word(name)}\nturgor report ${word(name)}`,
   }),
-  decide: ({ job = "" }) => ({
-    python: `study = tg.studies.read_study_file(${quoted(job)})`,
-    shell: `turgor sweep ${word(job)}        # or optimize, calibrate, uncertainty`,
-  }),
+  decide: ({ job = "", study, kind = "sweep", folder = "" }) =>
+    study
+      ? {
+          python: kind === "sweep" ? `study = tg.studies.load_study(${quoted(folder)})\nprint(study)` : `study = tg.studies.read_study_file(${quoted(study)})\nprint(study)`,
+          shell: `turgor ${kind} ${word(study)}`,
+        }
+      : {
+          python: `job = tg.jobs.read_job(${quoted(job)})  # the form writes a study of it, a file of its own\nprint(job)`,
+          shell: `turgor check ${word(job)}\n# then the study that the form has written: turgor sweep STUDY.toml`,
+        },
   materials: ({ job = "" }) => ({
     python: `job = tg.jobs.read_job(${quoted(job)})\nfor region, material in job.materials.items():\n    print(region, material)`,
     shell: "turgor materials list\nturgor materials plot ecoflex-00-30\nturgor fit tests.csv --laws yeoh,gent -o fits",

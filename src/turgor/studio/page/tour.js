@@ -52,7 +52,9 @@ export function tour(place, again = false) {
     point();
     pointed = document.querySelector(STEPS[to].at);
     pointed?.classList.add("pointed");
-    pointed?.scrollIntoView({ block: "nearest" });
+    const box = pointed?.getBoundingClientRect();
+    // what is larger than the window stays where it is: else its title would be out of sight
+    if (box && box.height < window.innerHeight && (box.top < 0 || box.bottom > window.innerHeight)) pointed?.scrollIntoView({ block: "nearest" });
     title.textContent = STEPS[to].title;
     text.textContent = STEPS[to].text;
     count.textContent = `${to + 1} of ${STEPS.length}`;

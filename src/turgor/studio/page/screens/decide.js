@@ -86,6 +86,7 @@ class Decide {
     if (!this.alive || text === this.known) return;
     this.known = text;
     this.status = status;
+    this.app.seen = { ...this.app.seen, study: this.study, kind: this.kind, folder: status.folder };
     this.draw();
   }
 
