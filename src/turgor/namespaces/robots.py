@@ -8,6 +8,8 @@ if TYPE_CHECKING:
     from turgor.systems.robots.chains.chain import Chain as Chain
     from turgor.systems.robots.chains.chain_of import FittedChain as FittedChain
     from turgor.systems.robots.chains.chain_of import chain_of as chain_of
+    from turgor.systems.robots.chains.chain_of_rod import RodChain as RodChain
+    from turgor.systems.robots.chains.chain_of_rod import chain_of_rod as chain_of_rod
     from turgor.systems.robots.chains.mjcf import MjcfOptions as MjcfOptions
     from turgor.systems.robots.chains.mjcf import write_mechanism as write_mechanism
     from turgor.systems.robots.chains.mjcf import write_mjcf as write_mjcf
