@@ -54,5 +54,6 @@ def _write(folder: Path, name: str, mechanism: "Mechanism", states: "dict[str, A
 
     list_files(folder, FILES)
     lines = {arm: state.line for arm, state in states.items()}
-    write_mechanism_plot(folder / FILES[0], lines, mechanism.object, title=name)
+    radii = {arm: state.chain.capsules[:, 6] for arm, state in states.items()}
+    write_mechanism_plot(folder / FILES[0], lines, radii, mechanism.object, title=name)
     write_mechanism({arm: state.chain for arm, state in states.items()}, mechanism.object, folder / FILES[1], name=name)
