@@ -176,7 +176,7 @@ def test_version_actuators_and_materials(capsys: pytest.CaptureFixture[str]) -> 
     assert "\nsymmetric = true\n" in out
     assert main(["materials"]) == DONE
     out = capsys.readouterr().out
-    assert "  yeoh-mosadegh-2014: yeoh, C1 = 0.11 MPa, C2 = 0.02 MPa; B. Mosadegh" in out
+    assert re.search(r"^elastosil-m4601 .* yeoh-mosadegh-2014$", out, re.MULTILINE)
     assert main([]) == BAD_INPUT
     assert "Exit codes:" in capsys.readouterr().out
 

@@ -497,7 +497,7 @@ def test_jobs_of_one_actuator_and_equal_settings_share_a_mesh(tmp_path: Path) ->
     ("before", "after"),
     [
         ("", ""),
-        ('size = "3 mm"', 'cells = "hexahedra"'),
+        ('size = "3 mm"', 'size = "5 mm"\ncells = "hexahedra"'),  # rows of finer cells have 20 nodes
         ("[loads]", "[contact]\nself_contact = false\n\n[loads]"),
         (
             'base = { library = "elastosil-m4601", record = "yeoh-mosadegh-2014" }',

@@ -1,7 +1,7 @@
 """Answer: an equilibrium of a reduced model, with its rates and its estimated error."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -29,7 +29,7 @@ class ReducedState(Shown):
     y : (r + m,) array
         Coordinates of displacement and mean stress.
     rates : (r + m, n) array
-        Their derivatives by the inputs, before the last update; they miss some 1e-4 at most.
+        Their derivatives by the inputs, before the last update; they miss some 1e-4 at most, see `with_own_rates`.
     indicator : float [-]
         How far the coordinates move with other sampled points, over the largest that were trained: a share of the
         error that the sampling makes.
@@ -65,6 +65,11 @@ class ReducedState(Shown):
     def __repr__(self) -> str:
         text = self.reduced.inputs.text(self.inputs)
         return f"ReducedState({text}, estimated error {self.estimate:.1e}, {self.iterations} iterations)"
+
+    def with_own_rates(self) -> "ReducedState":
+        """Return it with the derivatives at the equilibrium itself, which take one more evaluation of the equations."""
+        at = self.reduced.equations.at(self.y, np.concatenate([[1.0], self.inputs]))
+        return replace(self, rates=-np.linalg.solve(at.tangent(), at.by_inputs()[:, 1:]))
 
     @property
     def doubtful(self) -> bool:

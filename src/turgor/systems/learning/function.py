@@ -72,7 +72,7 @@ class ReducedFunction(Shown):
             if not np.isfinite(row).all():
                 raise TurgorError(f"the inputs are {row.tolist()}; finite numbers are needed.")
             self.reduced.inputs.check(row)
-            rows.append(self.of_state(self.reduced.at(row)))
+            rows.append(self.of_state(self.reduced.at(row).with_own_rates()))
         shape, m = table.shape[:-1], len(self.names)
         values = np.array([each for each, _ in rows]).reshape(*shape, m)
         return values, np.array([each for _, each in rows]).reshape(*shape, m, n)

@@ -25,8 +25,8 @@ def test_force_follows_a_target_and_is_that_of_the_full_model():
     """From a first target that no contact meets, and again after contact was lost."""
     path = np.concatenate([[0.0], FORCES])
     track = tg.control.track(pressing(), path, output=tg.control.ContactForce("plate"), limits=limits())
-    assert track.reached[:, 0] == pytest.approx(path, abs=1e-5)
-    assert track.response()["force_plate"] == pytest.approx(path, abs=1e-5)
+    assert track.reached[:, 0] == pytest.approx(path, rel=1e-3, abs=1e-5)
+    assert track.response()["force_plate"] == pytest.approx(path, rel=1e-3, abs=1e-5)
     for row in (1, 3):
         full = tg.real_time.verified(track.states[row], tg.EngineOptions(threads=1)).state
         assert force_on("plate")(full) == pytest.approx(path[row], rel=0.005)

@@ -66,18 +66,19 @@ def _of_two_chambers(file: Path, finger: "FastPneuNet") -> "Response":
     For the demo finger with 11 chambers, both as drafts, it is 6 to 10 % more than that of the whole one up to 18 kPa.
     """
     from turgor.core.results.measures.measures import find_measure, measure
-    from turgor.core.solvers.procedures.static import Static
     from turgor.core.solvers.solve import solve
+    from turgor.foundation.registry import name_in
     from turgor.foundation.response import Column
     from turgor.job.prepare import prepare
     from turgor.job.read import read_job
+    from turgor.job.tables.procedures import PROCEDURES
     from turgor.job.text.overrides import parse_changes
     from turgor.studio.tasks.runs.checks import coarse_of
 
     count = finger.chambers
     length = f"{2e3 * finger.length / count:.9g} mm"
     changes = parse_changes(coarse_of(file)) | {"actuator.chambers": 2, "actuator.length": length}
-    if isinstance(read_job(file).procedure, Static):
+    if name_in(PROCEDURES, read_job(file).procedure) == "static":
         changes |= {"procedure.first_step": FIRST, "procedure.max_step": LONGEST}
     short = read_job(file, changes)
     solution = solve(prepare(short)[0], short.procedure, throw=False, progress=False)

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree as Xml
 
 import numpy as np
@@ -10,13 +11,11 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from turgor.core.meshing.exchange.formats.write_stl import closed_surface
-from turgor.core.model.obstacles.box import Box
-from turgor.core.model.obstacles.cylinder import Cylinder
-from turgor.core.model.obstacles.plane import Plane
 from turgor.core.model.obstacles.rigid_shape import RigidShape
-from turgor.core.model.obstacles.sphere import Sphere
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.registry import name_in
 from turgor.foundation.store.atomic_files import whole
+from turgor.job.tables.obstacles import SHAPES
 from turgor.systems.robots.chains.chain import SLIDE, Chain
 from turgor.systems.robots.chains.chain_of import FittedChain
 
@@ -134,21 +133,22 @@ def write_mechanism(
 
 def _add_object(world: Xml.Element, shape: RigidShape) -> None:
     """Add an object to the element ``worldbody``; what MuJoCo has no geometry for is a comment."""
-    match shape:
-        case Sphere():
-            geometry = {"type": "sphere", "size": numbers(shape.radius), "pos": numbers(shape.center)}
-        case Plane():  # sizes of 0: without end
-            geometry = {"type": "plane", "size": "0 0 0.01", "pos": numbers(shape.point)}
-            geometry["zaxis"] = numbers(shape.normal)
-        case Cylinder():
-            half = MJCF.endless if shape.length is None else shape.length / 2
-            geometry = {"type": "cylinder", "size": numbers([shape.radius, half]), "pos": numbers(shape.center)}
-            geometry["zaxis"] = numbers(shape.axis)
-        case Box():
-            if shape.rounding:
+    given: Any = shape
+    match name_in(SHAPES, shape):
+        case "sphere":
+            geometry = {"type": "sphere", "size": numbers(given.radius), "pos": numbers(given.center)}
+        case "plane":  # sizes of 0: without end
+            geometry = {"type": "plane", "size": "0 0 0.01", "pos": numbers(given.point)}
+            geometry["zaxis"] = numbers(given.normal)
+        case "cylinder":
+            half = MJCF.endless if given.length is None else given.length / 2
+            geometry = {"type": "cylinder", "size": numbers([given.radius, half]), "pos": numbers(given.center)}
+            geometry["zaxis"] = numbers(given.axis)
+        case "box":
+            if given.rounding:
                 world.append(Xml.Comment(f" the edges of the object are sharp here: {shape.text()} "))
-            half_sizes = [length / 2 for length in shape.size]
-            geometry = {"type": "box", "size": numbers(half_sizes), "pos": numbers(shape.center)}
+            half_sizes = [length / 2 for length in given.size]
+            geometry = {"type": "box", "size": numbers(half_sizes), "pos": numbers(given.center)}
         case _:
             world.append(Xml.Comment(f" the object is left out: {shape.text()} "))
             return
