@@ -29,6 +29,7 @@ def test_a_bellows_extends_by_a_fifth_of_its_length() -> None:
     assert response.column("cavity_volume")[-1] > 1.4 * response.column("cavity_volume")[0]
 
 
+@pytest.mark.slow
 def test_the_meridian_of_a_bellows_moves_as_a_fine_one_does() -> None:
     # 9.025 mm at 0.6 mm, 9.022 mm at 1 mm; a quarter of 888 hexahedra moves by 9.016 mm
     assert at_the_end(read_job(JOBS.parent / "axisymmetric_bellows.toml"))["tip_displacement_x"] == pytest.approx(
@@ -36,6 +37,7 @@ def test_the_meridian_of_a_bellows_moves_as_a_fine_one_does() -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_quarter_of_a_bellows_moves_as_its_half_does() -> None:
     job = example("bellows_of_revolution")
     quarter = replace(job, actuator=replace(job.actuator, folds=1))
@@ -68,6 +70,7 @@ def test_two_chambers_bend_it_back_and_three_stretch_it() -> None:
     ("name", "pressure", "angle", "error"),
     [("three_extenders", 3 * kPa, 0.92, 0.03), ("parallel_bellows", 1.5 * kPa, 7.99, 0.05)],  # of references
 )
+@pytest.mark.slow
 def test_one_cylinder_tilts_the_plate_away_and_three_push_it_straight_on(name, pressure, angle, error) -> None:
     one, all_three = driven(name, pressure, 0.0), driven(name, pressure, pressure)
     assert one["bending_angle"] == pytest.approx(angle * deg, rel=error)

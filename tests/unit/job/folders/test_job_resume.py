@@ -175,6 +175,7 @@ def test_a_report_writes_the_fields_where_they_are_not_those_of_the_path(file, t
     assert reported()
 
 
+@pytest.mark.slow
 def test_a_report_draws_the_pictures_that_do_not_show_the_path(file, tmp_path):
     job = read_job(file)
     folder = run_job(replace(job, output=replace(job.output, pictures=True)), tmp_path / "run", threads=1).folder
@@ -198,6 +199,7 @@ def test_a_report_draws_the_pictures_that_do_not_show_the_path(file, tmp_path):
     assert drawn() == [each.name for each in pictures]
 
 
+@pytest.mark.slow
 def test_a_report_evaluates_each_state_once(file, tmp_path, monkeypatch):
     job = read_job(file)
     shown = replace(job.output, pictures=True, report=True)
