@@ -5,7 +5,7 @@ import { fill, h } from "./dom.js";
 import { words } from "./form.js";
 import { picture } from "./picture.js";
 
-/** Colors of what stands on faces, told apart by color-blind readers too (Okabe and Ito 2008). */
+/** Colors of what stands on faces, distinct for color-blind readers too (Okabe and Ito 2008). */
 export const COLORS = { support: "#0072b2", pressure: "#56b4e9", force: "#d55e00", layer: "#009e73", fibers: "#cc79a7", named: "#e69f00" };
 
 /** The shape of a job in a picture; it is drawn again in place when the job changes. */
@@ -108,5 +108,21 @@ export function coalesced(call) {
       await call();
     } while (again);
     running = false;
+  };
+}
+
+/**
+ * Show a screen with faces, and draw it again after each change of the job; the result ends it.
+ * @param {HTMLElement} place @param {import("./main.js").App} app @param {string} title
+ * @param {{element: Element, faces: Faces, draw: () => Promise<any>}} screen
+ */
+export async function follow(place, app, title, screen) {
+  place.append(h("h1", {}, title), screen.element);
+  const draw = coalesced(() => screen.draw());
+  app.job.addEventListener("change", draw);
+  await draw();
+  return () => {
+    app.job.removeEventListener("change", draw);
+    screen.faces.close();
   };
 }

@@ -1,4 +1,4 @@
-// Code: the job file as text with its problems beside their lines, and what repeats the screen before.
+// Code: the job file as text with its problems at their lines, and what repeats the screen before.
 
 import { get, part } from "../api.js";
 import { fill, h, later, say } from "../dom.js";

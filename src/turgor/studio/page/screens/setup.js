@@ -2,14 +2,14 @@
 
 import { get, part } from "../api.js";
 import { fill, h } from "../dom.js";
-import { COLORS, coalesced, Faces, shapeOf } from "../faces.js";
+import { COLORS, Faces, follow, shapeOf } from "../faces.js";
 import { Form, words, written } from "../form.js";
 
 const DIRECTIONS = ["-z", "+z", "-x", "+x", "-y", "+y"];
 const SUPPORTS = ["xyz", "x", "y", "z", "xy", "xz", "yz", "radial", "plane section"];
 
 /** Words of each support. @type {Record<string, string>} */
-const HELD = { xyz: "clamped", radial: "keeps its radius", "plane section": "stays plane" };
+const WORDS_OF = { xyz: "clamped", radial: "keeps its radius", "plane section": "stays plane" };
 
 /** A sheet and a winding to begin with. */
 const SHEET = { library: "paper", record: "hooke-polygerinos-2020", thickness: "0.1 mm" };
@@ -17,16 +17,8 @@ const STATED = ["name", "law", "E", "nu", "density"]; // keys of a fiber that is
 const WINDING = { library: "kevlar-fiber", angle_from_circumference: "0 deg", spacing: "3 mm" };
 
 /** @param {HTMLElement} place @param {import("../main.js").App} app */
-export async function show(place, app) {
-  const screen = new Setup(app);
-  place.append(h("h1", {}, "Loads"), screen.element);
-  const draw = coalesced(() => screen.draw());
-  app.job.addEventListener("change", draw);
-  await draw();
-  return () => {
-    app.job.removeEventListener("change", draw);
-    screen.faces.close();
-  };
+export function show(place, app) {
+  return follow(place, app, "Loads", new Setup(app));
 }
 
 class Setup {
@@ -115,10 +107,10 @@ class Setup {
   }
 
   #holds() {
-    const entries = Object.entries(this.#supports).map(([face, how]) => h("li", {}, h("button", { type: "button", class: "link", onclick: () => this.#choose(face) }, words(face)), ` ${HELD[how] ?? `fixed along ${how}`}`));
+    const entries = Object.entries(this.#supports).map(([face, how]) => h("li", {}, h("button", { type: "button", class: "link", onclick: () => this.#choose(face) }, words(face)), ` ${WORDS_OF[how] ?? `fixed along ${how}`}`));
     const mirrors = this.job.faces.filter((/** @type {string} */ face) => face.startsWith("symmetry_"));
     const half = mirrors.length ? h("p", { class: "quiet" }, `Modeled is a ${mirrors.length > 1 ? "quarter" : "half"}; its cut faces are supported by themselves.`) : "";
-    const none = h("p", { class: "note" }, "Nothing is held, so the part can fly away. Click a face and clamp it.");
+    const none = h("p", { class: "note" }, "Nothing is fixed, so the part can fly away. Click a face and clamp it.");
     return h("div", { class: "card" }, h("h2", {}, "Supports"), entries.length ? h("ul", {}, ...entries) : none, half);
   }
 
@@ -194,7 +186,7 @@ class Setup {
   #supportOf(face) {
     const now = this.#supports[face] ?? "";
     const select = h("select", { id: "support", onchange: (/** @type {any} */ event) => this.#hold(face, event.target.value || null) },
-      h("option", { value: "" }, "free"), ...SUPPORTS.map((each) => h("option", { value: each }, HELD[each] ? `${HELD[each]}` : `fixed along ${each}`)));
+      h("option", { value: "" }, "free"), ...SUPPORTS.map((each) => h("option", { value: each }, WORDS_OF[each] ? `${WORDS_OF[each]}` : `fixed along ${each}`)));
     if (now && !SUPPORTS.includes(now)) select.append(h("option", { value: now }, now));
     select.value = now;
     return h("p", { class: "row" }, h("label", { for: "support" }, "Support"), select);
@@ -255,7 +247,7 @@ class Setup {
       notes[face] = [notes[face], note].filter(Boolean).join(", ");
     };
     const loads = this.#table("loads");
-    for (const [face, how] of Object.entries(this.#supports)) put(face, "support", HELD[how] ?? `fixed ${how}`);
+    for (const [face, how] of Object.entries(this.#supports)) put(face, "support", WORDS_OF[how] ?? `fixed ${how}`);
     for (const name of this.job.cavities) {
       const own = typeof loads[name] === "object" ? loads[name].pressure : loads.pressure;
       if (own) put(name, "pressure", own);

@@ -1,7 +1,7 @@
 // Shape: the dimensions of an actuator, or the faces of a part from a file, with the picture and what follows from it.
 
 import { h, fill, say } from "../dom.js";
-import { COLORS, coalesced, Faces, shapeOf } from "../faces.js";
+import { COLORS, Faces, follow, shapeOf } from "../faces.js";
 import { Form, titled, words } from "../form.js";
 
 /** Names that supports, loads and measures look for. */
@@ -11,16 +11,8 @@ const NAMES = ["fixed", "tip", "strain_limiting_layer", "outside"];
 const QUALITIES = { draft: "a first look: a mesh error of 10 %", normal: "a mesh error of 2 %", fine: "a mesh error of 0.5 %; takes several times as long" };
 
 /** @param {HTMLElement} place @param {import("../main.js").App} app */
-export async function show(place, app) {
-  const screen = new Shape(app);
-  place.append(h("h1", {}, "Shape"), screen.element);
-  const draw = coalesced(() => screen.draw());
-  app.job.addEventListener("change", draw);
-  await draw();
-  return () => {
-    app.job.removeEventListener("change", draw);
-    screen.faces.close();
-  };
+export function show(place, app) {
+  return follow(place, app, "Shape", new Shape(app));
 }
 
 class Shape {
