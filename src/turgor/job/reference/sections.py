@@ -40,7 +40,7 @@ from turgor.job.tables.procedures import PROCEDURES, procedure_fields, procedure
 from turgor.job.tables.sections import read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_table
 from turgor.job.tables.stages import StageTable
-from turgor.job.tables.supports import MovedFaceTable, stated_supports
+from turgor.job.tables.supports import SupportTable, stated_supports
 from turgor.job.text.listed_loads import listed_kinds, listed_table, loads_model
 from turgor.job.text.load_tables import (
     CavityTable,
@@ -96,7 +96,7 @@ def section_tables(shape: Geometry | None = None) -> Iterator[JobTable]:
     yield from _materials(built)
     yield from _fibers(built)
     yield _supports()
-    yield _of(MovedFaceTable, "[supports.FACE]")
+    yield _of(SupportTable, "[supports.NAME]")
     yield from _loads(built)
     yield _points(built)
     yield from _contact(built)

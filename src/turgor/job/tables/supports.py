@@ -1,4 +1,4 @@
-"""Supports of a job file: for each face the directions in which it is fixed, how it is moved, or that it stays plane.
+"""Supports of a job file: for each face or place the directions in which it is fixed, its move, or that it stays plane.
 
 A file in `turgor.core.model.supports` whose class states ``job_texts`` is all that a new one needs.
 """
@@ -10,28 +10,51 @@ from typing import Any
 from pydantic import Field
 
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.model.supports import Displacement, Fixed, Shift, Support
+from turgor.core.model.supports import Displacement, Fixed, NodesAt, Shift, Support
 from turgor.foundation.errors import unknown
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.job.tables.obstacles import Lengths
+from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Table, read_table, shown
+from turgor.job.text.quantities import Coordinate, Table, read_table, shown
 
 
-class MovedFaceTable(Table):
-    """``[supports.FACE]``: a face that is moved, in proportion to the load factor.
+class SupportTable(Table):
+    """``[supports.NAME]``: a face that is moved; or an edge, a node or the nodes in a box that are fixed or moved.
+
+    One of ``edge``, ``near`` and ``box`` says where the nodes are, and NAME is any name. Without them it is that of a
+    face.
 
     Keys
     ----
     displacement : list of lengths
-        Where it is at the end, relative to where it was.
+        Where it is at the end, relative to where it was, in proportion to the load factor.
     directions : str
-        Directions in which it is prescribed; it is free in the others.
+        Directions in which it is fixed or moved; it is free in the others.
+    edge : list of str
+        Two faces: the nodes that both have.
+    near : (3,) lengths
+        The node nearest to this point.
+    box : two points
+        All nodes within the box between two corners.
     """
 
-    displacement: Lengths = Field(examples=['[0, 0, "5 mm"]'])
+    displacement: Lengths | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
     directions: str = "xyz"
+    edge: list[str] | None = Field(default=None, examples=['["fixed", "outside"]'])
+    near: list[Coordinate] | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
+    box: list[list[Coordinate]] | None = Field(default=None, examples=['[[0, 0, 0], ["10 mm", "10 mm", "2 mm"]]'])
 
+    def face_of(self, name: str) -> str | NodesAt:
+        """Return the place that the keys state, else the name, which is that of a face."""
+        if self.edge is None and self.near is None and self.box is None:
+            return name
+        edge, box = (None if each is None else tuple(each) for each in (self.edge, self.box))
+        return NodesAt(name, edge=edge, near=self.near, box=box)  # type: ignore[arg-type]
+
+
+#: Keys that say where the nodes of a support are.
+PLACES = ("edge", "near", "box")
 
 #: Supports by the name of their file: the classes in their folder.
 SUPPORTS: Registry[type[Support]] = Registry(
@@ -60,11 +83,11 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
     by_text = stated_supports()
     for face, stated in values.items():
         key = ("supports", face)
-        if geometry is not None and face not in geometry.faces:
+        if isinstance(stated, Mapping):
+            support = _of_table(face, stated, geometry, problems)
+            supports += [] if support is None else [support]
+        elif geometry is not None and face not in geometry.faces:
             problems.add(key, str(unknown("face", face, geometry.faces)))
-        elif isinstance(stated, Mapping):
-            moved = _moved(face, stated, problems)
-            supports += [] if moved is None else [moved]
         elif isinstance(stated, str) and stated in by_text:
             supports.append(by_text[stated](face))
         elif not isinstance(stated, str) or not stated or not set(stated) <= set("xyz"):
@@ -72,19 +95,26 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
             problems.add(
                 key,
                 f"{shown(stated)} is not allowed; name the fixed directions, such as 'xyz' or 'z', or one "
-                f'of {allowed}, or state a move, such as {{ displacement = [0, 0, "5 mm"] }}.',
+                f'of {allowed}, or state a move, such as {{ displacement = [0, 0, "5 mm"] }}, or an edge, such as '
+                '{ edge = ["fixed", "outside"], directions = "xyz" }.',
             )
         else:
             supports.append(Fixed(face, stated))
     return tuple(supports)
 
 
-def _moved(face: str, stated: Mapping[str, Any], problems: Problems) -> Displacement | None:
-    """Read the table of a face that is moved."""
-    key = ("supports", face)
-    table: MovedFaceTable | None = read_table(MovedFaceTable, stated, key, problems)
-    if table is None:
+def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, problems: Problems) -> Support | None:
+    """Read the table of a face that is moved, or of a place that is fixed or moved."""
+    key = ("supports", name)
+    table: SupportTable | None = read_table(SupportTable, stated, key, problems)
+    face = None if table is None else problems.attempt(key, partial(table.face_of, name), fields=PLACES)
+    if table is None or face is None or _unknown_faces(face, key, geometry, problems):
         return None
+    if table.displacement is None:
+        if isinstance(face, str):
+            problems.add(key, f'displacement is missing; to hold the face, write {name} = "{table.directions}".')
+            return None
+        return problems.attempt(key, partial(Fixed, face, table.directions))
     moved = problems.attempt(key, partial(Displacement, face, Shift(table.displacement), table.directions))
     free = [axis for axis, part in zip("xyz", table.displacement, strict=True) if part and axis not in table.directions]
     if moved is not None and free:
@@ -93,10 +123,21 @@ def _moved(face: str, stated: Mapping[str, Any], problems: Problems) -> Displace
     return moved
 
 
+def _unknown_faces(face: str | NodesAt, key: Key, geometry: Geometry | None, problems: Problems) -> bool:
+    """Report faces that the actuator lacks; return whether there are any."""
+    if geometry is None:
+        return False
+    named, where = ((face,), key) if isinstance(face, str) else (face.edge or (), (*key, "edge"))
+    wrong = [each for each in named if each not in geometry.faces]
+    for each in wrong:
+        problems.add(where, str(unknown("face", each, geometry.faces)))
+    return bool(wrong)
+
+
 def moves_a_face(supports: object) -> bool:
     """Return whether any support of a job file moves a face, which drives the actuator where no load does."""
     entries = supports.values() if isinstance(supports, Mapping) else ()
-    return any(isinstance(entry, Mapping) for entry in entries)
+    return any(isinstance(entry, Mapping) and "displacement" in entry for entry in entries)
 
 
 def supports_table(supports: Iterable[Support]) -> dict[str, Any]:

@@ -102,7 +102,11 @@ def _check(model: Model) -> None:
     for support in model.supports:
         if isinstance(support, Symmetry):
             continue  # the whole is written
-        if not isinstance(support, Fixed) or set(support.directions) != set("xyz") or support.face in model.points:
+        if (
+            not isinstance(support, Fixed)
+            or set(support.directions) != set("xyz")
+            or (support.face not in model.mesh.faces)
+        ):
             raise TurgorError(
                 f"a scene of SOFA has faces that are fixed in x, y and z; the model has: {support.text()}"
             )
@@ -141,7 +145,7 @@ def _sets(model: Model, body: LinearBody, materials: dict[str, SofaLaw]) -> dict
     falls: list[Any] = [load for load in model.loads if load.kind == "gravity"]
     for load in falls:
         weight = weight + np.array(load.direction) * load.acceleration / mm
-    fixed = [body.faces[support.face].ravel() for support in model.supports if isinstance(support, Fixed)]
+    fixed = [body.faces[support.place].ravel() for support in model.supports if isinstance(support, Fixed)]
     return {
         "regions": regions,
         "sheets": sheets,

@@ -1,6 +1,5 @@
 """Supports as prescribed displacement components."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,7 +12,6 @@ from turgor.core.engine.algebra.rings import AXIAL, TANGENTIAL, rings_of
 from turgor.core.engine.algebra.sections import Section, plane_sections
 from turgor.core.engine.points.point_unknowns import Carrier, carriers_of, with_carrier_points
 from turgor.core.engine.points.prescribed_motion import Turned, check_rigid, hold_points, rigid_ties
-from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.model import Model
 from turgor.core.model.supports import Support
 from turgor.core.model.supports.radial import ROUND
@@ -91,7 +89,8 @@ def prescribed_components(model: Model) -> PrescribedComponents:
         axes = support.components(model.mesh)
         if not axes:
             continue
-        nodes = _nodes(model, support.place, by_point)
+        point = by_point.get(support.place)
+        nodes = support.nodes(model.mesh) if point is None else np.array([point.node])
         (mirrored if support.mirror else mask)[nodes[:, None], axes] = True
         if support.moves:
             moving.append((nodes, axes, support))
@@ -108,12 +107,6 @@ def prescribed_components(model: Model) -> PrescribedComponents:
     if model.mesh.wedge is not None:
         prescribed = _with_cyclic(model, prescribed, mask, sections)
     return _with_rigid(prescribed, carriers)
-
-
-def _nodes(model: Model, place: str, points: Mapping[str, Carrier]) -> Ints:
-    if place in points:
-        return np.array([points[place].node])
-    return np.unique(outer_triangles(model.mesh)) if place == "*" else model.mesh.face_nodes(place)
 
 
 def _with_rigid(prescribed: PrescribedComponents, carriers: tuple[Carrier, ...]) -> PrescribedComponents:

@@ -10,6 +10,7 @@ from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
 from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
+from turgor.core.model.supports import NodesAt
 from turgor.foundation.errors import TurgorError
 from turgor.units import N, mm
 
@@ -195,9 +196,14 @@ class InpDeck:
         each = self.points[point]
         return _rows(each.turning, each.first, self.share * np.asarray(vector) / mm)
 
-    def fixed(self, face: str, directions: str) -> tuple[str, ...]:
-        """Rows by which a face does not move in directions."""
-        return tuple(f"{self.plain[face]}, {'xyz'.index(axis) + 1}" for axis in sorted(directions))
+    def fixed(self, face: str | NodesAt, directions: str) -> tuple[str, ...]:
+        """Rows by which a face, or the nodes of a place, does not move in directions."""
+        named = [self.plain[face]] if isinstance(face, str) else self._written(face.nodes(self.mesh))
+        return tuple(f"{each}, {'xyz'.index(axis) + 1}" for each in named for axis in sorted(directions))
+
+    def _written(self, nodes: NDArray[np.int64]) -> list[str]:
+        """Numbers of nodes in the file, which has hexahedra of 20 nodes."""
+        return [str(node + 1) for node in np.intersect1d(nodes, self.mesh.cells[:, :20]).tolist()]
 
     def mirror_plane(self, face: str) -> tuple[str, ...]:
         """Rows of a mirror plane, without the nodes of rigid faces, which follow their points and are not fixed too."""

@@ -105,8 +105,8 @@ class Deck(Protocol):
     def moment(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
         """Rows of a moment [N m] on a reference point, that on the whole actuator."""
 
-    def fixed(self, face: str, directions: str) -> tuple[str, ...]:
-        """Rows by which a face does not move in directions."""
+    def fixed(self, face: Any, directions: str) -> tuple[str, ...]:
+        """Rows by which a face, or the nodes of a `NodesAt`, does not move in directions."""
 
     def mirror_plane(self, face: str) -> tuple[str, ...]:
         """Rows by which a face does not move along its normal."""

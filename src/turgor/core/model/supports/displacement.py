@@ -9,9 +9,10 @@ import numpy as np
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, History, checked, share_at
 from turgor.core.model.loads.load import Deck, DeckRows
+from turgor.core.model.supports.nodes_at import NodesAt, checked_face, described
 from turgor.core.model.supports.support import Array, Support, check_directions
 from turgor.foundation.errors import TurgorError
-from turgor.foundation.given import Quantities, name, vector
+from turgor.foundation.given import Quantities, vector
 from turgor.units import format_quantity, mm
 
 #: Displacement of points [m] at a load factor.
@@ -24,8 +25,9 @@ class Displacement(Support):
 
     Parameters
     ----------
-    face : str
-        Name of the face, ``"*"`` for the whole surface of the body, or the name of a `ReferencePoint`.
+    face : str or NodesAt
+        Name of the face, ``"*"`` for the whole surface of the body, or the name of a `ReferencePoint`. Or an edge, a
+        node or the nodes in a box.
     value : callable, or (3,) floats [m]
         ``value(points, load_factor) -> (n, 3) displacement [m]`` of the (n, 3) reference points [m]. Three lengths
         stand for a `Shift` by them.
@@ -33,7 +35,7 @@ class Displacement(Support):
         Which components are prescribed.
     """
 
-    face: str
+    face: str | NodesAt
     value: Move
     directions: str = "xyz"
 
@@ -41,24 +43,24 @@ class Displacement(Support):
 
     if TYPE_CHECKING:
 
-        def __init__(self, face: str, value: Move | Quantities, directions: str = "xyz") -> None: ...
+        def __init__(self, face: str | NodesAt, value: Move | Quantities, directions: str = "xyz") -> None: ...
 
     def __post_init__(self) -> None:
-        name(self.face, "face of a displacement", "tip")
+        checked_face(self.face, "face of a displacement", "tip")
         value: object = self.value
         if not callable(value):
-            object.__setattr__(self, "value", Shift(vector(value, f"displacement of '{self.face}'", "length")))
-        check_directions(self.directions, f"displacement of '{self.face}'")
+            object.__setattr__(self, "value", Shift(vector(value, f"displacement of '{self.place}'", "length")))
+        check_directions(self.directions, f"displacement of '{self.place}'")
 
     @property
     def named_faces(self) -> tuple[str, ...]:
         """The face; none where the whole surface is moved."""
-        return () if self.face == "*" else (self.face,)
+        return (self.face,) if isinstance(self.face, str) and self.face != "*" else ()
 
     @property
     def prescribed(self) -> tuple[str, str]:
         """The face and the directions."""
-        return self.face, self.directions
+        return self.place, self.directions
 
     @property
     def way(self) -> History | None:
@@ -75,19 +77,19 @@ class Displacement(Support):
             If a function says where the face moves.
         """
         if not isinstance(self.value, Shift):
-            raise TurgorError(f"the displacement of '{self.face}' is a function, which has no form in a file.")
+            raise TurgorError(f"the displacement of '{self.place}' is a function, which has no form in a file.")
         return self.value.vector
 
     def check(self, mesh: Mesh) -> None:
         """Refuse a `Shift` of a face out of a mirror plane that it meets, where nothing moves across."""
-        if not isinstance(self.value, Shift) or self.face not in mesh.faces:
+        if not isinstance(self.value, Shift) or (isinstance(self.face, str) and self.face not in mesh.faces):
             return
-        nodes = mesh.face_nodes(self.face)
+        nodes = self.nodes(mesh)
         for plane, (axis, _) in zip(mesh.symmetry_faces, mesh.mirror_planes, strict=True):
             across = "xyz"[axis] in self.directions and self.value.vector[axis]
             if across and np.isin(mesh.face_nodes(plane), nodes).any():
                 raise TurgorError(
-                    f"the displacement of '{self.face}' along {'xyz'[axis]} is {across / mm:g} mm, but the face meets "
+                    f"the displacement of '{self.place}' along {'xyz'[axis]} is {across / mm:g} mm, but it meets "
                     f"the mirror plane '{plane}', where nothing moves across; model the whole actuator (symmetric = "
                     "false)."
                 )
@@ -99,23 +101,28 @@ class Displacement(Support):
     def boundary_rows(self, deck: Deck) -> tuple[str, ...]:
         """Refuse: only reference points are moved in .inp files."""
         raise TurgorError(
-            f"the displacement of '{self.face}', {self.shift} m, has no form in .inp files, where only reference "
+            f"the displacement of '{self.place}', {self.shift} m, has no form in .inp files, where only reference "
             "points are moved; give the face one."
         )
 
     def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
         """Return the rows of a `Shift` of a reference point."""
-        return (DeckRows("*BOUNDARY", self.way or RAMP, deck.displaced(self.face, self.shift, self.directions)),)
+        return (DeckRows("*BOUNDARY", self.way or RAMP, deck.displaced(self.place, self.shift, self.directions)),)
 
     def job_text(self) -> dict[str, object]:
         """Return the table of a `Shift` that grows with the load factor."""
         if self.way != RAMP:
-            raise TurgorError(f"the displacement of '{self.face}' has a history, which has no form in a job file.")
-        return {"displacement": [format_quantity(part, "mm") for part in self.shift], "directions": self.directions}
+            raise TurgorError(f"the displacement of '{self.place}' has a history, which has no form in a job file.")
+        moved: dict[str, object] = {
+            "displacement": [format_quantity(part, "mm") for part in self.shift],
+            "directions": self.directions,
+        }
+        return moved if isinstance(self.face, str) else self.face.table() | moved
 
     def text(self) -> str:
         """Return the sentence of a report."""
-        return f"{'The whole surface' if self.face == '*' else self.face} moved in {', '.join(self.directions)}."
+        what = "The whole surface" if self.face == "*" else described(self.face)
+        return f"{what} moved in {', '.join(self.directions)}."
 
     def continued(self, factor: float, new: "Displacement | None") -> "Displacement":
         """Return the displacement of the next stage: it stays where it is, or follows a new one from there."""

@@ -12,8 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.history import History
 from turgor.core.model.loads.load import Deck, DeckRows
+from turgor.core.model.supports.nodes_at import NodesAt
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 
@@ -47,8 +49,9 @@ class Support:
 
     @property
     def place(self) -> str:
-        """Name of the fixed face or point."""
-        return str(getattr(self, "face", getattr(self, "point", "")))
+        """Name of the fixed face, place or point."""
+        face = getattr(self, "face", getattr(self, "point", ""))
+        return face.name if isinstance(face, NodesAt) else str(face)
 
     @property
     def label(self) -> str:
@@ -59,7 +62,7 @@ class Support:
     def named_faces(self) -> tuple[str, ...]:
         """Faces that the mesh must have."""
         face = getattr(self, "face", None)
-        return () if face is None else (face,)
+        return (face,) if isinstance(face, str) else ()
 
     @property
     def prescribed(self) -> tuple[str, str]:
@@ -86,8 +89,17 @@ class Support:
         """Names of the measures of contact and blocked tips that a response has by itself."""
         return ()
 
+    def nodes(self, mesh: Mesh) -> Ints:
+        """Return the nodes of its face, of the whole surface for ``"*"``, or of its place."""
+        face = getattr(self, "face", "")
+        if isinstance(face, NodesAt):
+            return face.nodes(mesh)
+        return np.unique(outer_triangles(mesh)) if face == "*" else mesh.face_nodes(face)
+
     def check(self, mesh: Mesh) -> None:
         """Raise an error if it cannot act on a mesh that has all faces which it names."""
+        if isinstance(getattr(self, "face", None), NodesAt):
+            self.nodes(mesh)
 
     def text(self) -> str:
         """Return the sentence of a report."""

@@ -308,9 +308,9 @@ def _reaction(at: StateFields) -> float:
     """Sum the forces along the directions in which the supports Fixed and Radial hold each node."""
     fixed = np.zeros(at.mesh.points.shape, dtype=bool)
     for support in at.model.supports:
-        face, directions = support.prescribed
-        if not support.moves and face in at.mesh.faces:
-            nodes = at.mesh.face_nodes(face)
+        directions = support.prescribed[1]
+        if directions and not support.moves and support.place not in at.model.points:
+            nodes = support.nodes(at.mesh)
             for direction in directions:
                 fixed[nodes, "xyz".index(direction)] = True
     nodes, normals = radial_normals(at.model)

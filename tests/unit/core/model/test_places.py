@@ -1,0 +1,87 @@
+"""Places of supports: their nodes, their words, what is refused, and what else reads them."""
+
+import numpy as np
+import pytest
+from lattice_cases import KINDS, lattice
+
+import turgor as tg
+from refused import refused
+from turgor.core.model.supports import Displacement, Fixed, NodesAt, Shift
+from turgor.core.model.write_inp import write_inp
+
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.05e6))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_place_has_the_nodes_that_it_says(kind: str) -> None:
+    mesh = lattice((4, 2, 2), KINDS[kind])
+    x, y, z = mesh.points.T
+    box = NodesAt("half", box=((0.5, 2, -1), (1.0, -1, 2))).nodes(mesh)  # corners in any order
+    assert np.array_equal(box, np.flatnonzero(x >= 0.5 - 1e-12))
+    (corner,) = NodesAt("corner", near=(1.1, 1.05, 0.9)).nodes(mesh)
+    assert np.allclose(mesh.points[corner], 1.0)
+    rim = NodesAt("rim", edge=("middle", "patch")).nodes(mesh)
+    assert np.array_equal(rim, np.flatnonzero((np.abs(x - 0.5) < 1e-9) & (y < 0.5 + 1e-9)))
+    assert len(z) == len(mesh.points)
+
+
+def test_middles_that_follow_are_no_nearest_node() -> None:
+    from dataclasses import replace
+
+    mesh = replace(lattice((2, 2, 2), KINDS["hex"]), serendipity=True)
+    (node,) = NodesAt("middle", near=(0.25, 0.25, 0.25)).nodes(mesh)
+    assert node in mesh.carrying_cells
+
+
+@pytest.mark.parametrize(
+    ("given", "facts"),
+    [
+        ({}, ("'corner'", "none", "edge", "near", "box")),
+        ({"edge": ("x0", "x1"), "near": (0, 0, 0)}, ("edge", "near", "box")),
+        ({"edge": ("x0", "x0")}, ("edge", "x0", "x0")),
+        ({"edge": "x0"}, ("edge", "x0")),
+        ({"near": (0, 0)}, ("near", "(0, 0)")),
+        ({"near": ("5 kPa", 0, 0)}, ("near", "kPa")),
+        ({"box": ((0, 0, 0),)}, ("box", "((0, 0, 0),)")),
+    ],
+)
+def test_other_places_are_refused(given: dict[str, object], facts: tuple[str, ...]) -> None:
+    with refused(*facts):
+        NodesAt("corner", **given)  # type: ignore[arg-type]
+
+
+def test_a_place_without_nodes_says_where_the_mesh_is() -> None:
+    mesh = lattice((2, 1, 1), KINDS["hex"])
+    with refused("'far'", "(2000, 0, 0)", "(1000, 1000, 1000)"):
+        tg.Model(mesh, RUBBER, [Fixed(NodesAt("far", box=((2, 0, 0), (3, 1, 1))))], [])
+    with refused("face", "x3", "x0"):
+        tg.Model(mesh, RUBBER, [Fixed(NodesAt("rim", edge=("x0", "x3")))], [])
+
+
+def test_a_box_is_reported_summed_and_exported_as_a_face_is(tmp_path) -> None:
+    mesh = lattice((2, 1, 1), KINDS["hex"])
+    end = NodesAt("end", box=((0, 0, 0), (0, 1, 1)))
+    held = [[Fixed("x0")], [Fixed(end)]]
+    loads = [tg.loads.Force("x1", (100.0, 0, 0))]
+    runs = [tg.solve(tg.Model(mesh, RUBBER, each, loads)) for each in held]
+    reactions = [tg.measure(run, "reaction", mesh_error=False).column("reaction")[-1] for run in runs]
+    assert reactions[1] == pytest.approx(100.0, rel=1e-6)
+    assert reactions[1] == pytest.approx(reactions[0], rel=1e-9)
+    assert held[1][0].text() == "end (the box from (0, 0, 0) to (0, 1000, 1000) mm) does not move in x, y, z."
+
+
+def test_an_inp_file_holds_the_nodes_of_a_place(tmp_path) -> None:
+    mesh = lattice((2, 1, 1), KINDS["hex"])
+    end = NodesAt("end", box=((0, 0, 0), (0, 1, 1)))
+    model = tg.Model(mesh, RUBBER, [Fixed(end, "xz")], [tg.Pressure("x1", 100.0)])
+    write_inp(model, tmp_path / "box.inp", program="abaqus")
+    rows = (tmp_path / "box.inp").read_text().split("*BOUNDARY")[1].split("*")[0].split("\n")
+    written = np.intersect1d(mesh.face_nodes("x0"), mesh.cells[:, :20]) + 1
+    assert [row for row in rows if row] == [f"{node}, {axis}" for node in written for axis in (1, 3)]
+
+
+def test_a_place_may_not_leave_its_mirror_plane() -> None:
+    mesh = tg.mesh(tg.actuators.RectangularBender().build(), size=8e-3)
+    rim = NodesAt("rim", edge=("tip", "symmetry_y"))
+    with refused("'rim'", "symmetry_y", "along y"):
+        tg.Model(mesh, RUBBER, [Fixed("fixed"), Displacement(rim, Shift((0, 1e-3, 0)))], [])
