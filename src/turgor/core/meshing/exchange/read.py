@@ -21,6 +21,7 @@ from turgor.core.meshing.exchange.names import Wishes, name_faces, name_regions
 from turgor.core.meshing.exchange.selectors import Choice
 from turgor.core.meshing.exchange.settings import MESH_FILE
 from turgor.core.meshing.exchange.solids import Solids, place_of, read_solids
+from turgor.core.meshing.exchange.splitting import as_tetrahedra, needs_tetrahedra
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.cell_quality import refuse_inverted
 from turgor.foundation.errors import TurgorError, near_file, near_match
@@ -111,7 +112,12 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
     Mesh
     """
     _check_extent(raw, wishes.frame)
+    done = []
+    if needs_tetrahedra(raw):
+        raw, what = as_tetrahedra(raw)
+        done = [what]
     solids = read_solids(raw, wishes.frame)
+    solids.done[:0] = done
     sides = sides_of(solids)
     region_cells, notes = name_regions(raw, solids, wishes)
     face_sides, more = name_faces(raw, solids, sides, wishes)

@@ -72,7 +72,7 @@ def read_solids(raw: RawMesh, frame: Frame) -> Solids:
     Raises
     ------
     TurgorError
-        If there are none, several kinds, kinds that cannot be solved on, or cells turned inside out.
+        If there are none, or cells are turned inside out.
     """
     solids = _gathered(raw, frame)
     _merge_nodes(solids, raw)
@@ -85,16 +85,10 @@ def read_solids(raw: RawMesh, frame: Frame) -> Solids:
 
 def _gathered(raw: RawMesh, frame: Frame) -> Solids:
     blocks = raw.solids()
-    listed = ", ".join(f"{len(block.nodes)} {block.kind.name}" for block in blocks)
     if not blocks:
         other = ", ".join(f"{len(block.nodes)} {block.kind.name}" for block in raw.blocks)
         what = f"no solid cells, only {other}" if other else "no cells"
         raise TurgorError(f"'{raw.path}' has {what}; export the volume mesh.")
-    usable = ("tetrahedron", "hexahedron")
-    if not all(block.kind.name.startswith(usable) for block in blocks) or len({b.kind.name for b in blocks}) > 1:
-        raise TurgorError(
-            f"'{raw.path}' has {listed}; a mesh must consist of tetrahedra or of hexahedra, all of one order."
-        )
     cells = np.concatenate([block.nodes for block in blocks])
     groups: dict[str, list[Ints]] = {}
     start = 0

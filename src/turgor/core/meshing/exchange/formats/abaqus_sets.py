@@ -17,6 +17,7 @@ Member: TypeAlias = int | range | str
 #: Corners of the faces S1, S2, … of solid cells, by the number of corners (Abaqus, "Element faces"; CalculiX alike).
 SIDES = {
     4: ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)),
+    6: ((0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)),
     8: ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)),
 }
 

@@ -36,10 +36,16 @@ _KINDS = {
 
 #: Place in gmsh's order of each node in VTK's order, where they differ.
 _HEXAHEDRON = (0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15)
+_WEDGE = (0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11)
+_PYRAMID = (0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12)
 _ORDER = {
     "tetrahedron10": (0, 1, 2, 3, 4, 5, 6, 7, 9, 8),
     "hexahedron20": _HEXAHEDRON,
     "hexahedron27": (*_HEXAHEDRON, 22, 23, 21, 24, 20, 25, 26),
+    "wedge15": _WEDGE,
+    "wedge18": (*_WEDGE, 15, 17, 16),
+    "pyramid13": _PYRAMID,
+    "pyramid14": (*_PYRAMID, 13),
 }
 
 _GROUP = ("point", "curve", "surface", "volume")

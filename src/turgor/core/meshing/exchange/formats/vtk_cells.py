@@ -25,6 +25,7 @@ _KINDS = {
     24: "tetrahedron10",
     25: "hexahedron20",
     26: "wedge15",
+    32: "wedge18",
     27: "pyramid13",
     28: "quadrilateral9",
     29: "hexahedron27",
