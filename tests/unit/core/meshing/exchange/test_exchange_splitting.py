@@ -95,4 +95,8 @@ def test_files_of_gmsh_with_wedges_and_pyramids_keep_names_and_volume():
     cubes = read_mesh(DATA / "two_cubes.msh")
     assert set(cubes.regions) == {"left", "right"}
     assert [cell_volumes(cubes)[rows].sum() for rows in cubes.regions.values()] == pytest.approx([1e-6, 1e-6])
+    for mesh, bend in ((disk, 0.15), (cubes, 1e-9)):  # mid-side nodes lie on their own edges
+        ends, middles = mesh.points[mesh.cells[:, EDGES["tetrahedron"]]], mesh.points[mesh.cells[:, 4:]]
+        off = np.linalg.norm(middles - ends.mean(axis=2), axis=2)
+        assert (off <= bend * np.linalg.norm(np.diff(ends, axis=2)[:, :, 0], axis=2)).all()
     assert cubes.points[cubes.face_nodes("tip"), 0] == pytest.approx(20e-3)

@@ -11,7 +11,11 @@ from turgor.core.meshing.exchange.formats.abaqus_sets import CellTable, Member, 
 from turgor.core.meshing.exchange.formats.raw import KINDS, Block, RawMesh, numbers, rows_of
 from turgor.foundation.errors import TurgorError
 
-_SOLIDS = {4: "tetrahedron4", 10: "tetrahedron10", 8: "hexahedron8", 20: "hexahedron20", 6: "wedge6", 15: "wedge15", 5: "pyramid5"}
+_SOLIDS = {4: "tetrahedron4", 10: "tetrahedron10", 8: "hexahedron8", 20: "hexahedron20"} | {
+    6: "wedge6",
+    15: "wedge15",
+    5: "pyramid5",
+}
 _SHEETS = {3: "triangle3", 6: "triangle6", 4: "quadrilateral4", 8: "quadrilateral8", 9: "quadrilateral9"}
 
 _TYPE = re.compile(r"(D?C3D|AC3D|S|M3D|SFM3D|R3D|STRI|DS|CPS|CPE|CAX)(\d+)")
