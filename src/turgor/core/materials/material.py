@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, get_args
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.materials.laws.laws import Hooke, Law
+from turgor.core.materials.strength import Strength
 from turgor.foundation.display import Shown
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantity, number, one, shown
@@ -44,6 +45,8 @@ class Material(Shown):
     bending_stiffness : float or None [N m]
         Moment per width and curvature of a sheet that bends more easily than a plate, such as a woven fabric; by
         default a sheet bends like a plate of its thickness. For `Hooke` only.
+    strength : Strength or None
+        What it bears until it breaks or tears, when known; findings compare the computed stretches with it.
 
     Examples
     --------
@@ -63,6 +66,7 @@ class Material(Shown):
     viscoelasticity: Prony | None = None
     stress_softening: Mullins | None = None
     bending_stiffness: float | None = None
+    strength: Strength | None = None
 
     if TYPE_CHECKING:
 
@@ -78,6 +82,7 @@ class Material(Shown):
             source: Source = UNSTATED,
             viscoelasticity: Prony | None = None,
             stress_softening: Mullins | None = None,
+            strength: Strength | None = None,
         ) -> None: ...
 
     def __post_init__(self) -> None:
