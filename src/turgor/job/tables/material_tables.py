@@ -10,6 +10,7 @@ from pydantic import AllowInfNan, BeforeValidator, Field, create_model
 from turgor.core.materials.laws.law_spec import is_dimensionless
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
+from turgor.core.materials.library.record_values import strength
 from turgor.job.text.quantities import BendingStiffness, Density, Length, Pressure, Says, Table, default_of
 from turgor.units import parse_quantity
 
@@ -23,6 +24,12 @@ Viscoelasticity = Annotated[
 ]
 Softening = Annotated[
     Any, BeforeValidator(read_stress_softening), Says("table of constants", '{ r = 1.5, m = "20 kPa" }')
+]
+
+StrengthTable = Annotated[
+    Any,
+    BeforeValidator(strength),
+    Says("table of strengths", '{ elongation_at_break = 9.0, tensile_strength = "1.4 MPa", source = "our tests" }'),
 ]
 
 
@@ -65,6 +72,9 @@ class LibraryTable(Table):
         ``"instantaneous"`` ones; that of the record by default.
     stress_softening : table
         Mullins effect after Ogden and Roxburgh: ``r``, ``m`` and ``beta``; that of the record by default.
+    strength : table
+        What it bears: ``elongation_at_break`` (strain), ``tensile_strength``, ``tear_strength``, and their ``source``;
+        that of the material in the library by default.
     """
 
     library: str = Field(examples=['"ecoflex-00-30"'])
@@ -76,6 +86,7 @@ class LibraryTable(Table):
     density: Density | None = None
     viscoelasticity: Viscoelasticity | None = None
     stress_softening: Softening | None = None
+    strength: StrengthTable | None = None
 
 
 class SourceTable(Table):
@@ -122,6 +133,8 @@ class StatedTable(Table):
         Smallest and largest stretch for which the constants are valid; beyond it the report warns.
     source : table
         Where the constants come from.
+    strength : table
+        What it bears: ``elongation_at_break`` (strain), ``tensile_strength``, ``tear_strength``, and their ``source``.
     bulk_modulus : float [Pa]
         Bulk modulus, or ``"incompressible"``.
     viscoelasticity : table
@@ -140,6 +153,7 @@ class StatedTable(Table):
     density: Density | None = None
     stretch_range: list[float] | None = Field(default=None, examples=["[0.8, 2.5]"])
     source: SourceTable | None = Field(default=None, examples=['{ text = "own tests of 2026" }'])
+    strength: StrengthTable | None = None
 
 
 def law_table(law: type) -> type[Table]:

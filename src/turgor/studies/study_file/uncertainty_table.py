@@ -15,7 +15,8 @@ from turgor.studies.study_file.job_base import JobBase
 from turgor.studies.uncertainty.job_records import check_records, read_records
 from turgor.studies.uncertainty.job_spreads import PRESSURE, read_set, read_spread
 from turgor.studies.uncertainty.job_uncertainty import UncertaintyPlan
-from turgor.studies.uncertainty.spread import Input, Spread
+from turgor.studies.uncertainty.library_spread import LIBRARY, laboratory_alternatives
+from turgor.studies.uncertainty.spread import Input
 
 #: The table of an uncertainty analysis.
 UNCERTAINTY = ("uncertainty",)
@@ -94,7 +95,9 @@ def read_uncertainty(
     return UncertaintyPlan(inputs=inputs, method=table.method, at=at, mesh_error=table.mesh_error)
 
 
-def _spread(key: str, given: Mapping[str, Any], base: JobBase) -> Spread:
+def _spread(key: str, given: Mapping[str, Any], base: JobBase) -> Input:
+    if given["spread"] == LIBRARY:
+        return laboratory_alternatives(key, str(given.get("label", "")), base.job, base.numbers)
     if not isinstance(given["spread"], str):
         raise TurgorError(f'spread is {given["spread"]!r}; write a text with its unit, such as "0.1 mm".')
     name, number = (key, PRESSURE) if key == PRESSURE.key else base.number(key)

@@ -257,7 +257,7 @@ def _optional(entry: Mapping[str, Any], key: str, dimension: str, where: str) ->
 def _supplier(values: Any, where: str, references: Mapping[int, str]) -> Supplier | None:
     if values is None:
         return None
-    known = ("stress_at_stretch_2", "modulus", "source", "reference", "doubts")
+    known = ("stress_at_stretch_2", "modulus", "mixing", "cure", "source", "reference", "doubts")
     given = table(values, where, known)
     numbers = _reference_numbers(
         {"references": [given["reference"]] if "reference" in given else []}, where, references
@@ -268,4 +268,5 @@ def _supplier(values: Any, where: str, references: Mapping[int, str]) -> Supplie
         for key in ("stress_at_stretch_2", "modulus")
         if key in given
     }
-    return Supplier(source=source, doubts=read.texts(given, "doubts", where), **stated)
+    words = {key: read.text(given, key, where) for key in ("mixing", "cure") if key in given}
+    return Supplier(source=source, doubts=read.texts(given, "doubts", where), **stated, **words)

@@ -8,7 +8,13 @@ from turgor.core.materials.library.record import Record
 from turgor.core.materials.library.record_files import all_records, library, records
 from turgor.core.materials.library.record_history import describe_history
 from turgor.core.materials.library.records import find_record
+from turgor.core.materials.library.spread import spread_of
+from turgor.core.materials.strength import STRENGTHS, Strength
 from turgor.foundation.errors import TurgorError
+from turgor.units import format_quantity
+
+#: Units of strengths, by their dimensions.
+_UNITS = {"pressure": "MPa", "force per length": "kN/m"}
 
 
 def describe_material(name: str, record: str | None = None) -> str:
@@ -93,14 +99,31 @@ def doubts_list() -> str:
 def _heading(record: Record) -> Iterator[str]:
     yield record.material_name + (f", Shore hardness {record.shore_hardness}" if record.shore_hardness else "")
     supplier = record.supplier
-    if supplier is None:
-        return
-    if supplier.stress_at_stretch_2 is not None:
-        stress = f"{supplier.stress_at_stretch_2 / 1e3:.3g} kPa"
-        yield f"supplier: nominal stress at stretch 2 is {stress} ({supplier.source})"
-    if supplier.modulus is not None:
-        yield f"supplier: Young's modulus is {supplier.modulus / 1e9:.3g} GPa ({supplier.source})"
-    yield from supplier.doubts
+    if supplier is not None:
+        if supplier.stress_at_stretch_2 is not None:
+            stress = f"{supplier.stress_at_stretch_2 / 1e3:.3g} kPa"
+            yield f"supplier: nominal stress at stretch 2 is {stress} ({supplier.source})"
+        if supplier.modulus is not None:
+            yield f"supplier: Young's modulus is {supplier.modulus / 1e9:.3g} GPa ({supplier.source})"
+        yield from (f"{what}: {text}" for what, text in (("mixing", supplier.mixing), ("cure", supplier.cure)) if text)
+        yield from supplier.doubts
+    if record.strength is not None:
+        yield from _strength_lines(record.strength)
+    if record.kind == "rubber":
+        try:
+            yield f"spread: {str(spread_of(record.library)).partition(': ')[2]}"
+        except TurgorError:
+            yield "spread: no set of a rubber without a serious doubt"
+
+
+def _strength_lines(strength: Strength) -> Iterator[str]:
+    for name, dimension in STRENGTHS.items():
+        value = getattr(strength, name)
+        if value is None:
+            continue
+        shown = f"{value:.3g}" if not dimension else format_quantity(float(f"{value:.3g}"), _UNITS[dimension])
+        yield f"{name.replace('_', ' ')}: {shown} ({strength.sources[name]})"
+    yield from strength.doubts
 
 
 def _lines(record: Record) -> Iterator[str]:

@@ -9,7 +9,7 @@ from turgor.core.materials.library.table_keys import table
 from turgor.core.materials.strength import STRENGTHS, Strength
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import number
-from turgor.units import parse_quantity
+from turgor.units import format_quantity, parse_quantity
 
 
 def text(entry: Mapping[str, Any], key: str, where: str) -> str:
@@ -94,13 +94,19 @@ def density(values: Any, where: str) -> tuple[float | None, tuple[str, ...]]:
     return quantity(given["value"], "density", place), texts(given, "doubts", place)
 
 
-def strength(values: Any, where: str) -> Strength | None:
-    """Return what a material bears: each number in a table of its own with the source."""
+def strength(values: Any, where: str = "strength") -> Strength | None:
+    """Return what a material bears: each number in a table of its own with the source, or all with one source."""
     if values is None:
         return None
-    given = table(values, where, (*STRENGTHS, "doubts"))
+    given = table(values, where, (*STRENGTHS, "source", "doubts"))
+    common = {"source": given["source"]} if "source" in given else {}
     entries = {
-        name: table(given[name], f"{where}.{name}", ("value", "source", "doubts"), ("value", "source"))
+        name: table(
+            given[name] if isinstance(given[name], Mapping) else {"value": given[name], **common},
+            f"{where}.{name}",
+            ("value", "source", "doubts"),
+            ("value", "source"),
+        )
         for name in STRENGTHS
         if name in given
     }
@@ -116,3 +122,17 @@ def strength(values: Any, where: str) -> Strength | None:
         )
     except TurgorError as error:
         raise TurgorError(f"{where}: {error}") from None
+
+
+def strength_table(given: Strength | None) -> dict[str, Any]:
+    """Return a strength as a table that reads back to exactly the same; empty where there is none."""
+    if given is None:
+        return {}
+    units = {"pressure": "MPa", "force per length": "kN/m"}
+    values: dict[str, Any] = {}
+    for name, dimension in STRENGTHS.items():
+        value = getattr(given, name)
+        if value is not None:
+            shown = format_quantity(value, units[dimension]) if dimension else value
+            values[name] = {"value": shown, "source": given.sources[name]}
+    return {"strength": values | ({"doubts": list(given.doubts)} if given.doubts else {})}

@@ -15,6 +15,8 @@ class Supplier:
         Nominal stress in uniaxial tension at stretch 2, called 100 % modulus by the trade.
     modulus : float or None [Pa]
         Young's modulus of a stiff part.
+    mixing, cure : str
+        How the parts are mixed and cured, in words; empty where that is not known or does not matter.
     doubts : tuple of str
         What is questionable about these numbers.
     """
@@ -22,4 +24,6 @@ class Supplier:
     source: str
     stress_at_stretch_2: float | None = None
     modulus: float | None = None
+    mixing: str = ""
+    cure: str = ""
     doubts: tuple[str, ...] = ()
