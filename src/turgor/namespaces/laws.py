@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from turgor.core.materials.library.records import library as library
     from turgor.core.materials.library.records import recommended as recommended
     from turgor.core.materials.library.records import records as records
+    from turgor.core.materials.library.spread import spread_of as spread_of
     from turgor.core.materials.strength import Strength as Strength
     from turgor.foundation.source import Source as Source
 else:

@@ -1,5 +1,6 @@
 """The commands ``turgor materials list | choose | show | plot``, and the plot they write."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,10 +11,14 @@ from matplotlib.figure import Figure
 from refused import refused, states
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
+from turgor.core.materials.library.overview import reinforcement_table, rubber_table
 from turgor.core.materials.library.record_files import library
 from turgor.core.materials.library.record_text import describe_material, doubts_list, library_table
 from turgor.core.materials.library.records import find_record, records
+from turgor.views.plots.material_panels import material_panels
 from turgor.views.plots.materials import curve, material_figure, plot_records, write_material_plot
+
+DOCS = Path(__file__).parents[3] / "docs"
 
 TEST = "stretch,nominal stress (kPa)\n1.0,0\n1.5,20\n2.0,35\n3.0,62\n"
 
@@ -165,10 +170,46 @@ def test_equal_plots_are_equal_files(tmp_path: Path) -> None:
 
 
 def test_the_page_of_the_documentation_is_up_to_date() -> None:
-    """``docs/materials.md`` holds what `library_table` and `doubts_list` give."""
-    page = (Path(__file__).parents[3] / "docs" / "materials.md").read_text(encoding="utf-8")
-    assert library_table() in page, "write the table into docs/materials.md again"
-    assert doubts_list() in page, "write the doubts into docs/materials.md again"
+    """``docs/materials.md`` holds the tables that ``docs/materials_page.py`` writes."""
+    page = (DOCS / "materials.md").read_text(encoding="utf-8")
+    for table in (library_table(), doubts_list(), rubber_table(), reinforcement_table()):
+        assert table in page, "call python docs/materials_page.py"
+    pictures = re.findall(r"images/materials/rubbers-(\d)\.png", page)
+    assert all((DOCS / f"images/materials/rubbers-{number}.png").exists() for number in pictures)
+    assert len(pictures) == 4
+
+
+def test_panels_show_the_record_to_take_others_tests_and_the_maker() -> None:
+    ecoflex, cheetah = material_panels(["ecoflex-00-30", "ninjatek-cheetah"]).axes
+    (best,) = (line for line in ecoflex.lines if line.get_color() == "tab:blue")
+    assert best.get_ydata()[-1] == pytest.approx(
+        curve(find_record("ecoflex-00-30", "yeoh-kulkarni-2015"), np.array([3.0]))
+    )
+    assert max(best.get_xdata()) == 3.0
+    gray = [line for line in ecoflex.lines if line.get_color() == "0.65"]
+    assert len(gray) == 8, "those without a computed doubt"
+    assert min(max(line.get_xdata()) for line in gray) < 1.91, "a planar test ends there"
+    (star,) = (line for line in ecoflex.lines if line.get_marker() == "*")
+    assert star.get_ydata()[0] == pytest.approx(0.06895, rel=1e-3)
+    assert any(line.get_marker() == "o" for line in ecoflex.lines)
+    assert cheetah.get_xlim() == (1.0, 1.5)
+    assert not [line for line in cheetah.lines if line.get_marker() in "*o"]
+
+
+def test_choose_by_hardness_and_reach(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["materials", "choose", "--hardness", "30 A", "--for", "5"]) == DONE
+    out = capsys.readouterr().out
+    assert "elastosil-m4601" in out and "dragon-skin-30" not in out
+    assert "Spread of " in out
+    assert main(["materials", "choose"]) == BAD_INPUT
+    assert states(capsys.readouterr().err, "modulus", "hardness")
+
+
+def test_show_prints_strength_cure_and_spread(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["materials", "show", "dragon-skin-30"]) == DONE
+    out = capsys.readouterr().out
+    for text in ("elongation at break: 3.64 (", "tear strength: 18.9 kN/m (", "cure: pot life 45 min", "spread: 34% "):
+        assert text in out
 
 
 def test_text_and_command_agree(capsys: pytest.CaptureFixture[str]) -> None:

@@ -88,12 +88,13 @@ def doubts_list() -> str:
     Examples
     --------
     >>> doubts_list().splitlines()[0][:61]
-    '- **body-double-silk**, yeoh-marechal-2020: M04 stated: The s'
+    '- **agilus30**, neo-hooke-relaxed: M04 stated: Fast pulls mee'
     """
-    lines = []
+    places: dict[str, list[str]] = {}
     for record in all_records():
-        lines += [f"- **{record.library}**, {record.name}: {doubt}" for doubt in find_doubts(record)]
-    return "\n".join(lines) + "\n"
+        for doubt in find_doubts(record):
+            places.setdefault(str(doubt), []).append(f"**{record.library}**, {record.name}")
+    return "".join(f"- {'; '.join(where)}: {doubt}\n" for doubt, where in places.items())
 
 
 def _heading(record: Record) -> Iterator[str]:
