@@ -54,7 +54,7 @@ def plot_records(axes: Axes, chosen: Sequence[Record], stretch: Array, mode: str
     --------
     >>> axes = plot_records(Figure().add_subplot(), records("smooth-sil-950"), np.linspace(1, 2, 5))
     >>> len(axes.lines)
-    3
+    4
     """
     if mode not in MODES:
         raise unknown("mode of a curve", mode, MODES)

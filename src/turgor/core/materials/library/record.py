@@ -268,5 +268,10 @@ def _supplier(values: Any, where: str, references: Mapping[int, str]) -> Supplie
         for key in ("stress_at_stretch_2", "modulus")
         if key in given
     }
-    words = {key: read.text(given, key, where) for key in ("mixing", "cure") if key in given}
-    return Supplier(source=source, doubts=read.texts(given, "doubts", where), **stated, **words)
+    return Supplier(
+        source=source,
+        doubts=read.texts(given, "doubts", where),
+        mixing=read.text(given, "mixing", where) if "mixing" in given else "",
+        cure=read.text(given, "cure", where) if "cure" in given else "",
+        **stated,
+    )
