@@ -8,11 +8,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from turgor.core.materials.library.choose import material_rows
-from turgor.core.materials.library.overview import reinforcement_table, rubber_table
-from turgor.core.materials.library.record_text import doubts_list, library_table
-from turgor.views.plots.figures import write_figure
-from turgor.views.plots.material_panels import material_panels
+import turgor as tg
 
 DOCS = Path(__file__).parent
 PAGE = DOCS / "materials.md"
@@ -24,14 +20,14 @@ PANELS = 12
 
 def panels() -> str:
     """Draw all rubbers, softest first, and return the lines that show the pictures."""
-    rubbers = [row for row in material_rows() if row.kind == "rubber" and row.modulus and row.modulus < 1e9]
+    rubbers = [row for row in tg.laws.material_rows() if row.kind == "rubber" and row.modulus and row.modulus < 1e9]
     names = [row.name for row in sorted(rubbers, key=lambda row: row.modulus or 0.0)]
     PICTURES.mkdir(parents=True, exist_ok=True)
     lines = []
     for number, first in enumerate(range(0, len(names), PANELS), start=1):
         part = names[first : first + PANELS]
         file = PICTURES / f"rubbers-{number}.png"
-        write_figure(file, material_panels(part), dpi=110)
+        tg.pictures.material_panels(part).savefig(file, dpi=110)
         with Image.open(file) as picture:
             small = picture.convert("RGB").quantize(64)
         small.save(file, optimize=True)
@@ -41,13 +37,7 @@ def panels() -> str:
 
 def main() -> None:
     """Replace what stands between ``<!-- NAME -->`` and ``<!-- end -->``."""
-    parts = {
-        "rubbers": rubber_table(),
-        "curves": panels(),
-        "reinforcements": reinforcement_table(),
-        "records": library_table(),
-        "doubts": doubts_list(),
-    }
+    parts = {**tg.laws.library_tables(), "curves": panels()}
     page = PAGE.read_text(encoding="utf-8")
     for name, text in parts.items():
         mark = f"<!-- {name} -->"

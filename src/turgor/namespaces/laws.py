@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from turgor.core.materials.library.choose import choose as choose
     from turgor.core.materials.library.choose import material_rows as material_rows
     from turgor.core.materials.library.doubts import doubts_of as doubts_of
+    from turgor.core.materials.library.record_text import library_tables as library_tables
     from turgor.core.materials.library.records import library as library
     from turgor.core.materials.library.records import recommended as recommended
     from turgor.core.materials.library.records import records as records

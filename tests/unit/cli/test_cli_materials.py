@@ -11,12 +11,10 @@ from matplotlib.figure import Figure
 from refused import refused, states
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
-from turgor.core.materials.library.overview import reinforcement_table, rubber_table
 from turgor.core.materials.library.record_files import library
-from turgor.core.materials.library.record_text import describe_material, doubts_list, library_table
+from turgor.core.materials.library.record_text import describe_material, library_tables
 from turgor.core.materials.library.records import find_record, records
-from turgor.views.plots.material_panels import material_panels
-from turgor.views.plots.materials import curve, material_figure, plot_records, write_material_plot
+from turgor.views.plots.materials import curve, material_figure, material_panels, plot_records, write_material_plot
 
 DOCS = Path(__file__).parents[3] / "docs"
 
@@ -172,7 +170,7 @@ def test_equal_plots_are_equal_files(tmp_path: Path) -> None:
 def test_the_page_of_the_documentation_is_up_to_date() -> None:
     """``docs/materials.md`` holds the tables that ``docs/materials_page.py`` writes."""
     page = (DOCS / "materials.md").read_text(encoding="utf-8")
-    for table in (library_table(), doubts_list(), rubber_table(), reinforcement_table()):
+    for table in library_tables().values():
         assert table in page, "call python docs/materials_page.py"
     pictures = re.findall(r"images/materials/rubbers-(\d)\.png", page)
     assert all((DOCS / f"images/materials/rubbers-{number}.png").exists() for number in pictures)

@@ -13,7 +13,6 @@ from turgor.core.materials.laws.names import spelled
 from turgor.core.materials.library import record_values as read
 from turgor.core.materials.library.fitted_tests import FittedTests, read_fitted
 from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
-from turgor.core.materials.library.supplier import Supplier
 from turgor.core.materials.library.table_keys import table
 from turgor.core.materials.strength import Strength
 from turgor.foundation.errors import TurgorError, unknown
@@ -124,7 +123,7 @@ class Record:
     cited_by: tuple[str, ...] = ()
     references: tuple[int, ...] = ()
     quoted_in: str = ""
-    supplier: Supplier | None = None
+    supplier: read.Supplier | None = None
     stated_doubts: tuple[str, ...] = ()
     density_doubts: tuple[str, ...] = ()
     viscoelasticity: Prony | None = None
@@ -254,7 +253,7 @@ def _optional(entry: Mapping[str, Any], key: str, dimension: str, where: str) ->
     return read.quantity(entry[key], dimension, f"{where}.{key}") if key in entry else None
 
 
-def _supplier(values: Any, where: str, references: Mapping[int, str]) -> Supplier | None:
+def _supplier(values: Any, where: str, references: Mapping[int, str]) -> read.Supplier | None:
     if values is None:
         return None
     known = ("stress_at_stretch_2", "modulus", "mixing", "cure", "source", "reference", "doubts")
@@ -268,7 +267,7 @@ def _supplier(values: Any, where: str, references: Mapping[int, str]) -> Supplie
         for key in ("stress_at_stretch_2", "modulus")
         if key in given
     }
-    return Supplier(
+    return read.Supplier(
         source=source,
         doubts=read.texts(given, "doubts", where),
         mixing=read.text(given, "mixing", where) if "mixing" in given else "",
