@@ -1,5 +1,6 @@
 """The commands ``turgor materials list | choose | show | plot``, and the plot they write."""
 
+import json
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -207,6 +208,13 @@ def test_show_prints_strength_cure_and_spread(capsys: pytest.CaptureFixture[str]
     out = capsys.readouterr().out
     for text in ("elongation at break: 3.64 (", "tear strength: 18.9 kN/m (", "cure: pot life 45 min", "spread: 34% "):
         assert text in out
+
+
+def test_show_as_json_names_the_record_to_take(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["materials", "show", "ecoflex-00-30", "--json"]) == DONE
+    sets = json.loads(capsys.readouterr().out)["result"]["materials"]["ecoflex-00-30"]
+    assert [each["record"] for each in sets if each["recommended"]] == ["yeoh-kulkarni-2015"]
+    assert {each["ultimate_stretch"] for each in sets} == {10.0}
 
 
 def test_text_and_command_agree(capsys: pytest.CaptureFixture[str]) -> None:
