@@ -95,14 +95,19 @@ def density(values: Any, where: str) -> tuple[float | None, tuple[str, ...]]:
 
 
 def strength(values: Any, where: str) -> Strength | None:
-    """Return what a material bears: each number in a table of its own with the source."""
+    """Return what a material bears: each number in a table of its own with the source, or all with one source."""
     if values is None:
         return None
-    given = table(values, where, (*STRENGTHS, "doubts"))
+    given = table(values, where, (*STRENGTHS, "source", "doubts"))
+    stated = {name: given[name] for name in STRENGTHS if name in given}
     entries = {
-        name: table(given[name], f"{where}.{name}", ("value", "source", "doubts"), ("value", "source"))
-        for name in STRENGTHS
-        if name in given
+        name: table(
+            each if isinstance(each, Mapping) else {"value": each, "source": given.get("source")},
+            f"{where}.{name}",
+            ("value", "source", "doubts"),
+            ("value", "source"),
+        )
+        for name, each in stated.items()
     }
     numbers = {
         name: number(entry["value"], f"{where}.{name}.value", STRENGTHS[name]) for name, entry in entries.items()
