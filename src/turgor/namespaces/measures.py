@@ -63,6 +63,13 @@ if TYPE_CHECKING:
     from turgor.core.results.measures.shape.shape_measures import helix_radius as helix_radius
     from turgor.core.results.measures.shape.workspaces import Workspace as Workspace
     from turgor.core.results.measures.shape.workspaces import workspace as workspace
+    from turgor.core.results.measures.tearing_measures import break_share as break_share
+    from turgor.core.results.measures.tearing_measures import cracking_energy_p99 as cracking_energy_p99
+    from turgor.core.results.measures.tearing_measures import cycles_to_tear as cycles_to_tear
+    from turgor.core.results.measures.tearing_measures import cycles_to_tear_least as cycles_to_tear_least
+    from turgor.core.results.measures.tearing_measures import cycles_to_tear_most as cycles_to_tear_most
+    from turgor.core.results.measures.tearing_measures import strength_share as strength_share
+    from turgor.core.results.measures.tearing_measures import tearing_energy as tearing_energy
     from turgor.core.results.measures.work.work_measures import efficiency as efficiency
     from turgor.core.results.measures.work.work_measures import fluid_work as fluid_work
     from turgor.core.results.measures.work.work_measures import injected_volume as injected_volume

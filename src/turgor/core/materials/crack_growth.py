@@ -141,7 +141,7 @@ _ORDER = (
 )
 
 #: Typical rubbers, for a first estimate.
-TYPICAL: Mapping[str, CrackGrowth] = MappingProxyType(
+CRACK_GROWTH: Mapping[str, CrackGrowth] = MappingProxyType(
     {
         "natural rubber": CrackGrowth(
             rate=1e-7, exponent=2.0, flaw=25e-6, threshold=50.0, spread=10.0,

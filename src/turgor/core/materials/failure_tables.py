@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
 from typing import Any
 
-from turgor.core.materials.crack_growth import TYPICAL, CrackGrowth
+from turgor.core.materials.crack_growth import CRACK_GROWTH, CrackGrowth
 from turgor.core.materials.library.record_values import strength
 from turgor.core.materials.library.table_keys import table
 from turgor.core.materials.material import Material
@@ -55,15 +55,15 @@ def read_crack_growth(values: Any, where: str = "crack_growth") -> CrackGrowth:
     values = {"like": values} if isinstance(values, str) else values
     given = dict(table(values, where, ("like", *_GROWTH)))
     like = given.pop("like", None)
-    if like is not None and like not in TYPICAL:
-        raise unknown(f"rubber in {where}", str(like), TYPICAL)
+    if like is not None and like not in CRACK_GROWTH:
+        raise unknown(f"rubber in {where}", str(like), CRACK_GROWTH)
     try:
-        return CrackGrowth(**given) if like is None else replace(TYPICAL[like], **given)
+        return CrackGrowth(**given) if like is None else replace(CRACK_GROWTH[like], **given)
     except TypeError:
         missing = [name for name in ("rate", "exponent", "flaw") if name not in given]
         raise TurgorError(
             f"{where}: {' and '.join(missing)} missing; state rate, exponent and flaw, or a typical rubber: "
-            f'like = "{next(iter(TYPICAL))}".'
+            f'like = "{next(iter(CRACK_GROWTH))}".'
         ) from None
     except TurgorError as error:
         raise TurgorError(f"{where}: {error}") from None
@@ -75,7 +75,7 @@ def failure_tables(material: Material) -> dict[str, dict[str, Any]]:
     Examples
     --------
     >>> from turgor.core.materials.laws.laws import NeoHooke
-    >>> failure_tables(Material(name="rubber", law=NeoHooke(C10=1e5), crack_growth=TYPICAL["natural rubber"]))[
+    >>> failure_tables(Material(name="rubber", law=NeoHooke(C10=1e5), crack_growth=CRACK_GROWTH["natural rubber"]))[
     ...     "crack_growth"]["threshold"]
     '50 N/m'
     """
