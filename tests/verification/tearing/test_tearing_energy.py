@@ -16,7 +16,7 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.core.materials.crack_growth import tearing_energy
+from turgor.core.materials.crack_growth import tearing_energy_of_crack
 from turgor.core.materials.laws.homogeneous import equibiaxial, planar, uniaxial
 from turgor.core.meshing.cells import HEXAHEDRON
 
@@ -74,7 +74,7 @@ def test_small_crack_in_the_edge_of_a_strip(record_verification):
     stretch, cell, crack = 1.3, 0.5e-3, 4
     energies = [cracked(20e-3, 20e-3, (40, 20), stretch, False, crack + more) for more in (-1, 1)]
     got = 2 * (energies[0] - energies[1]) / (2 * cell)  # both halves
-    published = float(tearing_energy(energy_density(uniaxial(stretch)), stretch, crack * cell))
+    published = float(tearing_energy_of_crack(energy_density(uniaxial(stretch)), stretch, crack * cell))
     record_verification(
         claim="tearing energy of a crack of 2 mm in the edge of a strip at stretch 1.3 [J/m²]",
         source="T = 2 k W c, Rivlin and Thomas 1953, k of Lindley 1972",

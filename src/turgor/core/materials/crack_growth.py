@@ -109,7 +109,7 @@ class CrackGrowth:
         return np.asarray(np.where(first >= critical, 0.0, count))
 
 
-def tearing_energy(energy: ArrayLike, stretch: ArrayLike, crack: float) -> Array:
+def tearing_energy_of_crack(energy: ArrayLike, stretch: ArrayLike, crack: float) -> Array:
     """Return the tearing energy of a small crack across the largest stretch, T = 2 k W c.
 
     Parameters
@@ -127,7 +127,7 @@ def tearing_energy(energy: ArrayLike, stretch: ArrayLike, crack: float) -> Array
 
     Examples
     --------
-    >>> f"{float(tearing_energy(0.1e6, 1.5, 0.1e-3)):.3g}"  # J/m²
+    >>> f"{float(tearing_energy_of_crack(0.1e6, 1.5, 0.1e-3)):.3g}"  # J/m²
     '47.5'
     """
     elongation = np.maximum(np.asarray(stretch, dtype=np.float64) - 1, 0.0)

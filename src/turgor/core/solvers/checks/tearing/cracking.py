@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.fields import CellFields, cell_fields
 from turgor.core.engine.percentiles import weighted_percentile
-from turgor.core.materials.crack_growth import CrackGrowth, tearing_energy
+from turgor.core.materials.crack_growth import CrackGrowth, tearing_energy_of_crack
 from turgor.core.model.model import Model
 from turgor.core.solvers.solution import State
 
@@ -77,7 +77,7 @@ def _cracking(model: Model, cells: CellFields, energy: Array) -> Cracking:
 
 def _of_region(name: str, growth: CrackGrowth, model: Model, cells: CellFields, energy: Array) -> Cracking:
     chosen, strength = model.mesh.regions[name], model.region_materials[name].strength
-    per_length = tearing_energy(energy[chosen], cells.stretch[chosen], 1.0)
+    per_length = tearing_energy_of_crack(energy[chosen], cells.stretch[chosen], 1.0)
     each = weighted_percentile(per_length, cells.weight[chosen])
     critical = None if strength is None else strength.tear_strength
     fast, usual, slow = (
