@@ -67,9 +67,7 @@ if TYPE_CHECKING:
     from turgor.core.results.measures.shape.workspaces import workspace as workspace
     from turgor.core.results.measures.tearing_measures import break_share as break_share
     from turgor.core.results.measures.tearing_measures import cracking_energy_p99 as cracking_energy_p99
-    from turgor.core.results.measures.tearing_measures import cycles_to_tear as cycles_to_tear
-    from turgor.core.results.measures.tearing_measures import cycles_to_tear_least as cycles_to_tear_least
-    from turgor.core.results.measures.tearing_measures import cycles_to_tear_most as cycles_to_tear_most
+    from turgor.core.results.measures.tearing_measures import log_cycles_to_tear as log_cycles_to_tear
     from turgor.core.results.measures.tearing_measures import strength_share as strength_share
     from turgor.core.results.measures.tearing_measures import tearing_energy as tearing_energy
     from turgor.core.results.measures.work.work_measures import efficiency as efficiency

@@ -1,4 +1,4 @@
-"""Measures of tearing: shares of what materials bear, cracking energy, tearing energy of a flaw, and cycles of life."""
+"""Measures of tearing: shares of what materials bear, cracking energy, tearing energy of a flaw, and life."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -13,6 +13,9 @@ from turgor.core.solvers.checks.tearing.uses import STRESS, STRETCH, uses
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
+
+#: Decimal logarithm of the largest number of cycles that is counted: 30,000 years at one in each second.
+LONGEST_LIFE = 12
 
 
 def _share(quantity: str, what: str, at: StateFields) -> float:
@@ -38,17 +41,15 @@ def _of_flaw(value: Callable[[Cracking], float], path: Sequence[StateFields]) ->
     return _along(value, path)
 
 
-def _cycles(number: int, path: Sequence[StateFields]) -> Array:
-    """Cycles at fast, usual or slow growth; none where the flaw does not grow."""
-    values = _of_flaw(lambda each: each.cycles[number], path)
-    return np.where(np.isfinite(values), values, np.nan)
+def _log_cycles(path: Sequence[StateFields]) -> Array:
+    """A logarithm, since meshes and batches differ by factors; between one cycle and more than anyone will wait for."""
+    cycles = _of_flaw(lambda each: each.cycles[1], path)
+    return np.asarray(np.log10(np.clip(cycles, 1.0, 10.0**LONGEST_LIFE)))
 
 
 def _of_path(at: StateFields) -> float:
     raise TurgorError("it is a sum along a path.")
 
-
-_CYCLES = "cycles from rest to this state and back until the first flaw of the rubber tears through a region"
 
 break_share = Measure(
     name="break_share", unit="", function=partial(_share, STRETCH, "elongation_at_break"),
@@ -74,18 +75,9 @@ tearing_energy = Measure(
     "below",
     local=True,
 )  # fmt: skip
-cycles_to_tear = Measure(
-    name="cycles_to_tear", unit="", function=_of_path, along=partial(_cycles, 1),
-    definition=f"{_CYCLES}; none (nan) where it does not grow",
-    local=True,
-)  # fmt: skip
-cycles_to_tear_least = Measure(
-    name="cycles_to_tear_least", unit="", function=_of_path, along=partial(_cycles, 0),
-    definition=f"{_CYCLES}, where cracks grow faster by the factor that rates are known to",
-    local=True,
-)  # fmt: skip
-cycles_to_tear_most = Measure(
-    name="cycles_to_tear_most", unit="", function=_of_path, along=partial(_cycles, 2),
-    definition=f"{_CYCLES}, where cracks grow slower by the factor that rates are known to",
+log_cycles_to_tear = Measure(
+    name="log_cycles_to_tear", unit="", function=_of_path, along=_log_cycles,
+    definition="decimal logarithm of the number of cycles from rest to this state and back until the first flaw of the "
+    f"rubber tears through a region; {LONGEST_LIFE} where it does not grow",
     local=True,
 )  # fmt: skip
