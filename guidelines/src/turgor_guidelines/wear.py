@@ -1,7 +1,5 @@
 """Wear: how long rubber lasts, from the energy that opens the cracks that are there at first."""
 
-import numpy as np
-
 import turgor as tg
 from turgor_guidelines.parts import elastosil
 
@@ -10,6 +8,9 @@ FLAW = 0.1e-3
 
 #: Exponents of crack growth, of natural rubber and of a rubber that does not crystallize; silicones lie between.
 EXPONENTS = (2.0, 4.0)
+
+#: Beyond this ratio a number would say more than is known.
+MANY = 1000
 
 
 def tearing(stretch: float) -> float:
@@ -34,5 +35,7 @@ def lives(spared: float, worn: float) -> str:
     >>> lives(10.0, 20.0)
     '4 to 16 times'
     """
-    low, high = (float(np.float64(worn / spared) ** exponent) for exponent in EXPONENTS)
-    return f"{low:.2g} to {high:.2g} times"
+    low, high = (worn / spared) ** EXPONENTS[0], (worn / spared) ** EXPONENTS[1]
+    if low > MANY:
+        return f"more than {MANY:,} times"
+    return f"{low:.2g} to {high:.2g} times" if high < MANY else f"{low:.2g} to more than {MANY:,} times"

@@ -35,11 +35,11 @@ def density(name: str) -> float:
 
 
 def judge(runs: Runs) -> Judgement:
-    """Curvature, R², largest stretch and tearing energy over the density."""
+    """Curvature, R², stretch and tearing energy over the density."""
     names = list(runs)
     bends = [last(each.response, "curvature_y") for each in runs.values()]
     straight = [linearity(each.response, "curvature_y", "pressure", PRESSURE * kPa) for each in runs.values()]
-    stretched = [last(each.response, "largest_stretch") for each in runs.values()]
+    stretched = [last(each.response, "principal_stretch_p99") for each in runs.values()]
     gains = [b.number / a.number - 1 for a, b in pairwise(bends)]
     enough = next((names[k] for k, gain in enumerate(gains) if gain < WORTH), names[-1])
     further, straighter = rises(bends), straight == sorted(straight)
@@ -52,8 +52,8 @@ def judge(runs: Runs) -> Judgement:
     return Judgement(
         verdict=verdict,
         finding=f"{', '.join(names)}: curvature {listed(bends)} at {PRESSURE:g} kPa; R² "
-        f"{', '.join(f'{each:.4f}' for each in straight)}; largest stretch {listed(stretched)}, and tearing "
-        f"energy of a flaw of 0.1 mm there {', '.join(f'{each:.3g}' for each in torn)} J/m².",
+        f"{', '.join(f'{each:.4f}' for each in straight)}; stretch that 99 % of the "
+        f"rubber stay below {listed(stretched)}, and tearing energy of a flaw of 0.1 mm there {', '.join(f'{each:.3g}' for each in torn)} J/m².",
         conditions=f"Wear falls {'with every step' if spared else 'not with every step'}: the densest hoops last "
         f"{lives(torn[-1], torn[0])} as long as none at the same pressure, if cracks grow with the 2nd to 4th power of "
         f"the energy. Beyond hoops {enough} a step of four in density adds less than {WORTH:.0%} to the curvature, "
