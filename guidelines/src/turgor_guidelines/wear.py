@@ -38,4 +38,8 @@ def lives(spared: float, worn: float) -> str:
     low, high = (worn / spared) ** EXPONENTS[0], (worn / spared) ** EXPONENTS[1]
     if low > MANY:
         return f"more than {MANY:,} times"
-    return f"{low:.2g} to {high:.2g} times" if high < MANY else f"{low:.2g} to more than {MANY:,} times"
+    return f"{_text(low)} to {_text(high)} times" if high < MANY else f"{_text(low)} to more than {MANY:,} times"
+
+
+def _text(ratio: float) -> str:
+    return f"{ratio:.0f}" if ratio > 10 else f"{ratio:.2g}"

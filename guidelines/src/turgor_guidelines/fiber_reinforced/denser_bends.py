@@ -53,7 +53,8 @@ def judge(runs: Runs) -> Judgement:
         verdict=verdict,
         finding=f"{', '.join(names)}: curvature {listed(bends)} at {PRESSURE:g} kPa; R² "
         f"{', '.join(f'{each:.4f}' for each in straight)}; stretch that 99 % of the "
-        f"rubber stay below {listed(stretched)}, and tearing energy of a flaw of 0.1 mm there {', '.join(f'{each:.3g}' for each in torn)} J/m².",
+        f"rubber stay below {listed(stretched)}, and tearing energy of a flaw of 0.1 mm there "
+        f"{', '.join(f'{each:.3g}' for each in torn)} J/m².",
         conditions=f"Wear falls {'with every step' if spared else 'not with every step'}: the densest hoops last "
         f"{lives(torn[-1], torn[0])} as long as none at the same pressure, if cracks grow with the 2nd to 4th power of "
         f"the energy. Beyond hoops {enough} a step of four in density adds less than {WORTH:.0%} to the curvature, "
