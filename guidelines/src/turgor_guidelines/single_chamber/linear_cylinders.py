@@ -67,15 +67,13 @@ def panels(runs: Runs) -> tuple[tg.pictures.Panel, ...]:
         ways.setdefault(way, ([], []))[0].append(shape)
         ways[way][1].append(value)
     return (
-        tg.pictures.Panel(
-            x="stretch of the actuator [-]", y="stretch that 99 % of the rubber stay below [-]", lines=lines
-        ),
+        tg.pictures.Panel(x="stretch of the actuator [-]", y="stretch of the rubber (99 %) [-]", lines=lines),
         tg.pictures.Panel(
             x="",
             y="R² of a straight line [-]",
             lines=[tg.pictures.Line(x=x, y=y, label=way) for way, (x, y) in ways.items()],
         ),
-        bars(runs, "principal_stretch_p99", f"stretch of 99 % at {PRESSURE:g} kPa [-]"),
+        bars(runs, "principal_stretch_p99", f"stretch of the rubber (99 %) at {PRESSURE:g} kPa [-]"),
     )
 
 
