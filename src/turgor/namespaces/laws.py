@@ -5,6 +5,9 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.core.materials.crack_growth import CRACK_GROWTH as CRACK_GROWTH
+    from turgor.core.materials.crack_growth import CrackGrowth as CrackGrowth
+    from turgor.core.materials.crack_growth import tearing_energy_of_crack as tearing_energy_of_crack
     from turgor.core.materials.history.softening import Mullins as Mullins
     from turgor.core.materials.history.stress_history import StressHistory as StressHistory
     from turgor.core.materials.history.stress_history import stress_history as stress_history

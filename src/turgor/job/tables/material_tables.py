@@ -7,10 +7,10 @@ from typing import Annotated, Any, get_args, get_origin
 
 from pydantic import AllowInfNan, BeforeValidator, Field, create_model
 
+from turgor.core.materials.failure_tables import read_crack_growth, read_strength
 from turgor.core.materials.laws.law_spec import is_dimensionless
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
-from turgor.core.materials.library.record_values import strength
 from turgor.job.text.quantities import BendingStiffness, Density, Length, Pressure, Says, Table, default_of
 from turgor.units import parse_quantity
 
@@ -22,14 +22,21 @@ Viscoelasticity = Annotated[
     BeforeValidator(read_viscoelasticity),
     Says("table of a Prony series", '{ g = [0.2, 0.1], tau = ["1 s", "10 s"], moduli = "long_term" }'),
 ]
+Strengths = Annotated[
+    Any,
+    BeforeValidator(read_strength),
+    Says(
+        "table of numbers with their source",
+        '{ elongation_at_break = 8.35, tensile_strength = "2.4 MPa", source = "data sheet" }',
+    ),
+]
+Growth = Annotated[
+    Any,
+    BeforeValidator(read_crack_growth),
+    Says("name or table", '{ like = "non-crystallizing rubber", flaw = "0.1 mm" }'),
+]
 Softening = Annotated[
     Any, BeforeValidator(read_stress_softening), Says("table of constants", '{ r = 1.5, m = "20 kPa" }')
-]
-
-StrengthTable = Annotated[
-    Any,
-    BeforeValidator(strength),
-    Says("table of strengths", '{ elongation_at_break = 9.0, tensile_strength = "1.4 MPa", source = "our tests" }'),
 ]
 
 
@@ -73,8 +80,11 @@ class LibraryTable(Table):
     stress_softening : table
         Mullins effect after Ogden and Roxburgh: ``r``, ``m`` and ``beta``; that of the record by default.
     strength : table
-        What it bears: ``elongation_at_break`` (strain), ``tensile_strength``, ``tear_strength``, and their ``source``;
-        that of the material in the library by default.
+        Elongation at break (9.0 for 900 %), tensile strength and tear strength with their source; that of the record by
+        default.
+    crack_growth : str or table
+        How fast cracks grow from cycle to cycle: a typical rubber, or ``rate`` at 1 kJ/m², ``exponent``, ``flaw``,
+        ``threshold`` and ``spread``.
     """
 
     library: str = Field(examples=['"ecoflex-00-30"'])
@@ -86,7 +96,8 @@ class LibraryTable(Table):
     density: Density | None = None
     viscoelasticity: Viscoelasticity | None = None
     stress_softening: Softening | None = None
-    strength: StrengthTable | None = None
+    strength: Strengths | None = None
+    crack_growth: Growth | None = None
 
 
 class SourceTable(Table):
@@ -133,8 +144,6 @@ class StatedTable(Table):
         Smallest and largest stretch for which the constants are valid; beyond it the report warns.
     source : table
         Where the constants come from.
-    strength : table
-        What it bears: ``elongation_at_break`` (strain), ``tensile_strength``, ``tear_strength``, and their ``source``.
     bulk_modulus : float [Pa]
         Bulk modulus, or ``"incompressible"``.
     viscoelasticity : table
@@ -142,6 +151,11 @@ class StatedTable(Table):
         ``"instantaneous"`` ones.
     stress_softening : table
         Mullins effect after Ogden and Roxburgh: ``r``, ``m`` and ``beta``.
+    strength : table
+        Elongation at break (9.0 for 900 %), tensile strength and tear strength with their source.
+    crack_growth : str or table
+        How fast cracks grow from cycle to cycle: a typical rubber, or ``rate`` at 1 kJ/m², ``exponent``, ``flaw``,
+        ``threshold`` and ``spread``.
     """
 
     law: str = Field(examples=['"yeoh"'])
@@ -153,7 +167,7 @@ class StatedTable(Table):
     density: Density | None = None
     stretch_range: list[float] | None = Field(default=None, examples=["[0.8, 2.5]"])
     source: SourceTable | None = Field(default=None, examples=['{ text = "own tests of 2026" }'])
-    strength: StrengthTable | None = None
+    strength: Strengths | None = None
 
 
 def law_table(law: type) -> type[Table]:
@@ -162,6 +176,7 @@ def law_table(law: type) -> type[Table]:
     if law is not Hooke:
         keys["bulk_modulus"] = (BulkModulus, inf)
         keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
+        keys["crack_growth"] = (Growth | None, None)
     return create_model(f"{law.__name__}Table", __base__=StatedTable, **keys)
 
 

@@ -10,7 +10,7 @@ from turgor.core.materials.library.table_keys import table
 from turgor.core.materials.strength import STRENGTHS, Strength
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import number
-from turgor.units import format_quantity, parse_quantity
+from turgor.units import parse_quantity
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,7 +121,7 @@ def density(values: Any, where: str) -> tuple[float | None, tuple[str, ...]]:
     return quantity(given["value"], "density", place), texts(given, "doubts", place)
 
 
-def strength(values: Any, where: str = "strength") -> Strength | None:
+def strength(values: Any, where: str) -> Strength | None:
     """Return what a material bears: each number in a table of its own with the source, or all with one source."""
     if values is None:
         return None
@@ -149,17 +149,3 @@ def strength(values: Any, where: str = "strength") -> Strength | None:
         )
     except TurgorError as error:
         raise TurgorError(f"{where}: {error}") from None
-
-
-def strength_table(given: Strength | None) -> dict[str, Any]:
-    """Return a strength as a table that reads back to exactly the same; empty where there is none."""
-    if given is None:
-        return {}
-    units = {"pressure": "MPa", "force per length": "kN/m"}
-    values: dict[str, Any] = {}
-    for name, dimension in STRENGTHS.items():
-        value = getattr(given, name)
-        if value is not None:
-            shown = format_quantity(value, units[dimension]) if dimension else value
-            values[name] = {"value": shown, "source": given.sources[name]}
-    return {"strength": values | ({"doubts": list(given.doubts)} if given.doubts else {})}
