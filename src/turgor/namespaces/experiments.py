@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from turgor.core.materials.experiments.material_test import Edit as Edit
     from turgor.core.materials.experiments.material_test import MaterialTest as MaterialTest
     from turgor.core.materials.experiments.read_tests import read_tests as read_tests
+    from turgor.core.materials.experiments.slack import count_from_zero as count_from_zero
     from turgor.core.materials.experiments.specimen import Specimen as Specimen
     from turgor.core.materials.experiments.test_edits import average as average
     from turgor.core.materials.experiments.test_edits import crop as crop
@@ -34,12 +35,14 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.fit_history import fit_history as fit_history
     from turgor.core.materials.fitting.fit_laws import fit as fit
     from turgor.core.materials.fitting.history_fit import HistoryFit as HistoryFit
+    from turgor.core.materials.fitting.library_check import check_library as check_library
     from turgor.core.materials.fitting.ranking import Ranking as Ranking
     from turgor.core.materials.fitting.ranking import rank as rank
     from turgor.core.materials.fitting.result import Fit as Fit
     from turgor.core.materials.fitting.result import FitResidual as FitResidual
     from turgor.core.materials.fitting.save import save_fits as save_fits
     from turgor.core.materials.fitting.save import save_material as save_material
+    from turgor.core.materials.fitting.spreads import spread_between as spread_between
     from turgor.foundation.response import Column as Column
     from turgor.views.plots.history import history_figure as history_figure
 else:

@@ -191,8 +191,8 @@ def check_working_range(tests: "Sequence[MaterialTest]") -> tuple[Finding, ...]:
             severity=Severity.NOTE,
             message=f"Only {working} of {len(stretches)} points lie up to stretch {FIT.working:g}, where most soft "
             f"actuators work; the others, up to {max(stretches):.3g}, decide the fit.",
-            advice=f"Fit for the stretches that the actuator sees, such as 1 to {FIT.working:g}: stretch=(…) in "
-            "Python, --range on the command line.",
+            advice=f"Fit for the stretches that the actuator sees, such as 1 to {FIT.working:g}: stretch=(…) and "
+            f"weights='even' in Python, --for 'stretch 1:{FIT.working:g}' or --for RUN on the command line.",
         ),
     )
 
