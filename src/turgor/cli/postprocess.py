@@ -2,13 +2,16 @@
 
 from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
 from turgor.cli.options import Debug, Json, check_new, name_and_unit, output_option
 from turgor.foundation.errors import TurgorError
+
+if TYPE_CHECKING:
+    from turgor.accuracy.laboratory.compare import Comparison
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run, finished or not.")]
 
@@ -68,6 +71,22 @@ def branch_of(loading: bool, unloading: bool) -> str:
     return "loading" if loading else "unloading" if unloading else "both"
 
 
+def _tell_runs(run: Path, other: Path, comparison: "Comparison") -> None:
+    """Print in which keys the jobs of two runs differ, and every column that both have."""
+    from turgor.job.compare_runs import differences, differing_keys
+
+    keys = differing_keys(run, other)
+    for key, first, second in keys:
+        typer.echo(f"  {key}: {first} against {second}")
+    if not keys:
+        typer.echo("The jobs have the same values, as far as their lock files say.")
+    rows = [("column", run.name, other.name, "RMS", "of range")]
+    rows += [each.cells() for each in differences(comparison.computed, comparison.measured, comparison)]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        typer.echo("  ".join(text.ljust(width) for text, width in zip(row, widths, strict=True)).rstrip())
+
+
 def compare_command(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Folder of a run, or a CSV file of a response.")],
     experiment: Annotated[
@@ -110,7 +129,7 @@ def compare_command(
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.accuracy.laboratory.chosen_rows import ChosenRows
         from turgor.cli.answers.results import compared_result
-        from turgor.job.compare import ComparisonOptions, compare_folder
+        from turgor.job.compare import ComparisonOptions, compare_folder, is_run
 
         units = dict(name_and_unit(each) for each in unit or ())
         rows = ChosenRows(
@@ -122,6 +141,8 @@ def compare_command(
         typer.echo(comparison.summary()[:1].upper() + comparison.summary()[1:])
         for note in comparison.notes:
             typer.echo(note)
+        if is_run(experiment):
+            _tell_runs(run, experiment, comparison)
         if files:
             typer.echo(f"Written: {', '.join(map(str, files))}. 'turgor report {run}' adds it to the report.")
         answer.give(partial(compared_result, comparison, files))

@@ -78,6 +78,8 @@ def compare_folder(
         lines = tuple(_of_specimen(name, each, comparison) for name, each in specimens.items())
         comparison = replace(comparison, notes=(*comparison.notes, *lines))
     other = Path(experiment)
+    if is_run(other):
+        comparison = replace(comparison, other="other run's")
     name = other.resolve().parent.name if other.name == RESPONSE else other.stem
     return comparison, _write(run / COMPARISONS, name, comparison) if run.is_dir() else []
 
@@ -106,10 +108,16 @@ def _of_specimen(name: str, specimen: Response, mean: Comparison) -> str:
 def _measured(experiment: Path, options: ComparisonOptions) -> tuple[Response, dict[str, Response]]:
     """Read what a run is compared with: the table of a laboratory, or the response of another run."""
     file = experiment / RESPONSE if (experiment / RESPONSE).is_file() else experiment
-    if file.is_file() and file.read_bytes().removeprefix(BOM)[: len(OF_A_RUN)] == OF_A_RUN:
+    if is_run(experiment):
         run = read_response(file, Source(text=file.resolve().parent.name.removesuffix("-results")))
         return options.rows.of(run, options.x, options.y), {}
     return options.rows.read(file, options.x, options.y)
+
+
+def is_run(experiment: Path) -> bool:
+    """Return whether a path is the folder of a run or its response, not the table of a laboratory."""
+    file = experiment / RESPONSE if (experiment / RESPONSE).is_file() else experiment
+    return file.is_file() and file.read_bytes().removeprefix(BOM)[: len(OF_A_RUN)] == OF_A_RUN
 
 
 def comparisons_of(folder: Path, computed: Response) -> list[tuple[str, Comparison]]:

@@ -19,6 +19,9 @@ from turgor.foundation.source import Source
 
 Array = NDArray[np.float64]
 
+#: The second response, unless it is that of another run.
+MEASURED = "measured"
+
 #: A shift of the drive must leave this share of the measured rows within the computed range.
 LEAST_OVERLAP = 0.7
 #: Stands for the difference where a shift leaves fewer rows; a number, because the search subtracts it.
@@ -59,6 +62,8 @@ class Comparison:
         Measured minus computed value at rest, at the beginning; nan where the record does not begin there.
     drift : float [SI]
         Measured value at rest at the end minus that at the beginning; nan where the drive does not come back.
+    other : str
+        Word for the second response in sentences and pictures.
     notes : tuple of str
         What was left out or assumed.
     """
@@ -79,6 +84,7 @@ class Comparison:
     loop: Loop | None = None
     offset: float = np.nan
     drift: float = np.nan
+    other: str = MEASURED
     notes: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
@@ -87,13 +93,14 @@ class Comparison:
     def summary(self) -> str:
         """Return what came out, in one sentence with units."""
         x, y = self.computed.find(self.x), self.computed.find(self.y)
+        rows = f"{len(self.rows)} {'measured rows' if self.other == MEASURED else 'rows'}"
         text = (
-            f"{_words(self.y)} differs by {_in(y, self.rms)} (RMS, {self.relative:.1%} of the measured range), at most "
-            f"by {_in(y, self.largest, signed=True)} at {_in(x, self.largest_at)}, over {len(self.rows)} measured rows"
+            f"{_words(self.y)} differs by {_in(y, self.rms)} (RMS, {self.relative:.1%} of the {self.other} range), "
+            f"at most by {_in(y, self.largest, signed=True)} at {_in(x, self.largest_at)}, over {rows}"
         )
         if np.isfinite(self.shift) and self.rms_shifted < 0.9 * self.rms:
             text += (
-                f"; with {_in(x, self.shift, signed=True)} added to the measured {_words(self.x)} it is "
+                f"; with {_in(x, self.shift, signed=True)} added to the {self.other} {_words(self.x)} it is "
                 f"{_in(y, self.rms_shifted)}"
             )
         return text + "."
