@@ -163,6 +163,8 @@ def blocked(model: Model, setup: BlockedForce, notify: Callable[[str], None] | N
     if any(obstacle.name == PLATE for obstacle in model.contact.obstacles):
         raise TurgorError(f"blocked_force adds an obstacle '{PLATE}', but the model has one; rename that one.")
     sides = _near(mesh, setup.face, normal)
+    if setup.tilt:
+        check_unmirrored(mesh, "blocked_force: the tilt of the plate", "+x" if direction[1] == "z" else "+z")
     shape, pushed_in = rig_shape(mesh, setup, direction, sides)
     along = pushed_along(setup, direction)
     moved = tuple(-pushed_in * along)

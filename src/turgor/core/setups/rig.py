@@ -29,7 +29,7 @@ def pushed_along(setup: BlockedForce, direction: str) -> Array:
     push = np.array(DIRECTIONS[direction])
     if not setup.tilt:
         return push
-    across = np.array([1.0, 0.0, 0.0] if direction[1] == "z" else [0.0, 0.0, 1.0])
+    across = np.array(DIRECTIONS["+x" if direction[1] == "z" else "+z"])
     return np.asarray(np.cos(setup.tilt) * push + np.sin(setup.tilt) * across)
 
 
