@@ -75,3 +75,21 @@ def test_mistakes_are_answered(call, arguments, sentence):
     code, _, told = call("all.csv", *(["--average"] if "--rubber" in arguments else []), *arguments)
     assert code == BAD_INPUT
     assert sentence in told and "Traceback" not in told
+
+
+def test_each_file_has_its_own_specimen(tmp_path, capsys):
+    """A dumb-bell and a sheet that is slack for a fifth of its nominal length: forces over their own sections."""
+    law, files = 10e3, []
+    for name, power, area, zero in (("dumb", 2, 15e-6, 1.0), ("sheet", 3, 150e-6, 1.2)):
+        x = np.linspace(0.97 / zero, 2.0, 80)
+        stress = np.where(x > 1, 2 * law * (x - x**-power), -300.0)
+        rows = [f"{9 * zero * a},{b}" for a, b in zip(x, stress * area, strict=True)]
+        files.append(tmp_path / f"{name}.csv")
+        files[-1].write_text("\n".join(["length (mm),force (N)", *rows]) + "\n", encoding="utf-8")
+    sizes = ["--specimen", "9 mm, 5 mm, 3 mm; 9 mm, 50 mm, 3 mm"]
+    arguments = ["fit", *map(str, files), "--mode", "uniaxial,planar", "--zero", "auto", "--laws", "neo-hooke"]
+    assert main([*arguments, *sizes, "--json"]) == DONE
+    fit = json.loads(capsys.readouterr().out)["result"]["materials"][0]["fits"][0]
+    assert fit["parameters"]["C10"] == pytest.approx(law, rel=0.02)
+    assert main([*arguments, "--specimen", "1 mm, 1 mm, 1 mm; 1 mm, 1 mm, 1 mm; 1 mm, 1 mm, 1 mm"]) == BAD_INPUT
+    assert "3 specimens for 2 files" in capsys.readouterr().err

@@ -1,6 +1,6 @@
 """Command ``turgor fit``: read tests, fit laws, print their ranking, write plots and constants."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
+from turgor.cli.fitting.fit_files import write_fits
 from turgor.cli.fitting.fit_tables import show, show_each
 from turgor.cli.fitting.fit_texts import (
     common_name,
     modes_of,
     preload_of,
-    specimen_of,
+    specimens_of,
     working_range,
     zero_of,
 )
@@ -22,9 +23,9 @@ from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
     from turgor.core.materials.experiments.material_test import MaterialTest
+    from turgor.core.materials.experiments.specimen import Specimen
     from turgor.core.materials.fitting.history_fit import HistoryFit
     from turgor.core.materials.fitting.ranking import Ranking
-    from turgor.core.materials.library.fit_spread import FitSpread
 
 #: Laws that are fitted by default, from few to many parameters.
 DEFAULT_LAWS = "neo-hooke,mooney-rivlin,yeoh,ogden-3,gent"
@@ -52,7 +53,11 @@ class FitOptions:
     stress: Annotated[str, typer.Option(help="nominal or cauchy, where a file does not say.")] = ""
     weights: Annotated[str, typer.Option(help="relative, absolute or even (over the stretch).")] = "relative"
     specimen: Annotated[
-        str, typer.Option(help="Length, width and thickness for files of force, such as '33 mm, 6 mm, 3 mm'.")
+        str,
+        typer.Option(
+            help="Length, width and thickness for files of force, such as '33 mm, 6 mm, 3 mm'; or one for each "
+            "file, with semicolons between."
+        ),
     ] = ""
     cycle: Annotated[
         int | None, typer.Option(help="Loading curve of cyclic tests: 1 the first, -1 the last.", show_default=False)
@@ -110,7 +115,7 @@ def fit_files(chosen: FitOptions) -> None:
             spreads = spreads_of(rankings[0][1], replicates, within, weights, _kind(chosen.by))
         findings = check_rubber(rankings, chosen.rubber)
         if chosen.output is not None:
-            _write(chosen.output, rankings, spreads)
+            write_fits(chosen.output, rankings, spreads)
         answer.give(lambda: fit_result(used, rankings, folder=chosen.output))
         answer.findings.extend(dict.fromkeys(each for _, ranking in rankings for each in ranking.best.findings))
         answer.findings.extend(findings)
@@ -147,8 +152,10 @@ def _weights(chosen: FitOptions) -> str:
 def _tests(chosen: FitOptions, modes: Sequence[str | None]) -> "list[MaterialTest]":
     """Read all tests, crop them and thin them for the fit."""
     tests = []
-    for file, mode in zip(chosen.files, modes, strict=True):
-        read = _read_all(chosen, file, mode) if chosen.average or chosen.by else [_read(chosen, file, mode)]
+    specimens = specimens_of(chosen.specimen, len(chosen.files))
+    for file, mode, specimen in zip(chosen.files, modes, specimens, strict=True):
+        several = chosen.average or chosen.by
+        read = _read_all(chosen, file, mode, specimen) if several else [_read(chosen, file, mode, specimen)]
         for each in read:
             whole = _cropped(_handled(each, chosen), working_range(chosen.range_, chosen.working))
             test = whole if chosen.average else _thinned(whole, chosen.points)
@@ -224,8 +231,9 @@ def _fit_over_time(
     from turgor.core.materials.experiments.test_edits import rest_below
 
     preload, tests = preload_of(chosen.preload), []
-    for file, mode in zip(chosen.files, modes, strict=True):
-        test = _read(chosen, file, mode, cyclic=True)
+    specimens = specimens_of(chosen.specimen, len(chosen.files))
+    for file, mode, specimen in zip(chosen.files, modes, specimens, strict=True):
+        test = _read(chosen, file, mode, specimen, cyclic=True)
         test = test if preload is None else rest_below(test, preload)
         _tell(file, test)
         tests.append(test)
@@ -236,18 +244,22 @@ def _fit_over_time(
     return tests, fit
 
 
-def _read(chosen: FitOptions, file: Path, mode: str | None, cyclic: bool | None = None) -> "MaterialTest":
+def _read(
+    chosen: FitOptions, file: Path, mode: str | None, specimen: "Specimen | None", cyclic: bool | None = None
+) -> "MaterialTest":
     from turgor.core.materials.experiments.read_tests import read_test
 
     cyclic = chosen.cycle is not None if cyclic is None else cyclic
-    measure, specimen = chosen.stress or None, specimen_of(chosen.specimen)
+    measure = chosen.stress or None
     return read_test(file, mode=mode, stress_measure=measure, specimen=specimen, cyclic=cyclic)
 
 
-def _read_all(chosen: FitOptions, file: Path, mode: str | None) -> "Sequence[MaterialTest]":
+def _read_all(
+    chosen: FitOptions, file: Path, mode: str | None, specimen: "Specimen | None"
+) -> "Sequence[MaterialTest]":
     from turgor.core.materials.experiments.read_tests import read_tests
 
-    measure, specimen = chosen.stress or None, specimen_of(chosen.specimen)
+    measure = chosen.stress or None
     columns = {"batch": chosen.by} if chosen.by else None
     return read_tests(
         file, mode=mode, stress_measure=measure, specimen=specimen, columns=columns, cyclic=chosen.cycle is not None
@@ -279,21 +291,3 @@ def _thinned(test: "MaterialTest", points: int) -> "MaterialTest":
     from turgor.core.materials.experiments.test_edits import thin
 
     return thin(test, points) if points and test.mode not in ("biaxial", "simple_shear") else test
-
-
-def _write(folder: Path, rankings: "Sequence[tuple[str, Ranking]]", spreads: "Mapping[str, FitSpread]") -> None:
-    from turgor.core.materials.fitting.save import can_be_saved, save_fits
-    from turgor.views.plots.fits import fit_figure, write_fit_plot
-
-    folder.mkdir(parents=True, exist_ok=True)
-    unsaved: dict[str, None] = {}
-    for name, ranking in rankings:
-        stem = "-".join(name.lower().split())
-        write_fit_plot(folder / f"{stem}.png", fit_figure(ranking.fits, title=name))
-        saved = [fit for fit in ranking.fits if can_be_saved(fit)]
-        if saved:
-            save_fits(folder / f"{stem}.toml", name, saved, spreads)
-        unsaved |= {fit.spec.name: None for fit in ranking.fits if fit not in saved}
-    if unsaved:
-        typer.echo(f"Files of constants have no form for {', '.join(unsaved)} yet; see the plots.")
-    typer.echo(f"Plots and constants in {folder}.")

@@ -86,8 +86,19 @@ def modes_of(text: str, count: int) -> list[str | None]:
     return given
 
 
-def specimen_of(text: str) -> "Specimen | None":
-    """Return the dimensions of ``--specimen``."""
+def specimens_of(text: str, count: int) -> "list[Specimen | None]":
+    """Return the dimensions of the specimen of each file, which ``--specimen`` separates by semicolons."""
+    parts = [part.strip() for part in text.split(";")]
+    if len(parts) == 1:
+        return [_specimen(text)] * count
+    if len(parts) != count:
+        raise TurgorError(
+            f"--specimen states {len(parts)} specimens for {count} files; give one, or one for each file."
+        )
+    return [_specimen(part) for part in parts]
+
+
+def _specimen(text: str) -> "Specimen | None":
     from turgor.core.materials.experiments.specimen import Specimen
     from turgor.units import parse_quantity
 

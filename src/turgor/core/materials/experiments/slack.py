@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.core.materials.experiments.material_test import Array, MaterialTest
 from turgor.core.materials.experiments.settings import SLACK, SLIP
-from turgor.core.materials.experiments.test_edits import set_zero_length
+from turgor.core.materials.experiments.test_edits import set_zero_length, thin
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 
@@ -32,7 +32,7 @@ def zero_stretch(test: MaterialTest) -> float | None:
     1.05
     """
     power = _POWERS.get(test.mode)
-    if power is None or test.stretch.min() < 1.0:
+    if power is None or test.stretch.min() < SLACK.shortest:
         return None
     beginning = _beginning(test)
     if beginning.sum() < SLACK.points or not (test.nominal_stress[beginning] > 0).any():
@@ -166,7 +166,7 @@ def check_slip(tests: Sequence[MaterialTest]) -> tuple[Finding, ...]:
     for test in tests:
         if test.mode not in _POWERS or test.first_turn() is not None:
             continue
-        stretch, stress = _sorted(test)
+        stretch, stress = _sorted(thin(test, SLIP.points))
         noise = float(np.median(np.abs(np.diff(stress, 2)))) if len(stress) > SLACK.points else 0.0
         slips = _slips(stress, SLIP.noise * noise)
         if slips:
