@@ -6,6 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from turgor.core.materials.laws.conventions import law_from_printed
+from turgor.core.materials.library.fit_spread import SCATTER
+from turgor.core.materials.library.record import Record
 from turgor.core.materials.library.records import find_record
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.studies.runs.jobs.job_numbers import JobNumber
@@ -13,6 +15,8 @@ from turgor.studies.uncertainty.spread import Alternatives
 
 #: The spread that a record of a fitted rubber states.
 FITTED = "fitted"
+
+_ONE_CURVE = "Specimens and batches differ by more; fit several with --by."
 
 
 def fitted_alternatives(
@@ -55,11 +59,14 @@ def fitted_alternatives(
                 if key not in numbers:
                     raise unknown("number of the job", key, numbers)
         sets = own if not sets else [{**one, **other} for one, other in zip(sets, own, strict=True)]
-    return Alternatives(sets=tuple(sets), label=label or keys)
+    of = _record(names[0], stated[names[0]], folder).spread
+    more = f" {_ONE_CURVE}" if of is not None and of.of == SCATTER else ""
+    note = f"The spread of {keys} is that of the fit: {of.of if of else ''}.{more}"
+    return Alternatives(sets=tuple(sets), label=label or keys, note=note)
 
 
-def _laws(name: str, entry: Any, folder: Path) -> list[Any]:
-    """Laws with the constants of each set of a record."""
+def _record(name: str, entry: Any, folder: Path) -> Record:
+    """Record of a file that a material of a job names."""
     library = entry.get("library") if isinstance(entry, Mapping) else None
     if not isinstance(library, str):
         raise TurgorError(
@@ -67,11 +74,16 @@ def _laws(name: str, entry: Any, folder: Path) -> list[Any]:
             f'as {name.split(".")[-1]} = {{ library = "fitted/strip.toml", record = "yeoh" }}.'
         )
     file = str(folder / library) if library.endswith(".toml") else library
-    record = find_record(file, entry.get("record"))
+    return find_record(file, entry.get("record"))
+
+
+def _laws(name: str, entry: Any, folder: Path) -> list[Any]:
+    """Laws with the constants of each set of a record."""
+    record = _record(name, entry, folder)
     if record.spread is None:
         raise TurgorError(
-            f"{name}: the record '{record.name}' of '{library}' states no spread, because it was not fitted by turgor "
-            "or its tests leave a constant open. Name a deviation, or take --records of a library material."
+            f"{name}: the record '{record.name}' of '{record.library}' states no spread, because it was not fitted "
+            "by turgor or its tests leave a constant open. Name a deviation, or take --records of a library material."
         )
     return [
         law_from_printed(record.law, record.convention, {**each, **record.assumed})

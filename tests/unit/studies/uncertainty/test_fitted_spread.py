@@ -55,6 +55,7 @@ def test_the_band_is_that_of_the_deviation(call, tmp_path):
     """One constant: the same standard deviation as with a spread that states it, from sets on both sides."""
     code, said, _ = call("neo-hooke", "--spread", "materials.body=fitted as rubber", "--output", "fit")
     assert code == DONE and "(rubber)" in said
+    assert "The spread of materials.body is that of the fit: 5 batches." in said
     code, _, _ = call("neo-hooke", "--spread", "materials.body.C10=6 kPa as rubber", "--output", "stated")
     assert code == DONE
     fit, stated = (read_response(tmp_path / each / "uncertainty.csv") for each in ("fit", "stated"))

@@ -174,16 +174,16 @@ def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, str, 
     clock = {"time": times[0]} if times else {}
     if labels:
         batched = labels[0].role == "batch"
-        names = [tuple(row[c.index] if c.index < len(row) else "" for c in labels) for row in table.rows]
+        marks = [tuple(row[c.index] if c.index < len(row) else "" for c in labels) for row in table.rows]
         known = {column.role: column for column in measured} | clock
         return [
             (
-                " ".join((stem, *filter(None, name))),
-                name[0] if batched else "",
-                table.keeping(each == name for each in names),
+                " ".join((stem, *filter(None, mark))),
+                mark[0] if batched else "",
+                table.keeping(each == mark for each in marks),
                 known,
             )
-            for name in dict.fromkeys(names)
+            for mark in dict.fromkeys(marks)
         ]
     roles = [column.role for column in measured]
     copies = max((roles.count(role) for role in roles), default=1)

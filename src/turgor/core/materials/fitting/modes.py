@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from turgor.core.materials.fitting.checks import first_invariant_alone
 from turgor.core.materials.fitting.result import Fit, stress_text
 from turgor.core.materials.fitting.settings import FIT
 from turgor.core.materials.laws.homogeneous import equibiaxial, nominal_stress, planar, uniaxial
@@ -39,8 +40,13 @@ def missing_modes(fits: Sequence[Fit]) -> tuple[str, ...]:
     stretch = max(min(fits[0].stretch_range[1], FIT.trade_stretch), 1.0)
     if len(close) < 2 or stretch == 1.0:
         return (f"{text}; no second law fits as well, so that nothing says how uncertain the stress is there.",)
-    parts = [_differ(close, mode, stretch) for mode in missing]
     names = ", ".join(each.spec.name for each in close)
+    if all(first_invariant_alone(each.law) for each in close):
+        agree = (
+            "depend on the first invariant alone and agree there without a test: measured rubbers were 8 to 48 % off"
+        )
+        return (f"{text}. Laws that fit as well ({names}) {agree} (M02).",)
+    parts = [_differ(close, mode, stretch) for mode in missing]
     return (f"{text}. Laws that fit as well ({names}) differ {' and '.join(parts)}.",)
 
 

@@ -6,7 +6,7 @@ from math import isfinite
 import numpy as np
 
 from turgor.core.materials.fitting.result import Fit
-from turgor.core.materials.library.fit_spread import FitSpread
+from turgor.core.materials.library.fit_spread import SCATTER, FitSpread
 from turgor.foundation.errors import TurgorError
 
 
@@ -20,7 +20,7 @@ def scatter(fit: Fit) -> FitSpread | None:
     if fit.undetermined or not all(map(isfinite, fit.errors.values())):
         return None
     return FitSpread(
-        of="scatter about the curves", deviations=dict(fit.errors),
+        of=SCATTER, deviations=dict(fit.errors),
         correlation=tuple(tuple(map(float, row)) for row in fit.correlation),
     )  # fmt: skip
 

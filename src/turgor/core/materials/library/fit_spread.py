@@ -12,6 +12,9 @@ from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import parse_quantity
 
+#: What scatters where one fit to all tests states the spread.
+SCATTER = "scatter about the curves"
+
 _KEYS = ("of", "deviations", "correlation")
 
 
