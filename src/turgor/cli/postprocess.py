@@ -80,7 +80,7 @@ def _tell_runs(run: Path, other: Path, comparison: "Comparison") -> None:
         typer.echo(f"  {key}: {first} against {second}")
     if not keys:
         typer.echo("The jobs have the same values, as far as their lock files say.")
-    rows = [("column", run.name, other.name, "RMS", "of range")]
+    rows: list[tuple[str, ...]] = [("column", run.name, other.name, "RMS", "of range")]
     rows += [each.cells() for each in differences(comparison.computed, comparison.measured, comparison)]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for row in rows:
