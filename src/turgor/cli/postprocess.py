@@ -73,9 +73,10 @@ def branch_of(loading: bool, unloading: bool) -> str:
 
 def _tell_runs(run: Path, other: Path, comparison: "Comparison") -> None:
     """Print in which keys the jobs of two runs differ, and every column that both have."""
-    from turgor.job.compare_runs import differences, differing_keys
+    from turgor.accuracy.laboratory.two_runs import differences, differing_keys
+    from turgor.job.compare import stated_values
 
-    keys = differing_keys(run, other)
+    keys = differing_keys(stated_values(run), stated_values(other))
     for key, first, second in keys:
         typer.echo(f"  {key}: {first} against {second}")
     if not keys:

@@ -1,9 +1,11 @@
 """Compare a run with an experiment: the comparison is saved in the folder of the run, and its report shows it."""
 
+import tomllib
 from codecs import BOM_UTF8 as BOM
 from dataclasses import dataclass, field, replace
 from math import isfinite
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +18,7 @@ from turgor.core.results.files.response_csv import read_response
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.job.output.folder import COMPARISONS, RESPONSE
+from turgor.job.output.folder import COMPARISONS, LOCK, RESPONSE
 from turgor.views.plots.figures import svg_of, write_figure
 from turgor.views.viewer.curves import Measured
 
@@ -118,6 +120,12 @@ def is_run(experiment: Path) -> bool:
     """Return whether a path is the folder of a run or its response, not the table of a laboratory."""
     file = experiment / RESPONSE if (experiment / RESPONSE).is_file() else experiment
     return file.is_file() and file.read_bytes().removeprefix(BOM)[: len(OF_A_RUN)] == OF_A_RUN
+
+
+def stated_values(folder: Path) -> dict[str, Any]:
+    """Return the content of the lock file of a run; empty where there is none."""
+    file = folder / LOCK
+    return tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
 
 
 def comparisons_of(folder: Path, computed: Response) -> list[tuple[str, Comparison]]:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from turgor.accuracy.laboratory.markers import read_tracks as read_tracks
     from turgor.accuracy.laboratory.read_experiment import read_experiment as read_experiment
     from turgor.accuracy.laboratory.read_experiment import read_experiments as read_experiments
+    from turgor.accuracy.laboratory.rest import remove_drift as remove_drift
     from turgor.accuracy.laboratory.runs import average_runs as average_runs
     from turgor.accuracy.laboratory.runs import loading as loading
     from turgor.accuracy.laboratory.runs import unloading as unloading
@@ -42,7 +43,7 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.result import FitResidual as FitResidual
     from turgor.core.materials.fitting.save import save_fits as save_fits
     from turgor.core.materials.fitting.save import save_material as save_material
-    from turgor.core.materials.fitting.spreads import spread_between as spread_between
+    from turgor.core.materials.fitting.uncertainty import spread_between as spread_between
     from turgor.foundation.response import Column as Column
     from turgor.views.plots.history import history_figure as history_figure
 else:

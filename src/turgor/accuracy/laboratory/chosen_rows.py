@@ -65,7 +65,7 @@ class ChosenRows:
         Returns
         -------
         response : Response
-            The chosen rows; their mean with its spread where specimens are told apart.
+            The chosen rows; of several specimens, their mean with its spread.
         specimens : dict of str to Response
             Chosen rows of each specimen; empty for one.
         """

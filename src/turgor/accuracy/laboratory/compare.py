@@ -188,7 +188,7 @@ def compare(computed: Response, measured: Response, y: str | None = None, *, x: 
 
 def _of_measurement(y: Column, reach: float, loop: Loop | None, rest: tuple[float, float]) -> tuple[str, ...]:
     """Sentences on loading and unloading, offset and drift of a measurement, where they are more than its noise."""
-    notes, least = [], LABORATORY.told * reach
+    notes, least = [], LABORATORY.shown * reach
     if loop is not None:
         notes.append(
             f"Loading differs by {_in(y, loop.loading)} (RMS), unloading by {_in(y, loop.unloading)}; measured "

@@ -11,7 +11,7 @@ class LaboratorySettings:
     ----------
     rest : float
         Share of the range of the drive below which an actuator counts as at rest: a gauge without pressure shows less.
-    told : float
+    shown : float
         Share of the measured range above which offset, drift and loop are reported: cameras and gauges resolve 1 %.
     closed : float
         A computed drive that comes back to within this share of its range has been unloaded; a path past a limit point
@@ -21,7 +21,7 @@ class LaboratorySettings:
     """
 
     rest: float = 0.02
-    told: float = 0.01
+    shown: float = 0.01
     closed: float = 0.05
     loop_points: int = 101
 

@@ -59,7 +59,7 @@ def spreads_of(
         By the name of the law, without laws of several exponents, whose terms may change places.
     """
     from turgor.core.materials.fitting.fit_laws import fit
-    from turgor.core.materials.fitting.spreads import scatter, spread_between
+    from turgor.core.materials.fitting.uncertainty import scatter, spread_between
 
     spreads: dict[str, FitSpread] = {}
     for whole in ranking.fits:

@@ -9,7 +9,7 @@ from typing import Any
 import tomlkit
 
 from turgor.core.materials.fitting.result import Fit
-from turgor.core.materials.fitting.spreads import scatter
+from turgor.core.materials.fitting.uncertainty import scatter
 from turgor.core.materials.laws.conventions import has_no_unit, law_from_printed, saved_convention
 from turgor.core.materials.laws.laws import LAWS, Ogden
 from turgor.core.materials.library.fit_spread import FitSpread

@@ -12,7 +12,7 @@ from turgor.core.materials.fitting.library_check import check_library
 from turgor.core.materials.fitting.points import even_shares
 from turgor.core.materials.fitting.ranking import rank
 from turgor.core.materials.fitting.save import save_fits
-from turgor.core.materials.fitting.spreads import scatter, spread_between
+from turgor.core.materials.fitting.uncertainty import scatter, spread_between
 from turgor.core.materials.laws.laws import MooneyRivlin, NeoHooke, Yeoh
 from turgor.core.materials.library.records import find_record
 

@@ -1,9 +1,7 @@
 """Two runs side by side: in which keys their jobs differ, and by how much every column that both have."""
 
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,7 +9,6 @@ import numpy as np
 from turgor.accuracy.laboratory.compare import Comparison, compare
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
-from turgor.job.output.folder import LOCK
 
 #: Sections of a lock file that say nothing about the actuator.
 _LEFT_OUT = ("written_by", "output", "engine", "name")
@@ -46,23 +43,25 @@ class RunDifference:
         return named, f"{first:.4g}", f"{second:.4g}", f"{rms:.2g}", f"{self.relative:.1%}"
 
 
-def differing_keys(first: Path, second: Path) -> tuple[tuple[str, str, str], ...]:
-    """Return the keys in which the jobs of two runs differ, with both values.
+def differing_keys(first: Mapping[str, Any], second: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:
+    """Return the keys in which two jobs differ, with both values.
 
     Parameters
     ----------
-    first, second : Path
-        Folders of runs; without lock files there is nothing to tell.
+    first, second : mapping
+        Contents of lock files.
 
     Returns
     -------
     tuple of (str, str, str)
         A value that one of them lacks is a dash.
+
+    Examples
+    --------
+    >>> differing_keys({"name": "a", "mesh": {"size": "2 mm"}}, {"name": "b", "mesh": {"size": "1 mm", "cells": "x"}})
+    (('mesh.size', '2 mm', '1 mm'), ('mesh.cells', '–', 'x'))
     """
-    files = [folder / LOCK for folder in (first, second)]
-    if not all(file.is_file() for file in files):
-        return ()
-    one, other = (dict(_flat(tomllib.loads(file.read_text(encoding="utf-8")))) for file in files)
+    one, other = dict(_flat(first)), dict(_flat(second))
     named = [key for key in dict.fromkeys((*one, *other)) if ".source." not in key]
     keys = [key for key in named if one.get(key) != other.get(key)]
     return tuple((key, _shown(one.get(key)), _shown(other.get(key))) for key in keys)
