@@ -12,6 +12,7 @@ from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, read_table
 from turgor.studies.runs.jobs.job_numbers import read_number
 from turgor.studies.study_file.job_base import JobBase
+from turgor.studies.uncertainty.fitted_spread import FITTED, fitted_alternatives
 from turgor.studies.uncertainty.job_records import check_records, read_records
 from turgor.studies.uncertainty.job_spreads import PRESSURE, read_set, read_spread
 from turgor.studies.uncertainty.job_uncertainty import UncertaintyPlan
@@ -98,6 +99,9 @@ def read_uncertainty(
 def _spread(key: str, given: Mapping[str, Any], base: JobBase) -> Input:
     if given["spread"] == LIBRARY:
         return laboratory_alternatives(key, str(given.get("label", "")), base.job, base.numbers)
+    if given["spread"] == FITTED:
+        label = str(given.get("label", ""))
+        return fitted_alternatives(key, label, base.stated_materials, base.file.parent, base.numbers)
     if not isinstance(given["spread"], str):
         raise TurgorError(f'spread is {given["spread"]!r}; write a text with its unit, such as "0.1 mm".')
     name, number = (key, PRESSURE) if key == PRESSURE.key else base.number(key)

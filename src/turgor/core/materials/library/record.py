@@ -11,6 +11,7 @@ from turgor.core.materials.laws.conventions import describe, law_from_printed
 from turgor.core.materials.laws.laws import LAWS, Hooke, Law
 from turgor.core.materials.laws.names import spelled
 from turgor.core.materials.library import record_values as read
+from turgor.core.materials.library.fit_spread import FitSpread, read_fit_spread
 from turgor.core.materials.library.fitted_tests import FittedTests, read_fitted
 from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.core.materials.library.table_keys import table
@@ -31,7 +32,7 @@ FORMS = ("shell", "membrane", "combined")
 FILE_KEYS = ("name", "kind", "shore_hardness", "density", "supplier", "strength", "recommended", "records")
 RECORD_KEYS = (
     *("law", "parameters", "convention", "convention_reason", "assumed", "compressibility", "stretch_range"),
-    *("viscoelasticity", "stress_softening", "form", "bending_stiffness", "fitted"),
+    *("viscoelasticity", "stress_softening", "form", "bending_stiffness", "fitted", "spread"),
     *("density", "diameter", "software", "source", "cited_by", "references", "quoted_in", "printed_name", "doubts"),
 )
 
@@ -97,6 +98,8 @@ class Record:
         Of a sheet that bends more easily than a plate of its thickness, such as a woven fabric.
     fitted : FittedTests or None
         Tests of the library that turgor has fitted it to; None for a published set of constants.
+    spread : FitSpread or None
+        How far the constants are off, where the fit says so.
     recommended : str
         Why it is the one of its material to take; empty for the others.
     strength : Strength or None
@@ -131,6 +134,7 @@ class Record:
     form: str = ""
     bending_stiffness: float | None = None
     fitted: FittedTests | None = None
+    spread: FitSpread | None = None
     recommended: str = ""
     strength: Strength | None = None
 
@@ -206,6 +210,7 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         form=_form(entry, where),
         bending_stiffness=_optional(entry, "bending_stiffness", "bending stiffness", where),
         fitted=_part(entry, "fitted", where, read_fitted),
+        spread=_part(entry, "spread", where, read_fit_spread),
         recommended=_recommended(content, name, library),
         strength=read.strength(content.get("strength"), f"{library}: strength"),
     )
