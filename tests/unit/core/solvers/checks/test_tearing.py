@@ -143,9 +143,9 @@ def test_life_is_a_note_or_a_warning():
 
 def test_measures_without_the_numbers_that_they_need_say_so():
     states = path(RUBBER, [1.0, 1.5])
-    with pytest.raises(tg.TurgorError, match="no material states its elongation_at_break"):
+    with refused("break_share", "elongation_at_break", "strength"):
         tg.measure(solved(states), "break_share")
-    with pytest.raises(tg.TurgorError, match="crack_growth"):
+    with refused("log_cycles_to_tear", "crack_growth"):
         tg.measure(solved(states), "log_cycles_to_tear")
 
 
@@ -160,9 +160,9 @@ def test_tables_read_back_to_the_same():
 def test_wrong_tables_are_answered_with_what_is_needed():
     with refused("natural ruber", "natural rubber"):
         read_crack_growth("natural ruber")
-    with pytest.raises(tg.TurgorError, match="rate and exponent missing"):
+    with refused("rate", "exponent", "natural rubber"):
         read_crack_growth({"flaw": "0.1 mm"})
-    with pytest.raises(tg.TurgorError, match="exponent is 1; more than 1 is needed"):
+    with refused("exponent", 1, "more than 1"):
         CrackGrowth(rate=1e-7, exponent=1.0, flaw=1e-4)
-    with pytest.raises(tg.TurgorError, match="for rubbers"):
+    with refused("film", "crack_growth", "for rubbers"):
         tg.Material(name="film", law=tg.laws.Hooke(E=1e9, nu=0.3), crack_growth=CRACK_GROWTH["natural rubber"])
