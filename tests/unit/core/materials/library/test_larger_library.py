@@ -1,6 +1,7 @@
 """The library beyond the tables of the review: counts, sources, strengths, what is computed from one number, choice."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,6 +24,8 @@ LAWS = [each for each in all_records() if each.library in RUBBERS and each.stret
 def test_there_are_thirty_rubbers_and_fifteen_reinforcements() -> None:
     assert len(RUBBERS) >= 45
     assert len(STIFF) >= 20
+    page = (Path(__file__).parents[5] / "docs" / "materials.md").read_text(encoding="utf-8")
+    assert f"{len(RUBBERS)} rubbers and {len(STIFF)} reinforcements" in page
     families = ("ecoflex", "dragon-skin", "mold-star", "sylgard", "natural-rubber", "ninjaflex", "filaflex", "agilus")
     for family in (*families, "formlabs", "elastosil", "paper", "pet-film", "kevlar", "nylon", "cotton", "carbon"):
         assert any(name.startswith(family) for name in library()), family
