@@ -85,6 +85,7 @@ gallery: $(DEV)
 reference: $(DEV)
 	$(BIN)/python docs/reference_pages.py
 	$(BIN)/python docs/names_page.py
+	$(BIN)/python docs/materials_page.py
 
 dist: $(RUN)
 	$(BIN)/python release/dist.py

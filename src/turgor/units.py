@@ -93,7 +93,9 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "mass": MappingProxyType({"kg": kg, "g": g, "mg": 1e-6, "lb": 0.45359237, "oz": 0.45359237 / 16}),
         "density": MappingProxyType({"kg/m³": 1.0, "kg/m3": 1.0, "g/cm³": 1e3, "g/cm3": 1e3}),
         "spring stiffness": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
-        "force per length": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
+        "force per length": MappingProxyType(
+            {"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0, "kN/m": 1e3, "lbf/in": lbf / inch, "pli": lbf / inch}
+        ),
         "moment": MappingProxyType({"N m": 1.0, "Nm": 1.0, "N mm": 1e-3, "mN m": 1e-3, "mNm": 1e-3}),
         "bending stiffness": MappingProxyType(
             {"N m": 1.0, "N mm": 1e-3, "mN m": 1e-3, "mN mm": 1e-6, "µN m": 1e-6, "uN m": 1e-6}

@@ -27,13 +27,14 @@ def _materials(context: typer.Context) -> None:
 
 @materials_app.command("list")
 def _list(as_json: Json = False, debug: Debug = False) -> None:
-    """List the library materials: hardness, modulus, tested range, and the record to take."""
+    """List the library materials, softest first: hardness, modulus, tested range, ultimate stretch, record to take."""
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.cli.answers.file_results import materials_result
         from turgor.core.materials.library.choose import material_rows
+        from turgor.core.materials.library.record import KINDS
         from turgor.core.materials.library.record_files import library
 
-        head = ("material", "kind", "Shore", "E", "of sets", "stretch", "sets", "record to take")
+        head = ("material", "kind", "Shore", "E", "of sets", "stretch", "breaks at", "sets", "record to take")
         rows = [
             (
                 each.name,
@@ -42,10 +43,11 @@ def _list(as_json: Json = False, debug: Debug = False) -> None:
                 _modulus(each.modulus),
                 _spread(each.spread),
                 _stretches(each.stretch_range),
+                _stretch(each.ultimate),
                 str(each.records),
                 each.record or "–",
             )
-            for each in material_rows()
+            for each in sorted(material_rows(), key=lambda row: (KINDS.index(row.kind), row.modulus or 0.0))
         ]
         typer.echo(_aligned([head, *rows]))
         typer.echo("E is the initial Young's modulus of the record to take, and of all sets without a warning.")
@@ -55,24 +57,42 @@ def _list(as_json: Json = False, debug: Debug = False) -> None:
 
 @materials_app.command("choose")
 def _choose(
-    modulus: Annotated[str, typer.Option(help="Stress over strain in tension, such as '100 kPa'.", show_default=False)],
+    modulus: Annotated[
+        str | None, typer.Option(help="Stress over strain in tension, such as '100 kPa'.", show_default=False)
+    ] = None,
     stretch: Annotated[float, typer.Option(help="Stretch at which it is wanted; 2 is the 100 % modulus.")] = 2.0,
+    hardness: Annotated[
+        str, typer.Option(help="Shore hardness, such as '10 A' or '00-30'; up to 10 points off.", show_default=False)
+    ] = "",
+    reach: Annotated[
+        float | None,
+        typer.Option(
+            "--for",
+            help="Largest stretch that the actuator sees: rubbers that break below are left out.",
+            metavar="STRETCH",
+            show_default=False,
+        ),
+    ] = None,
     count: Annotated[int, typer.Option(min=1, help="Number of rubbers to print.")] = 5,
     debug: Debug = False,
 ) -> None:
-    """Find rubbers whose modulus at a stretch is near a wanted one."""
+    """Find rubbers whose modulus at a stretch, or whose hardness, is near a wanted one."""
     with errors_as_sentences(debug):
         from turgor.core.materials.library.choose import choose
+        from turgor.core.materials.library.spread import spread_of
         from turgor.units import parse_quantity
 
-        near = choose(parse_quantity(modulus, "pressure"), stretch)[:count]
-        head = ("material", "Shore", f"at stretch {stretch:g}", "tested stretch", "record")
-        rows = [(row.name, row.hardness or "–", _modulus(value), _stretches(row.stretch_range), row.record)
-                for row, value in near]  # fmt: skip
+        wanted = None if modulus is None else parse_quantity(modulus, "pressure")
+        near = choose(wanted, stretch, hardness=hardness, reach=reach)[:count]
+        head = ("material", "Shore", f"at stretch {stretch:g}", "tested stretch", "breaks at", "record")
+        rows = [(row.name, row.hardness or "–", _modulus(value), _stretches(row.stretch_range), _stretch(row.ultimate),
+                 row.record) for row, value in near]  # fmt: skip
         typer.echo(_aligned([head, *rows]))
         for row, _ in near:
             if row.why:
                 typer.echo(f"{row.name}: {row.why}")
+        if near:
+            typer.echo(f"Spread of {spread_of(near[0][0].name)}.")
 
 
 def _modulus(value: float | None) -> str:
@@ -86,6 +106,10 @@ def _spread(values: tuple[float, float] | None) -> str:
     if values is None or values[0] == values[1]:
         return "–"
     return f"{_modulus(values[0])} to {_modulus(values[1])}"
+
+
+def _stretch(value: float | None) -> str:
+    return "–" if value is None else f"{value:.3g}"
 
 
 def _stretches(values: tuple[float, float] | None) -> str:

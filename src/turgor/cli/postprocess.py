@@ -2,12 +2,16 @@
 
 from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
 from turgor.cli.options import Debug, Json, check_new, name_and_unit, output_option
+from turgor.foundation.errors import TurgorError
+
+if TYPE_CHECKING:
+    from turgor.accuracy.laboratory.compare import Comparison
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run, finished or not.")]
 
@@ -60,6 +64,30 @@ def measure_command(
         raise typer.Exit(DONE)
 
 
+def branch_of(loading: bool, unloading: bool) -> str:
+    """Return the branch that ``--loading`` and ``--unloading`` choose."""
+    if loading and unloading:
+        raise TurgorError("--loading and --unloading leave nothing; leave both out to compare both.")
+    return "loading" if loading else "unloading" if unloading else "both"
+
+
+def _tell_runs(run: Path, other: Path, comparison: "Comparison") -> None:
+    """Print in which keys the jobs of two runs differ, and every column that both have."""
+    from turgor.accuracy.laboratory.two_runs import differences, differing_keys
+    from turgor.job.compare import stated_values
+
+    keys = differing_keys(stated_values(run), stated_values(other))
+    for key, first, second in keys:
+        typer.echo(f"  {key}: {first} against {second}")
+    if not keys:
+        typer.echo("The jobs have the same values, as far as their lock files say.")
+    rows: list[tuple[str, ...]] = [("column", run.name, other.name, "RMS", "of range")]
+    rows += [each.cells() for each in differences(comparison.computed, comparison.measured, comparison)]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        typer.echo("  ".join(text.ljust(width) for text, width in zip(row, widths, strict=True)).rstrip())
+
+
 def compare_command(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Folder of a run, or a CSV file of a response.")],
     experiment: Annotated[
@@ -77,6 +105,15 @@ def compare_command(
         typer.Option(help="Unit of a column whose header has none: NAME=UNIT; as often as needed.", show_default=False),
     ] = None,
     only_loading: Annotated[bool, typer.Option("--loading", help="Leave out rows in which the drive falls.")] = False,
+    only_unloading: Annotated[
+        bool, typer.Option("--unloading", help="Leave out rows in which the drive rises.")
+    ] = False,
+    by: Annotated[
+        str, typer.Option(help="Column that tells specimens or runs apart: their mean is compared, and each.")
+    ] = "",
+    remove: Annotated[
+        str, typer.Option(help="offset, drift, or both with a comma: what is taken away from the measured values.")
+    ] = "",
     ranges: Annotated[
         list[str] | None,
         typer.Option(
@@ -91,15 +128,22 @@ def compare_command(
 ) -> None:
     """Compare a run with an experiment: differences, the best shift of the drive, table and picture."""
     with errors_as_sentences(debug, as_json) as answer:
+        from turgor.accuracy.laboratory.chosen_rows import ChosenRows
         from turgor.cli.answers.results import compared_result
-        from turgor.job.compare import ComparisonOptions, compare_folder
+        from turgor.job.compare import ComparisonOptions, compare_folder, is_run
 
         units = dict(name_and_unit(each) for each in unit or ())
-        options = ComparisonOptions(y=y, x=x, units=units, only_loading=only_loading, ranges=ranges or ())
+        rows = ChosenRows(
+            units=units, ranges=ranges or (), branch=branch_of(only_loading, only_unloading), by=by,
+            remove=[each.strip() for each in remove.split(",") if each.strip()],
+        )  # fmt: skip
+        options = ComparisonOptions(y=y, x=x, rows=rows)
         comparison, files = compare_folder(run, experiment, options)
         typer.echo(comparison.summary()[:1].upper() + comparison.summary()[1:])
         for note in comparison.notes:
             typer.echo(note)
+        if is_run(experiment):
+            _tell_runs(run, experiment, comparison)
         if files:
             typer.echo(f"Written: {', '.join(map(str, files))}. 'turgor report {run}' adds it to the report.")
         answer.give(partial(compared_result, comparison, files))

@@ -1,20 +1,24 @@
 """Compare a run with an experiment: the comparison is saved in the folder of the run, and its report shows it."""
 
+import tomllib
 from codecs import BOM_UTF8 as BOM
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from math import isfinite
 from pathlib import Path
+from typing import Any
 
+import numpy as np
+
+from turgor.accuracy.laboratory.chosen_rows import ChosenRows
 from turgor.accuracy.laboratory.compare import Comparison, compare
 from turgor.accuracy.laboratory.comparison_plot import comparison_figure
-from turgor.accuracy.laboratory.read_experiment import read_experiment
-from turgor.accuracy.laboratory.runs import SPREAD, loading, within_ranges
-from turgor.core.results.drive import drive_of
+from turgor.accuracy.laboratory.rest import less
+from turgor.accuracy.laboratory.runs import SPREAD
 from turgor.core.results.files.response_csv import read_response
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.job.output.folder import COMPARISONS, RESPONSE
+from turgor.job.output.folder import COMPARISONS, LOCK, RESPONSE
 from turgor.views.plots.figures import svg_of, write_figure
 from turgor.views.viewer.curves import Measured
 
@@ -30,22 +34,13 @@ class ComparisonOptions:
     ----------
     y, x : str or None
         Columns, as `turgor.compare` takes them.
-    units : mapping of str to str
-        Units of columns whose header has none.
-    columns : mapping of str to str
-        New names by header.
-    only_loading : bool
-        Whether the rows in which the drive falls are left out.
-    ranges : sequence of str
-        Ranges of measured columns; the rows outside are left out, see `turgor.experiments.within_ranges`.
+    rows : ChosenRows
+        What of the experiment is compared.
     """
 
     y: str | None = None
     x: str | None = None
-    units: Mapping[str, str] = field(default_factory=dict)
-    columns: Mapping[str, str] = field(default_factory=dict)
-    only_loading: bool = False
-    ranges: Sequence[str] = ()
+    rows: ChosenRows = field(default_factory=ChosenRows)
 
 
 def compare_folder(
@@ -77,21 +72,60 @@ def compare_folder(
     if run.is_dir() and not file.exists():
         raise TurgorError(f"'{run}' holds no {RESPONSE}, so it is no folder of a run; run the job first.")
     computed = read_response(file, Source(text=run.name.removesuffix("-results") or run.name))
-    measured = within_ranges(_measured(Path(experiment), options), options.ranges)
-    if options.only_loading:
-        measured = loading(measured, drive_of(measured))
+    measured, specimens = _measured(Path(experiment), options)
     comparison = compare(computed, measured, options.y, x=options.x)
+    if "offset" in options.rows.remove:
+        comparison = _without_offset(comparison, options)
+    if specimens:
+        lines = tuple(_of_specimen(name, each, comparison) for name, each in specimens.items())
+        comparison = replace(comparison, notes=(*comparison.notes, *lines))
     other = Path(experiment)
+    if is_run(other):
+        comparison = replace(comparison, other="other run's")
     name = other.resolve().parent.name if other.name == RESPONSE else other.stem
     return comparison, _write(run / COMPARISONS, name, comparison) if run.is_dir() else []
 
 
-def _measured(experiment: Path, options: ComparisonOptions) -> Response:
+def _without_offset(comparison: Comparison, options: ComparisonOptions) -> Comparison:
+    """Compare again, without the offset at rest."""
+    if not isfinite(comparison.offset):
+        raise TurgorError(
+            f"the offset of '{comparison.measured_y}' in {comparison.measured.source} is not known: the record "
+            f"does not begin at its lowest '{comparison.measured_x}', or nothing was computed there."
+        )
+    measured = less(comparison.measured, comparison.measured_y, comparison.offset)
+    again = compare(comparison.computed, measured, options.y, x=options.x)
+    amount = Column(comparison.y, comparison.computed.find(comparison.y).unit, np.array([comparison.offset]))
+    return replace(
+        again, notes=(*again.notes, f"The offset at rest, {amount.in_unit[0]:.3g} {amount.unit}, is removed.")
+    )
+
+
+def _of_specimen(name: str, specimen: Response, mean: Comparison) -> str:
+    """How far a run is from one of several specimens."""
+    one = compare(mean.computed, specimen, f"{mean.y}={mean.measured_y}", x=f"{mean.x}={mean.measured_x}")
+    return f"{name}: {one.summary()}"
+
+
+def _measured(experiment: Path, options: ComparisonOptions) -> tuple[Response, dict[str, Response]]:
     """Read what a run is compared with: the table of a laboratory, or the response of another run."""
     file = experiment / RESPONSE if (experiment / RESPONSE).is_file() else experiment
-    if file.is_file() and file.read_bytes().removeprefix(BOM)[: len(OF_A_RUN)] == OF_A_RUN:
-        return read_response(file, Source(text=file.resolve().parent.name.removesuffix("-results")))
-    return read_experiment(file, units=options.units, columns=options.columns)
+    if is_run(experiment):
+        run = read_response(file, Source(text=file.resolve().parent.name.removesuffix("-results")))
+        return options.rows.of(run, options.x, options.y), {}
+    return options.rows.read(file, options.x, options.y)
+
+
+def is_run(experiment: Path) -> bool:
+    """Return whether a path is the folder of a run or its response, not the table of a laboratory."""
+    file = experiment / RESPONSE if (experiment / RESPONSE).is_file() else experiment
+    return file.is_file() and file.read_bytes().removeprefix(BOM)[: len(OF_A_RUN)] == OF_A_RUN
+
+
+def stated_values(folder: Path) -> dict[str, Any]:
+    """Return the content of the lock file of a run; empty where there is none."""
+    file = folder / LOCK
+    return tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
 
 
 def comparisons_of(folder: Path, computed: Response) -> list[tuple[str, Comparison]]:

@@ -9,7 +9,7 @@ import numpy as np
 from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.files.response_csv import read_response
 from turgor.core.results.measures.measures import Reader, find_measure, measure
-from turgor.core.solvers.checks.materials import laws_beyond_their_tests
+from turgor.core.solvers.checks.materials import rubber_findings
 from turgor.core.solvers.load import load
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.errors import TurgorError
@@ -100,7 +100,7 @@ def outcome_of_folder(folder: str | Path) -> tuple[RunOutcome, PathFields]:
         job=job,
         solution=solution,
         response=response,
-        findings=by_weight((*laws_beyond_their_tests(solution.model, solution.states), *solution.findings)),
+        findings=by_weight((*rubber_findings(solution.model, solution.states), *solution.findings)),
         written_by=versions() | {"linear_solver": solution.timing.linear_solver},
         notices=(),
         folder=folder,

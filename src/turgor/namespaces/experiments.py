@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from turgor.accuracy.laboratory.markers import read_tracks as read_tracks
     from turgor.accuracy.laboratory.read_experiment import read_experiment as read_experiment
     from turgor.accuracy.laboratory.read_experiment import read_experiments as read_experiments
+    from turgor.accuracy.laboratory.rest import remove_drift as remove_drift
     from turgor.accuracy.laboratory.runs import average_runs as average_runs
     from turgor.accuracy.laboratory.runs import loading as loading
     from turgor.accuracy.laboratory.runs import unloading as unloading
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from turgor.core.materials.experiments.material_test import Edit as Edit
     from turgor.core.materials.experiments.material_test import MaterialTest as MaterialTest
     from turgor.core.materials.experiments.read_tests import read_tests as read_tests
+    from turgor.core.materials.experiments.slack import count_from_zero as count_from_zero
     from turgor.core.materials.experiments.specimen import Specimen as Specimen
     from turgor.core.materials.experiments.test_edits import average as average
     from turgor.core.materials.experiments.test_edits import crop as crop
@@ -34,12 +36,14 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.fit_history import fit_history as fit_history
     from turgor.core.materials.fitting.fit_laws import fit as fit
     from turgor.core.materials.fitting.history_fit import HistoryFit as HistoryFit
+    from turgor.core.materials.fitting.library_check import check_library as check_library
     from turgor.core.materials.fitting.ranking import Ranking as Ranking
     from turgor.core.materials.fitting.ranking import rank as rank
     from turgor.core.materials.fitting.result import Fit as Fit
     from turgor.core.materials.fitting.result import FitResidual as FitResidual
     from turgor.core.materials.fitting.save import save_fits as save_fits
     from turgor.core.materials.fitting.save import save_material as save_material
+    from turgor.core.materials.fitting.uncertainty import spread_between as spread_between
     from turgor.foundation.response import Column as Column
     from turgor.views.plots.history import history_figure as history_figure
 else:

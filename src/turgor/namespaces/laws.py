@@ -5,6 +5,9 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.core.materials.crack_growth import CRACK_GROWTH as CRACK_GROWTH
+    from turgor.core.materials.crack_growth import CrackGrowth as CrackGrowth
+    from turgor.core.materials.crack_growth import tearing_energy_of_crack as tearing_energy_of_crack
     from turgor.core.materials.history.softening import Mullins as Mullins
     from turgor.core.materials.history.stress_history import StressHistory as StressHistory
     from turgor.core.materials.history.stress_history import stress_history as stress_history
@@ -26,9 +29,12 @@ if TYPE_CHECKING:
     from turgor.core.materials.library.choose import choose as choose
     from turgor.core.materials.library.choose import material_rows as material_rows
     from turgor.core.materials.library.doubts import doubts_of as doubts_of
+    from turgor.core.materials.library.record_text import library_tables as library_tables
     from turgor.core.materials.library.records import library as library
     from turgor.core.materials.library.records import recommended as recommended
     from turgor.core.materials.library.records import records as records
+    from turgor.core.materials.library.spread import spread_of as spread_of
+    from turgor.core.materials.strength import Strength as Strength
     from turgor.foundation.source import Source as Source
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from turgor.core.results.fields.contact import contact_results as contact_results
     from turgor.core.results.fields.fibers import FiberResult as FiberResult
     from turgor.core.results.fields.fibers import fiber_results as fiber_results
+    from turgor.core.results.measures.bond_measures import bond_shear_on as bond_shear_on
+    from turgor.core.results.measures.bond_measures import peel_stress_on as peel_stress_on
     from turgor.core.results.measures.contact_measures import area_on as area_on
     from turgor.core.results.measures.contact_measures import bearing_distance as bearing_distance
     from turgor.core.results.measures.contact_measures import blocked_force as blocked_force
@@ -63,6 +65,11 @@ if TYPE_CHECKING:
     from turgor.core.results.measures.shape.shape_measures import helix_radius as helix_radius
     from turgor.core.results.measures.shape.workspaces import Workspace as Workspace
     from turgor.core.results.measures.shape.workspaces import workspace as workspace
+    from turgor.core.results.measures.tearing_measures import break_share as break_share
+    from turgor.core.results.measures.tearing_measures import cracking_energy_p99 as cracking_energy_p99
+    from turgor.core.results.measures.tearing_measures import log_cycles_to_tear as log_cycles_to_tear
+    from turgor.core.results.measures.tearing_measures import strength_share as strength_share
+    from turgor.core.results.measures.tearing_measures import tearing_energy as tearing_energy
     from turgor.core.results.measures.work.work_measures import efficiency as efficiency
     from turgor.core.results.measures.work.work_measures import fluid_work as fluid_work
     from turgor.core.results.measures.work.work_measures import injected_volume as injected_volume

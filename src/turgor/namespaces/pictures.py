@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from turgor.views.pictures.state_picture import bare_picture as bare_picture
     from turgor.views.pictures.state_picture import shared_view as shared_view
     from turgor.views.pictures.state_picture import write_picture as write_picture
+    from turgor.views.plots.materials import material_figure as material_figure
+    from turgor.views.plots.materials import material_panels as material_panels
     from turgor.views.plots.presets import Preset as Preset
     from turgor.views.plots.presets import preset as preset
     from turgor.views.plots.presets import write_curves as write_curves

@@ -1,5 +1,7 @@
 """The commands ``turgor materials list | choose | show | plot``, and the plot they write."""
 
+import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,9 +13,11 @@ from refused import refused, states
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.core.materials.library.record_files import library
-from turgor.core.materials.library.record_text import describe_material, doubts_list, library_table
+from turgor.core.materials.library.record_text import describe_material, library_tables
 from turgor.core.materials.library.records import find_record, records
-from turgor.views.plots.materials import curve, material_figure, plot_records, write_material_plot
+from turgor.views.plots.materials import curve, material_figure, material_panels, plot_records, write_material_plot
+
+DOCS = Path(__file__).parents[3] / "docs"
 
 TEST = "stretch,nominal stress (kPa)\n1.0,0\n1.5,20\n2.0,35\n3.0,62\n"
 
@@ -29,16 +33,19 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_list_has_a_row_for_every_material(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(arguments) == DONE
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in lines[1 : len(library()) + 1]] == list(library())
+    names = [line.split()[0] for line in lines[1 : len(library()) + 1]]
+    assert sorted(names) == list(library())
+    assert names.index("ecoflex-00-30") < names.index("dragon-skin-30") < names.index("paper"), "softest first"
     (line,) = (line for line in lines if line.startswith("ecoflex-00-30 "))
     assert line.split("  ")[-1].strip() == "yeoh-kulkarni-2015"
-    assert "76.2" in line and "10 " in line  # 6 C10 of that record, and ten sets
+    assert "76.2 kPa" in line  # 6 C10 of that record
+    assert line.split()[-3:-1] == ["10", "12"], "it breaks at a stretch of 10, and has twelve sets"
 
 
 def test_choose_orders_rubbers_by_their_modulus(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["materials", "choose", "--modulus", "190 kPa", "--count", "2"]) == DONE
     out = capsys.readouterr().out
-    assert [line.split()[0] for line in out.splitlines()[1:3]] == ["mold-star-16", "body-double-silk"]
+    assert [line.split()[0] for line in out.splitlines()[1:3]] == ["mold-star-16", "mold-star-15"]
     assert main(["materials", "choose", "--modulus", "190 mm"]) == BAD_INPUT
     assert "190 mm" in capsys.readouterr().err
 
@@ -162,10 +169,52 @@ def test_equal_plots_are_equal_files(tmp_path: Path) -> None:
 
 
 def test_the_page_of_the_documentation_is_up_to_date() -> None:
-    """``docs/materials.md`` holds what `library_table` and `doubts_list` give."""
-    page = (Path(__file__).parents[3] / "docs" / "materials.md").read_text(encoding="utf-8")
-    assert library_table() in page, "write the table into docs/materials.md again"
-    assert doubts_list() in page, "write the doubts into docs/materials.md again"
+    """``docs/materials.md`` holds the tables that ``docs/materials_page.py`` writes."""
+    page = (DOCS / "materials.md").read_text(encoding="utf-8")
+    for table in library_tables().values():
+        assert table in page, "call python docs/materials_page.py"
+    pictures = re.findall(r"images/materials/rubbers-(\d)\.png", page)
+    assert all((DOCS / f"images/materials/rubbers-{number}.png").exists() for number in pictures)
+    assert len(pictures) == 4
+
+
+def test_panels_show_the_record_to_take_others_tests_and_the_maker() -> None:
+    ecoflex, cheetah = material_panels(["ecoflex-00-30", "ninjatek-cheetah"]).axes
+    (best,) = (line for line in ecoflex.lines if line.get_color() == "tab:blue")
+    taken = find_record("ecoflex-00-30", "yeoh-kulkarni-2015")
+    assert best.get_ydata()[-1] == pytest.approx(curve(taken, np.array([3.0]))[0])
+    assert max(best.get_xdata()) == 3.0
+    gray = [line for line in ecoflex.lines if line.get_color() == "0.65"]
+    assert len(gray) == 7, "those without a computed doubt: neither ogden-steck-2019 nor the three wrong ones"
+    assert min(max(line.get_xdata()) for line in gray) < 1.91, "a planar test ends there"
+    (star,) = (line for line in ecoflex.lines if line.get_marker() == "*")
+    assert star.get_ydata()[0] == pytest.approx(0.06895, rel=1e-3)
+    assert any(line.get_marker() == "o" for line in ecoflex.lines)
+    assert cheetah.get_xlim() == (1.0, 1.5)
+    assert not [line for line in cheetah.lines if line.get_marker() in "*o"]
+
+
+def test_choose_by_hardness_and_reach(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["materials", "choose", "--hardness", "30 A", "--for", "5"]) == DONE
+    out = capsys.readouterr().out
+    assert "elastosil-m4601" in out and "dragon-skin-30" not in out
+    assert "Spread of " in out
+    assert main(["materials", "choose"]) == BAD_INPUT
+    assert states(capsys.readouterr().err, "modulus", "hardness")
+
+
+def test_show_prints_strength_cure_and_spread(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["materials", "show", "dragon-skin-30"]) == DONE
+    out = capsys.readouterr().out
+    for text in ("elongation at break: 3.64 (", "tear strength: 18.9 kN/m (", "cure: pot life 45 min", "spread: 34% "):
+        assert text in out
+
+
+def test_show_as_json_names_the_record_to_take(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["materials", "show", "ecoflex-00-30", "--json"]) == DONE
+    sets = json.loads(capsys.readouterr().out)["result"]["materials"]["ecoflex-00-30"]
+    assert [each["record"] for each in sets if each["recommended"]] == ["yeoh-kulkarni-2015"]
+    assert {each["ultimate_stretch"] for each in sets} == {10.0}
 
 
 def test_text_and_command_agree(capsys: pytest.CaptureFixture[str]) -> None:

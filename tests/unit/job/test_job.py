@@ -214,7 +214,7 @@ CHANGES = [
     ("hooke-polygerinos-2020", "hooke-2020",
      [":13: materials.strain_limiting_layer.record:", "'hooke-2020'", "'paper'", "'hooke-yang-2020'"]),
     (', record = "hooke-polygerinos-2020"', "",
-     [":13: materials.strain_limiting_layer.record:", "'paper'", "2 records", "hooke-yang-2020"]),
+     [":13: materials.strain_limiting_layer.record:", "'paper'", "3 records", "hooke-yang-2020"]),
     ("\nbase = {", "\nbas = {", [":12: materials.bas:", "'bas'", "'base'"]),
     ("\nbase = {", "\nbas = {", [":10: materials:", "base"]),
     (', thickness = "0.1 mm"', "",

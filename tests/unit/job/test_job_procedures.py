@@ -18,7 +18,7 @@ from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.run import run_job
 from turgor.job.text.problems import JobError
-from turgor.units import mm
+from turgor.units import deg, mm
 
 GUIDE = Path(__file__).parents[3] / "docs" / "howto" / "blocked-force.md"
 
@@ -110,7 +110,7 @@ def test_the_lock_file_repeats_them(tmp_path: Path, text: str) -> None:
     ("text", "old", "new", "facts"),
     [
         (BLOCKED, '"1.5 mm"', "1.5", [":28: procedure.distance:", "1.5", "'1.5 mm'"]),
-        (BLOCKED, '"1.5 mm"', '"-1 mm"', [":28: procedure.distance:", "-1 mm", "0 mm or more"]),
+        (BLOCKED, '"1.5 mm"', '"1.5 mm"\ntilt = "80 deg"', [":29: procedure.tilt:", "80 deg", "-60 to 60 deg"]),
         (
             BLOCKED,
             'direction = "-z"',
@@ -195,7 +195,8 @@ def test_the_guide_says_what_is_so(tmp_path: Path) -> None:
     start = FINGER[: FINGER.index("[obstacles.bar]")]
     asked = [read(tmp_path, start + block).setup for block in blocks]
     tab = BlockedForce(hold="yz", rotational_spring=0.68)
-    assert asked == [BlockedForce(distance=1 * mm), tab, Grasp(object="bar", pull_distance=3 * mm)]
+    rig = BlockedForce(direction="-z", distance=-0.3 * mm, tilt=5 * deg, spring=200.0)
+    assert asked == [BlockedForce(distance=1 * mm), rig, tab, Grasp(object="bar", pull_distance=3 * mm)]
     keys = [set(re.findall(r"(?m)^\| `(\w+)` \|", table)) for table in text.split("## How firmly")]
     assert keys[0] == {item.name for item in fields(BlockedForce)}
     assert keys[1] == {item.name for item in fields(Grasp)} | {"max_step"}

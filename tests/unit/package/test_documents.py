@@ -22,7 +22,7 @@ from turgor.job.tables.obstacles import SHAPES, STL, ObstacleTable, obstacle_tab
 
 ROOT = Path(__file__).parents[3]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))
-FINDING = re.compile(r"\b([BDFGLMNPU]\d\d)\b")
+FINDING = re.compile(r"\b([BDFGLMNPTU]\d\d)\b")
 
 
 def read(name):

@@ -18,12 +18,13 @@ import problems
 import slices
 import turgor as tg
 from fiber_tube import FiberTube
+from turgor.core.engine.fibers.tension import piece_tension
 from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.core.meshing.generate import mesh as make_mesh
 from turgor.core.model.fibers import Fibers, Winding
-from turgor.core.results.fields.fibers import FiberResult, fiber_results, piece_tension
+from turgor.core.results.fields.fibers import FiberResult, fiber_results
 from turgor.core.results.measures.measures import find_measure
 from turgor.units import deg, kPa, mm
 

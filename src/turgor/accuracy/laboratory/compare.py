@@ -5,7 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.accuracy.laboratory.loops import Loop, computed_at, loop_of
+from turgor.accuracy.laboratory.rest import rest_of
 from turgor.accuracy.laboratory.runs import SPREAD, branches, interpolated
+from turgor.accuracy.laboratory.settings import LABORATORY
 from turgor.core.results.drive import drive_of
 from turgor.core.results.error_text import NOT_SHOWN
 from turgor.core.results.measures.headlines import headlines
@@ -15,6 +18,9 @@ from turgor.foundation.response import MESH_ERROR, Column, Response
 from turgor.foundation.source import Source
 
 Array = NDArray[np.float64]
+
+#: The second response, unless it is that of another run.
+MEASURED = "measured"
 
 #: A shift of the drive must leave this share of the measured rows within the computed range.
 LEAST_OVERLAP = 0.7
@@ -50,6 +56,14 @@ class Comparison:
         What is added to the measured drive so that the curves lie closest; nan where there is no such shift.
     rms_shifted : float [SI]
         ``rms`` with this shift.
+    loop : Loop or None
+        Loading and unloading apart; None where the measured drive does not turn.
+    offset : float [SI]
+        Measured minus computed value at rest, at the beginning; nan where the record does not begin there.
+    drift : float [SI]
+        Measured value at rest at the end minus that at the beginning; nan where the drive does not come back.
+    other : str
+        Word for the second response in sentences and pictures.
     notes : tuple of str
         What was left out or assumed.
     """
@@ -67,6 +81,10 @@ class Comparison:
     relative: float
     shift: float
     rms_shifted: float
+    loop: Loop | None = None
+    offset: float = np.nan
+    drift: float = np.nan
+    other: str = MEASURED
     notes: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
@@ -75,13 +93,14 @@ class Comparison:
     def summary(self) -> str:
         """Return what came out, in one sentence with units."""
         x, y = self.computed.find(self.x), self.computed.find(self.y)
+        rows = f"{len(self.rows)} {'measured rows' if self.other == MEASURED else 'rows'}"
         text = (
-            f"{_words(self.y)} differs by {_in(y, self.rms)} (RMS, {self.relative:.1%} of the measured range), at most "
-            f"by {_in(y, self.largest, signed=True)} at {_in(x, self.largest_at)}, over {len(self.rows)} measured rows"
+            f"{_words(self.y)} differs by {_in(y, self.rms)} (RMS, {self.relative:.1%} of the {self.other} range), "
+            f"at most by {_in(y, self.largest, signed=True)} at {_in(x, self.largest_at)}, over {rows}"
         )
         if np.isfinite(self.shift) and self.rms_shifted < 0.9 * self.rms:
             text += (
-                f"; with {_in(x, self.shift, signed=True)} added to the measured {_words(self.x)} it is "
+                f"; with {_in(x, self.shift, signed=True)} added to the {self.other} {_words(self.x)} it is "
                 f"{_in(y, self.rms_shifted)}"
             )
         return text + "."
@@ -139,11 +158,12 @@ def compare(computed: Response, measured: Response, y: str | None = None, *, x: 
     name, other = _columns(computed, measured, y, driving=False, besides=(ours, theirs))
     notes = _named_differently(ours, theirs) + _named_differently(name, other)
     curve, turned = first_branch(computed, ours)
-    notes += turned
     drive, values = measured.column(theirs), measured.column(other)
     known = np.isfinite(drive) & np.isfinite(values)
     drive, values = drive[known], values[known]
-    at = interpolated(curve, ours, name, drive)
+    interpolated(curve, ours, name, drive)  # two rows are needed
+    at, unloaded = computed_at(computed.column(ours), computed.column(name), drive)
+    notes += () if unloaded else turned
     within = np.isfinite(at)
     if within.sum() < 2:
         span, theirs_span = computed.find(ours).span, measured.find(theirs).span
@@ -155,11 +175,30 @@ def compare(computed: Response, measured: Response, y: str | None = None, *, x: 
     worst = int(np.argmax(np.abs(away)))
     shift, shifted = best_shift(curve, ours, name, np.column_stack([drive, values]))
     rms, reach = _rms(away), float(np.ptp(rows[:, 1]))
+    rest = rest_of(measured, theirs, other)
+    offset = np.nan if rest is None else rest.start - float(interpolated(curve, ours, name, np.array([rest.drive]))[0])
+    loop, drift = loop_of(rows[:, 0], rows[:, 1], away), np.nan if rest is None else rest.drift
+    notes += _of_measurement(computed.find(name), reach, loop, (offset, drift))
     return Comparison(
         computed=computed, measured=measured, x=ours, y=name, measured_x=theirs, measured_y=other, rows=rows, rms=rms,
         largest=float(away[worst]), largest_at=float(rows[worst, 0]), relative=rms / reach if reach else np.inf,
-        shift=shift, rms_shifted=shifted, notes=notes,
+        shift=shift, rms_shifted=shifted, loop=loop, offset=offset, drift=drift, notes=notes,
     )  # fmt: skip
+
+
+def _of_measurement(y: Column, reach: float, loop: Loop | None, rest: tuple[float, float]) -> tuple[str, ...]:
+    """Sentences on loading and unloading, offset and drift of a measurement, where they are more than its noise."""
+    notes, least = [], LABORATORY.shown * reach
+    if loop is not None:
+        notes.append(
+            f"Loading differs by {_in(y, loop.loading)} (RMS), unloading by {_in(y, loop.unloading)}; measured "
+            f"values are {_in(y, loop.width, signed=True)} in unloading, on average."
+        )
+    for what, amount in zip(("At rest the measured value is {} from the computed one", "It drifts by {} until it is at "
+                             "rest again"), rest, strict=True):  # fmt: skip
+        if abs(amount) > least:
+            notes.append(f"{what.format(_in(y, amount, signed=True))}.")
+    return tuple(notes)
 
 
 def best_shift(computed: Response, x: str, y: str, measured: Array) -> tuple[float, float]:

@@ -3,6 +3,7 @@
 from typing import Any
 
 from turgor.accuracy.laboratory.compare import Comparison
+from turgor.accuracy.laboratory.loops import rising_rows
 from turgor.accuracy.laboratory.runs import SPREAD
 from turgor.foundation.response import Column, unit_text
 from turgor.views.plots.figures import PlotFigure
@@ -24,7 +25,8 @@ def comparison_figure(comparison: Comparison, title: str = "") -> PlotFigure:
     Returns
     -------
     matplotlib.figure.Figure
-        The computed curve with its mesh error, the measured one with the spread of its runs; below, the difference.
+        The computed curve with its mesh error, the measured one with the spread of its runs; below, the difference,
+        of loading and unloading apart.
     """
     figure = PlotFigure(figsize=(6.4, 5.4))
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3, 1))
@@ -36,7 +38,14 @@ def comparison_figure(comparison: Comparison, title: str = "") -> PlotFigure:
     rows = comparison.to_response()
     drive = rows.columns[0]
     lower.axhline(0.0, color=QUIET, lw=0.8)
-    lower.plot(drive.in_unit, rows.columns[3].in_unit, ".", color=COLORS[1], ms=3)
+    away = rows.columns[3].in_unit
+    if comparison.loop is None:
+        lower.plot(drive.in_unit, away, ".", color=COLORS[1], ms=3)
+    else:
+        rises = rising_rows(drive.values)
+        lower.plot(drive.in_unit[rises], away[rises], ".", color=COLORS[1], ms=3, label="loading")
+        lower.plot(drive.in_unit[~rises], away[~rises], ".", color=COLORS[2], ms=3, label="unloading")
+        lower.legend(frameon=False, labelcolor=INK, fontsize=8)
     lower.set_xlabel(computed.find(comparison.x).label, color=INK)
     lower.set_ylabel(f"difference [{unit_text(y.unit)}]", color=INK)
     style_axes(lower)
@@ -57,5 +66,5 @@ def _measured(axes: Any, comparison: Comparison) -> None:
         low, high = (Column(comparison.y, y.unit, value.values + sign * reach).in_unit for sign in (-1, 1))
         axes.fill_between(drive.in_unit, low, high, color=COLORS[1], alpha=0.2, lw=0)
     style = "o" if len(response) <= PLOT.marks else "-"  # more dots than these would merge into a bar
-    label = f"measured: {response.source.text}"
+    label = f"{comparison.other}: {response.source.text}"
     axes.plot(drive.in_unit, value.in_unit, style, color=COLORS[1], lw=1.4, ms=4, label=label)

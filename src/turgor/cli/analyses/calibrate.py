@@ -19,7 +19,8 @@ Texts = list[str] | None
 #: What states each key of the table of a study file.
 OPTIONS = {
     "experiments": "EXPERIMENT", "hold_out": "--hold-out", "rig": "--rig", "units": "--unit", "spread": "--spread",
-    "y": "--y", "x": "--x", "loading": "--loading", "ranges": "--range",
+    "y": "--y", "x": "--x", "loading": "--loading", "unloading": "--unloading", "by": "--by",
+    "remove": "--remove", "ranges": "--range",
 }  # fmt: skip
 
 
@@ -69,6 +70,13 @@ class _Options:
         often("--spread", "VALUE", "Standard deviation of a measured value, such as '1 deg'; one for each unit."),
     ] = None
     only_loading: Annotated[bool, typer.Option("--loading", help="Leave out rows in which the drive falls.")] = False
+    only_unloading: Annotated[bool, typer.Option("--unloading", help="Leave out rows in which the drive rises.")] = (
+        False
+    )
+    by: Annotated[
+        str, typer.Option(help="Column that tells specimens apart: their mean is fitted, weighted by their spread.")
+    ] = ""
+    remove: Annotated[Texts, often("--remove", "PART", "drift: what has not come back at the end of a record.")] = None
     ranges: Annotated[
         Texts,
         often(
@@ -141,6 +149,9 @@ def _stated(options: _Options) -> "tuple[StudyFile, str]":
         "y": options.y,
         "x": options.x,
         "loading": options.only_loading,
+        "unloading": options.only_unloading,
+        "by": options.by,
+        "remove": list(options.remove or ()),
         "ranges": list(options.ranges or ()),
     }
     table = {key: value for key, value in given.items() if value}

@@ -26,7 +26,8 @@ class _Options:
     spread: Annotated[
         list[str] | None,
         often("--spread", "KEY=DEVIATION", "Standard deviation of a number of the job, or of the pressure, such as "
-              "actuator.wall='0.1 mm'; also KEY=MEAN+-DEVIATION, replicates '1 mm;1.1 mm', and 'as LABEL' behind it."),
+              "actuator.wall='0.1 mm'; also KEY=MEAN+-DEVIATION, replicates '1 mm;1.1 mm', and 'as LABEL' behind it. "
+              "materials.body=library is the spread between laboratories, materials.body=fitted that of a fit's file."),
     ] = None  # fmt: skip
     sets: Annotated[
         list[str] | None,

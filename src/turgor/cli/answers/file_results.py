@@ -76,8 +76,9 @@ class MaterialsResult:
     Parameters
     ----------
     materials : table
-        Records of each material: ``record``, ``law``, constants as ``printed``, ``source``, and ``doubts``, each with
-        ``code``, ``severity``, ``message`` and ``advice``.
+        Records of each material: ``record``, ``law``, constants as ``printed``, ``source``, why it is ``recommended``,
+        ``stretch_range``, ``ultimate_stretch``, and ``doubts``, each with ``code``, ``severity``, ``message`` and
+        ``advice``.
     """
 
     materials: Mapping[str, Sequence[dict[str, Any]]]
@@ -170,6 +171,9 @@ def materials_result(names: Iterable[str], record: str | None = None) -> Materia
                 "law": each.law,
                 "printed": each.printed,
                 "source": str(each.source),
+                "recommended": each.recommended,
+                "stretch_range": each.stretch_range,
+                "ultimate_stretch": None if each.strength is None else each.strength.ultimate_stretch,
                 "doubts": list(find_doubts(each)),
             }
             for each in chosen

@@ -1,7 +1,7 @@
 """Results of commands on models, for programs: the content of ``result`` in the JSON document, and how it is built."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -143,8 +143,10 @@ class ComparedResult:
         Columns of the run that were compared.
     rows : int
         Number of measured rows within the computed range.
-    rms, largest, largest_at, relative, shift, rms_shifted : float
+    rms, largest, largest_at, relative, shift, rms_shifted, offset, drift : float
         As in `turgor.experiments.Comparison`.
+    loop : table or null
+        ``loading``, ``unloading`` and ``width``, where the measured drive turns.
     notes : list of str
         What was left out or assumed.
     files : list of str
@@ -160,6 +162,9 @@ class ComparedResult:
     relative: float
     shift: float
     rms_shifted: float
+    offset: float
+    drift: float
+    loop: dict[str, float] | None
     notes: Sequence[str]
     files: Sequence[Path]
 
@@ -289,7 +294,8 @@ def compared_result(comparison: "Comparison", files: Sequence[Path]) -> Compared
     return ComparedResult(
         x=comparison.x, y=comparison.y, rows=len(comparison.rows), rms=comparison.rms, largest=comparison.largest,
         largest_at=comparison.largest_at, relative=comparison.relative, shift=comparison.shift,
-        rms_shifted=comparison.rms_shifted, notes=comparison.notes, files=files,
+        rms_shifted=comparison.rms_shifted, offset=comparison.offset, drift=comparison.drift,
+        loop=None if comparison.loop is None else asdict(comparison.loop), notes=comparison.notes, files=files,
     )  # fmt: skip
 
 

@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
+from turgor.cli.fitting.fit_files import write_fits
 from turgor.cli.fitting.fit_tables import show, show_each
+from turgor.cli.fitting.fit_texts import (
+    common_name,
+    modes_of,
+    preload_of,
+    specimens_of,
+    working_range,
+    zero_of,
+)
 from turgor.cli.options import Debug, Json, command_of, output_option
 from turgor.foundation.errors import TurgorError
 
@@ -34,15 +43,35 @@ class FitOptions:
     ] = ""
     laws: Annotated[str, typer.Option(help="Laws, such as yeoh,ogden-3,rivlin-2,arruda-boyce.")] = DEFAULT_LAWS
     range_: Annotated[str, typer.Option("--range", help="Stretches wanted, such as 1:4; by default all.")] = ""
+    working: Annotated[
+        str,
+        typer.Option(
+            "--for",
+            help="What the actuator sees: 'stretch 1:2.5', or the folder of a run. All stretches weigh the same.",
+        ),
+    ] = ""
     stress: Annotated[str, typer.Option(help="nominal or cauchy, where a file does not say.")] = ""
-    weights: Annotated[str, typer.Option(help="relative or absolute.")] = "relative"
+    weights: Annotated[str, typer.Option(help="relative, absolute or even (over the stretch).")] = "relative"
     specimen: Annotated[
-        str, typer.Option(help="Length, width and thickness for files of force, such as '33 mm, 6 mm, 3 mm'.")
+        str,
+        typer.Option(
+            help="Length, width and thickness for files of force, such as '33 mm, 6 mm, 3 mm'; or one for each "
+            "file, with semicolons between."
+        ),
     ] = ""
     cycle: Annotated[
         int | None, typer.Option(help="Loading curve of cyclic tests: 1 the first, -1 the last.", show_default=False)
     ] = None
     preload: Annotated[str, typer.Option(help="Nominal stress at which the specimen is taut, such as '0.7 kPa'.")] = ""
+    zero: Annotated[
+        str, typer.Option(help="Stretch at which the stress is zero, such as 1.034, from which it counts; or auto.")
+    ] = ""
+    rubber: Annotated[
+        str, typer.Option(help="Library material to compare with; by default the one that the name contains.")
+    ] = ""
+    by: Annotated[
+        str, typer.Option(help="Column that tells batches or specimens apart: one fit of all, and their spread.")
+    ] = ""
     keep_tail: Annotated[bool, typer.Option("--keep-tail", help="Keep the points after the break.")] = False
     points: Annotated[int, typer.Option(help="Number of points that a curve is thinned to; 0 takes all.")] = 60
     each: Annotated[bool, typer.Option("--each", help="Every file is a material of its own.")] = False
@@ -64,66 +93,99 @@ def fit_files(chosen: FitOptions) -> None:
     """Fit laws to material tests, all files together, and rank them."""
     with errors_as_sentences(chosen.debug, chosen.as_json) as answer:
         from turgor.cli.answers.file_results import fit_result
+        from turgor.cli.fitting.fit_groups import check_rubber, replicates_of, spreads_of
 
         names = [law.strip() for law in chosen.laws.split(",") if law.strip()]
-        modes = _modes(chosen.mode, len(chosen.files))
-        _range(chosen.range_)  # checked before files are read
-        if chosen.average and (chosen.each or chosen.relaxation or chosen.softening):
-            raise TurgorError("--average goes with neither --each nor --relaxation nor --softening.")
+        modes = modes_of(chosen.mode, len(chosen.files))
+        _check(chosen)
         if chosen.relaxation or chosen.softening:
             tests, fit = _fit_over_time(chosen, modes, names)
             answer.give(lambda: fit_result(tests, (), fit, chosen.output))
             return
-        if chosen.average:
-            tests = _means(chosen, modes)
-        else:
-            tests = [_test(chosen, file, mode) for file, mode in zip(chosen.files, modes, strict=True)]
-        groups = [(test.name, [test]) for test in tests] if chosen.each else [(_common_name(chosen.files), tests)]
-        rankings = _ranked(chosen, groups, names)
+        tests = _tests(chosen, modes)
+        name = common_name(chosen.files)
+        replicates = replicates_of(tests, chosen.by, chosen.average)
+        used = _means(tests, chosen.points) if chosen.average else tests
+        rankings = _ranked(chosen, [(test.name, [test]) for test in used] if chosen.each else [(name, used)], names)
         if chosen.each:
             show_each(rankings, names)
+        spreads = {}
+        if replicates:
+            within, weights = working_range(chosen.range_, chosen.working), _weights(chosen)
+            spreads = spreads_of(rankings[0][1], replicates, within, weights, _kind(chosen.by))
+        findings = check_rubber(rankings, chosen.rubber)
         if chosen.output is not None:
-            _write(chosen.output, rankings)
-        answer.give(lambda: fit_result(tests, rankings, folder=chosen.output))
+            write_fits(chosen.output, rankings, spreads)
+        answer.give(lambda: fit_result(used, rankings, folder=chosen.output))
         answer.findings.extend(dict.fromkeys(each for _, ranking in rankings for each in ranking.best.findings))
+        answer.findings.extend(findings)
 
 
 #: The command.
 fit_command = command_of(FitOptions, fit_files)
 
 
-def _test(chosen: FitOptions, file: Path, mode: str | None) -> "MaterialTest":
-    """Read a test, crop it and thin it for the fit."""
-    from turgor.core.materials.experiments.slack import check_slack
+def _check(chosen: FitOptions) -> None:
+    """Check options that exclude each other, before files are read."""
+    working_range(chosen.range_, chosen.working)
+    zero_of(chosen.zero)
+    over_time = chosen.relaxation or chosen.softening
+    if chosen.average and (chosen.each or over_time):
+        raise TurgorError("--average goes with neither --each nor --relaxation nor --softening.")
+    if chosen.by and (chosen.each or over_time):
+        raise TurgorError("--by goes with neither --each nor --relaxation nor --softening.")
+    if chosen.zero and (chosen.preload or over_time):
+        raise TurgorError("--zero goes with neither --preload nor --relaxation nor --softening.")
 
-    read = _read(chosen, file, mode, cyclic=chosen.cycle is not None)
-    whole = _cropped(_handled(read, chosen), _range(chosen.range_))
-    test = _thinned(whole, chosen.points)
-    _tell(file, test)
-    for finding in check_slack([whole]) if not check_slack([test]) else ():  # few points of its beginning are left
-        typer.echo(f"  {finding}")
-    return test
+
+def _kind(by: str) -> str:
+    """Return what the groups of tests are."""
+    from turgor.core.materials.experiments.columns import role_of
+
+    return "specimens" if role_of(by) == "specimen" else "batches" if by else "replicates"
 
 
-def _means(chosen: FitOptions, modes: Sequence[str | None]) -> "list[MaterialTest]":
-    """Read replicates, several in a file or one in each, and average those of each mode."""
-    from turgor.core.materials.experiments.read_tests import read_tests
+def _weights(chosen: FitOptions) -> str:
+    return "even" if chosen.working else chosen.weights
+
+
+def _tests(chosen: FitOptions, modes: Sequence[str | None]) -> "list[MaterialTest]":
+    """Read all tests, crop them and thin them for the fit."""
+    tests = []
+    specimens = specimens_of(chosen.specimen, len(chosen.files))
+    for file, mode, specimen in zip(chosen.files, modes, specimens, strict=True):
+        several = chosen.average or chosen.by
+        read = _read_all(chosen, file, mode, specimen) if several else [_read(chosen, file, mode, specimen)]
+        for each in read:
+            whole = _cropped(_handled(each, chosen), working_range(chosen.range_, chosen.working))
+            test = whole if chosen.average else _thinned(whole, chosen.points)
+            _tell(file, test)
+            _tell_lost(whole, test)
+            tests.append(test)
+    return tests
+
+
+def _tell_lost(whole: "MaterialTest", test: "MaterialTest") -> None:
+    """Print findings about a test that its thinned points do not show."""
+    from turgor.core.materials.fitting.fit_laws import check_tests
+
+    shown = {each.code for each in check_tests([test], [test])}
+    for finding in check_tests([whole], [whole], "even"):
+        if finding.code not in shown:
+            typer.echo(f"  {finding}")
+
+
+def _means(tests: "Sequence[MaterialTest]", points: int) -> "list[MaterialTest]":
+    """Average the replicates of each mode."""
     from turgor.core.materials.experiments.test_edits import average
 
-    measure, specimen = chosen.stress or None, _specimen(chosen.specimen)
-    by_mode: dict[str, list[MaterialTest]] = {}
-    for file, mode in zip(chosen.files, modes, strict=True):
-        cyclic = chosen.cycle is not None
-        for read in read_tests(file, mode=mode, stress_measure=measure, specimen=specimen, cyclic=cyclic):
-            test = _cropped(_handled(read, chosen), _range(chosen.range_))
-            _tell(file, test)
-            by_mode.setdefault(test.mode, []).append(test)
     means = []
-    for mode, group in by_mode.items():
+    for mode in dict.fromkeys(test.mode for test in tests):
+        group = [test for test in tests if test.mode == mode]
         if len(group) == 1:
             raise TurgorError(f"--average has one {mode} test only; give two replicates or more of each mode.")
         name = f"mean of {len(group)} {mode}"
-        mean = average(group, points=chosen.points, name=name) if chosen.points else average(group, name=name)
+        mean = average(group, points=points, name=name) if points else average(group, name=name)
         typer.echo(f"{mean!r}\n  {mean.edits[-1].text}\n  {_spread(mean)}")
         means.append(mean)
     return means
@@ -152,8 +214,9 @@ def _ranked(
     rankings = []
     for name, group in groups:
         ranking = rank(
-            names, group, stretch=_range(chosen.range_), weights=chosen.weights, starts=chosen.starts, seed=chosen.seed
-        )
+            names, group, stretch=working_range(chosen.range_, chosen.working), weights=_weights(chosen),
+            starts=chosen.starts, seed=chosen.seed,
+        )  # fmt: skip
         rankings.append((name, ranking))
         if not chosen.each:
             show(ranking)
@@ -167,35 +230,54 @@ def _fit_over_time(
     from turgor.cli.fitting.fit_history import fit_over_time, write_history_fit
     from turgor.core.materials.experiments.test_edits import rest_below
 
-    preload, tests = _preload(chosen.preload), []
-    for file, mode in zip(chosen.files, modes, strict=True):
-        test = _read(chosen, file, mode, cyclic=True)
+    preload, tests = preload_of(chosen.preload), []
+    specimens = specimens_of(chosen.specimen, len(chosen.files))
+    for file, mode, specimen in zip(chosen.files, modes, specimens, strict=True):
+        test = _read(chosen, file, mode, specimen, cyclic=True)
         test = test if preload is None else rest_below(test, preload)
         _tell(file, test)
         tests.append(test)
-    name = _common_name(chosen.files)
+    name = common_name(chosen.files)
     fit = fit_over_time(tests, names, terms=chosen.relaxation, softening=chosen.softening, name=name)
     if chosen.output is not None:
         write_history_fit(chosen.output, fit, tests)
     return tests, fit
 
 
-def _read(chosen: FitOptions, file: Path, mode: str | None, cyclic: bool) -> "MaterialTest":
+def _read(
+    chosen: FitOptions, file: Path, mode: str | None, specimen: "Specimen | None", cyclic: bool | None = None
+) -> "MaterialTest":
     from turgor.core.materials.experiments.read_tests import read_test
 
-    measure, specimen = chosen.stress or None, _specimen(chosen.specimen)
+    cyclic = chosen.cycle is not None if cyclic is None else cyclic
+    measure = chosen.stress or None
     return read_test(file, mode=mode, stress_measure=measure, specimen=specimen, cyclic=cyclic)
+
+
+def _read_all(
+    chosen: FitOptions, file: Path, mode: str | None, specimen: "Specimen | None"
+) -> "Sequence[MaterialTest]":
+    from turgor.core.materials.experiments.read_tests import read_tests
+
+    measure = chosen.stress or None
+    columns = {"batch": chosen.by} if chosen.by else None
+    return read_tests(
+        file, mode=mode, stress_measure=measure, specimen=specimen, columns=columns, cyclic=chosen.cycle is not None
+    )
 
 
 def _handled(test: "MaterialTest", chosen: FitOptions) -> "MaterialTest":
     from turgor.core.materials.experiments.cycles import select_cycle
+    from turgor.core.materials.experiments.slack import count_from_zero
     from turgor.core.materials.experiments.test_edits import remove_slack, remove_tail
 
-    cycle, preload = chosen.cycle, _preload(chosen.preload)
+    cycle, preload, zero = chosen.cycle, preload_of(chosen.preload), zero_of(chosen.zero)
     if cycle is not None:
         test = select_cycle(test, cycle)
     if not chosen.keep_tail and test.mode != "biaxial":
         test = remove_tail(test)
+    if zero is not None:
+        return count_from_zero(test, None if isinstance(zero, str) else zero)
     return test if preload is None else remove_slack(test, preload)
 
 
@@ -209,66 +291,3 @@ def _thinned(test: "MaterialTest", points: int) -> "MaterialTest":
     from turgor.core.materials.experiments.test_edits import thin
 
     return thin(test, points) if points and test.mode not in ("biaxial", "simple_shear") else test
-
-
-def _write(folder: Path, rankings: "Sequence[tuple[str, Ranking]]") -> None:
-    from turgor.core.materials.fitting.save import can_be_saved, save_fits
-    from turgor.views.plots.fits import fit_figure, write_fit_plot
-
-    folder.mkdir(parents=True, exist_ok=True)
-    unsaved: dict[str, None] = {}
-    for name, ranking in rankings:
-        stem = "-".join(name.lower().split())
-        write_fit_plot(folder / f"{stem}.png", fit_figure(ranking.fits, title=name))
-        saved = [fit for fit in ranking.fits if can_be_saved(fit)]
-        if saved:
-            save_fits(folder / f"{stem}.toml", name, saved)
-        unsaved |= {fit.spec.name: None for fit in ranking.fits if fit not in saved}
-    if unsaved:
-        typer.echo(f"Files of constants have no form for {', '.join(unsaved)} yet; see the plots.")
-    typer.echo(f"Plots and constants in {folder}.")
-
-
-def _range(text: str) -> tuple[float, float] | None:
-    if not text:
-        return None
-    try:
-        low, high = (float(part) for part in text.split(":"))
-    except ValueError:
-        raise TurgorError(f"--range is '{text}'; write smallest and largest stretch, for example 1:4.") from None
-    return low, high
-
-
-def _modes(text: str, count: int) -> list[str | None]:
-    given: list[str | None] = [part.strip() or None for part in text.split(",")]
-    if len(given) == 1:
-        return given * count
-    if len(given) != count:
-        raise TurgorError(f"--mode names {len(given)} modes for {count} files; give one, or one for each file.")
-    return given
-
-
-def _specimen(text: str) -> "Specimen | None":
-    from turgor.core.materials.experiments.specimen import Specimen
-    from turgor.units import parse_quantity
-
-    if not text:
-        return None
-    sizes = [parse_quantity(part.strip(), "length") for part in text.split(",")]
-    if len(sizes) != 3:
-        raise TurgorError(
-            f"--specimen is '{text}'; write length, width and thickness, for example '33 mm, 6 mm, 3 mm'."
-        )
-    return Specimen(length=sizes[0], width=sizes[1], thickness=sizes[2])
-
-
-def _preload(text: str) -> float | None:
-    from turgor.units import parse_quantity
-
-    return parse_quantity(text, "pressure") if text else None
-
-
-def _common_name(files: Sequence[Path]) -> str:
-    """Name of the only file, or of the folder that all share."""
-    folder = files[0].resolve().parent.name
-    return files[0].stem if len(files) == 1 else folder or "fit"

@@ -13,14 +13,25 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.result import Fit
 
 
+#: Tests that have a column each; more do not fit onto a screen.
+MOST_TESTS = 4
+
+
 def show(ranking: "Ranking") -> None:
     """Print the table of laws and the sentences about it."""
     console, table = _table("law", "parameters", "AIC")
-    for test in ranking.best.quality:
+    single = len(ranking.best.quality) <= MOST_TESTS
+    for test in ranking.best.quality if single else ():
         table.add_column(f"{test.name} [%]", justify="right", overflow="fold")
         table.add_column("R²", justify="right")
+    if not single:
+        table.add_column(f"{len(ranking.best.quality)} tests [%]", justify="right")
+        table.add_column("the worst [%]", justify="right")
     for fit in ranking.fits:
         cells = [cell for test in fit.quality for cell in (f"{100 * test.relative:.1f}", f"{test.r2:.4f}")]
+        if not single:
+            worst = max(fit.quality, key=lambda test: test.relative)
+            cells = [f"{100 * fit.relative:.1f}", f"{100 * worst.relative:.1f} ({worst.name})"]
         parameters = "\n".join(fit.parameter(name) for name in fit.spec.names)
         table.add_row(fit.spec.name, parameters, f"{fit.aic:.1f}", *cells)
     console.print(table)

@@ -55,6 +55,16 @@ class CellFields:
 
     __repr__ = brief
 
+    @property
+    def principal_stress(self) -> Array:
+        """Largest principal Cauchy stress, (c, q) [Pa]."""
+        return _largest_eigenvalue(self.cauchy, _trace(self.cauchy))
+
+    @property
+    def nominal_stress(self) -> Array:
+        """Nominal stress along the largest principal stretch, (c, q) [Pa]: force per initial area, J σ₁ / λ₁."""
+        return self.volume_ratio * self.principal_stress / self.stretch
+
 
 @lru_cache(maxsize=2)
 def _geometry(mesh: Mesh, points: int) -> tuple[Array, Array]:

@@ -5,9 +5,11 @@ from dataclasses import dataclass, field
 from math import inf
 from typing import TYPE_CHECKING, get_args
 
+from turgor.core.materials.crack_growth import CrackGrowth
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.materials.laws.laws import Hooke, Law
+from turgor.core.materials.strength import Strength
 from turgor.foundation.display import Shown
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantity, number, one, shown
@@ -44,6 +46,10 @@ class Material(Shown):
     bending_stiffness : float or None [N m]
         Moment per width and curvature of a sheet that bends more easily than a plate, such as a woven fabric; by
         default a sheet bends like a plate of its thickness. For `Hooke` only.
+    strength : Strength or None
+        What it bears until it breaks or tears, when known; findings compare the computed stretches with it.
+    crack_growth : CrackGrowth or None
+        How fast cracks grow in it from cycle to cycle, when known; for rubbers only.
 
     Examples
     --------
@@ -63,6 +69,8 @@ class Material(Shown):
     viscoelasticity: Prony | None = None
     stress_softening: Mullins | None = None
     bending_stiffness: float | None = None
+    strength: Strength | None = None
+    crack_growth: CrackGrowth | None = None
 
     if TYPE_CHECKING:
 
@@ -78,6 +86,8 @@ class Material(Shown):
             source: Source = UNSTATED,
             viscoelasticity: Prony | None = None,
             stress_softening: Mullins | None = None,
+            strength: Strength | None = None,
+            crack_growth: CrackGrowth | None = None,
         ) -> None: ...
 
     def __post_init__(self) -> None:
@@ -91,9 +101,10 @@ class Material(Shown):
             raise TurgorError(f"material '{self.name}': bulk_modulus is {self.bulk_modulus:g} Pa; it must be positive.")
         if self.density is not None and not self.density > 0:
             raise TurgorError(f"material '{self.name}': density is {self.density:g} kg/m³; it must be positive.")
-        if isinstance(self.law, Hooke) and (self.viscoelasticity or self.stress_softening):
+        if isinstance(self.law, Hooke) and (self.viscoelasticity or self.stress_softening or self.crack_growth):
             raise TurgorError(
-                f"material '{self.name}' is linear elastic; viscoelasticity and stress_softening are for rubbers."
+                f"material '{self.name}' is linear elastic; viscoelasticity, stress_softening and crack_growth are "
+                "for rubbers."
             )
         if self.stretch_range is not None:
             object.__setattr__(self, "stretch_range", _range(self.stretch_range, f"{subject}: stretch_range"))

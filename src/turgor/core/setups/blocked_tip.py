@@ -10,12 +10,13 @@ from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.model import Model
-from turgor.core.model.obstacles import Plane, Plate, Vector
+from turgor.core.model.obstacles import Plate, Vector
 from turgor.core.model.obstacles.obstacle import push_text
 from turgor.core.model.points import ReferencePoint
 from turgor.core.model.supports import Fixed, Support
 from turgor.core.setups.directions import check_unmirrored
 from turgor.core.setups.free_tip import first_direction, outward
+from turgor.core.setups.rig import pushed_along, rig_position, rig_shape
 from turgor.core.setups.settings import BLOCKED_TIP
 from turgor.core.setups.setup_values import FREE, PLATE, BlockedForce
 from turgor.foundation.errors import TurgorError
@@ -63,6 +64,10 @@ def blocked_force(
     face: str = "tip",
     friction: float = 0.0,
     rotational_spring: float | None = None,
+    tilt: float = 0.0,
+    spring: float | None = None,
+    sensor_radius: float | None = None,
+    behind_tip: float | None = None,
 ) -> Model:
     """Return a model whose tip is stopped: by a rigid plate, as on a load cell, or fixed to a gauge.
 
@@ -80,7 +85,8 @@ def blocked_force(
         What stops the tip: ``"plate"``, or the directions in which its face is fixed, ``"x"``, ``"z"``, ``"xz"`` …
         ``"xyz"``. A tip that is free along x is as good as a root on a slider with rollers.
     distance : float [m], optional
-        How far the tip can move before it meets the plate, 0 or more; 0 where no position is given either.
+        How far the tip can move before it meets the plate; 0 where no position is given either. A negative one is a
+        preload: the plate is pushed that far into the tip, over the first 2 % of the load.
     position : float [m], optional
         Where the plate stands instead: its coordinate along the axis of the direction, which must be stated. Lock files
         give it.
@@ -95,6 +101,15 @@ def blocked_force(
     rotational_spring : float [N m/rad], optional
         A fixed tip is glued to a stiff tab that may turn about the middle of the face against a spring: its moment per
         angle, 0 for a hinge. Left out, every point of the face is fixed.
+    tilt : float [rad]
+        Angle of the plate, about y, or about x where the tip pushes along y; a positive one brings its side at larger x
+        (or z) nearer. The blocked force is that square to the plate, as a load cell under it measures.
+    spring : float [N/m], optional
+        Stiffness of the load cell, which gives way; rigid by default.
+    sensor_radius : float [m], optional
+        A round button presses instead of a plate; this is the radius of its ball.
+    behind_tip : float [m], optional
+        How far behind the tip the button stands, along the actuator at rest; 0 by default.
 
     Returns
     -------
@@ -111,7 +126,8 @@ def blocked_force(
     one(model, Model, "model", "a Model is needed")
     setup = BlockedForce(
         hold=hold, distance=distance, position=position, direction=direction, face=face, friction=friction,
-        rotational_spring=rotational_spring,
+        rotational_spring=rotational_spring, tilt=tilt, spring=spring, sensor_radius=sensor_radius,
+        behind_tip=behind_tip,
     )  # fmt: skip
     return blocked(model, setup)
 
@@ -147,8 +163,17 @@ def blocked(model: Model, setup: BlockedForce, notify: Callable[[str], None] | N
     if any(obstacle.name == PLATE for obstacle in model.contact.obstacles):
         raise TurgorError(f"blocked_force adds an obstacle '{PLATE}', but the model has one; rename that one.")
     sides = _near(mesh, setup.face, normal)
-    plane = Plane(point=_vector(plate_position(mesh, setup, direction) * np.abs(push)), normal=_vector(-push))
-    plate = Plate(name=PLATE, shape=plane, friction=setup.friction, face=NEAR_TIP, tip=setup.face)
+    if setup.tilt:
+        check_unmirrored(mesh, "blocked_force: the tilt of the plate", "+x" if direction[1] == "z" else "+z")
+    shape, pushed_in = rig_shape(mesh, setup, direction, sides)
+    along = pushed_along(setup, direction)
+    moved = tuple(-pushed_in * along)
+    rest = (0.0, 0.0, 0.0)
+    plate = Plate(
+        name=PLATE, shape=shape, friction=setup.friction, face=NEAR_TIP, tip=setup.face, spring=setup.spring,
+        along=None if shape.facing else _vector(along),
+        path=((0.0, rest), (BLOCKED_TIP.pushed, moved), (1.0, moved)) if pushed_in else (),
+    )  # fmt: skip
     contact = model.contact.with_obstacles((*model.contact.obstacles, plate))
     return replace(model, mesh=replace(mesh, faces={**mesh.faces, NEAR_TIP: sides}), contact=contact)
 
@@ -186,29 +211,8 @@ def settled(setup: BlockedForce, model: Model) -> BlockedForce:
     stated = directed(setup, model)
     if stated.direction == FREE or stated.hold != PLATE:
         return stated
-    return replace(stated, distance=None, position=plate_position(model.mesh, stated, stated.direction))
-
-
-def plate_position(mesh: Mesh, setup: BlockedForce, direction: str) -> float:
-    """Return the coordinate of the plate along the axis of its direction [m].
-
-    Parameters
-    ----------
-    mesh : Mesh
-    setup : BlockedForce
-    direction : str
-        As stated, or found where it is free.
-
-    Returns
-    -------
-    float
-    """
-    if setup.position is not None:
-        return setup.position
-    push = np.array(DIRECTIONS[direction])
-    nodes = np.unique(_near(mesh, setup.face, outward(mesh, setup.face)))
-    reached = float((mesh.points[nodes] @ push).max()) + (setup.distance or 0.0)
-    return reached * float(push.sum()) + 0.0
+    sides = _near(model.mesh, stated.face, outward(model.mesh, stated.face))
+    return replace(stated, distance=None, position=rig_position(model.mesh, stated, stated.direction, sides))
 
 
 def _supports(setup: BlockedForce, direction: str) -> tuple[Support, ...]:

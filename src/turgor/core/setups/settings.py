@@ -15,6 +15,8 @@ class BlockedTipSettings:
         Share of the load up to which the free actuator is followed, or farther until its tip moves. Sheets that bear
         tension only are taut long before: above films of 0.1 mm of paper and 0.5 mm of silk the direction is the same
         from 0.003 on.
+    pushed : float
+        Share of the load at which a plate that is pushed into the tip has reached its place: before the actuator moves.
     clear : float
         Share of the whole motion from which a part of it counts: a bender leaves its plane by what its mesh is askew.
     tolerance : float
@@ -23,6 +25,7 @@ class BlockedTipSettings:
 
     reach: float = 0.25
     first_share: float = 0.05
+    pushed: float = 0.02
     clear: float = 0.01
     tolerance: float = 1e-3
 

@@ -8,13 +8,16 @@ from typing import ClassVar
 from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.model.obstacles import check_friction
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.units import mm
+from turgor.units import deg, mm
 
 #: The tip is stopped by a plate, not fixed.
 PLATE = "plate"
 
 #: The direction is the one in which the free tip would set out.
 FREE = "free"
+
+#: Largest angle of a plate [rad]: beyond it stands along the actuator.
+MOST_TILT = 60 * deg
 
 #: What may stop the tip: the plate, or a gauge that holds it in some directions.
 HOLDS = (PLATE, *("".join(some) for count in (1, 2, 3) for some in combinations("xyz", count)))
@@ -48,6 +51,10 @@ class BlockedForce:
     face: str = "tip"
     friction: float = 0.0
     rotational_spring: float | None = field(default=None, metadata={"dimension": "rotational stiffness"})
+    tilt: float = field(default=0.0, metadata={"dimension": "angle"})
+    spring: float | None = field(default=None, metadata={"dimension": "spring stiffness"})
+    sensor_radius: float | None = field(default=None, metadata={"dimension": "length"})
+    behind_tip: float | None = field(default=None, metadata={"dimension": "length"})
     #: What it is for; a run writes it whatever else is measured.
     measures: ClassVar[tuple[str, ...]] = ("blocked_force",)
 
@@ -57,10 +64,8 @@ class BlockedForce:
             raise unknown("hold", self.hold, HOLDS)
         if self.direction not in (FREE, *DIRECTIONS):
             raise unknown("direction", self.direction, (FREE, *DIRECTIONS))
-        if self.distance is not None and not 0 <= self.distance < inf:
-            raise TurgorError(
-                f"blocked_force: distance is {self.distance / mm:g} mm; the plate stands 0 mm or more before the tip."
-            )
+        if self.distance is not None and not abs(self.distance) < inf:
+            raise TurgorError(f"blocked_force: distance is {self.distance / mm:g} mm; a finite number is needed.")
         check_friction("blocked_force", self.friction)
         if self.hold == PLATE:
             if self.distance is None and self.position is None:
@@ -74,6 +79,7 @@ class BlockedForce:
             raise TurgorError(
                 "blocked_force: rotational_spring belongs to a tip that is fixed, such as hold = 'yz'; hold is 'plate'."
             )
+        self._check_rig()
         if self.position is None:
             return
         place = f"blocked_force: position is {self.position / mm:g} mm"
@@ -84,12 +90,27 @@ class BlockedForce:
         if self.direction == FREE:
             raise TurgorError(f"{place}, but direction is 'free'; a position needs a stated one, such as '-z'.")
 
+    def _check_rig(self) -> None:
+        if not abs(self.tilt) <= MOST_TILT:
+            raise TurgorError(
+                f"blocked_force: tilt is {self.tilt / deg:g} deg; allowed is {-MOST_TILT / deg:g} to "
+                f"{MOST_TILT / deg:g} deg."
+            )
+        for name, unit in (("spring", "N/m"), ("sensor_radius", "m")):
+            value = getattr(self, name)
+            if value is not None and not 0 < value < inf:
+                raise TurgorError(f"blocked_force: {name} is {value:g} {unit}; allowed is more than 0.")
+        if self.sensor_radius is not None and self.tilt:
+            raise TurgorError("blocked_force: a round sensor has no angle; leave tilt or sensor_radius out.")
+        if self.behind_tip is not None and self.sensor_radius is None:
+            raise TurgorError("blocked_force: behind_tip is the place of a round sensor; state its sensor_radius too.")
+
     def _check_fixed(self) -> None:
         if self.rotational_spring is not None and not 0 <= self.rotational_spring < inf:
             raise TurgorError(
                 f"blocked_force: rotational_spring is {self.rotational_spring:g} N m/rad; allowed is 0 or more."
             )
-        for name in ("distance", "position", "friction"):
+        for name in ("distance", "position", "friction", "tilt", "spring", "sensor_radius", "behind_tip"):
             if getattr(self, name):
                 raise TurgorError(
                     f"blocked_force: {name} belongs to the plate; hold is '{self.hold}', leave {name} out."

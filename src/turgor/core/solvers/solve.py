@@ -17,7 +17,7 @@ from turgor.core.solvers.checkpoints.record import Question, RunRecord
 from turgor.core.solvers.checks.contact import deep_penetrations, elastic_slips, meeting_walls
 from turgor.core.solvers.checks.early_findings import check_before_solve
 from turgor.core.solvers.checks.explanations import explained
-from turgor.core.solvers.checks.materials import laws_beyond_their_tests
+from turgor.core.solvers.checks.materials import rubber_findings
 from turgor.core.solvers.checks.membranes import compressed_membranes
 from turgor.core.solvers.checks.plate import plate_findings
 from turgor.core.solvers.checks.time_steps import too_long_steps
@@ -183,7 +183,7 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
             solution = solve_stages(model, procedure, listeners, one)
         else:
             solution, _ = one(model, procedure, listeners, None)
-        beyond = laws_beyond_their_tests(model, solution.states)
+        beyond = rubber_findings(model, solution.states)
         plates = plate_findings(model, solution.states)
         listeners.tell(each for each in by_weight((*beyond, *plates, *solution.findings)) if each not in early)
         solution = replace(solution, findings=by_weight((*early, *beyond, *plates, *solution.findings)))

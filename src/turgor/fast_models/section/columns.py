@@ -32,8 +32,9 @@ def columns_of(equations: Equations, points: Sequence[Point]) -> list[Column]:
     columns += _sizes(equations, points)
     forces = np.array([forces_of(equations, p) for p in points]).reshape(-1, 4)
     columns += [Column(name, "N" if i == 0 else "Nm", forces[:, i]) for i, name in enumerate(FORCE_NAMES)]
-    stretched = [equations.rubber.largest_stretch(p.unknowns.y, p.unknowns.strains) for p in points]
-    columns.append(Column("largest_stretch", "", np.array(stretched)))
+    stretched = [equations.rubber.largest_stretches(p.unknowns.y, p.unknowns.strains) for p in points]
+    table = np.array(stretched).reshape(-1, 2)
+    columns += [Column(name, "", table[:, i]) for i, name in enumerate(("principal_stretch_p99", "largest_stretch"))]
     return columns
 
 

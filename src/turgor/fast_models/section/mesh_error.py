@@ -33,7 +33,13 @@ PLACES = (0.5, 1.0)
 REMAINDER = 2.0
 
 #: Columns that are not zero at rest, besides the volume.
-REST = {"stretch": 1.0, "cavity_ballooning": 1.0, "outside_ballooning": 1.0, "largest_stretch": 1.0}
+REST = {
+    "stretch": 1.0,
+    "cavity_ballooning": 1.0,
+    "outside_ballooning": 1.0,
+    "largest_stretch": 1.0,
+    "principal_stretch_p99": 1.0,
+}
 
 
 def with_mesh_error(

@@ -15,6 +15,7 @@ from turgor.core.engine.cells.internal_variables import History
 from turgor.core.engine.cells.mean_stress_jumps import mean_stress_numbers
 from turgor.core.engine.cells.point_stress import isochoric_invariants, stress_and_moduli
 from turgor.core.engine.cells.stabilization import REGULARIZATION, STIFFNESS
+from turgor.core.engine.percentiles import weighted_percentile
 from turgor.core.model.model import Model
 from turgor.fast_models.section.kinematics import Vectors
 from turgor.fast_models.section.plane import Plane, gradients, tables
@@ -80,9 +81,10 @@ class Rubber:
         K += np.swapaxes(by_moment, 1, 2) @ by_moment
         return r, K
 
-    def largest_stretch(self, y: Array, strains: Array) -> float:
-        """Largest principal stretch at the integration points."""
-        return float(np.linalg.norm(self.vectors.at(y, strains), ord=2, axis=(-2, -1)).max())
+    def largest_stretches(self, y: Array, strains: Array) -> tuple[float, float]:
+        """Principal stretch that 99 % of the area stay below, and the largest at the integration points."""
+        stretches = np.linalg.norm(self.vectors.at(y, strains), ord=2, axis=(-2, -1))
+        return weighted_percentile(stretches, self.vectors.weights), float(stretches.max())
 
 
 def rubber_of(model: Model, plane: Plane, stress: float) -> Rubber:

@@ -40,8 +40,9 @@ class SectionSolution(Shown):
         ``outside_ballooning`` and ``cavity_ballooning`` are square roots of the ratio of the areas across the
         actuator, now and at rest: of a round tube, the ratio of its radii. ``axial_force``, ``torque``, ``moment_y``
         and ``moment_z`` act on the rod besides the pressures; they are zero unless given, or hold a strain.
-        ``largest_stretch`` is the largest principal stretch of the rubber. Each column is followed by its estimated
-        mesh error, such as ``curvature_y_mesh_error``.
+        ``principal_stretch_p99`` is the principal stretch that 99 % of the rubber stay below, ``largest_stretch`` the
+        largest at any point, which grows at sharp corners with every finer mesh. Each column is followed by its
+        estimated mesh error, such as ``curvature_y_mesh_error``.
     stable : tuple of bool
         Whether each state is stable against changes of the section that are the same all along it.
     """

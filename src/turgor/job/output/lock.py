@@ -8,6 +8,7 @@ from typing import Any
 import tomlkit
 
 from turgor.core.geometry.cad.cad_file import CadFile
+from turgor.core.materials.failure_tables import failure_tables
 from turgor.core.materials.laws.law_spec import is_dimensionless
 from turgor.core.materials.laws.laws import LAWS
 from turgor.core.materials.library.record_history import history_tables
@@ -149,7 +150,7 @@ def _material(entry: Material | Sheet) -> dict[str, Any]:
     if law != "hooke":
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
-    values |= history_tables(material.viscoelasticity, material.stress_softening)
+    values |= history_tables(material.viscoelasticity, material.stress_softening) | failure_tables(material)
     if material.density is not None:
         values["density"] = format_quantity(material.density, "kg/m³")
     if material.stretch_range is not None:

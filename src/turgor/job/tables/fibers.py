@@ -1,6 +1,7 @@
 """Fibers of a job file: one table ``[fibers.NAME]`` for each winding."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from math import inf, isfinite, pi
 from typing import Annotated, Any
@@ -9,13 +10,14 @@ from pydantic import AfterValidator, Field
 
 from turgor.core.geometry.directions import AXES
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.materials.failure_tables import failure_tables
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.records import find_record
 from turgor.core.materials.material import Material
 from turgor.core.model.fibers import Fibers, Winding
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.source import Source
-from turgor.job.tables.material_tables import SourceTable
+from turgor.job.tables.material_tables import SourceTable, Strengths
 from turgor.job.tables.materials import read_library
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
@@ -89,6 +91,8 @@ class FibersTable(Table):
         Density of the threads.
     source : table
         Where the constants come from, as for a material.
+    strength : table
+        Tensile strength and elongation at break of the threads with their source; that of the record by default.
     diameter : float [m]
         Diameter of a thread; that of the record by default.
     axis : str
@@ -106,6 +110,7 @@ class FibersTable(Table):
     nu: float = 0.3  # of a thread it has no effect
     density: Density | None = None
     source: SourceTable | None = Field(default=None, examples=['{ text = "data sheet" }'])
+    strength: Strengths | None = Field(default=None, examples=['{ tensile_strength = "3 GPa", source = "maker" }'])
     diameter: Length | None = Field(default=None, examples=['"0.2 mm"'])
     angle_from_axis: Angle | None = None
     angle_from_circumference: Angle | None = None
@@ -178,14 +183,18 @@ def _material(table: FibersTable, key: Key, problems: Problems) -> Material | No
         problems.add(key, f"the threads have {given}; name a material of the library, or state Young's modulus E.")
         return None
     if table.library is not None:
-        return read_library(table.library, table.record, table.density, key, problems)
+        material = read_library(table.library, table.record, table.density, key, problems)
+        if material is None or table.strength is None:
+            return material
+        return replace(material, strength=table.strength)
     source = Source(text=f"stated in {problems.file}")
     if table.source is not None:
         source = Source(text=table.source.text, detail=table.source.detail, doubts=tuple(table.source.doubts))
 
     def make() -> Material:
         law = Hooke(E=table.E, nu=table.nu)  # type: ignore[arg-type]
-        return Material(name=table.name or key[-1], law=law, density=table.density, source=source)
+        name = table.name or key[-1]
+        return Material(name=name, law=law, density=table.density, source=source, strength=table.strength)
 
     return problems.attempt(key, make, fields=("E", "nu", "density"))
 
@@ -259,6 +268,7 @@ def _table(fibers: Fibers) -> dict[str, Any]:
     if material.density is not None:
         values["density"] = format_quantity(material.density, "kg/m³")
     values["source"] = {"text": source.text, "detail": source.detail, "doubts": list(source.doubts)}
+    values |= failure_tables(material)
     values["diameter"] = format_quantity(fibers.diameter, "mm")
     for name, unit in _WINDING.items():
         value = getattr(winding, name)

@@ -7,6 +7,7 @@ from typing import Annotated, Any, get_args, get_origin
 
 from pydantic import AllowInfNan, BeforeValidator, Field, create_model
 
+from turgor.core.materials.failure_tables import read_crack_growth, read_strength
 from turgor.core.materials.laws.law_spec import is_dimensionless
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
@@ -20,6 +21,19 @@ Viscoelasticity = Annotated[
     Any,
     BeforeValidator(read_viscoelasticity),
     Says("table of a Prony series", '{ g = [0.2, 0.1], tau = ["1 s", "10 s"], moduli = "long_term" }'),
+]
+Strengths = Annotated[
+    Any,
+    BeforeValidator(read_strength),
+    Says(
+        "table of numbers with their source",
+        '{ elongation_at_break = 8.35, tensile_strength = "2.4 MPa", source = "data sheet" }',
+    ),
+]
+Growth = Annotated[
+    Any,
+    BeforeValidator(read_crack_growth),
+    Says("name or table", '{ like = "non-crystallizing rubber", flaw = "0.1 mm" }'),
 ]
 Softening = Annotated[
     Any, BeforeValidator(read_stress_softening), Says("table of constants", '{ r = 1.5, m = "20 kPa" }')
@@ -65,6 +79,12 @@ class LibraryTable(Table):
         ``"instantaneous"`` ones; that of the record by default.
     stress_softening : table
         Mullins effect after Ogden and Roxburgh: ``r``, ``m`` and ``beta``; that of the record by default.
+    strength : table
+        Elongation at break (9.0 for 900 %), tensile strength and tear strength with their source; that of the record by
+        default.
+    crack_growth : str or table
+        How fast cracks grow from cycle to cycle: a typical rubber, or ``rate`` at 1 kJ/m², ``exponent``, ``flaw``,
+        ``threshold`` and ``spread``.
     """
 
     library: str = Field(examples=['"ecoflex-00-30"'])
@@ -76,6 +96,8 @@ class LibraryTable(Table):
     density: Density | None = None
     viscoelasticity: Viscoelasticity | None = None
     stress_softening: Softening | None = None
+    strength: Strengths | None = None
+    crack_growth: Growth | None = None
 
 
 class SourceTable(Table):
@@ -129,6 +151,11 @@ class StatedTable(Table):
         ``"instantaneous"`` ones.
     stress_softening : table
         Mullins effect after Ogden and Roxburgh: ``r``, ``m`` and ``beta``.
+    strength : table
+        Elongation at break (9.0 for 900 %), tensile strength and tear strength with their source.
+    crack_growth : str or table
+        How fast cracks grow from cycle to cycle: a typical rubber, or ``rate`` at 1 kJ/m², ``exponent``, ``flaw``,
+        ``threshold`` and ``spread``.
     """
 
     law: str = Field(examples=['"yeoh"'])
@@ -140,6 +167,7 @@ class StatedTable(Table):
     density: Density | None = None
     stretch_range: list[float] | None = Field(default=None, examples=["[0.8, 2.5]"])
     source: SourceTable | None = Field(default=None, examples=['{ text = "own tests of 2026" }'])
+    strength: Strengths | None = None
 
 
 def law_table(law: type) -> type[Table]:
@@ -148,6 +176,7 @@ def law_table(law: type) -> type[Table]:
     if law is not Hooke:
         keys["bulk_modulus"] = (BulkModulus, inf)
         keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
+        keys["crack_growth"] = (Growth | None, None)
     return create_model(f"{law.__name__}Table", __base__=StatedTable, **keys)
 
 

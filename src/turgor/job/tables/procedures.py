@@ -35,6 +35,8 @@ _UNITS = {
     "time": "s",
     "rate": "1/s",
     "rotational stiffness": "N m/rad",
+    "angle": "deg",
+    "spring stiffness": "N/mm",
 }
 
 

@@ -156,6 +156,8 @@ def _calibration(
         status = CalibrationStatus.AT_BOUND
     fits_ = tuple(each for each in fits if each is not None)
     message, advice = _outcome_text(status, known, fits_, len(own))
+    if status is CalibrationStatus.NOT_CONVERGED:
+        message, advice = _why_not(objective, end, len(own), len(failures))
     return Calibration(
         parameters=parameters, values=values, estimate=known, fits=fits_, held_out=tuple(held_out), status=status,
         message=message, advice=advice, solves=len(own), computed=sum(not each.again for each in own),
@@ -179,14 +181,27 @@ def _fitted(data: Data, begun: Response, ended: Ended, rig: dict[str, float], st
     )
 
 
+def _why_not(objective: Objective, end: SearchResult, solves: int, failed: int) -> tuple[str, str]:
+    """Return why a search has not converged in plain words, and advice."""
+    parameters = objective.parameters
+    most = int(np.argmax(np.abs(end.step)))
+    each, from_, to = parameters[most], end.at[most], end.at[most] + end.step[most]
+    message = (
+        f"Not converged: all {solves} runs are used up, and one more step would lower the differences by about "
+        f"{100 * end.gain:.2g} %, with {each.name} from {each.shown(each.value(from_))} to "
+        f"{each.shown(each.value(to))}."
+    )
+    if failed:
+        message += f" {failed} of the runs failed."
+    again = "Call it again with more runs (--most-solves, most_solves): those that are done are not repeated."
+    return message, f"{again} Or start closer, narrow the bounds, or free fewer parameters."
+
+
 def _outcome_text(status: CalibrationStatus, known: Estimate, fits: Sequence[Fitted], solves: int) -> tuple[str, str]:
     """Return how the calibration ended, and advice."""
     count = f"{solves} runs"
     lost = [each for each in fits if each.beyond]
-    if status is CalibrationStatus.NOT_CONVERGED:
-        message = f"Not converged after {count}."
-        advice = "Start closer, narrow the bounds, free fewer parameters, or allow more runs."
-    elif status is CalibrationStatus.AT_BOUND:
+    if status is CalibrationStatus.AT_BOUND:
         names = " and ".join(known.at_bound)
         message = f"Converged after {count}, with {names} at a bound."
         advice = f"Widen the bound of {names} if values beyond it make sense; else the model or the experiment is off."

@@ -26,13 +26,19 @@ class SearchResult:
     jacobian : (m, n) array
         At this point: by slopes of the responses, else by finite differences.
     converged : bool
-        False where the runs were used up.
+        False where the runs were used up although a further step would gain something that rigs resolve.
+    step : (n,) array
+        The best step from here of the linear problem within the bounds.
+    gain : float [-]
+        Share by which it would lower the root of the mean square of the differences.
     """
 
     at: Array
     residuals: Array
     jacobian: Array
     converged: bool
+    step: Array
+    gain: float
 
 
 class _SpentError(Exception):
@@ -67,7 +73,7 @@ def search(objective: Objective, start: Array, most: int) -> SearchResult:
     while not no_step_left(objective, at, residuals, jacobian):
         to = _one_round(objective, at, jacobian, most)
         if to is None:
-            return SearchResult(at=at, residuals=residuals, jacobian=jacobian, converged=False)
+            return _ended(objective, at, residuals, jacobian, spent=True)
         if np.array_equal(to, at):
             break
         before, at, residuals = residuals, to, objective.residuals(to)
@@ -75,9 +81,19 @@ def search(objective: Objective, start: Array, most: int) -> SearchResult:
         if _cost(before) - _cost(residuals) < _least_gain(objective, residuals):  # rough, as meshes that change are
             break
         if len(objective.evaluations.ended) >= most:
-            done = no_step_left(objective, at, residuals, jacobian)
-            return SearchResult(at=at, residuals=residuals, jacobian=jacobian, converged=done)
-    return SearchResult(at=at, residuals=residuals, jacobian=jacobian, converged=True)
+            return _ended(objective, at, residuals, jacobian, spent=True)
+    return _ended(objective, at, residuals, jacobian)
+
+
+def _ended(objective: Objective, at: Array, residuals: Array, jacobian: Array, spent: bool = False) -> SearchResult:
+    """Return where a search ended. Runs that are used up matter only if more of them would show in the curve."""
+    step = _linear_step(objective, at, residuals, jacobian)
+    here, there = (float(np.sqrt(np.mean(each**2))) for each in (residuals, residuals + jacobian @ step))
+    small = here - there < CALIBRATION.resolved or no_step_left(objective, at, residuals, jacobian)
+    return SearchResult(
+        at=at, residuals=residuals, jacobian=jacobian, converged=small or not spent, step=step,
+        gain=1 - there / here if here else 0.0,
+    )  # fmt: skip
 
 
 def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> Array | None:

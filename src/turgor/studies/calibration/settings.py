@@ -33,7 +33,8 @@ class CalibrationSettings:
     least_gain, resolved : float
         The search ends where one more step would gain less than a fifth of a standard error: this share of the variance
         of the differences, in half the sum of squares. They count as no smaller than the second share of an assumed
-        spread: 0.1 % of the measured range, which neither rigs nor meshes resolve.
+        spread: 0.1 % of the measured range, which neither rigs nor meshes resolve. Where the runs are used up, the
+        search has converged if a further step would lower the differences by less than this share of the spread.
     smallest_step : float
         It also ends where a step would move every coordinate by less than this: 0.02 % of a positive parameter.
     round_gain : float

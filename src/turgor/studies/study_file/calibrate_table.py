@@ -8,9 +8,7 @@ from typing import Any
 
 from pydantic import Field
 
-from turgor.accuracy.laboratory.read_experiment import read_experiment
-from turgor.accuracy.laboratory.runs import loading, within_ranges
-from turgor.core.results.drive import drive_of
+from turgor.accuracy.laboratory.chosen_rows import ChosenRows
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import COLUMN_UNITS, Response
 from turgor.job.text.problems import Problems
@@ -44,6 +42,12 @@ class CalibrateTable(Table):
         Standard deviations of measured values, such as ``["1 deg"]``; one for each unit.
     loading : bool
         Whether rows in which the drive falls are left out.
+    unloading : bool
+        Whether rows in which the drive rises are left out.
+    by : str
+        Column that tells specimens or runs apart: their mean is fitted, with their spread as its weight.
+    remove : list of str
+        ``["drift"]`` takes away what has not come back at the end of a record.
     ranges : list of str
         Ranges of measured columns, such as ``["pressure=0..30 kPa"]``; rows outside are left out.
     most_solves : int
@@ -57,6 +61,9 @@ class CalibrateTable(Table):
     units: dict[str, str] = Field(default_factory=dict)
     spread: list[str] = Field(default_factory=list)
     loading: bool = False
+    unloading: bool = False
+    by: str = ""
+    remove: list[str] = Field(default_factory=list)
     ranges: list[str] = Field(default_factory=list)
     most_solves: int | None = None
 
@@ -139,8 +146,13 @@ def parameter_of(key: str, given: Any, numbers: Mapping[str, JobNumber]) -> Para
 
 
 def _measured(file: Path, table: CalibrateTable) -> Response:
-    measured = within_ranges(read_experiment(file, units=table.units), table.ranges)
-    return loading(measured, drive_of(measured)) if table.loading else measured
+    if table.loading and table.unloading:
+        raise TurgorError("loading and unloading are both true, which leaves nothing; leave both out to fit both.")
+    if "offset" in table.remove:
+        raise TurgorError('an offset is fitted, not removed: name it in rig, such as "bending_angle_offset".')
+    branch = "loading" if table.loading else "unloading" if table.unloading else "both"
+    rows = ChosenRows(units=table.units, ranges=table.ranges, branch=branch, by=table.by, remove=table.remove)
+    return rows.read(file, table.x, table.y)[0]
 
 
 def _spreads(texts: Sequence[str], measured: Sequence[Response]) -> list[float | None]:

@@ -7,9 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.toml_text import read_text, read_toml
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
+from turgor.job.text.overrides import changed
 from turgor.studies.runs.designs import Designs
 from turgor.studies.runs.factor import Factor, Value
 from turgor.studies.runs.files.designs_csv import read_designs
@@ -41,6 +43,12 @@ class JobBase:
         object.__setattr__(self, "job", read_job(self.file, self.changes))
         object.__setattr__(self, "whole", tomllib.loads(lock_text(self.job, {})))
         object.__setattr__(self, "numbers", numbers_of(self.whole))
+
+    @property
+    def stated_materials(self) -> Mapping[str, Any]:
+        """``[materials]`` as the file and the changes state it: names of records, not their constants."""
+        content = changed(read_toml(read_text(self.file), str(self.file)), {}, self.changes)
+        return dict(content.get("materials", {}))
 
     def factor(self, key: str, given: Any) -> Factor:
         """Return a factor with levels or a range that the job takes."""

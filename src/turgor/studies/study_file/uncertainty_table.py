@@ -12,10 +12,12 @@ from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, read_table
 from turgor.studies.runs.jobs.job_numbers import read_number
 from turgor.studies.study_file.job_base import JobBase
+from turgor.studies.uncertainty.fitted_spread import FITTED, fitted_alternatives
 from turgor.studies.uncertainty.job_records import check_records, read_records
 from turgor.studies.uncertainty.job_spreads import PRESSURE, read_set, read_spread
 from turgor.studies.uncertainty.job_uncertainty import UncertaintyPlan
-from turgor.studies.uncertainty.spread import Input, Spread
+from turgor.studies.uncertainty.library_spread import LIBRARY, laboratory_alternatives
+from turgor.studies.uncertainty.spread import Input
 
 #: The table of an uncertainty analysis.
 UNCERTAINTY = ("uncertainty",)
@@ -94,7 +96,12 @@ def read_uncertainty(
     return UncertaintyPlan(inputs=inputs, method=table.method, at=at, mesh_error=table.mesh_error)
 
 
-def _spread(key: str, given: Mapping[str, Any], base: JobBase) -> Spread:
+def _spread(key: str, given: Mapping[str, Any], base: JobBase) -> Input:
+    if given["spread"] == LIBRARY:
+        return laboratory_alternatives(key, str(given.get("label", "")), base.job, base.numbers)
+    if given["spread"] == FITTED:
+        label = str(given.get("label", ""))
+        return fitted_alternatives(key, label, base.stated_materials, base.file.parent, base.numbers)
     if not isinstance(given["spread"], str):
         raise TurgorError(f'spread is {given["spread"]!r}; write a text with its unit, such as "0.1 mm".')
     name, number = (key, PRESSURE) if key == PRESSURE.key else base.number(key)

@@ -35,7 +35,7 @@ def read_records(keys: str, label: str, job: Job, *, leave_out_doubtful: bool = 
         If a key is unknown, its material is not from the library, or its rubber has one record only.
     """
     names = [each.strip() for each in keys.split(",")]
-    rubbers = {_record_of(name, job) for name in names}
+    rubbers = {record_of(name, job) for name in names}
     if len(rubbers) > 1:
         raise TurgorError(f"the materials '{keys}' have different records; name one key each.")
     library, record = rubbers.pop()
@@ -63,8 +63,8 @@ def check_records(inputs: Sequence[Input]) -> None:
                 raise TurgorError(f"'{key}' has two spreads, its own and that of the records of {whole}; give it one.")
 
 
-def _record_of(key: str, job: Job) -> tuple[str, str]:
-    """Rubber and record of a material of a job."""
+def record_of(key: str, job: Job) -> tuple[str, str]:
+    """Return the names of rubber and record of a material of a job, for a key such as ``"materials.body"``."""
     known = {f"materials.{name}": entry for name, entry in job.materials.items()}
     if key not in known:
         raise unknown("material of the job", key, known)

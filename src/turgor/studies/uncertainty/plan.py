@@ -65,6 +65,7 @@ class Plan:
         return cls(
             computation=computation, inputs=inputs, method=method, values=taken, evaluations=evaluations,
             before=len(evaluations.ended),
+            notes=[each.note for each in inputs if isinstance(each, Alternatives) and each.note],
         )  # fmt: skip
 
     @property

@@ -72,12 +72,15 @@ class Alternatives:
         Name of each set, such as that of a record. Sets with names are reported one by one.
     doubts : tuple of tuple of str
         Codes of what is doubtful about each set that has a name.
+    note : str
+        What the result says about them.
     """
 
     sets: tuple[Mapping[str, float | str], ...]
     label: str
     names: tuple[str, ...] = ()
     doubts: tuple[tuple[str, ...], ...] = ()
+    note: str = ""
 
     def __post_init__(self) -> None:
         if len(self.sets) < 2:

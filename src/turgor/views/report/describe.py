@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 from math import isinf
 from typing import Any
 
+from turgor.core.materials.failure_tables import describe_failure
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.record_history import describe_history
 from turgor.core.materials.material import Material
@@ -149,6 +150,7 @@ def material(names: list[str], used: Material | Sheet) -> MaterialText:
     if material.stretch_range is not None:
         values.append(("fitted to stretches", f"{material.stretch_range[0]:g} to {material.stretch_range[1]:g}"))
     values += describe_history(material.viscoelasticity, material.stress_softening)
+    values += describe_failure(material)
     formula = (inspect.getdoc(type(material.law)) or type(material.law).__name__).splitlines()[0]
     values += [("law published in", law_source(material.law))] if law_source(material.law) else []
     return MaterialText(where, material.name, formula, values, str(material.source), material.source.doubts, material)

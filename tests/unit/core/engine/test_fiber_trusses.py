@@ -12,6 +12,7 @@ from turgor.core.engine.cells.reference import reference_nodes
 from turgor.core.engine.fibers.fiber_trusses import discrete_threads
 from turgor.core.engine.fibers.smeared import course_of, unit_axis
 from turgor.core.engine.fibers.surface_unrolling import shape_values, unroll
+from turgor.core.engine.fibers.tension import smooth_tension
 from turgor.core.engine.fibers.truss_bending import bending_energy, bending_forces, bending_tangents, joints_of
 from turgor.core.engine.system import System
 from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
@@ -19,7 +20,7 @@ from turgor.core.geometry.actuators.semicircular_bender import SemicircularBende
 from turgor.core.materials.laws.laws import Hooke, NeoHooke
 from turgor.core.meshing.generate import mesh
 from turgor.core.model.fibers import Fibers, Winding
-from turgor.core.results.fields.fibers import drawn_threads, fiber_results, smooth_tension
+from turgor.core.results.fields.fibers import drawn_threads, fiber_results
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measures import find_measure
 from turgor.core.solvers.solution import State

@@ -66,6 +66,10 @@ class MembraneTerm(Term):
         strain = self._linear(position, update, np.eye(3))
         return np.concatenate([self.field.stress(strain), strain], axis=-1)
 
+    def strains(self, position: Array) -> Array:
+        """Green's strain (f, q, 3): 11, 22, and twice 12."""
+        return self._linear(position, np.zeros_like(position), np.eye(3))
+
     def continued(self, position: Array, update: Array, last: Array) -> Array:
         """Stress and strain of an update; where the layer wrinkles, both are linear in it."""
         if self.field is None:
@@ -121,7 +125,7 @@ def membrane_terms(setting: Setting) -> list[MembraneTerm]:
 
 
 def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, Array]:
-    """Compute the smaller principal force per width of a membrane.
+    """Compute the smaller principal force per width of a membrane that bears compression.
 
     Parameters
     ----------
@@ -137,15 +141,50 @@ def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, 
     area : (f, q) array [m²]
         Area of each point.
     """
-    sheet, points = model.membranes[name], model.mesh.points
-    law, sides = sheet.material.law, np.ascontiguousarray(model.mesh.face(name))
-    assert isinstance(law, Hooke)
-    gradients, areas = membranes.surface_gradients(points, sides)
-    moduli = membranes.plane_stress_moduli(law) * sheet.thickness
-    still = np.zeros_like(points)
-    stress = membranes.membrane_stress(points + displacement, still, sides, gradients, areas, moduli)
-    half = 0.5 * (stress[..., 0] - stress[..., 1])
-    return 0.5 * (stress[..., 0] + stress[..., 1]) - np.hypot(half, stress[..., 2]), areas
+    term = _alone(model, name)
+    position = model.mesh.points + displacement
+    mean, radius = _circle(term.stresses(position, np.zeros_like(position)))
+    return mean - radius, term.areas
+
+
+def largest_tension(model: Model, name: str, displacement: Array) -> tuple[Array, Array, Array]:
+    """Compute stretch and nominal stress of a sheet along its larger principal stress, bending left out.
+
+    Parameters
+    ----------
+    model : Model
+    name : str
+        Face of the sheet.
+    displacement : (n, 3) array [m]
+
+    Returns
+    -------
+    stretch : (f, q) array [-]
+    stress : (f, q) array [Pa]
+        Force per initial area.
+    area : (f, q) array [m²]
+        Area of each point.
+    """
+    term, sheet = _alone(model, name), model.membranes[name]
+    position = model.mesh.points + displacement
+    mean, radius = _circle(term.stresses(position, np.zeros_like(position)))
+    strain = term.strains(position) * (1.0, 1.0, 0.5)
+    stretch = np.sqrt(1 + 2 * sum(_circle(strain)))
+    return stretch, stretch * (mean + radius) / sheet.thickness, term.areas
+
+
+def _alone(model: Model, name: str) -> MembraneTerm:
+    """Make the term of one sheet, in SI units."""
+    sheet = model.membranes[name]
+    only = replace(model, materials={**model.region_materials, name: sheet})
+    at_rest = np.zeros(model.mesh.points.shape, dtype=bool)
+    return membrane_terms(Setting(only, model.mesh.points, at_rest, np.empty((0, 0)), 1.0, 1.0))[0]
+
+
+def _circle(tensor: Array) -> tuple[Array, Array]:
+    """Center and radius of Mohr's circle of a plane tensor (..., 3): components 11, 22, 12."""
+    half = 0.5 * (tensor[..., 0] - tensor[..., 1])
+    return 0.5 * (tensor[..., 0] + tensor[..., 1]), np.hypot(half, tensor[..., 2])
 
 
 def bending_energy(model: Model, name: str, displacement: Array) -> float:

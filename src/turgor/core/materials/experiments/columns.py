@@ -39,13 +39,14 @@ DIMENSIONS: Mapping[str, str] = {
     "stress_2": "stress",
 }
 
-#: Roles of columns that hold words: the name of a specimen, and the axis along which the stress of a row acts.
-WORDS = ("specimen", "component")
+#: Roles of columns that hold words: batch, name of a specimen, and the axis along which the stress of a row acts.
+WORDS = ("batch", "specimen", "component")
 
 #: Patterns and roles. The first pattern that matches the name, in lower case and without its unit, gives the role.
 _PATTERNS: tuple[tuple[str, str], ...] = (
     (r"^(test |elapsed |total )?time$|^t$", "time"),
     (r"time|cycle|resistance|temperature|width|thickness|area|speed|load factor", ""),
+    (r"batch|\blot\b", "batch"),
     (r"specimen|sample|replicate|^id$|probe", "specimen"),
     (r"^(stress )?(component|direction|axis)$", "component"),
     (r"cauchy.*difference|difference.*cauchy|stress difference", "cauchy_difference"),
@@ -108,8 +109,8 @@ def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> t
     """
     stated = {}
     for role, name in roles.items():
-        if role not in DIMENSIONS:
-            raise unknown("role of a column", role, DIMENSIONS)
+        if role not in (*DIMENSIONS, *WORDS):
+            raise unknown("role of a column", role, (*DIMENSIONS, *WORDS))
         if name not in names:
             raise TurgorError(f"'{file}': {unknown('column', name, [each for each in names if each])}")
         stated[names.index(name)] = role

@@ -68,6 +68,8 @@ class MaterialTest(Shown):
         Standard deviation of the replicates that were averaged.
     time : (n,) array [s], optional
         Time of every point, not decreasing; needed for relaxation, hysteresis and softening.
+    batch : str
+        Batch that the specimen is of, where the file says so.
     raw : MaterialTest, optional
         The test as it was read, before all edits.
     edits : tuple of Edit
@@ -90,6 +92,7 @@ class MaterialTest(Shown):
     cauchy_difference: bool = False
     spread: Array | None = None
     time: Array | None = None
+    batch: str = ""
     raw: "MaterialTest | None" = None
     edits: tuple[Edit, ...] = ()
 

@@ -30,6 +30,9 @@ _MODE_WORDS = (
 )
 _MEASURES = ("nominal", "cauchy")
 
+#: Roles of columns that tell specimens apart.
+_LABELS = ("batch", "specimen")
+
 
 def read_test(
     path: str | Path,
@@ -80,7 +83,7 @@ def read_test(
         raise TurgorError(
             f"'{Path(path).name}' holds {len(tests)} specimens ({names}).",
             python="Read them with read_tests, and average them if they are replicates.",
-            command="If they are replicates, average them with --average.",
+            command="If they are replicates, average them with --average; if batches, fit and compare them with --by.",
         )
     return tests[0]
 
@@ -94,7 +97,7 @@ def read_tests(
     columns: Mapping[str, str] | Sequence[str] | None = None,
     cyclic: bool = False,
 ) -> tuple[MaterialTest, ...]:
-    """Read every specimen of a file: by a column 'specimen', or from columns that repeat side by side.
+    """Read every specimen of a file: by columns 'batch' and 'specimen', or from columns that repeat side by side.
 
     Parameters
     ----------
@@ -118,8 +121,8 @@ def read_tests(
         raise unknown("stress_measure", str(stress_measure), _MEASURES)
     tests = []
     by_role = _for_mode(find_columns(table.names, roles, table.file), mode)
-    for name, part, known in _specimens(table, by_role):
-        test = _test(name, part, known, mode, stress_measure, specimen)
+    for name, batch, part, known in _specimens(table, by_role):
+        test = replace(_test(name, part, known, mode, stress_measure, specimen), batch=batch)
         test = test if cyclic else without_way_back(test)
         turn = test.first_turn()
         if turn is not None and not cyclic:
@@ -162,19 +165,25 @@ def _for_mode(columns: Sequence[Column], mode: str) -> tuple[Column, ...]:
     return tuple(replace(column, role=column.role.removesuffix("_2")) for column in columns)
 
 
-def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, Table, dict[str, Column]]]:
-    """Split a table into its specimens."""
+def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, str, Table, dict[str, Column]]]:
+    """Split a table into its specimens: name, batch, rows and columns of each."""
     stem = Path(table.file).stem
-    label = next((column for column in columns if column.role == "specimen"), None)
-    measured = [column for column in columns if column.role not in ("specimen", "time")]
+    labels = [column for role in _LABELS for column in columns if column.role == role]
+    measured = [column for column in columns if column.role not in (*_LABELS, "time")]
     times = [column for column in columns if column.role == "time"]
     clock = {"time": times[0]} if times else {}
-    if label is not None:
-        names = [row[label.index] if label.index < len(row) else "" for row in table.rows]
+    if labels:
+        batched = labels[0].role == "batch"
+        marks = [tuple(row[c.index] if c.index < len(row) else "" for c in labels) for row in table.rows]
         known = {column.role: column for column in measured} | clock
         return [
-            (f"{stem} {name}".strip(), table.keeping(each == name for each in names), known)
-            for name in dict.fromkeys(names)
+            (
+                " ".join((stem, *filter(None, mark))),
+                mark[0] if batched else "",
+                table.keeping(each == mark for each in marks),
+                known,
+            )
+            for mark in dict.fromkeys(marks)
         ]
     roles = [column.role for column in measured]
     copies = max((roles.count(role) for role in roles), default=1)
@@ -187,11 +196,11 @@ def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, Table
                     f"{column.role.replace('_', ' ')}; say which with columns={{'{column.role}': ...}}."
                 )
             first[column.role] = column
-        return [(stem, table, first | clock)]
+        return [(stem, "", table, first | clock)]
     names = list(dict.fromkeys(roles))
     groups = [{role: [c for c in measured if c.role == role][i] for role in names} for i in range(copies)]
     clocks = [{"time": column} for column in times] if len(times) == copies else [clock] * copies
-    return [(f"{stem} {i + 1}", _trimmed(table, group), group | clocks[i]) for i, group in enumerate(groups)]
+    return [(f"{stem} {i + 1}", "", _trimmed(table, group), group | clocks[i]) for i, group in enumerate(groups)]
 
 
 def _trimmed(table: Table, group: Mapping[str, Column]) -> Table:

@@ -82,12 +82,24 @@ def check_modes(law: Any, modes: Sequence[str]) -> tuple[Finding, ...]:
     return (_too_few_modes(message),) if message else ()
 
 
+def first_invariant_alone(law: Any) -> bool:
+    """Return whether a law depends on the first invariant alone, so that one mode fixes it in all others.
+
+    Examples
+    --------
+    >>> from turgor.core.materials.laws.laws import MooneyRivlin, NeoHooke
+    >>> first_invariant_alone(NeoHooke(C10=1e5)), first_invariant_alone(MooneyRivlin(C10=1e5, C01=1e4))
+    (True, False)
+    """
+    return not isinstance(law, StretchLaw) and bool(law.energy(4.0, 4.0) == law.energy(4.0, 5.0))
+
+
 def _one_mode(law: Any, modes: Sequence[str]) -> str:
     """Sentence about a law that one mode cannot determine and that was fitted to one mode; empty otherwise."""
     paths = {"planar" if mode == "simple_shear" else mode for mode in modes}
     if len(paths) != 1 or paths == {"biaxial"}:
         return ""
-    if not isinstance(law, StretchLaw) and law.energy(4.0, 4.0) == law.energy(4.0, 5.0):
+    if first_invariant_alone(law):
         return ""
     what = f"{type(law).__name__} constants" if isinstance(law, StretchLaw) else "coefficients of the second invariant"
     tests = " and ".join(dict.fromkeys(mode.replace("_", " ") for mode in modes)).capitalize()
@@ -191,8 +203,8 @@ def check_working_range(tests: "Sequence[MaterialTest]") -> tuple[Finding, ...]:
             severity=Severity.NOTE,
             message=f"Only {working} of {len(stretches)} points lie up to stretch {FIT.working:g}, where most soft "
             f"actuators work; the others, up to {max(stretches):.3g}, decide the fit.",
-            advice=f"Fit for the stretches that the actuator sees, such as 1 to {FIT.working:g}: stretch=(…) in "
-            "Python, --range on the command line.",
+            advice=f"Fit for the stretches that the actuator sees, such as 1 to {FIT.working:g}: stretch=(…) and "
+            f"weights='even' in Python, --for 'stretch 1:{FIT.working:g}' or --for RUN on the command line.",
         ),
     )
 

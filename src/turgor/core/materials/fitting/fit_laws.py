@@ -9,7 +9,7 @@ from scipy.optimize import least_squares
 
 from turgor.core.materials.experiments.copies import check_copies
 from turgor.core.materials.experiments.material_test import Array, MaterialTest
-from turgor.core.materials.experiments.slack import check_slack
+from turgor.core.materials.experiments.slack import check_preload, check_slack, check_slip
 from turgor.core.materials.fitting.checks import check_working_range, covered_range, fit_findings
 from turgor.core.materials.fitting.constrained import solve_constrained
 from turgor.core.materials.fitting.law_specs import law_spec, shape_bounds
@@ -31,6 +31,9 @@ from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.laws.stability import Mode, instabilities
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Finding
+
+#: How deviations are weighted; see `fit`.
+WEIGHTS = ("relative", "absolute", "even")
 
 Shapes: TypeAlias = Sequence[float] | Array
 
@@ -62,6 +65,7 @@ def fit(
         points count, and each mode is stable up to the first invariant of uniaxial tension at their largest stretch.
     weights : str
         ``"relative"`` divides deviations by the stress (at least 5 % of the test's largest); ``"absolute"`` does not.
+        ``"even"`` is relative, and equal intervals of stretch count alike, as do all modes, however dense points are.
     stable : bool
         Whether uniaxial, equibiaxial and planar stresses must rise with the stretch; for Ogden all μᵢ αᵢ ≥ 0.
     starts, seed : int
@@ -95,12 +99,13 @@ def fit(
         weights=weights,
         tests=used,
     )
-    return fitted.with_findings((*fit_findings(fitted, given), *check_tests(given, used)))
+    return fitted.with_findings((*fit_findings(fitted, given), *check_tests(given, used, weights)))
 
 
-def check_tests(given: Sequence[MaterialTest], used: Sequence[MaterialTest]) -> tuple[Finding, ...]:
-    """Return the findings about tests, whole and as they are fitted: copies, slack, and their range."""
-    return (*check_copies(given), *check_slack(used), *check_working_range(used))
+def check_tests(given: Sequence[MaterialTest], used: Sequence[MaterialTest], weights: str = "") -> tuple[Finding, ...]:
+    """Return the findings about tests, whole and as they are fitted: copies, slack, preload, slip, and their range."""
+    chosen = () if weights == "even" else check_working_range(used)  # even weights are those of a range that was chosen
+    return (*check_copies(given), *check_slack(used), *check_preload(given), *check_slip(given), *chosen)
 
 
 def _used(
@@ -319,7 +324,7 @@ def _check(tests: Sequence[MaterialTest], stretch: tuple[float, float] | None, w
             )
     if stretch is not None and not (0 < stretch[0] <= 1 < stretch[1] or 0 < stretch[0] < 1 <= stretch[1]):
         raise TurgorError(f"stretch is {stretch[0]:g} to {stretch[1]:g}; the range must include the undeformed 1.")
-    if weights not in ("relative", "absolute"):
-        raise unknown("weights", weights, ("relative", "absolute"))
+    if weights not in WEIGHTS:
+        raise unknown("weights", weights, WEIGHTS)
     if starts < 1:
         raise TurgorError(f"starts is {starts}; at least 1 is needed.")

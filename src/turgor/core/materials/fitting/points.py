@@ -25,7 +25,7 @@ class FitPoints:
     tests : sequence of MaterialTest
         Tests of the fit.
     weights : str
-        ``"relative"`` or ``"absolute"``.
+        ``"relative"``, ``"absolute"`` or ``"even"``.
     """
 
     def __init__(self, tests: Sequence[MaterialTest], weights: str) -> None:
@@ -36,7 +36,7 @@ class FitPoints:
             rows.append((start, test))
             start += len(test.stretch)
         self._rows = rows
-        if weights == "relative":
+        if weights in ("relative", "even"):
             floors = [np.maximum(np.abs(t.measured), FIT.weight_floor * np.abs(t.measured).max()) for t in tests]
             scale = np.concatenate(floors)
         else:
@@ -44,7 +44,7 @@ class FitPoints:
         if not (scale > 0).all():
             idle = next(test for test in tests if not np.any(test.measured))
             raise TurgorError(f"test '{idle.name}' has no stress at all; nothing can be fitted to it.")
-        self.weight = 1.0 / scale
+        self.weight = (even_shares(tests) ** 0.5 if weights == "even" else 1.0) / scale
         self.target = self.measured * self.weight
         self._known: dict[float, Array] = {}
 
@@ -61,6 +61,42 @@ class FitPoints:
     def columns(self, spec: LawSpec, shapes: Sequence[float] | Array) -> Array:
         """Return the weighted stress of the term of each coefficient, at a coefficient of 1; (m, n) array."""
         return columns_of(spec, shapes, lambda law: self.stress(law) * self.weight, self._known)
+
+
+def even_shares(tests: Sequence[MaterialTest]) -> Array:
+    """Return the weight of every point with which equal intervals of stretch, and all modes, count alike; mean 1.
+
+    Parameters
+    ----------
+    tests : sequence of MaterialTest
+
+    Examples
+    --------
+    >>> dense = [1.0, 1.01, 1.02, 1.03, 2.0]
+    >>> even_shares([MaterialTest(mode="uniaxial", stretch=dense, nominal_stress=dense, name="a strip")]).round(2)
+    array([0.02, 0.05, 0.05, 2.45, 2.42])
+    """
+    shares = [_intervals(test) for test in tests]
+    count = sum(map(len, shares))
+    modes = {test.mode for test in tests}
+    for mode in modes:
+        which = [n for n, test in enumerate(tests) if test.mode == mode]
+        own = sum(len(shares[n]) for n in which)
+        for n in which:
+            shares[n] = shares[n] * count / (len(modes) * own)
+    return np.concatenate(shares)
+
+
+def _intervals(test: MaterialTest) -> Array:
+    """Interval of stretch that each point stands for, over the mean one; 1 where stretches are no path."""
+    if test.mode in ("biaxial", "simple_shear") or np.ptp(test.stretch) == 0:
+        return np.ones(len(test.measured))
+    order = np.argsort(test.stretch, kind="stable")
+    stretch = test.stretch[order]
+    middles = (stretch[1:] + stretch[:-1]) / 2
+    shares = np.empty(len(stretch))
+    shares[order] = np.diff(np.concatenate([stretch[:1], middles, stretch[-1:]]))
+    return shares / shares.mean()
 
 
 def columns_of(

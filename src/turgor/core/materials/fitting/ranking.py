@@ -5,7 +5,9 @@ from dataclasses import dataclass
 
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.fitting.fit_laws import fit
+from turgor.core.materials.fitting.modes import missing_modes
 from turgor.core.materials.fitting.result import Fit
+from turgor.core.materials.fitting.settings import FIT
 from turgor.core.materials.laws.stability import Criterion, instabilities
 from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError
@@ -19,7 +21,7 @@ _FAILS: Mapping[Criterion, str] = {
 
 
 #: Findings that concern the tests, not a law.
-OF_TESTS = ("P08", "P10", "P11")
+OF_TESTS = ("P08", "P10", "P11", "P12", "P13")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -50,6 +52,7 @@ class Ranking:
         return (
             *_on_order(self.fits),
             *_on_modes(self.fits),
+            *missing_modes([each for each in self.fits if _unstable(each) == _unstable(self.best)]),
             *_on_range(self.fits),
             *_on_search(self.fits),
             *_on_tests(self.fits),
@@ -103,7 +106,7 @@ def _on_order(fits: Sequence[Fit]) -> list[str]:
             )
     best = fits[0]
     alike = [each for each in fits if _unstable(each) == _unstable(best)]
-    good = [each for each in alike if each.relative <= 1.25 * min(other.relative for other in alike)]
+    good = [each for each in alike if each.relative <= FIT.alike * min(other.relative for other in alike)]
     fewest = min(good, key=lambda each: (len(each.spec.names), each.aic))
     lines += [
         f"{each.spec.name} is closer, {100 * each.relative:.2g} % off, but comes later because it loses its stability."

@@ -16,6 +16,17 @@ from turgor.foundation.finding import Finding
 from turgor.foundation.source import Source
 
 
+def stress_text(stress: float) -> str:
+    """Write a stress with three digits.
+
+    Examples
+    --------
+    >>> stress_text(52e3), stress_text(36.6e6)
+    ('52 kPa', '36.6 MPa')
+    """
+    return f"{stress / 1e6:.3g} MPa" if abs(stress) >= 1e6 else f"{stress / 1e3:.3g} kPa"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FitResidual:
     """Error of a law for one test.
@@ -98,7 +109,7 @@ class Fit(Shown):
         Stretch at which stability is first lost in the requested range, by mode, according to the strictest of the
         criteria of `turgor.laws.instabilities`; empty where the law is stable.
     weights : str
-        ``"relative"`` or ``"absolute"``.
+        ``"relative"``, ``"absolute"`` or ``"even"``.
     starts : (int, int)
         Number of starts of the search that reached this residual, and number of all starts.
     tests : tuple of MaterialTest

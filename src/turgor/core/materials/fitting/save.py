@@ -1,15 +1,18 @@
 """Files of fitted materials: records in the form of the library, for jobs and scripts."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import tomlkit
 
 from turgor.core.materials.fitting.result import Fit
+from turgor.core.materials.fitting.uncertainty import scatter
 from turgor.core.materials.laws.conventions import has_no_unit, law_from_printed, saved_convention
 from turgor.core.materials.laws.laws import LAWS, Ogden
+from turgor.core.materials.library.fit_spread import FitSpread
 from turgor.core.materials.library.record_history import history_tables
 from turgor.core.materials.material import Material
 from turgor.foundation.errors import TurgorError
@@ -31,7 +34,7 @@ def can_be_saved(fit: Fit) -> bool:
     return _form(fit) is not None
 
 
-def records_toml(name: str, fits: Sequence[Fit]) -> str:
+def records_toml(name: str, fits: Sequence[Fit], spreads: Mapping[str, FitSpread] = MappingProxyType({})) -> str:
     """Write fits as the text of a file of records; reading it returns exactly the same laws.
 
     Parameters
@@ -40,6 +43,8 @@ def records_toml(name: str, fits: Sequence[Fit]) -> str:
         Name of the material.
     fits : sequence of Fit
         One or more, each of another law.
+    spreads : mapping of str to FitSpread
+        Spread of the constants by law, where it is not the scatter about the curves; see `spread_between`.
     """
     document = tomlkit.document()
     document.add(tomlkit.comment("Fitted by turgor; moduli with their units, exponents without."))
@@ -47,12 +52,14 @@ def records_toml(name: str, fits: Sequence[Fit]) -> str:
     document["kind"] = "rubber"
     records = tomlkit.table(is_super_table=True)
     for fit in fits:
-        records[fit.spec.name] = _record(fit)
+        records[fit.spec.name] = _record(fit, spreads.get(fit.spec.name) or scatter(fit))
     document["records"] = records
     return tomlkit.dumps(document)
 
 
-def save_fits(path: str | Path, name: str, fits: Sequence[Fit]) -> None:
+def save_fits(
+    path: str | Path, name: str, fits: Sequence[Fit], spreads: Mapping[str, FitSpread] = MappingProxyType({})
+) -> None:
     """Write fits into a file of records; ``from_library`` reads a record by the path and the name of the law.
 
     Parameters
@@ -63,10 +70,12 @@ def save_fits(path: str | Path, name: str, fits: Sequence[Fit]) -> None:
         Name of the material.
     fits : sequence of Fit
         One or more, each of another law.
+    spreads : mapping of str to FitSpread
+        Spread of the constants by law, where it is not the scatter about the curves; see `spread_between`.
     """
     if Path(path).suffix != ".toml":
         raise TurgorError(f"'{path}' does not end in .toml, the form in which materials are saved.")
-    Path(path).write_text(records_toml(name, fits), encoding="utf-8")
+    Path(path).write_text(records_toml(name, fits, spreads), encoding="utf-8")
 
 
 def save_material(path: str | Path, material: Material, record: str = "fitted") -> None:
@@ -159,7 +168,7 @@ def _symbols(law: Any) -> Iterator[tuple[str, float]]:
             yield from ((f"{item.name}_{n}", number) for n, number in enumerate(value, 1))
 
 
-def _record(fit: Fit) -> tomlkit.items.Table:
+def _record(fit: Fit, spread: FitSpread | None) -> tomlkit.items.Table:
     form = _form(fit)
     if form is None:
         raise TurgorError(f"files of records have no form for the law {fit.spec.name}; use its material directly.")
@@ -176,6 +185,21 @@ def _record(fit: Fit) -> tomlkit.items.Table:
     entry["source"] = str(source)
     if source.doubts:
         entry["doubts"] = list(source.doubts)
+    if spread is not None:
+        entry["spread"] = _spread_table(fit, spread)
+    return entry
+
+
+def _spread_table(fit: Fit, spread: FitSpread) -> tomlkit.items.Table:
+    """Spread of the constants of a fit, with the symbols of its record."""
+    symbols = dict(zip(fit.values, _printed(fit), strict=True))
+    deviations = tomlkit.inline_table()
+    for key, value in spread.deviations.items():
+        deviations[symbols[key]] = value if key in fit.spec.shapes else format_quantity(value, "kPa")
+    entry = tomlkit.table()
+    entry["of"] = spread.of
+    entry["deviations"] = deviations
+    entry["correlation"] = [list(row) for row in spread.correlation]
     return entry
 
 

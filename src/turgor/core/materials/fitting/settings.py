@@ -32,6 +32,17 @@ class FitSettings:
         Largest stretch of most soft actuators: their rubber works at strains up to 150 %.
     working_share : float
         Share of the points up to that stretch below which it is reported that the fit is for larger ones.
+    trade_stretch : float
+        Stretch at which rubbers are compared: makers state the 100 % modulus.
+    far_from_library : float
+        Ratio to the median of the sets of the library above which a fit is reported: the sound sets of Ecoflex 00-30
+        differ by a factor of 1.4 at stretch 2.
+    one_to_two_digits : float
+        Ratio below which it is written as a fraction.
+    alike : float
+        Laws fit alike if their errors differ by less than this factor.
+    close : float
+        So do laws whose errors are below this: no actuator shows them.
     range_slack : float
         Tolerance of the ends of a range, as a share, because digitized curves have no sharp ends.
     """
@@ -46,6 +57,11 @@ class FitSettings:
     same_decimals: int = 3
     working: float = 2.5
     working_share: float = 0.25
+    trade_stretch: float = 2.0
+    far_from_library: float = 1.5
+    one_to_two_digits: float = 0.95
+    alike: float = 1.25
+    close: float = 0.05
     range_slack: float = 0.02
 
 

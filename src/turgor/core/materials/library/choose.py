@@ -1,17 +1,22 @@
-"""Choose a rubber: one row for each material, in the order of the distance from a wanted stress."""
+"""Choose a rubber: one row for each material, in the order of the distance from what is wanted."""
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
 
-from turgor.core.materials.laws.homogeneous import nominal_stress, uniaxial
-from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.laws.laws import Hooke, Law
+from turgor.core.materials.laws.pull import pull
 from turgor.core.materials.library.doubts import find_doubts
 from turgor.core.materials.library.record import Record
 from turgor.core.materials.library.record_files import library, records
 from turgor.core.materials.library.records import recommended
+from turgor.core.materials.library.settings import CHOICE
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Severity
+
+#: A Shore hardness: ``"28 A"``, ``"00-30"``; what stands behind it, such as a range, does not count.
+_SHORE = re.compile(r"(?:(00|OO)[-\s]?(\d+)|(\d+)\s*([AD]))\b.*", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,6 +40,8 @@ class MaterialRow:
         Why this record.
     records : int
         Number of records.
+    ultimate : float or None [-]
+        Stretch at break in uniaxial tension, when known.
     """
 
     name: str
@@ -46,6 +53,7 @@ class MaterialRow:
     record: str
     why: str
     records: int
+    ultimate: float | None = None
 
 
 def material_rows() -> tuple[MaterialRow, ...]:
@@ -56,11 +64,71 @@ def material_rows() -> tuple[MaterialRow, ...]:
     >>> [row.record for row in material_rows() if row.name == "mold-star-16"]
     ['yeoh-marechal-2020']
     """
-    return tuple(map(_row, library()))
+    return tuple(_row(name, recommended(name)) for name in library())
 
 
-def _row(name: str) -> MaterialRow:
-    known, chosen = records(name), recommended(name)
+def choose(
+    modulus: float | None = None, stretch: float = 2.0, *, hardness: str = "", reach: float | None = None
+) -> tuple[tuple[MaterialRow, float], ...]:
+    """Return rubbers in the order of how near they are to a wanted modulus, or to a hardness where none is given.
+
+    Parameters
+    ----------
+    modulus : float or None [Pa]
+        Nominal stress in uniaxial tension over the strain, which the trade calls the 100 % modulus at stretch 2.
+    stretch : float [-]
+        Above 1.
+    hardness : str
+        Shore hardness such as ``"10 A"`` or ``"00-30"``: rubbers of another scale, or far off, are left out.
+    reach : float or None [-]
+        Largest stretch that the actuator sees: rubbers that break below are left out.
+
+    Returns
+    -------
+    tuple of (MaterialRow, float)
+        Each with its modulus at that stretch [Pa]. The row has the record to take up to the larger of both stretches:
+        where the tests behind the recommended one end before, that of another whose tests go further. Rubbers whose
+        tests all end before come last.
+
+    Raises
+    ------
+    TurgorError
+        If neither modulus nor hardness is given, or a number is outside its range.
+
+    Examples
+    --------
+    >>> [row.name for row, _ in choose(190e3)][:2]
+    ['mold-star-16', 'mold-star-15']
+    >>> [row.name for row, _ in choose(hardness="10 A", reach=2.5)][:2]
+    ['dragon-skin-10', 'platsil-gel-10']
+    """
+    if modulus is None and not hardness:
+        raise TurgorError("what is wanted is not stated; give a modulus or a hardness.")
+    if modulus is not None and not modulus > 0:
+        raise TurgorError(f"modulus is {modulus:g} Pa; allowed is above 0.")
+    for what, value in (("stretch", stretch), ("reach", reach)):
+        if value is not None and not value > 1:
+            raise TurgorError(f"{what} is {value:g}; allowed is above 1.")
+    wanted = _shore(hardness, "hardness") if hardness else None
+    end = max(stretch, reach or stretch)
+    known = []
+    for name in library():
+        record = _record_at(name, end)
+        law = None if record is None else _law(record)
+        if record is None or record.kind != "rubber" or law is None or isinstance(law, Hooke):
+            continue
+        row = _row(name, record)
+        points = _points_off(row, wanted)
+        if points is None or (reach is not None and row.ultimate is not None and row.ultimate < reach):
+            continue
+        value = float(pull(law, "uniaxial", np.array([stretch]))[0]) / (stretch - 1)
+        off = points if modulus is None else abs(float(np.log(max(value, 1e-9) / modulus)))
+        known.append((not _reaches(record, end), off, row, value))
+    return tuple((row, value) for _, _, row, value in sorted(known, key=lambda each: each[:2]))
+
+
+def _row(name: str, chosen: Record | None) -> MaterialRow:
+    known = records(name)
     moduli = [_modulus(each) for each in known if not _warned(each)]
     sure = [each for each in moduli if each is not None]
     return MaterialRow(
@@ -69,57 +137,55 @@ def _row(name: str) -> MaterialRow:
         spread=(min(sure), max(sure)) if sure else None,
         stretch_range=None if chosen is None else chosen.stretch_range,
         record="" if chosen is None else chosen.name, why="" if chosen is None else chosen.recommended,
-        records=len(known),
+        records=len(known), ultimate=known[0].strength.ultimate_stretch if known[0].strength else None,
     )  # fmt: skip
 
 
-def _warned(record: Record) -> bool:
-    return any(doubt.severity is Severity.WARNING for doubt in find_doubts(record))
+def _warned(record: Record, but: str = "") -> bool:
+    return any(doubt.severity is Severity.WARNING and doubt.kind != but for doubt in find_doubts(record))
 
 
 def _modulus(record: Record) -> float | None:
-    try:
-        law = record.build_law()
-    except TurgorError:
+    law = _law(record)
+    if law is None:
         return None
     return law.E if isinstance(law, Hooke) else 3 * law.shear_modulus
 
 
-def choose(modulus: float, stretch: float = 2.0) -> tuple[tuple[MaterialRow, float], ...]:
-    """Return rubbers in the order of how near their stress over strain at a stretch is to a wanted modulus.
+def _law(record: Record) -> Law | Hooke | None:
+    try:
+        return record.build_law()
+    except TurgorError:
+        return None
 
-    Parameters
-    ----------
-    modulus : float [Pa]
-        Nominal stress in uniaxial tension over the strain, which the trade calls the 100 % modulus at stretch 2.
-    stretch : float [-]
-        Above 1.
 
-    Returns
-    -------
-    tuple of (MaterialRow, float)
-        Each with its modulus at that stretch [Pa].
+def _record_at(name: str, stretch: float) -> Record | None:
+    """Return the record to take up to a stretch."""
+    best = recommended(name)
+    if best is None or _reaches(best, stretch):
+        return best
+    further = (each for each in records(name) if each.stretch_range and _reaches(each, stretch))
+    return next((each for each in further if not _warned(each, but="stated")), best)
 
-    Raises
-    ------
-    TurgorError
-        If the modulus is not positive, or the stretch not above 1.
 
-    Examples
-    --------
-    >>> [row.name for row, _ in choose(190e3)][:2]
-    ['mold-star-16', 'body-double-silk']
-    """
-    if not modulus > 0:
-        raise TurgorError(f"modulus is {modulus:g} Pa; allowed is above 0.")
-    if not stretch > 1:
-        raise TurgorError(f"stretch is {stretch:g}; allowed is above 1.")
-    known = []
-    for row in material_rows():
-        record = recommended(row.name)
-        if row.kind != "rubber" or record is None or row.modulus is None:
-            continue
-        law = record.build_law()
-        if not isinstance(law, Hooke):
-            known.append((row, float(nominal_stress(law, uniaxial(np.array([stretch])))[0, 0, 0]) / (stretch - 1)))
-    return tuple(sorted(known, key=lambda each: abs(np.log(max(each[1], 1e-9) / modulus))))
+def _reaches(record: Record, stretch: float) -> bool:
+    return record.stretch_range is None or record.stretch_range[1] >= stretch
+
+
+def _points_off(row: MaterialRow, wanted: tuple[str, float] | None) -> float | None:
+    """Points of hardness between a rubber and the wanted one; None where it is another rubber altogether."""
+    if wanted is None:
+        return 0.0
+    if not _SHORE.fullmatch(row.hardness):
+        return None
+    scale, points = _shore(row.hardness, row.name)
+    off = abs(points - wanted[1])
+    return off if scale == wanted[0] and off <= CHOICE.points else None
+
+
+def _shore(text: str, what: str) -> tuple[str, float]:
+    """Return scale and points of a Shore hardness."""
+    match = _SHORE.fullmatch(text.strip())
+    if match is None:
+        raise TurgorError(f"{what} is '{text}'; write a Shore hardness with its scale, such as '10 A' or '00-30'.")
+    return ("00", float(match[2])) if match[1] else (match[4].upper(), float(match[3]))

@@ -3,12 +3,24 @@
 from collections.abc import Iterator, Sequence
 from math import inf
 
+from turgor.core.materials.library.choose import MaterialRow, choose, material_rows
 from turgor.core.materials.library.doubts import find_doubts
 from turgor.core.materials.library.record import Record
 from turgor.core.materials.library.record_files import all_records, library, records
 from turgor.core.materials.library.record_history import describe_history
 from turgor.core.materials.library.records import find_record
+from turgor.core.materials.library.spread import spread_of
+from turgor.core.materials.strength import STRENGTHS, Strength
 from turgor.foundation.errors import TurgorError
+from turgor.units import format_quantity
+
+#: Units of strengths, by their dimensions.
+_UNITS = {"pressure": "MPa", "force per length": "kN/m"}
+
+#: Columns of the overview of rubbers, and of that of stiff parts.
+_RUBBERS = ("material", "Shore", "E", "100 % modulus", "of the maker", "spread", "tested to", "breaks at",
+            "tensile strength", "tear strength", "density", "record to take")  # fmt: skip
+_STIFF = ("material", "kind", "E", "breaks at a strain of", "tensile strength", "density", "record to take")
 
 
 def describe_material(name: str, record: str | None = None) -> str:
@@ -47,6 +59,22 @@ Intelligent Mechatronics, IEEE, Piscataway, NJ 2016, pp. 83–88
     return "\n".join(lines)
 
 
+def library_tables() -> dict[str, str]:
+    """Return the tables of the library in Markdown: ``rubbers``, ``reinforcements``, ``records`` and ``doubts``.
+
+    Examples
+    --------
+    >>> list(library_tables())
+    ['rubbers', 'reinforcements', 'records', 'doubts']
+    """
+    return {
+        "rubbers": rubber_table(),
+        "reinforcements": reinforcement_table(),
+        "records": library_table(),
+        "doubts": doubts_list(),
+    }
+
+
 def library_table() -> str:
     """Return a Markdown table of every record of the library, for the documentation.
 
@@ -82,25 +110,43 @@ def doubts_list() -> str:
     Examples
     --------
     >>> doubts_list().splitlines()[0][:61]
-    '- **body-double-silk**, yeoh-marechal-2020: M04 stated: The s'
+    '- **agilus30**, neo-hooke-relaxed: M04 stated: Fast pulls mee'
     """
-    lines = []
+    places: dict[str, list[str]] = {}
     for record in all_records():
-        lines += [f"- **{record.library}**, {record.name}: {doubt}" for doubt in find_doubts(record)]
-    return "\n".join(lines) + "\n"
+        for doubt in find_doubts(record):
+            places.setdefault(str(doubt), []).append(f"**{record.library}**, {record.name}")
+    return "".join(f"- {'; '.join(where)}: {doubt}\n" for doubt, where in places.items())
 
 
 def _heading(record: Record) -> Iterator[str]:
     yield record.material_name + (f", Shore hardness {record.shore_hardness}" if record.shore_hardness else "")
     supplier = record.supplier
-    if supplier is None:
-        return
-    if supplier.stress_at_stretch_2 is not None:
-        stress = f"{supplier.stress_at_stretch_2 / 1e3:.3g} kPa"
-        yield f"supplier: nominal stress at stretch 2 is {stress} ({supplier.source})"
-    if supplier.modulus is not None:
-        yield f"supplier: Young's modulus is {supplier.modulus / 1e9:.3g} GPa ({supplier.source})"
-    yield from supplier.doubts
+    if supplier is not None:
+        if supplier.stress_at_stretch_2 is not None:
+            stress = f"{supplier.stress_at_stretch_2 / 1e3:.3g} kPa"
+            yield f"supplier: nominal stress at stretch 2 is {stress} ({supplier.source})"
+        if supplier.modulus is not None:
+            yield f"supplier: Young's modulus is {supplier.modulus / 1e9:.3g} GPa ({supplier.source})"
+        yield from (f"{what}: {text}" for what, text in (("mixing", supplier.mixing), ("cure", supplier.cure)) if text)
+        yield from supplier.doubts
+    if record.strength is not None:
+        yield from _strength_lines(record.strength)
+    if record.kind == "rubber":
+        try:
+            yield f"spread: {str(spread_of(record.library)).partition(': ')[2]}"
+        except TurgorError:
+            yield "spread: no set of a rubber without a serious doubt"
+
+
+def _strength_lines(strength: Strength) -> Iterator[str]:
+    for name, dimension in STRENGTHS.items():
+        value = getattr(strength, name)
+        if value is None:
+            continue
+        shown = f"{value:.3g}" if not dimension else format_quantity(float(f"{value:.3g}"), _UNITS[dimension])
+        yield f"{name.replace('_', ' ')}: {shown} ({strength.sources[name]})"
+    yield from strength.doubts
 
 
 def _lines(record: Record) -> Iterator[str]:
@@ -148,3 +194,76 @@ def _canonical(record: Record) -> str:
         return record.canonical
     except TurgorError:
         return "no law"
+
+
+def rubber_table() -> str:
+    """Return a Markdown table of all rubbers, softest first, for the documentation.
+
+    Examples
+    --------
+    >>> rubber_table().splitlines()[0][:24]
+    '| material | Shore | E |'
+    """
+    rows = _sorted("rubber")
+    at_2 = {
+        row.name: (row.record, value)
+        for row, value in choose(1e6, 2.0)
+        if row.stretch_range is None or row.stretch_range[1] >= 2.0
+    }
+    return _markdown(_RUBBERS, [_rubber(row, *at_2.get(row.name, ("", None))) for row in rows])
+
+
+def reinforcement_table() -> str:
+    """Return a Markdown table of all fibers, sheets and composites, for the documentation.
+
+    Examples
+    --------
+    >>> "| paper | sheet | 6.5 GPa |" in reinforcement_table()
+    True
+    """
+    rows = [row for kind in ("fiber", "sheet", "composite") for row in _sorted(kind)]
+    return _markdown(_STIFF, [_stiff(row) for row in rows])
+
+
+def _sorted(kind: str) -> list[MaterialRow]:
+    return sorted((row for row in material_rows() if row.kind == kind), key=lambda row: row.modulus or 0.0)
+
+
+def _rubber(row: MaterialRow, record: str, at_2: float | None) -> tuple[str, ...]:
+    first = records(row.name)[0]
+    strength, maker = first.strength, first.supplier.stress_at_stretch_2 if first.supplier else None
+    try:
+        spread = f"{spread_of(row.name).deviation:.0%}" + (" (typical)" if spread_of(row.name).others else "")
+    except TurgorError:
+        spread = ""
+    return (
+        row.name, row.hardness, _stress(row.modulus), _stress(at_2), _stress(maker), spread,
+        "" if row.stretch_range is None else f"{row.stretch_range[1]:g}",
+        "" if row.ultimate is None else f"{row.ultimate:.3g}",
+        _stress(strength.tensile_strength if strength else None),
+        f"{strength.tear_strength / 1e3:.3g} kN/m" if strength and strength.tear_strength else "",
+        "" if first.density is None else f"{first.density:g} kg/m³",
+        row.record if record in ("", row.record) else f"{row.record}; {record} at stretch 2",
+    )  # fmt: skip
+
+
+def _stiff(row: MaterialRow) -> tuple[str, ...]:
+    first = records(row.name)[0]
+    return (
+        row.name, row.kind, _stress(row.modulus),
+        "" if row.ultimate is None else f"{row.ultimate - 1:.2g}",
+        _stress(first.strength.tensile_strength if first.strength else None),
+        "" if first.density is None else f"{first.density:g} kg/m³", row.record,
+    )  # fmt: skip
+
+
+def _stress(value: float | None) -> str:
+    if value is None:
+        return ""
+    factor, unit = next((each for each in ((1e9, "GPa"), (1e6, "MPa")) if value >= each[0]), (1e3, "kPa"))
+    return f"{value / factor:.3g} {unit}"
+
+
+def _markdown(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+    lines = (head, ("---",) * len(head), *rows)
+    return "\n".join(f"| {' | '.join(line)} |".replace("|  |", "| |") for line in lines) + "\n"

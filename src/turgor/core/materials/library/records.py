@@ -135,5 +135,6 @@ def material_of(record: Record) -> Material:
         viscoelasticity=record.viscoelasticity,
         stress_softening=record.stress_softening,
         bending_stiffness=record.bending_stiffness,
+        strength=record.strength,
         source=Source(text=record.source, detail=f"{stated}{quoted}", doubts=tuple(str(doubt) for doubt in doubts)),
     )

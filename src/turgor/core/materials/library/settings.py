@@ -24,3 +24,19 @@ class DoubtSettings:
 
 
 DOUBTS = DoubtSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class ChoiceSettings:
+    """Settings of the choice of a rubber.
+
+    Parameters
+    ----------
+    points : float
+        Points of Shore hardness by which a rubber may differ from a wanted one; makers state theirs to 5 points.
+    """
+
+    points: float = 10.0
+
+
+CHOICE = ChoiceSettings()

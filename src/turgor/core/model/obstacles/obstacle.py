@@ -128,11 +128,19 @@ class Plate(Obstacle):
     ----------
     tip : str
         The face that is meant to bear on it.
+    along : (3,) floats, optional
+        Unit vector along which the tip pushes, for a shape without a flat side.
     """
 
     tip: str = "tip"
+    along: Vector | None = None
 
     measures = ("blocked_force", "bearing_distance")
+
+    @property
+    def push(self) -> Vector | None:
+        """Unit vector along which a tip pushes on it."""
+        return self.along or Obstacle.push.fget(self)  # type: ignore[attr-defined]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,10 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.fibers.fiber_kernels import Pieces
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses
 from turgor.core.engine.fibers.smeared import smeared_pieces
-from turgor.core.meshing.cells import side_type
+from turgor.core.engine.fibers.tension import piece_tension, smooth_tension, tangents
 from turgor.core.model.fibers import DISCRETE, Fibers
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.solvers.solution import State
@@ -90,44 +89,6 @@ def maximum_tension(at: StateFields) -> float:
     if not at.model.reinforcements:
         raise TurgorError("the model has no fibers.")
     return max(each.maximum_tension for each in fiber_results(at))
-
-
-def tangents(pieces: Pieces, points: Array) -> Array:
-    """Current tangent of each piece per reference length, (k, 3), from current positions of the nodes (n, 3) [m]."""
-    return np.asarray(np.einsum("ka,kai->ki", pieces.along, points[pieces.sides]))
-
-
-def piece_tension(fibers: Fibers, stretch: Array) -> Array:
-    """Tension of one thread at each piece by itself, (k,) [N], from its stretch."""
-    share = np.where(stretch >= 1, 1.0, fibers.compression)
-    return np.asarray(share * fibers.stretching_stiffness * (stretch - 1))
-
-
-def smooth_tension(pieces: Pieces, tension: Array) -> Array:
-    """Average tensions over the sides of cells around each piece, weighted by length or area.
-
-    Threads hardly stretch, and the strains of a quadratic side are not exact enough for them. Along a thread the
-    tension jumps from truss to truss, and in the middle of a side it is twice as large as near the edge. The average is
-    right. Each node of the mesh gets the average of the sides around it, by hand of the winding, and each side the
-    average of its corners. This averages over two sides in every direction.
-
-    Parameters
-    ----------
-    pieces : Pieces
-    tension : (k,) array [N]
-        Tension at each piece by itself.
-
-    Returns
-    -------
-    (k,) array [N]
-    """
-    corners = side_type(pieces.sides.shape[1]).corners
-    nodes = pieces.sides[:, :corners]
-    places = nodes + (nodes.max() + 1) * pieces.hand[:, None]
-    weights = np.repeat(pieces.weights, corners)
-    total = np.bincount(places.ravel(), weights)
-    weighted = np.bincount(places.ravel(), weights * np.repeat(tension, corners))
-    return np.asarray((weighted / np.where(total > 0, total, 1.0))[places].mean(axis=1))
 
 
 def threads_with_tension(at: StateFields) -> list[tuple[Array, Array]]:

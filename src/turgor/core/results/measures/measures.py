@@ -18,6 +18,7 @@ from turgor.core.model.model import Model
 from turgor.core.results.drive import stage_column
 from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
+from turgor.core.results.measures.bond_measures import bond_measure
 from turgor.core.results.measures.cavities import enclosed_volume
 from turgor.core.results.measures.contact_measures import (
     area_on,
@@ -207,6 +208,9 @@ def find_measure(name: str) -> Measure:
     regional = in_region(name)
     if regional is not None:
         return regional
+    of_a_bond = bond_measure(name)
+    if of_a_bond is not None:
+        return of_a_bond
     if name.startswith("cavity_") and name.endswith("_volume"):
         return volume_of(name.removesuffix("_volume"))
     of_a_point = point_measure(name)

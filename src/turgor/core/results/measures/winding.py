@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.fibers.fiber_kernels import Pieces
 from turgor.core.engine.fibers.smeared import smeared_pieces, unit_axis
+from turgor.core.engine.fibers.tension import piece_tension, smooth_tension, tangents
 from turgor.core.model.fibers import DISCRETE, SMEARED, Fibers, Winding
-from turgor.core.results.fields.fibers import piece_tension, smooth_tension, tangents
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.foundation.errors import TurgorError
 from turgor.units import m

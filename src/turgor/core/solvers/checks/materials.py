@@ -1,4 +1,4 @@
-"""Findings about the materials of a model: doubtful constants, unstable laws, and laws used beyond their tests."""
+"""Findings about the materials of a model: doubtful constants, unstable laws, laws beyond their tests, tearing."""
 
 from collections.abc import Iterable, Sequence
 
@@ -11,6 +11,7 @@ from turgor.core.materials.library.doubts import doubts_of
 from turgor.core.model.drive import kinks
 from turgor.core.model.model import Model
 from turgor.core.solvers.checks.distinct import distinct, regions_and_sheets
+from turgor.core.solvers.checks.tearing.findings import tearing_findings
 from turgor.core.solvers.solution import State
 from turgor.foundation.finding import Finding, Severity
 
@@ -26,6 +27,17 @@ def constants_in_doubt(model: Model) -> tuple[Finding, ...]:
         for finding in doubts_of(material)
         if finding.severity is not Severity.NOTE
     )
+
+
+def rubber_findings(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
+    """Return the findings about the materials along a path: laws beyond their tests, tearing, and life.
+
+    Parameters
+    ----------
+    model : Model
+    states : sequence of State
+    """
+    return (*laws_beyond_their_tests(model, states), *tearing_findings(states))
 
 
 def laws_beyond_their_tests(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:

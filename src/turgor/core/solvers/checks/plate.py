@@ -80,6 +80,8 @@ def _never_touched(model: Model, plate: Obstacle, states: Sequence[State]) -> Fi
 def _other_than_tip(model: Model, plate: Obstacle, state: State) -> Finding | None:
     """Compare the place at which a plate is touched with that of the tip, at rest."""
     mesh, touch = model.mesh, state.touches.get(plate.name)
+    if plate.shape.facing is None:  # a round sensor bears where it stands
+        return None
     away = float("nan") if touch is None else bearing_distance(mesh, plate, touch)
     if touch is None or not away > PLATE.behind_tip * float(np.ptp(mesh.points, axis=0).max()):
         return None

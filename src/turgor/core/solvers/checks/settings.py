@@ -160,3 +160,27 @@ class TimeStepsSettings:
 
 
 TIME_STEPS = TimeStepsSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class TearingSettings:
+    """Settings of tearing.
+
+    Parameters
+    ----------
+    noted : float
+        Share of the elongation at break or of the strength from which it is reported: both differ by a third between
+        batches, a wall has two stretches where a dumb-bell has one, and many cycles take more.
+    few_cycles : float
+        Life below which it is a warning: a day at one cycle per second.
+    near : float
+        A face is near a place if its nearest node is at most so many times as far as the nearest node of all: the
+        place is the middle of a cell.
+    """
+
+    noted: float = 0.5
+    few_cycles: float = 86_400.0
+    near: float = 1.5
+
+
+TEARING = TearingSettings()

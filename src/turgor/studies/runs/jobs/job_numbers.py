@@ -11,6 +11,9 @@ from turgor.units import UNITS, parse_quantity, split_quantity, unit_value
 #: Sections of a job whose numbers are no quantities of the actuator.
 _LEFT_OUT = ("written_by", "output", "engine", "name")
 
+#: Tables of a material that the response does not depend on.
+_NO_NUMBERS = ("source", "strength")
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JobNumber:
@@ -210,7 +213,7 @@ def mean_and_deviation(text: str, number: JobNumber, where: str) -> tuple[float,
 def _gather(key: str, value: Any, numbers: dict[str, JobNumber]) -> None:
     if isinstance(value, Mapping):
         for name, each in value.items():
-            if name != "source":
+            if name not in _NO_NUMBERS:
                 _gather(f"{key}.{name}", each, numbers)
     elif isinstance(value, list):
         for number, each in enumerate(value, start=1):

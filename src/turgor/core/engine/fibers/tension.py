@@ -1,0 +1,48 @@
+"""Tension of threads: at each piece by itself, and averaged over the sides of cells around it."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.engine.fibers.fiber_kernels import Pieces
+from turgor.core.meshing.cells import side_type
+from turgor.core.model.fibers import Fibers
+
+Array = NDArray[np.float64]
+
+
+def tangents(pieces: Pieces, points: Array) -> Array:
+    """Current tangent of each piece per reference length, (k, 3), from current positions of the nodes (n, 3) [m]."""
+    return np.asarray(np.einsum("ka,kai->ki", pieces.along, points[pieces.sides]))
+
+
+def piece_tension(fibers: Fibers, stretch: Array) -> Array:
+    """Tension of one thread at each piece by itself, (k,) [N], from its stretch."""
+    share = np.where(stretch >= 1, 1.0, fibers.compression)
+    return np.asarray(share * fibers.stretching_stiffness * (stretch - 1))
+
+
+def smooth_tension(pieces: Pieces, tension: Array) -> Array:
+    """Average tensions over the sides of cells around each piece, weighted by length or area.
+
+    Threads hardly stretch, and the strains of a quadratic side are not exact enough for them. Along a thread the
+    tension jumps from truss to truss, and in the middle of a side it is twice as large as near the edge. The average is
+    right. Each node of the mesh gets the average of the sides around it, by hand of the winding, and each side the
+    average of its corners. This averages over two sides in every direction.
+
+    Parameters
+    ----------
+    pieces : Pieces
+    tension : (k,) array [N]
+        Tension at each piece by itself.
+
+    Returns
+    -------
+    (k,) array [N]
+    """
+    corners = side_type(pieces.sides.shape[1]).corners
+    nodes = pieces.sides[:, :corners]
+    places = nodes + (nodes.max() + 1) * pieces.hand[:, None]
+    weights = np.repeat(pieces.weights, corners)
+    total = np.bincount(places.ravel(), weights)
+    weighted = np.bincount(places.ravel(), weights * np.repeat(tension, corners))
+    return np.asarray((weighted / np.where(total > 0, total, 1.0))[places].mean(axis=1))

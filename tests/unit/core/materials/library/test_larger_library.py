@@ -1,0 +1,154 @@
+"""The library beyond the tables of the review: counts, sources, strengths, what is computed from one number, choice."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from refused import refused
+from turgor.core.materials.failure_tables import failure_tables, read_strength
+from turgor.core.materials.laws.laws import Hooke, NeoHooke
+from turgor.core.materials.laws.pull import pull
+from turgor.core.materials.library.choose import choose
+from turgor.core.materials.library.record_files import all_records, library, records
+from turgor.core.materials.library.records import find_record, from_library, recommended
+from turgor.core.materials.library.spread import LEAST, spread_of, typical_spread
+from turgor.core.materials.material import Material
+
+RUBBERS = [name for name in library() if records(name)[0].kind == "rubber" and name != "silicone-o-ring"]
+STIFF = [name for name in library() if records(name)[0].kind != "rubber"]
+LAWS = [each for each in all_records() if each.library in RUBBERS and each.stretch_range and each.law != "hooke"]
+
+
+def test_there_are_thirty_rubbers_and_fifteen_reinforcements() -> None:
+    assert len(RUBBERS) >= 45
+    assert len(STIFF) >= 20
+    page = (Path(__file__).parents[5] / "docs" / "materials.md").read_text(encoding="utf-8")
+    assert f"{len(RUBBERS)} rubbers and {len(STIFF)} reinforcements" in page
+    families = ("ecoflex", "dragon-skin", "mold-star", "sylgard", "natural-rubber", "ninjaflex", "filaflex", "agilus")
+    for family in (*families, "formlabs", "elastosil", "paper", "pet-film", "kevlar", "nylon", "cotton", "carbon"):
+        assert any(name.startswith(family) for name in library()), family
+
+
+def test_every_record_says_where_its_numbers_came_from() -> None:
+    for record in all_records():
+        named = re.search(r"(19|20)\d\d|maker|Smooth-On|DuPont|Formlabs|Table|repository|github", record.source)
+        assert named, (record.library, record.name, record.source)
+        assert record.convention_reason or record.law != "ogden"
+
+
+@pytest.mark.parametrize("record", LAWS, ids=lambda each: f"{each.library}-{each.name}")
+def test_a_law_rises_over_the_stretches_of_its_tests(record) -> None:
+    stretch = np.linspace(*record.stretch_range, 60)
+    stress = pull(record.build_law(), "uniaxial", stretch)
+    assert (np.diff(stress) > 0).all()
+    assert stress[stretch > 1.01].min() > 0 > stress[stretch < 0.99].min(initial=-1.0)
+
+
+def test_what_is_computed_from_one_number_of_the_maker() -> None:
+    """A neo-Hookean rubber has 2 C10 (2 - 1/4) = 3.5 C10 at stretch 2, and the modulus 6 C10 = 3 mu at rest."""
+    for name in ("ecoflex-00-20", "dragon-skin-15"):
+        record = find_record(name)
+        stress = 3.5 * record.build_law().C10
+        assert stress == pytest.approx(record.supplier.stress_at_stretch_2, rel=1e-4)
+    stated = [each for each in all_records() if "mu = E / 3" in each.source]
+    assert len(stated) == 6
+    for record in stated:
+        (modulus,) = re.findall(r"([\d.]+) MPa", record.source)
+        assert 3 * record.build_law().shear_modulus == pytest.approx(float(modulus) * 1e6, rel=1e-3), record.name
+        assert record.stated_doubts
+
+
+def test_the_rows_of_the_bulletins() -> None:
+    """Ecoflex 00-30: 200 psi, 900 %, 38 pli. One pound-force per inch is 175.127 N/m."""
+    material = from_library("ecoflex-00-30", "yeoh-kulkarni-2015")
+    assert material.strength.ultimate_stretch == 10.0
+    assert material.strength.tensile_strength == pytest.approx(1.37895e6, rel=1e-5)
+    assert material.strength.tear_strength == pytest.approx(38 * 175.127, rel=1e-5)
+    supplier = find_record("dragon-skin-30", "yeoh-chen-2018").supplier
+    assert (supplier.mixing, supplier.cure) == ("1A:1B by weight or volume", "pot life 45 min, cured in 16 h, at 23 °C")
+    softer = [records(name)[0].strength.elongation_at_break for name in ("dragon-skin-10", "dragon-skin-20")]
+    assert softer == [10.0, 6.2]
+
+
+def test_strengths_have_sources_and_none_is_the_crosshead_of_a_soft_rubber() -> None:
+    """Marechal's strains at break are up to 1.8 times those of the makers: no elongation comes from them."""
+    known = {record.library: record.strength for record in all_records() if record.strength is not None}
+    assert len(known) >= 50
+    for name, given in known.items():
+        assert all(given.sources[each] for each in given.sources), name
+        assert "Marechal" not in given.sources.get("elongation_at_break", ""), name
+        tables = failure_tables(Material(name=name, law=NeoHooke(C10=1e5), strength=given))
+        assert read_strength(tables["strength"]) == given, "a lock file repeats it"
+
+
+def test_a_strength_may_have_one_source_for_all_numbers() -> None:
+    ours = read_strength({"elongation_at_break": 4.0, "tear_strength": "5 kN/m", "source": "us"})
+    assert (ours.elongation_at_break, ours.tear_strength, set(ours.sources.values())) == (4.0, 5e3, {"us"})
+
+
+@pytest.mark.parametrize("name", ["hatchbox-tpu", "ninjatek-cheetah", "sainsmart-tpu"])
+def test_a_print_has_a_set_for_small_and_one_for_large_stretches(name: str) -> None:
+    small, large = records(name)
+    assert recommended(name) is small
+    assert small.stretch_range[1] < large.stretch_range[1]
+    inside = [float(pull(each.build_law(), "uniaxial", np.array([1.4]))[0]) for each in (small, large)]
+    assert inside[0] == pytest.approx(inside[1], rel=0.2)
+    assert next(row.record for row, _ in choose(1e6, 2.0) if row.name == name) == large.name
+    assert next(row.record for row, _ in choose(1e6, 1.3) if row.name == name) == small.name
+
+
+def test_choice_by_hardness_and_by_what_the_actuator_sees() -> None:
+    soft = [row.name for row, _ in choose(hardness="00-30")]
+    assert soft[0] == "ecoflex-00-30"
+    assert set(soft) == {"ecoflex-00-20", "ecoflex-00-30", "ecoflex-00-35"}
+    assert next(row.name for row, _ in choose(hardness="OO 35")) == "ecoflex-00-35"
+    ten = choose(190e3, hardness="10A")
+    assert {row.hardness for row, _ in ten} == {"2 A", "10 A", "15 A", "16 A", "20 A"}
+    assert ten[0][0].name == "mold-star-16"
+    far = [row.name for row, _ in choose(600e3, reach=5.0)]
+    assert "dragon-skin-30" not in far, "it breaks at 4.64"
+    assert "dragon-skin-20" in far
+    order = [row.name for row, _ in choose(180e3)]
+    assert order.index("agilus30") > order.index("smooth-sil-950"), "its set ends at a stretch of 1.1"
+    for arguments, facts in (((), ("modulus", "hardness")), ((1e5, 2.0, "soft"), ("'soft'", "'10 A'"))):
+        with refused(*facts):
+            choose(*arguments[:2], hardness=arguments[2] if arguments[2:] else "")
+    with refused("reach", "0.5", 1):
+        choose(1e5, reach=0.5)
+
+
+def test_spread_between_laboratories() -> None:
+    spread = spread_of("ecoflex-00-30")
+    values = np.array([value for _, value in spread.stresses])
+    assert dict(spread.stresses)["maker"] == pytest.approx(68.95e3, rel=1e-3)
+    assert not {"yeoh-yan-2016", "yeoh-elsayed-2014", "mooney-rivlin-steck-2019"} & set(dict(spread.stresses))
+    assert spread.deviation == pytest.approx(np.log(values).std(ddof=1))
+    assert spread.median == pytest.approx(np.median(values), rel=0.02)
+    assert (len(values), spread.others) == (10, 0)
+    assert "maker" not in dict(spread_of("ecoflex-00-30", 1.5).stresses)
+    typical, rubbers = typical_spread()
+    assert rubbers >= 5
+    alone = spread_of("mold-star-16")
+    assert (alone.deviation, alone.others, len(alone.stresses)) == (typical, rubbers, 1)
+    assert "25%" in str(alone) or f"{typical:.0%}" in str(alone)
+    wide = spread_of("ecoflex-00-10")
+    assert len(wide.stresses) < LEAST
+    assert wide.deviation > typical, "two sources a factor of 3.5 apart"
+    for name in ("silicone-o-ring", "kevlar-fiber"):
+        with refused(f"'{name}'"):
+            spread_of(name)
+    with refused("stretch", 1, 0):
+        spread_of("ecoflex-00-30", 1.0)
+
+
+def test_reinforcements_are_stiff_and_mostly_know_their_strength() -> None:
+    for name in STIFF:
+        law = recommended(name).build_law()
+        assert not isinstance(law, Hooke) or law.E > 0.2e9, name
+    strong = {name: given for name in STIFF if (given := records(name)[0].strength) is not None}
+    assert len(strong) >= 12
+    for name, given in strong.items():
+        law = recommended(name).build_law()
+        assert given.tensile_strength < 0.2 * law.E, name
