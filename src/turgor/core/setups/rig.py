@@ -7,6 +7,7 @@ from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.obstacles import Plane, Sphere, Vector
 from turgor.core.setups.free_tip import outward
+from turgor.core.setups.settings import BLOCKED_TIP
 from turgor.core.setups.setup_values import BlockedForce
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
@@ -78,7 +79,7 @@ def _touching(mesh: Mesh, setup: BlockedForce, direction: str, sides: NDArray[np
     middle = mesh.points[tip].mean(axis=0)
     for axis, plane in mesh.mirror_planes:
         middle[axis] = plane
-    points = np.concatenate([mesh.points[np.unique(sides)], mesh.points[sides].mean(axis=1)])
+    points = _surface_points(mesh, sides)
     if setup.sensor_radius is None:
         reached = float((points @ along).max()) + gap
         return np.asarray(middle + push * (reached - middle @ along) / (push @ along))
@@ -95,6 +96,20 @@ def _touching(mesh: Mesh, setup: BlockedForce, direction: str, sides: NDArray[np
         )
     centers = points[over] @ push + np.sqrt(np.maximum((radius + gap) ** 2 - across[over] ** 2, 0.0))
     return np.asarray(middle + push * (float(centers.max()) - radius))
+
+
+def _surface_points(mesh: Mesh, sides: NDArray[np.int64]) -> Array:
+    """Nodes of sides, and points between their corners: a small button stands between nodes, (n, 3) [m]."""
+    corners = mesh.cell_type.side.corners
+    steps = np.linspace(0.0, 1.0, BLOCKED_TIP.between)
+    u, v = (each.ravel() for each in np.meshgrid(steps, steps))
+    if corners == 3:
+        u, v = u[u + v <= 1], v[u + v <= 1]
+        weights = np.stack([1 - u - v, u, v])
+    else:
+        weights = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v])
+    between = np.einsum("kn,fkx->fnx", weights, mesh.points[sides[:, :corners]]).reshape(-1, 3)
+    return np.concatenate([mesh.points[np.unique(sides)], between])
 
 
 def _vector(values: Array) -> Vector:

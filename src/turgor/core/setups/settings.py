@@ -15,6 +15,8 @@ class BlockedTipSettings:
         Share of the load up to which the free actuator is followed, or farther until its tip moves. Sheets that bear
         tension only are taut long before: above films of 0.1 mm of paper and 0.5 mm of silk the direction is the same
         from 0.003 on.
+    between : int
+        Points along each side of an element's side at which the gap of a round button is measured.
     pushed : float
         Share of the load at which a plate that is pushed into the tip has reached its place: before the actuator moves.
     clear : float
@@ -25,6 +27,7 @@ class BlockedTipSettings:
 
     reach: float = 0.25
     first_share: float = 0.05
+    between: int = 9
     pushed: float = 0.02
     clear: float = 0.01
     tolerance: float = 1e-3

@@ -53,7 +53,7 @@ def test_batches_have_one_fit_and_a_spread(call, tmp_path):
     assert code == DONE
     assert "Constants of neo-hooke by batches:" in said and "between 3 batches by 10 %" in said
     record = find_record(str(tmp_path / "ours" / "all.toml"), "neo-hooke")
-    assert record.spread.of == "3 batches"
+    assert record.spread.of == "3 batches" and "by even least squares" in record.source
     assert record.spread.deviations["C10"] == pytest.approx(0.1 * record.constants["C10"], rel=0.02)
 
 

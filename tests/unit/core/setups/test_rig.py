@@ -135,3 +135,21 @@ def test_values_that_do_not_fit_are_refused(rig, facts):
 def test_a_button_beside_the_actuator_is_refused(whole):
     with refused("0.1 mm", "behind_tip", "-z"):
         tg.setups.blocked_force(whole, direction="-z", sensor_radius=0.1 * mm, behind_tip=-5 * mm)
+
+
+def test_a_button_between_nodes_stands_at_its_gap(whole):
+    """The lowest line of a round tube is straight; a small button touches it between nodes, 1.5 mm apart."""
+    gaps = {}
+    for place in (2.25 * mm, 1.5 * mm):  # between nodes, and at one
+        rig = {"sensor_radius": 1.5 * mm, "behind_tip": place, "distance": 1 * mm}
+        plate = plate_of(tg.setups.blocked_force(whole, direction="-z", **rig))
+        assert plate.shape.center[0] == pytest.approx(20 * mm - place)
+        gaps[place] = whole.mesh.points[:, 2].min() - plate.shape.center[2] - 1.5 * mm
+    assert gaps == {place: pytest.approx(1 * mm, abs=0.02 * mm) for place in gaps}
+
+
+def test_a_button_beyond_the_edge_of_the_tip_stands_at_its_gap(whole):
+    """The nearest point is the edge, to the side of the middle of the ball."""
+    rig = {"sensor_radius": 3 * mm, "behind_tip": -1.5 * mm, "distance": 0.5 * mm}
+    plate = plate_of(tg.setups.blocked_force(whole, direction="-z", **rig))
+    assert plate.shape.clearance(whole.mesh.points) == pytest.approx(0.5 * mm, abs=0.02 * mm)
