@@ -13,9 +13,11 @@ if TYPE_CHECKING:
     from turgor.core.materials.laws.curves import Curve as Curve
     from turgor.core.materials.laws.curves import curve as curve
     from turgor.core.materials.laws.laws import ArrudaBoyce as ArrudaBoyce
+    from turgor.core.materials.laws.laws import BlatzKo as BlatzKo
     from turgor.core.materials.laws.laws import GeneralizedRivlin as GeneralizedRivlin
     from turgor.core.materials.laws.laws import Gent as Gent
     from turgor.core.materials.laws.laws import Hooke as Hooke
+    from turgor.core.materials.laws.laws import Hyperfoam as Hyperfoam
     from turgor.core.materials.laws.laws import MooneyRivlin as MooneyRivlin
     from turgor.core.materials.laws.laws import NeoHooke as NeoHooke
     from turgor.core.materials.laws.laws import Ogden as Ogden

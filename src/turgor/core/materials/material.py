@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, get_args
 
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.viscoelastic import Prony
-from turgor.core.materials.laws.laws import Hooke, Law
+from turgor.core.materials.laws.laws import FoamLaw, Hooke, Law
 from turgor.foundation.display import Shown
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantity, number, one, shown
@@ -30,7 +30,8 @@ class Material(Shown):
     law : Law or Hooke
         The strain energy function with its coefficients.
     bulk_modulus : float [Pa]
-        Initial bulk modulus κ; infinite (the default) means fully incompressible. Ignored for `Hooke`.
+        Initial bulk modulus κ; infinite (the default) means fully incompressible. Ignored for `Hooke`. The law of a
+        foam, such as `Hyperfoam`, has its own, which is stated here.
     density : float or None [kg/m³]
         Mass per reference volume; needed for gravity only.
     stretch_range : (float, float) or None [-]
@@ -83,7 +84,8 @@ class Material(Shown):
     def __post_init__(self) -> None:
         subject = f"material '{self.name}'"
         one(self.law, (*LAW_KINDS, Hooke), f"{subject}: law", "a law is needed, such as Yeoh(C10=0.11e6, C20=0.02e6)")
-        bulk = number(self.bulk_modulus, f"{subject}: bulk_modulus", "pressure", finite=False)
+        given = self.law.bulk_modulus if isinstance(self.law, FoamLaw) else self.bulk_modulus
+        bulk = number(given, f"{subject}: bulk_modulus", "pressure", finite=False)
         object.__setattr__(self, "bulk_modulus", bulk)
         if self.density is not None:
             object.__setattr__(self, "density", number(self.density, f"{subject}: density", "density"))
@@ -94,6 +96,11 @@ class Material(Shown):
         if isinstance(self.law, Hooke) and (self.viscoelasticity or self.stress_softening):
             raise TurgorError(
                 f"material '{self.name}' is linear elastic; viscoelasticity and stress_softening are for rubbers."
+            )
+        if self.is_foam and (self.viscoelasticity or self.stress_softening):
+            raise TurgorError(
+                f"material '{self.name}' is a foam ({type(self.law).__name__}); viscoelasticity and stress_softening "
+                "are for rubbers that keep their volume."
             )
         if self.stretch_range is not None:
             object.__setattr__(self, "stretch_range", _range(self.stretch_range, f"{subject}: stretch_range"))
@@ -119,6 +126,11 @@ class Material(Shown):
         parts += ["relaxes"] if self.viscoelasticity else []
         parts += ["softens"] if self.stress_softening else []
         return f"Material({', '.join(parts)})"
+
+    @property
+    def is_foam(self) -> bool:
+        """Whether the law has the change of volume in its energy."""
+        return isinstance(self.law, FoamLaw)
 
     @property
     def incompressible(self) -> bool:

@@ -110,10 +110,15 @@ def path_of(name: str, values: ArrayLike, *, points: int = 21, low: float = 0.0)
 
 
 def law_of(material: Material) -> Law:
-    """Return the law of a rubber; a linear elastic material is refused."""
+    """Return the law of a rubber; a linear elastic material and a foam are refused."""
     if isinstance(material.law, Hooke):
         raise TurgorError(
             f"material '{material.name}' is linear elastic (Hooke); the formula needs a rubber, such as NeoHooke."
+        )
+    if material.is_foam:
+        raise TurgorError(
+            f"material '{material.name}' is a foam ({type(material.law).__name__}); the formula is for rubber that "
+            "keeps its volume. Take finite elements."
         )
     return material.law
 

@@ -146,7 +146,7 @@ def _material(entry: Material | Sheet) -> dict[str, Any]:
     for item in fields(material.law):  # type: ignore[arg-type]
         value = getattr(material.law, item.name)
         values[item.name] = _constants(value, None if is_dimensionless(item) else unit)
-    if law != "hooke":
+    if law != "hooke" and not material.is_foam:
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
     values |= history_tables(material.viscoelasticity, material.stress_softening)

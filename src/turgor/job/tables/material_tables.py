@@ -145,7 +145,7 @@ class StatedTable(Table):
 def law_table(law: type) -> type[Table]:
     """Make the table of a material stated by its law: the coefficients are the fields of the law."""
     keys: dict[str, Any] = {item.name: (_constant_type(item), default_of(item)) for item in fields(law)}
-    if law is not Hooke:
+    if law is not Hooke and not hasattr(law, "bulk_modulus"):  # a foam has its own, and no history
         keys["bulk_modulus"] = (BulkModulus, inf)
         keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
     return create_model(f"{law.__name__}Table", __base__=StatedTable, **keys)

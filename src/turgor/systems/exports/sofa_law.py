@@ -73,6 +73,8 @@ def sofa_law(material: Material, stretch: float, poisson: float) -> SofaLaw:
     """
     if isinstance(material.law, Hooke):
         raise TurgorError(f"material '{material.name}' is linear elastic; a law of rubber is needed for a region.")
+    if material.is_foam:
+        raise TurgorError(f"material '{material.name}' is a foam ({type(material.law).__name__}); SOFA has none.")
     first, third, wanted, sizes = [], [], [], []
     for mode, (power, other) in TESTS.items():
         along = np.linspace(1.0, stretch**power, COUNT + 1)[1:]

@@ -7,11 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells import spectral
+from turgor.core.materials.laws.foam_volume import foam_bulk, less_volume, less_volume_energy
 from turgor.core.engine.cells.internal_variables import History, Memory, RegionMemory, invariant_stress, joined_memory
 from turgor.core.engine.cells.known_stress import add_known_stress
 from turgor.core.materials.history.softening import INVARIANT_PAIRS
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
-from turgor.core.materials.laws.laws import InvariantLaw, Law, StretchLaw
+from turgor.core.materials.laws.laws import FoamLaw, InvariantLaw, Law, StretchLaw
 from turgor.core.materials.material import Material
 from turgor.core.model.model import Model
 
@@ -54,6 +55,10 @@ class _Region:
         return self.material.law
 
     @property
+    def foam(self) -> FoamLaw | None:
+        return self.material.law if isinstance(self.material.law, FoamLaw) else None
+
+    @property
     def remembers(self) -> bool:
         return self.material.viscoelasticity is not None or self.material.stress_softening is not None
 
@@ -72,7 +77,7 @@ class CellMaterials:
     Attributes
     ----------
     compliance : (c,) array
-        1/κ, scaled; zero where incompressible.
+        1/κ, scaled; zero where incompressible, and of a share of the resistance where a foam has its own.
     gradient_cells : (s,) array of int
         Cells whose deformation gradients are needed, in the order of the mesh: those of laws in stretches, and those
         that relax.
@@ -90,7 +95,8 @@ class CellMaterials:
         self.rows = np.full(count, -1, dtype=np.int64)
         in_stretches = np.zeros(count, dtype=bool)
         for _, cells, material in regions:
-            self.compliance[cells] = 0.0 if material.incompressible else stress / material.bulk_modulus
+            bulk = foam_bulk(material.law) if isinstance(material.law, FoamLaw) else material.bulk_modulus
+            self.compliance[cells] = stress / bulk
             in_stretches[cells] = isinstance(material.law, StretchLaw)
             if isinstance(material.law, StretchLaw) or material.viscoelasticity is not None:
                 self.rows[cells] = 0
@@ -150,14 +156,19 @@ class CellMaterials:
         if not len(among):
             return np.zeros((count, F.shape[1], 6)), np.zeros((count, F.shape[1], spectral.TANGENT))
         bar, directions, scale = spectral.principal_stretches(F if len(among) == count else F[among])
-        W = np.empty((9, *scale.shape))
+        W, projected = np.empty((9, *scale.shape)), np.ones(len(scale))
         for region in self._regions:
             if isinstance(region.law, StretchLaw):
                 at = np.searchsorted(among, region.rows)
+                if region.foam is not None:
+                    bar[:, at] *= scale[at]
+                    scale[at], projected[at] = 1.0, 0.0
                 derivatives = stretch_derivatives(region.law, *bar[:, at])
                 for k, values in enumerate(_response(history, region, derivatives, STRETCH_PAIRS)):
                     W[k, at] = values / self._stress
-        response = spectral.spectral_response(bar, directions, scale, W[:3], W[3:])
+                if region.foam is not None:
+                    W[:, at] = less_volume(region.foam, bar[:, at], W[:, at], self._stress)
+        response = spectral.spectral_response(bar, directions, scale, W[:3], W[3:], projected)
         if len(among) == count:
             return response[0], response[1]
         stress, tangent = np.zeros((count, F.shape[1], 6)), np.zeros((count, F.shape[1], spectral.TANGENT))
@@ -208,7 +219,9 @@ class CellMaterials:
         """Energy density (c, q) [Pa] of a region's law itself."""
         if isinstance(region.law, InvariantLaw):
             return energy_and_derivatives(region.law, I1[region.cells], I2[region.cells])[0]
-        bar, _, _ = spectral.principal_stretches(F[region.rows])
+        bar, _, scale = spectral.principal_stretches(F[region.rows])
+        if region.foam is not None:
+            return less_volume_energy(region.foam, bar * scale)
         return stretch_derivatives(region.law, *bar)[0]
 
 

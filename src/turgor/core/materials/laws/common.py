@@ -26,14 +26,23 @@ class StretchLaw(Protocol):
     """An isotropic rubber whose energy is written in the isochoric principal stretches, symmetric in them."""
 
     def energy_of_stretches(self, l1: Any, l2: Any, l3: Any) -> Any:
-        """Strain energy density W(λ̄₁, λ̄₂, λ̄₃) [Pa]."""
+        """Strain energy density W(λ̄₁, λ̄₂, λ̄₃) [Pa]; of a `FoamLaw`, W(λ₁, λ₂, λ₃)."""
 
     @property
     def shear_modulus(self) -> float:
         """Initial shear modulus μ [Pa]."""
 
 
-#: Any law of a rubber, in either form; works with ``isinstance``.
+@runtime_checkable
+class FoamLaw(StretchLaw, Protocol):
+    """An isotropic foam: a law in the principal stretches themselves, so that its energy has the change of volume."""
+
+    @property
+    def bulk_modulus(self) -> float:
+        """Initial bulk modulus κ [Pa]."""
+
+
+#: Any law of a rubber or a foam, in either form; works with ``isinstance``.
 Law: TypeAlias = InvariantLaw | StretchLaw
 
 

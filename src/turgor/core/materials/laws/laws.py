@@ -7,13 +7,16 @@ NumPy arrays and SymPy symbols go through them alike. All laws may be imported f
 
 from typing import Any
 
+from turgor.core.materials.laws.common import FoamLaw as FoamLaw
 from turgor.core.materials.laws.common import InvariantLaw as InvariantLaw
 from turgor.core.materials.laws.common import Law as Law
 from turgor.core.materials.laws.common import StretchLaw as StretchLaw
 from turgor.core.materials.laws.energies.arruda_boyce import ArrudaBoyce as ArrudaBoyce
+from turgor.core.materials.laws.energies.blatz_ko import BlatzKo as BlatzKo
 from turgor.core.materials.laws.energies.generalized_rivlin import GeneralizedRivlin as GeneralizedRivlin
 from turgor.core.materials.laws.energies.gent import Gent as Gent
 from turgor.core.materials.laws.energies.hooke import Hooke as Hooke
+from turgor.core.materials.laws.energies.hyperfoam import Hyperfoam as Hyperfoam
 from turgor.core.materials.laws.energies.mooney_rivlin import MooneyRivlin as MooneyRivlin
 from turgor.core.materials.laws.energies.neo_hooke import NeoHooke as NeoHooke
 from turgor.core.materials.laws.energies.ogden import Ogden as Ogden
