@@ -16,7 +16,15 @@ import problems
 import turgor as tg
 from differences import difference
 from turgor.core.engine.system import System
-from turgor.core.materials.laws.laws import ArrudaBoyce, BlatzKo, GeneralizedRivlin, Gent, Hyperfoam, Ogden
+from turgor.core.materials.laws.laws import (
+    ArrudaBoyce,
+    BlatzKo,
+    ExtendedTube,
+    GeneralizedRivlin,
+    Gent,
+    Hyperfoam,
+    Ogden,
+)
 
 SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
 SHELL = tg.Shell(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e7, nu=0.3)), 1e-3)
@@ -30,6 +38,7 @@ CASES = {
     "Yeoh, incompressible": (tg.Yeoh(C10=1e5, C20=2e4, C30=-1e3), np.inf, None, ()),
     "Ogden, incompressible": (OGDEN, np.inf, None, ()),
     "Ogden, compressible": (OGDEN, 1e6, None, ()),
+    "extended tube": (ExtendedTube(Gc=8e4, Ge=6e4, delta=0.2, beta=0.4), np.inf, None, ()),
     "hyperfoam": (FOAM, np.inf, None, ()),
     "Blatz-Ko": (BlatzKo(mu=1e5), np.inf, None, ()),
     "Gent, incompressible": (Gent(mu=2e5, Jm=30.0), np.inf, None, ()),

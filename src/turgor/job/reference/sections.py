@@ -62,6 +62,7 @@ _NEEDED: Mapping[str, Mapping[str, Any]] = {
     "box": {"center": [0, 0, "-20 mm"], "size": ["10 mm", "10 mm", "10 mm"]},
     "arruda_boyce": {"mu": "60 kPa", "locking_stretch": 3.0},
     "blatz_ko": {"mu": "30 kPa"},
+    "extended_tube": {"Gc": "60 kPa", "Ge": "60 kPa", "delta": 0.1, "beta": 0.3},
     "generalized_rivlin": {"coefficients": {"C10": "50 kPa"}},
     "gent": {"mu": "60 kPa", "Jm": 50.0},
     "hooke": {"E": "2 GPa", "nu": 0.3, "thickness": "0.1 mm"},

@@ -22,6 +22,7 @@ LAW_SOURCES: Mapping[str, tuple[str, str]] = MappingProxyType(
         "Yeoh": ("O. H. Yeoh, Rubber Chem. Technol. 1993, 66, 754", "Eq. 14"),
         "YeohN": ("O. H. Yeoh, Rubber Chem. Technol. 1993, 66, 754", "Eq. 14"),
         "Gent": ("A. N. Gent, Rubber Chem. Technol. 1996, 69, 59", ""),
+        "ExtendedTube": ("M. Kaliske, G. Heinrich, Rubber Chem. Technol. 1999, 72, 602", ""),
         "Hyperfoam": ("B. Storåkers, J. Mech. Phys. Solids 1986, 34, 125", ""),
         "BlatzKo": ("P. J. Blatz, W. L. Ko, Trans. Soc. Rheol. 1962, 6, 223", ""),
         "ArrudaBoyce": ("E. M. Arruda, M. C. Boyce, J. Mech. Phys. Solids 1993, 41, 389", ""),

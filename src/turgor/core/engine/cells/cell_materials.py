@@ -7,11 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells import spectral
-from turgor.core.materials.laws.foam_volume import foam_bulk, less_volume, less_volume_energy
 from turgor.core.engine.cells.internal_variables import History, Memory, RegionMemory, invariant_stress, joined_memory
 from turgor.core.engine.cells.known_stress import add_known_stress
 from turgor.core.materials.history.softening import INVARIANT_PAIRS
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
+from turgor.core.materials.laws.foam_volume import foam_bulk, less_volume, less_volume_energy
 from turgor.core.materials.laws.laws import FoamLaw, InvariantLaw, Law, StretchLaw
 from turgor.core.materials.material import Material
 from turgor.core.model.model import Model

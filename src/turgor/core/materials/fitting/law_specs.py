@@ -57,8 +57,13 @@ def shape_bounds(spec: LawSpec, largest_invariant: float) -> tuple[tuple[float, 
     largest_invariant : float [-]
         Largest I₁ at which the law must have a stress; Gent's law ends at I₁ − 3 = Jm.
     """
-    low, high = spec.bounds(largest_invariant) if callable(spec.bounds) else spec.bounds
-    return ((low, high),) * len(spec.shapes)
+    each: Any = spec.bounds if isinstance(spec.bounds, tuple) and not _is_pair(spec.bounds) else (spec.bounds,)
+    pairs = tuple(bounds(largest_invariant) if callable(bounds) else bounds for bounds in each)
+    return pairs if len(pairs) == len(spec.shapes) else pairs * len(spec.shapes)
+
+
+def _is_pair(bounds: tuple[Any, ...]) -> bool:
+    return len(bounds) == 2 and all(isinstance(edge, int | float) for edge in bounds)
 
 
 def _fitted_laws() -> tuple[dict[str, type[Any]], dict[str, type[Any]]]:

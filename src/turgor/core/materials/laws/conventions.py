@@ -31,6 +31,7 @@ CONVENTIONS: Mapping[str, Mapping[str, Mapping[str, tuple[str, float]]]] = {
     "canonical": {
         "gent": {"mu": ("mu", 1.0), "Jm": ("Jm", 1.0)},
         "arruda_boyce": {"mu": ("mu", 1.0), "locking_stretch": ("locking_stretch", 1.0)},
+        "extended_tube": {"Gc": ("Gc", 1.0), "Ge": ("Ge", 1.0), "delta": ("delta", 1.0), "beta": ("beta", 1.0)},
         "blatz_ko": {"mu": ("mu", 1.0)},
     },
     "mu/alpha": {"ogden": {}, "hyperfoam": {}},
