@@ -17,11 +17,13 @@ if TYPE_CHECKING:
     from turgor.core.materials.laws.laws import ExtendedTube as ExtendedTube
     from turgor.core.materials.laws.laws import GeneralizedRivlin as GeneralizedRivlin
     from turgor.core.materials.laws.laws import Gent as Gent
+    from turgor.core.materials.laws.laws import HolzapfelGasserOgden as HolzapfelGasserOgden
     from turgor.core.materials.laws.laws import Hooke as Hooke
     from turgor.core.materials.laws.laws import Hyperfoam as Hyperfoam
     from turgor.core.materials.laws.laws import MooneyRivlin as MooneyRivlin
     from turgor.core.materials.laws.laws import NeoHooke as NeoHooke
     from turgor.core.materials.laws.laws import Ogden as Ogden
+    from turgor.core.materials.laws.laws import Orthotropic as Orthotropic
     from turgor.core.materials.laws.laws import Yeoh as Yeoh
     from turgor.core.materials.laws.laws import YeohN as YeohN
     from turgor.core.materials.laws.stability import first_instability as first_instability
@@ -32,6 +34,8 @@ if TYPE_CHECKING:
     from turgor.core.materials.library.records import library as library
     from turgor.core.materials.library.records import recommended as recommended
     from turgor.core.materials.library.records import records as records
+    from turgor.core.materials.orientation import Orientation as Orientation
+    from turgor.core.materials.oriented import oriented_stress as oriented_stress
     from turgor.foundation.source import Source as Source
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

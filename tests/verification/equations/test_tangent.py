@@ -31,6 +31,16 @@ SHELL = tg.Shell(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e7, nu=0.3)), 1e
 WRINKLING = tg.Membrane(SHEET.material, SHEET.thickness, compression=0.0)
 OPEN = tg.Pressure("z1", 4e4)
 OGDEN = Ogden(mu=(8e4, 2e3, -1e4), alpha=(1.7, 5.0, -2.3))
+AROUND = tg.laws.Orientation(along=(1, 0.2, 0), around=(0, -0.02, 0.005), angle="30 deg")
+FIBERS = tg.Material(
+    name="fibers", law=tg.laws.HolzapfelGasserOgden(C10=5e4, k1=9e4, k2=0.7, kappa=0.05), orientation=AROUND
+)
+PRINT = tg.Material(
+    name="print",
+    law=tg.laws.Orthotropic(C10=5e4, C20=1e4, a1=6e4, a2=3e4),
+    orientation=tg.laws.Orientation(along=(1, 0.5, 0), across=(0, 1, 1)),
+    bulk_modulus=1e6,
+)
 FOAM = Hyperfoam(mu=(3e4, -1e4), alpha=(6.0, -3.0), nu=(0.0, 0.2))
 CASES = {
     "neo-Hookean, incompressible": (problems.NEO_HOOKE, np.inf, None, ()),
@@ -39,6 +49,8 @@ CASES = {
     "Ogden, incompressible": (OGDEN, np.inf, None, ()),
     "Ogden, compressible": (OGDEN, 1e6, None, ()),
     "extended tube": (ExtendedTube(Gc=8e4, Ge=6e4, delta=0.2, beta=0.4), np.inf, None, ()),
+    "fibers in a body": (FIBERS, np.inf, None, ()),
+    "print": (PRINT, np.inf, None, ()),
     "hyperfoam": (FOAM, np.inf, None, ()),
     "Blatz-Ko": (BlatzKo(mu=1e5), np.inf, None, ()),
     "Gent, incompressible": (Gent(mu=2e5, Jm=30.0), np.inf, None, ()),
@@ -61,7 +73,8 @@ CASES = {
 def _system(name):
     law, kappa, sheet, loads = CASES[name]
     mesh = meshes.box((0.02, 0.01, 0.01), (2, 1, 1), lambda X: X + 3 * X[:, [1, 2, 0]] ** 2)
-    materials = {"body": problems.rubber(law, kappa)} | ({"y1": sheet} if sheet else {})
+    material = law if isinstance(law, tg.Material) else problems.rubber(law, kappa)
+    materials = {"body": material} | ({"y1": sheet} if sheet else {})
     return System(tg.Model(mesh, materials, [tg.Fixed("x0")], list(loads)))
 
 

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, get_args
 
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.viscoelastic import Prony
-from turgor.core.materials.laws.laws import FoamLaw, Hooke, Law
+from turgor.core.materials.laws.laws import FiberLaw, FoamLaw, Hooke, Law
+from turgor.core.materials.orientation import Orientation
 from turgor.foundation.display import Shown
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantity, number, one, shown
@@ -45,6 +46,8 @@ class Material(Shown):
     bending_stiffness : float or None [N m]
         Moment per width and curvature of a sheet that bends more easily than a plate, such as a woven fabric; by
         default a sheet bends like a plate of its thickness. For `Hooke` only.
+    orientation : Orientation or None
+        Directions of a law with fibers, such as `HolzapfelGasserOgden` or `Orthotropic`, which needs one.
 
     Examples
     --------
@@ -56,7 +59,7 @@ class Material(Shown):
     """
 
     name: str
-    law: Law | Hooke
+    law: Law | FiberLaw | Hooke
     bulk_modulus: float = inf
     density: float | None = None
     stretch_range: tuple[float, float] | None = None
@@ -64,6 +67,7 @@ class Material(Shown):
     viscoelasticity: Prony | None = None
     stress_softening: Mullins | None = None
     bending_stiffness: float | None = None
+    orientation: Orientation | None = None
 
     if TYPE_CHECKING:
 
@@ -71,7 +75,7 @@ class Material(Shown):
             self,
             *,
             name: str,
-            law: Law | Hooke,
+            law: Law | FiberLaw | Hooke,
             bulk_modulus: Quantity = inf,
             density: Quantity | None = None,
             bending_stiffness: Quantity | None = None,
@@ -79,11 +83,17 @@ class Material(Shown):
             source: Source = UNSTATED,
             viscoelasticity: Prony | None = None,
             stress_softening: Mullins | None = None,
+            orientation: Orientation | None = None,
         ) -> None: ...
 
     def __post_init__(self) -> None:
         subject = f"material '{self.name}'"
-        one(self.law, (*LAW_KINDS, Hooke), f"{subject}: law", "a law is needed, such as Yeoh(C10=0.11e6, C20=0.02e6)")
+        one(
+            self.law,
+            (*LAW_KINDS, FiberLaw, Hooke),
+            f"{subject}: law",
+            "a law is needed, such as Yeoh(C10=0.11e6, C20=0.02e6)",
+        )
         given = self.law.bulk_modulus if isinstance(self.law, FoamLaw) else self.bulk_modulus
         bulk = number(given, f"{subject}: bulk_modulus", "pressure", finite=False)
         object.__setattr__(self, "bulk_modulus", bulk)
@@ -97,6 +107,7 @@ class Material(Shown):
             raise TurgorError(
                 f"material '{self.name}' is linear elastic; viscoelasticity and stress_softening are for rubbers."
             )
+        self._check_orientation()
         if self.is_foam and (self.viscoelasticity or self.stress_softening):
             raise TurgorError(
                 f"material '{self.name}' is a foam ({type(self.law).__name__}); viscoelasticity and stress_softening "
@@ -108,6 +119,26 @@ class Material(Shown):
             bending = number(self.bending_stiffness, f"{subject}: bending_stiffness", "bending stiffness")
             object.__setattr__(self, "bending_stiffness", bending)
             self._check_bending(bending)
+
+    def _check_orientation(self) -> None:
+        name, law = type(self.law).__name__, self.law
+        if not isinstance(law, FiberLaw):
+            if self.orientation is not None:
+                raise TurgorError(f"material '{self.name}': {name} has no directions; leave the orientation out.")
+            return
+        one(
+            self.orientation,
+            Orientation,
+            f"material '{self.name}': orientation",
+            f"{name} needs one, such as Orientation(along=(1, 0, 0), across=(0, 1, 0))",
+        )
+        assert self.orientation is not None
+        law.families(self.orientation.angle)  # a law may have no fibers at an angle
+        if self.viscoelasticity or self.stress_softening:
+            raise TurgorError(
+                f"material '{self.name}' has directions ({name}); viscoelasticity and stress_softening are for "
+                "isotropic rubbers."
+            )
 
     def _check_bending(self, value: float) -> None:
         if not isinstance(self.law, Hooke):
@@ -123,6 +154,7 @@ class Material(Shown):
         parts += [f"{self.density:g} kg/m³"] if self.density is not None else []
         if self.stretch_range is not None:
             parts.append(f"fitted to stretches {self.stretch_range[0]:.4g} to {self.stretch_range[1]:.4g}")
+        parts += ["oriented"] if self.orientation else []
         parts += ["relaxes"] if self.viscoelasticity else []
         parts += ["softens"] if self.stress_softening else []
         return f"Material({', '.join(parts)})"
@@ -131,6 +163,11 @@ class Material(Shown):
     def is_foam(self) -> bool:
         """Whether the law has the change of volume in its energy."""
         return isinstance(self.law, FoamLaw)
+
+    @property
+    def has_fibers(self) -> bool:
+        """Whether the law has directions."""
+        return isinstance(self.law, FiberLaw)
 
     @property
     def incompressible(self) -> bool:

@@ -115,6 +115,7 @@ def law_of(material: Material) -> Law:
         raise TurgorError(
             f"material '{material.name}' is linear elastic (Hooke); the formula needs a rubber, such as NeoHooke."
         )
+    _require_isotropic(material)
     if material.is_foam:
         raise TurgorError(
             f"material '{material.name}' is a foam ({type(material.law).__name__}); the formula is for rubber that "
@@ -123,8 +124,17 @@ def law_of(material: Material) -> Law:
     return material.law
 
 
+def _require_isotropic(material: Material) -> None:
+    if material.has_fibers:
+        raise TurgorError(
+            f"material '{material.name}' has directions ({type(material.law).__name__}); formulas are for isotropic "
+            "materials. Take finite elements."
+        )
+
+
 def young_modulus(material: Material) -> float:
     """Initial Young's modulus [Pa]: 3 μ of an incompressible rubber."""
+    _require_isotropic(material)
     if isinstance(material.law, Hooke):
         return material.law.E
     return 2 * material.law.shear_modulus * (1 + poisson_ratio(material))

@@ -18,6 +18,7 @@ from turgor.core.engine.cells.stabilization import REGULARIZATION, STIFFNESS
 from turgor.core.model.model import Model
 from turgor.fast_models.section.kinematics import Vectors
 from turgor.fast_models.section.plane import Plane, gradients, tables
+from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -96,6 +97,9 @@ def rubber_of(model: Model, plane: Plane, stress: float) -> Rubber:
     stress : float [Pa]
         Scale of stresses.
     """
+    for name, material in model.region_materials.items():
+        if material.has_fibers:
+            raise TurgorError(f"materials.{name}: '{material.name}' has directions, which a section does not take yet.")
     table = tables()
     by_place, areas = gradients(plane.points, plane.quads)
     plain = np.zeros((*by_place.shape[:3], 3))

@@ -24,6 +24,7 @@ from turgor.job.tables.fibers import fibers_tables
 from turgor.job.tables.loads import loads_table
 from turgor.job.tables.mesh_files import mesh_file_table
 from turgor.job.tables.obstacles import obstacles_tables
+from turgor.job.tables.orientation_tables import orientation_table
 from turgor.job.tables.points import points_tables
 from turgor.job.tables.procedures import written_procedure
 from turgor.job.tables.setups import written_setup
@@ -150,6 +151,8 @@ def _material(entry: Material | Sheet) -> dict[str, Any]:
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
     values |= history_tables(material.viscoelasticity, material.stress_softening)
+    if material.orientation is not None:
+        values["orientation"] = orientation_table(material.orientation)
     if material.density is not None:
         values["density"] = format_quantity(material.density, "kg/m³")
     if material.stretch_range is not None:

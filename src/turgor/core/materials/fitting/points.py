@@ -102,7 +102,7 @@ def _columns_of_all(
     """Stress of the term of each coefficient of a law whose terms may have any of the shapes."""
     if shapes not in known:
         unit = np.eye(len(spec.coefficients))
-        known[shapes] = np.stack([stress(spec.make(each, shapes)) for each in unit], axis=1)
+        known[shapes] = np.stack([stress(spec.make(each, shapes)) for each in unit.tolist()], axis=1)
     return known[shapes]
 
 

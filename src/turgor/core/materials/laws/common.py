@@ -5,6 +5,7 @@ from dataclasses import fields
 from math import isfinite
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
+from turgor.core.materials.laws.fiber_family import Family
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import number, shown
 
@@ -42,7 +43,23 @@ class FoamLaw(StretchLaw, Protocol):
         """Initial bulk modulus κ [Pa]."""
 
 
-#: Any law of a rubber or a foam, in either form; works with ``isinstance``.
+@runtime_checkable
+class FiberLaw(Protocol):
+    """A body with fibers: an isotropic rubber, and families of fibers whose directions the material states."""
+
+    @property
+    def matrix(self) -> InvariantLaw:
+        """The rubber between the fibers."""
+
+    def families(self, angle: float) -> tuple[Family, ...]:
+        """Families of fibers at an angle [rad] to the first direction of the material."""
+
+    @property
+    def shear_modulus(self) -> float:
+        """Initial shear modulus μ of the rubber between the fibers [Pa]."""
+
+
+#: Any isotropic law of a rubber or a foam, in either form; works with ``isinstance``.
 Law: TypeAlias = InvariantLaw | StretchLaw
 
 
@@ -69,7 +86,7 @@ def require_finite(law: object, values: Iterable[tuple[str, float]]) -> None:
             raise TurgorError(f"{type(law).__name__}: {name} is {value:g}; it must be a finite number.")
 
 
-def require_positive_shear_modulus(law: Law) -> None:
+def require_positive_shear_modulus(law: Law | FiberLaw) -> None:
     """Raise an error for a law that is not stiff at rest."""
     if not law.shear_modulus > 0:
         raise TurgorError(
