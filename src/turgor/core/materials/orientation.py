@@ -3,17 +3,21 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 from math import pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.materials.library.table_keys import table
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantity, number, shown
 from turgor.foundation.round_off import ROUND_OFF
+from turgor.units import format_quantity
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
+
+_TABLE_KEYS = ("along", "across", "around", "angle")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,6 +104,40 @@ class Orientation:
                 second = second / np.linalg.norm(second, axis=-1, keepdims=True)
         along = np.broadcast_to(first, points.shape)
         return np.stack([along, second, np.cross(along, second)], axis=-2)
+
+
+def read_orientation(values: Any) -> Orientation:
+    """Read the directions of a material from a table.
+
+    Parameters
+    ----------
+    values : mapping
+        With ``along``, and ``across`` or ``around``, and perhaps ``angle``; see `Orientation`.
+
+    Examples
+    --------
+    >>> read_orientation({"along": [1, 0, 0], "across": [0, 1, 0], "angle": "30 deg"}).angle
+    0.5235987755982988
+    """
+    return Orientation(**table(values, "orientation", _TABLE_KEYS, ("along",)))
+
+
+def orientation_table(orientation: Orientation) -> dict[str, Any]:
+    """Write the directions of a material as a table that reads back to the same.
+
+    Examples
+    --------
+    >>> orientation_table(Orientation(along=(0, 0, 1), around=(0, 0, 0)))
+    {'along': [0.0, 0.0, 1.0], 'around': ['0 mm', '0 mm', '0 mm']}
+    """
+    values: dict[str, Any] = {"along": list(orientation.along)}
+    if orientation.across is not None:
+        values["across"] = list(orientation.across)
+    if orientation.around is not None:
+        values["around"] = [format_quantity(each, "mm") for each in orientation.around]
+    if orientation.angle:
+        values["angle"] = format_quantity(orientation.angle, "deg")
+    return values
 
 
 def _vector(given: object, name: str, dimension: str = "") -> Vector:

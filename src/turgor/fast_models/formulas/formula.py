@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from turgor.core.materials.fitting.checks import check_stretch_range
-from turgor.core.materials.laws.laws import Hooke, Law
+from turgor.core.materials.laws.laws import FiberLaw, Hooke, Law
 from turgor.core.materials.material import Material
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity, by_weight
@@ -121,6 +121,7 @@ def law_of(material: Material) -> Law:
             f"material '{material.name}' is a foam ({type(material.law).__name__}); the formula is for rubber that "
             "keeps its volume. Take finite elements."
         )
+    assert not isinstance(material.law, FiberLaw)
     return material.law
 
 

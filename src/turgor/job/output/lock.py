@@ -12,6 +12,7 @@ from turgor.core.materials.laws.law_spec import is_dimensionless
 from turgor.core.materials.laws.laws import LAWS
 from turgor.core.materials.library.record_history import history_tables
 from turgor.core.materials.material import Material
+from turgor.core.materials.orientation import orientation_table
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.model.sheets import Sheet, Shell
@@ -24,7 +25,6 @@ from turgor.job.tables.fibers import fibers_tables
 from turgor.job.tables.loads import loads_table
 from turgor.job.tables.mesh_files import mesh_file_table
 from turgor.job.tables.obstacles import obstacles_tables
-from turgor.job.tables.orientation_tables import orientation_table
 from turgor.job.tables.points import points_tables
 from turgor.job.tables.procedures import written_procedure
 from turgor.job.tables.setups import written_setup

@@ -10,7 +10,7 @@ from pydantic import AllowInfNan, BeforeValidator, Field, create_model
 from turgor.core.materials.laws.law_spec import is_dimensionless
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
-from turgor.job.tables.orientation_tables import read_orientation
+from turgor.core.materials.orientation import read_orientation
 from turgor.job.text.quantities import BendingStiffness, Density, Length, Pressure, Says, Table, default_of
 from turgor.units import parse_quantity
 

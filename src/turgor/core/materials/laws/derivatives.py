@@ -109,7 +109,7 @@ def _derived_by_invariants(law_type: type, pattern: tuple[Any, ...]) -> Callable
     """Differentiate with SymPy, the parameters as symbols."""
     import sympy  # slow to load, and not needed where all was derived before
 
-    _require_isotropic(law_type)
+    require_isotropic(law_type)
     I = sympy.symbols("I1 I2", positive=True)
     law, symbols = _symbolic(law_type, pattern)
     energy = law.energy(*I, **_functions(law_type))
@@ -128,7 +128,7 @@ def _derived_by_stretches(law_type: type, pattern: tuple[Any, ...]) -> Callable[
     """Differentiate with SymPy, the parameters as symbols."""
     import sympy
 
-    _require_isotropic(law_type)
+    require_isotropic(law_type)
     l = sympy.symbols("l1 l2 l3", positive=True)
     law, symbols = _symbolic(law_type, pattern)
     if hasattr(law_type, "energy_of_stretches"):
@@ -142,7 +142,7 @@ def _derived_by_stretches(law_type: type, pattern: tuple[Any, ...]) -> Callable[
     return sympy.lambdify([*l, *symbols], derivatives, modules="numpy", cse=True)
 
 
-def _require_isotropic(law_type: type) -> None:
+def require_isotropic(law_type: type) -> None:
     """Refuse laws with directions: all that is derived here is isotropic."""
     if hasattr(law_type, "families"):
         raise TurgorError(

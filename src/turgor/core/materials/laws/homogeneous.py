@@ -11,7 +11,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from turgor.core.materials.laws.derivatives import energy_derivatives, stretch_derivatives
+from turgor.core.materials.laws.derivatives import energy_derivatives, require_isotropic, stretch_derivatives
 from turgor.core.materials.laws.laws import FoamLaw, InvariantLaw, Law, StretchLaw
 from turgor.core.materials.laws.released import released
 from turgor.foundation.errors import TurgorError
@@ -165,6 +165,7 @@ def cauchy_stress(law: Law, F: Array) -> Array:
     >>> [round(float(s), 6) for s in (stress[0, 1], stress[0, 0], stress[1, 1])]
     [240000.0, 240000.0, 0.0]
     """
+    require_isotropic(type(law))
     if not isinstance(law, Law):
         raise TurgorError(
             f"{type(law).__name__} has no energy in invariants or stretches; give a law such as NeoHooke or Ogden."
