@@ -13,6 +13,7 @@ from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, points_of
+from turgor.core.model.inp.directions import orientation_lines
 from turgor.core.model.inp.materials import material_lines
 from turgor.core.model.inp.reference_points import InpDeck, fixed_lines, inp_points, point_lines
 from turgor.core.model.loads.load import DeckRows, Load
@@ -237,7 +238,8 @@ def _material_lines(model: Model, program: str) -> list[str]:
     lines = []
     for name, material in model.region_materials.items():
         lines += [f"** {_plain(material.name)}", *material_lines(_plain(name), material, program)]
-        lines.append(f"*SOLID SECTION, ELSET={_plain(name)}, MATERIAL={_plain(name)}")
+        axes, directed = orientation_lines(_plain(name), material)
+        lines += [*axes, f"*SOLID SECTION, ELSET={_plain(name)}, MATERIAL={_plain(name)}{directed}"]
     for name, membrane in model.membranes.items():
         label = f"membrane_{_plain(name)}"
         lines += [f"** {_plain(membrane.material.name)}", *material_lines(label, membrane.material, program)]

@@ -98,8 +98,9 @@ def rubber_of(model: Model, plane: Plane, stress: float) -> Rubber:
         Scale of stresses.
     """
     for name, material in model.region_materials.items():
-        if material.has_fibers:
-            raise TurgorError(f"materials.{name}: '{material.name}' has directions, which a section does not take yet.")
+        if material.has_fibers or material.is_foam:
+            what = "has directions" if material.has_fibers else "is a foam"
+            raise TurgorError(f"materials.{name}: '{material.name}' {what}, which a section does not take yet.")
     table = tables()
     by_place, areas = gradients(plane.points, plane.quads)
     plain = np.zeros((*by_place.shape[:3], 3))

@@ -12,6 +12,7 @@ from turgor.core.materials.laws.homogeneous import nominal_stress, uniaxial
 from turgor.core.materials.orientation import Orientation
 from turgor.core.materials.oriented import oriented_stress
 from turgor.core.model.inp.materials import material_lines
+from turgor.core.model.write_inp import write_inp
 from turgor.fast_models.formulas.formula import law_of, young_modulus
 from turgor.fast_models.rod.sections.section import initial_moduli
 from turgor.job.output.lock import lock_text
@@ -157,6 +158,32 @@ def test_who_has_no_directions_says_so():
         nominal_stress(PRINT, uniaxial(1.5))
     with refused("unknown law", "orthotropic"):
         tg.fit("orthotropic", [])
+
+
+def test_abaqus_has_fibers_in_bodies(tmp_path):
+    mesh = tg.mesh(tg.FastPneuNet(chambers=1, length=10 * mm).build(), size=5 * mm)
+    tube = Orientation(along=(0, 0, 1), around=(1 * mm, 0, 0), angle="30 deg")
+    model = tg.Model(
+        mesh,
+        {"body": of(HGO, tube, bulk_modulus=4e6), "base": of(HGO)},
+        [tg.Fixed("fixed")],
+        [tg.Pressure("cavity", 1e3)],
+    )
+    write_inp(model, tmp_path / "part.inp", program="abaqus")
+    lines = (tmp_path / "part.inp").read_text().splitlines()
+    at = lines.index("*ORIENTATION, NAME=directions_body, SYSTEM=CYLINDRICAL, LOCAL DIRECTIONS=2")
+    assert lines[at - 2 : at] == [
+        "*ANISOTROPIC HYPERELASTIC, HOLZAPFEL, LOCAL DIRECTIONS=2",
+        "0.005, 0.5, 0.02, 0.8, 0.1",
+    ]
+    numbers = [[float(value) for value in line.split(",")] for line in lines[at + 1 : at + 5]]
+    assert numbers[:2] == [[1, 0, 0, 1, 0, 1], [3, 0]]
+    assert numbers[2:] == [pytest.approx([0, 0.5 * side, 0.75**0.5]) for side in (1, -1)]
+    assert lines[at + 5] == "*SOLID SECTION, ELSET=body, MATERIAL=body, ORIENTATION=directions_body"
+    with refused("materials.body", "HolzapfelGasserOgden", "CalculiX"):
+        write_inp(model, tmp_path / "part.inp", program="calculix")
+    with refused("materials.b", "k2 is 0"):
+        material_lines("b", of(tg.laws.HolzapfelGasserOgden(C10=1e3, k1=1.0, k2=0.0)), "abaqus")
 
 
 def test_a_job_states_directions_and_its_lock_repeats_them(tmp_path):

@@ -46,7 +46,8 @@ def check_oriented(mesh: Mesh, name: str, material: Material) -> None:
         if any(min(np.abs(H - each).max() for each in others) > _ALIKE for H in own):
             raise TurgorError(
                 f"materials.{name}: the directions of '{material.name}' are not their own mirror image across the "
-                f"mirror plane normal to {'xyz'[axis]}; mesh the whole body, with symmetry off."
+                f"mirror plane normal to {'xyz'[axis]}; mesh the whole body: symmetric = false of an actuator, "
+                "symmetry = 'none' of a part."
             )
 
 

@@ -16,6 +16,7 @@ from turgor.core.materials.laws.laws import (
     YeohN,
 )
 from turgor.core.materials.material import Material
+from turgor.core.model.inp.directions import fiber_lines
 from turgor.foundation.errors import TurgorError
 from turgor.units import MPa
 
@@ -59,6 +60,8 @@ def material_lines(name: str, material: Material, program: str) -> list[str]:
     lines = [f"*MATERIAL, NAME={name}"]
     if isinstance(law, Hooke):
         lines += ["*ELASTIC", _row([law.E / MPa, law.nu])]
+    elif material.has_fibers:
+        lines += fiber_lines(name, material, program)
     elif isinstance(law, BlatzKo | Hyperfoam):
         lines += _foam(name, law, program)
     else:
