@@ -44,7 +44,7 @@ class ExtendedTube:
     Gc: float
     Ge: float
     delta: float = field(metadata={"dimension": "number", "bounds": _bounds})
-    beta: float = field(metadata={"dimension": "number", "bounds": (0.01, 1.0)})
+    beta: float = field(metadata={"dimension": "number", "bounds": (0.01, 0.999)})  # derivatives step a little beyond
 
     if TYPE_CHECKING:
 
