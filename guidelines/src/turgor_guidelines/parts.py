@@ -35,6 +35,8 @@ def law_of(material: tg.Material) -> tg.laws.Law:
     """
     if isinstance(material.law, tg.laws.Hooke):
         raise tg.TurgorError(f"material '{material.name}' is linear elastic; a rubber is needed.")
+    if not isinstance(material.law, tg.laws.Law):
+        raise tg.TurgorError(f"material '{material.name}' has directions; an isotropic rubber is needed.")
     return material.law
 
 

@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.checks import check_modes as check_modes
     from turgor.core.materials.fitting.checks import check_order as check_order
     from turgor.core.materials.fitting.checks import check_stretch_range as check_stretch_range
+    from turgor.core.materials.fitting.fit_directions import DirectionsFit as DirectionsFit
+    from turgor.core.materials.fitting.fit_directions import fit_directions as fit_directions
     from turgor.core.materials.fitting.fit_history import fit_history as fit_history
     from turgor.core.materials.fitting.fit_laws import fit as fit
     from turgor.core.materials.fitting.history_fit import HistoryFit as HistoryFit

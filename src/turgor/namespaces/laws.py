@@ -16,12 +16,17 @@ if TYPE_CHECKING:
     from turgor.core.materials.laws.curves import Curve as Curve
     from turgor.core.materials.laws.curves import curve as curve
     from turgor.core.materials.laws.laws import ArrudaBoyce as ArrudaBoyce
+    from turgor.core.materials.laws.laws import BlatzKo as BlatzKo
+    from turgor.core.materials.laws.laws import ExtendedTube as ExtendedTube
     from turgor.core.materials.laws.laws import GeneralizedRivlin as GeneralizedRivlin
     from turgor.core.materials.laws.laws import Gent as Gent
+    from turgor.core.materials.laws.laws import HolzapfelGasserOgden as HolzapfelGasserOgden
     from turgor.core.materials.laws.laws import Hooke as Hooke
+    from turgor.core.materials.laws.laws import Hyperfoam as Hyperfoam
     from turgor.core.materials.laws.laws import MooneyRivlin as MooneyRivlin
     from turgor.core.materials.laws.laws import NeoHooke as NeoHooke
     from turgor.core.materials.laws.laws import Ogden as Ogden
+    from turgor.core.materials.laws.laws import Orthotropic as Orthotropic
     from turgor.core.materials.laws.laws import Yeoh as Yeoh
     from turgor.core.materials.laws.laws import YeohN as YeohN
     from turgor.core.materials.laws.stability import first_instability as first_instability
@@ -34,6 +39,8 @@ if TYPE_CHECKING:
     from turgor.core.materials.library.records import recommended as recommended
     from turgor.core.materials.library.records import records as records
     from turgor.core.materials.library.spread import spread_of as spread_of
+    from turgor.core.materials.orientation import Orientation as Orientation
+    from turgor.core.materials.oriented import oriented_stress as oriented_stress
     from turgor.core.materials.strength import Strength as Strength
     from turgor.foundation.source import Source as Source
 else:

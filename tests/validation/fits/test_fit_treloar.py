@@ -94,3 +94,12 @@ def test_gent_finds_the_limit_of_the_chains():
     result = fit("gent", treloar()[:1], weights="absolute").values
     assert result["Jm"] == pytest.approx(77.93, rel=0.02)
     assert result["mu"] == pytest.approx(0.2382e6, rel=0.08)
+
+
+def test_extended_tube_does_with_four_constants_what_ogden_does_with_six(ranking):
+    """The moduli of crosslinks and entanglements are equal to a few percent, and the chains lock at Ī₁ = 114."""
+    result = fit("extended-tube", treloar())
+    assert result.relative < of(ranking, "ogden-3").relative
+    assert [result.values[name] for name in ("Gc", "Ge")] == pytest.approx([0.198e6, 0.202e6], rel=0.05)
+    assert 3 + result.values["delta"] ** -2 == pytest.approx(114, rel=0.05)
+    assert min(each.r2 for each in result.quality) > 0.995

@@ -4,7 +4,7 @@ Problem: cube of irregular cells in uniaxial, equibiaxial and planar tension and
 pull is the reaction on the moved face over the initial area. Elastosil M4601: neo-Hookean C10 = 0.12 MPa, or Yeoh 0.11
 and 0.02 MPa; Dragon Skin 30: Mooney–Rivlin 1.190 and 23.028 kPa, nearly all of it in the second invariant; Smooth-Sil
 950 and Ecoflex 00-10: generalized Rivlin; Ecoflex 00-30: Ogden of three terms, its constants read in both conventions.
-Gent and Arruda–Boyce are not in `TABLE`: for them `materials.homogeneous` is the exact answer.
+Gent, Arruda–Boyce and the extended tube are not in `TABLE`: for them `materials.homogeneous` is the exact answer.
 Exact: nominal stresses in `TABLE` (review Eqs. 11 to 15 with Eq. 16), shear 12, 11 and 22 Cauchy stresses.
 Source: `TABLE` and `SHEAR` were computed by two independent routes.
 Tolerance: 5e-6 against `TABLE`, half a unit of its sixth digit; 1e-8 against `materials.homogeneous`, since the
@@ -25,7 +25,7 @@ from turgor.core.materials.laws.homogeneous import (
     simple_shear,
     uniaxial,
 )
-from turgor.core.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
+from turgor.core.materials.laws.laws import ArrudaBoyce, ExtendedTube, GeneralizedRivlin, Gent, Ogden
 
 A, B = problems.NEO_HOOKE, problems.YEOH
 C = tg.laws.MooneyRivlin(C10=1.190e3, C01=23.028e3)
@@ -33,7 +33,8 @@ E = GeneralizedRivlin.from_names({"C10": 279.3e3, "C01": 10.5e3, "C20": 59.1e3})
 F = GeneralizedRivlin.from_names({"C10": -7.48e3, "C01": 19.6e3, "C20": -198.0, "C02": -539.0, "C11": 3.21e3})
 PRINTED = {"mu": (24361.0, 66.703, 453.81), "alpha": (1.7138, 7.0679, -3.3659)}
 G_ABAQUS, G_CANONICAL = Ogden.from_abaqus(**PRINTED), Ogden(**PRINTED)
-UNLISTED = [Gent(mu=8e4, Jm=30.0), ArrudaBoyce(mu=8e4, locking_stretch=2.5)]
+TUBE = ExtendedTube(Gc=4e4, Ge=6e4, delta=0.1, beta=0.4)
+UNLISTED = [Gent(mu=8e4, Jm=30.0), ArrudaBoyce(mu=8e4, locking_stretch=2.5), TUBE]
 TENSION = np.array([1.2, 1.5, 2.0, 3.0])
 TABLE = [  # law, name, moved faces, held faces, stress [MPa] at 0.7, then at TENSION
     (A, uniaxial, ("x1",), (), [-0.321796, 0.121333, 0.253333, 0.420000, 0.693333]),
@@ -132,7 +133,9 @@ def test_pull_of_laws_that_the_table_leaves_out(law, deformation, moved, held, r
     assert got == pytest.approx(exact, rel=1e-8)
 
 
-@pytest.mark.parametrize("law", [G_ABAQUS, F, *UNLISTED], ids=["Ogden", "Rivlin", "Gent", "ArrudaBoyce"])
+@pytest.mark.parametrize(
+    "law", [G_ABAQUS, F, *UNLISTED], ids=["Ogden", "Rivlin", "Gent", "ArrudaBoyce", "ExtendedTube"]
+)
 def test_simple_shear_of_laws_that_the_table_leaves_out(law, record_verification):
     """Shear stress and both normal stresses, the third direction being free in both."""
     stress = problems.fields(_sheared_states(law, (1.0,))[1.0]).cauchy

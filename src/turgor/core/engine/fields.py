@@ -115,6 +115,9 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array, memory: M
         second = laws.stress[..., [[0, 3, 5], [3, 1, 4], [5, 4, 2]]]
         pushed = chosen @ second @ chosen.swapaxes(-1, -2)
         deviator[materials.gradient_cells] += pushed / J[materials.gradient_cells, :, None, None]
+    if any(material.is_foam for material in model.region_materials.values()):
+        mean = mean + _trace(deviator) / 3  # the law of a foam has a mean stress of its own
+        deviator = _deviator(deviator)
     von_mises = np.sqrt(1.5 * _squared(deviator))
     return CellFields(
         cauchy=deviator + mean[..., None, None] * identity,

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, get_args
 from turgor.core.materials.crack_growth import CrackGrowth
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.viscoelastic import Prony
-from turgor.core.materials.laws.laws import Hooke, Law
+from turgor.core.materials.laws.laws import FiberLaw, FoamLaw, Hooke, Law
+from turgor.core.materials.orientation import Orientation
 from turgor.core.materials.strength import Strength
 from turgor.foundation.display import Shown
 from turgor.foundation.errors import TurgorError
@@ -32,7 +33,8 @@ class Material(Shown):
     law : Law or Hooke
         The strain energy function with its coefficients.
     bulk_modulus : float [Pa]
-        Initial bulk modulus κ; infinite (the default) means fully incompressible. Ignored for `Hooke`.
+        Initial bulk modulus κ; infinite (the default) means fully incompressible. Ignored for `Hooke`. The law of a
+        foam, such as `Hyperfoam`, has its own, which is stated here.
     density : float or None [kg/m³]
         Mass per reference volume; needed for gravity only.
     stretch_range : (float, float) or None [-]
@@ -50,6 +52,8 @@ class Material(Shown):
         What it bears until it breaks or tears, when known; findings compare the computed stretches with it.
     crack_growth : CrackGrowth or None
         How fast cracks grow in it from cycle to cycle, when known; for rubbers only.
+    orientation : Orientation or None
+        Directions of a law with fibers, such as `HolzapfelGasserOgden` or `Orthotropic`, which needs one.
 
     Examples
     --------
@@ -61,7 +65,7 @@ class Material(Shown):
     """
 
     name: str
-    law: Law | Hooke
+    law: Law | FiberLaw | Hooke
     bulk_modulus: float = inf
     density: float | None = None
     stretch_range: tuple[float, float] | None = None
@@ -71,6 +75,7 @@ class Material(Shown):
     bending_stiffness: float | None = None
     strength: Strength | None = None
     crack_growth: CrackGrowth | None = None
+    orientation: Orientation | None = None
 
     if TYPE_CHECKING:
 
@@ -78,7 +83,7 @@ class Material(Shown):
             self,
             *,
             name: str,
-            law: Law | Hooke,
+            law: Law | FiberLaw | Hooke,
             bulk_modulus: Quantity = inf,
             density: Quantity | None = None,
             bending_stiffness: Quantity | None = None,
@@ -88,12 +93,19 @@ class Material(Shown):
             stress_softening: Mullins | None = None,
             strength: Strength | None = None,
             crack_growth: CrackGrowth | None = None,
+            orientation: Orientation | None = None,
         ) -> None: ...
 
     def __post_init__(self) -> None:
         subject = f"material '{self.name}'"
-        one(self.law, (*LAW_KINDS, Hooke), f"{subject}: law", "a law is needed, such as Yeoh(C10=0.11e6, C20=0.02e6)")
-        bulk = number(self.bulk_modulus, f"{subject}: bulk_modulus", "pressure", finite=False)
+        one(
+            self.law,
+            (*LAW_KINDS, FiberLaw, Hooke),
+            f"{subject}: law",
+            "a law is needed, such as Yeoh(C10=0.11e6, C20=0.02e6)",
+        )
+        given = self.law.bulk_modulus if isinstance(self.law, FoamLaw) else self.bulk_modulus
+        bulk = number(given, f"{subject}: bulk_modulus", "pressure", finite=False)
         object.__setattr__(self, "bulk_modulus", bulk)
         if self.density is not None:
             object.__setattr__(self, "density", number(self.density, f"{subject}: density", "density"))
@@ -106,12 +118,38 @@ class Material(Shown):
                 f"material '{self.name}' is linear elastic; viscoelasticity, stress_softening and crack_growth are "
                 "for rubbers."
             )
+        self._check_orientation()
+        if self.is_foam and (self.viscoelasticity or self.stress_softening):
+            raise TurgorError(
+                f"material '{self.name}' is a foam ({type(self.law).__name__}); viscoelasticity and stress_softening "
+                "are for rubbers that keep their volume."
+            )
         if self.stretch_range is not None:
             object.__setattr__(self, "stretch_range", _range(self.stretch_range, f"{subject}: stretch_range"))
         if self.bending_stiffness is not None:
             bending = number(self.bending_stiffness, f"{subject}: bending_stiffness", "bending stiffness")
             object.__setattr__(self, "bending_stiffness", bending)
             self._check_bending(bending)
+
+    def _check_orientation(self) -> None:
+        name, law = type(self.law).__name__, self.law
+        if not isinstance(law, FiberLaw):
+            if self.orientation is not None:
+                raise TurgorError(f"material '{self.name}': {name} has no directions; leave the orientation out.")
+            return
+        one(
+            self.orientation,
+            Orientation,
+            f"material '{self.name}': orientation",
+            f"{name} needs one, such as Orientation(along=(1, 0, 0), across=(0, 1, 0))",
+        )
+        assert self.orientation is not None
+        law.families(self.orientation.angle)  # a law may have no fibers at an angle
+        if self.viscoelasticity or self.stress_softening:
+            raise TurgorError(
+                f"material '{self.name}' has directions ({name}); viscoelasticity and stress_softening are for "
+                "isotropic rubbers."
+            )
 
     def _check_bending(self, value: float) -> None:
         if not isinstance(self.law, Hooke):
@@ -127,9 +165,20 @@ class Material(Shown):
         parts += [f"{self.density:g} kg/m³"] if self.density is not None else []
         if self.stretch_range is not None:
             parts.append(f"fitted to stretches {self.stretch_range[0]:.4g} to {self.stretch_range[1]:.4g}")
+        parts += ["oriented"] if self.orientation else []
         parts += ["relaxes"] if self.viscoelasticity else []
         parts += ["softens"] if self.stress_softening else []
         return f"Material({', '.join(parts)})"
+
+    @property
+    def is_foam(self) -> bool:
+        """Whether the law has the change of volume in its energy."""
+        return isinstance(self.law, FoamLaw)
+
+    @property
+    def has_fibers(self) -> bool:
+        """Whether the law has directions."""
+        return isinstance(self.law, FiberLaw)
 
     @property
     def incompressible(self) -> bool:

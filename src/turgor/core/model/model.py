@@ -12,6 +12,7 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.accepted_forms import given_materials, given_supports
 from turgor.core.model.checks.named_points import check_points, points_of
+from turgor.core.model.checks.orientations import check_oriented
 from turgor.core.model.checks.symmetry import check_not_cut, check_uncut_shell, check_wedge
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers
@@ -127,6 +128,8 @@ class Model(Saved, Shown):
                     "a region needs a hyperelastic law such as NeoHooke or Yeoh; a film of its own takes "
                     "`turgor.core.model.layers.as_solid` of the material."
                 )
+            else:
+                check_oriented(self.mesh, name, material)
         missing = [name for name in self.mesh.regions if name not in self.materials]
         if missing:
             raise TurgorError(f"no material for region {', '.join(missing)}; give one in materials.")

@@ -1,6 +1,6 @@
 """write_inp: a model as an .inp file of CalculiX or Abaqus."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -13,6 +13,7 @@ from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, points_of
+from turgor.core.model.inp.directions import orientation_lines
 from turgor.core.model.inp.materials import material_lines
 from turgor.core.model.inp.reference_points import InpDeck, fixed_lines, inp_points, point_lines
 from turgor.core.model.loads.load import DeckRows, Load
@@ -74,11 +75,12 @@ def write_inp(
     plain = {name: _plain(name) for name in model.mesh.faces}
     deck = InpDeck(model.mesh, points, plain, 1 / model.mesh.symmetry_factor)
     acting = _acting(model, deck)
+    foams = [name for name, material in model.region_materials.items() if material.is_foam]
     lines = [
         f"** {_plain(model.mesh.name)}, written by turgor for {program}",
         "** units: mm, N, MPa, tonne, s; the time is the load factor",
         *_contact_note(model),
-        *_mesh_lines(model.mesh, program, reduced),
+        *_mesh_lines(model.mesh, foams, program, reduced),
         *_membrane_lines(model),
         *_material_lines(model, program),
         *point_lines(model, points, plain),
@@ -158,10 +160,11 @@ def _plain(name: str) -> str:
     return "".join(letter if (letter.isalnum() and letter.isascii()) or letter in "_-" else "_" for letter in name)
 
 
-def _mesh_lines(mesh: Mesh, program: str, reduced: bool) -> list[str]:
+def _mesh_lines(mesh: Mesh, foams: Collection[str], program: str, reduced: bool) -> list[str]:
+    """Nodes, cells and sets; regions of foam have no hybrid cells in Abaqus, since they need none."""
     tetrahedra = mesh.cell_type is TETRAHEDRON
     kind = "C3D10" if tetrahedra else ("C3D20R" if reduced else "C3D20")
-    kind += "H" if program == "abaqus" else ""
+    hybrid = "H" if program == "abaqus" else ""
     cells = mesh.cells[:, : 10 if tetrahedra else 20]
     used = np.unique(cells)
     lines = ["*NODE, NSET=Nall"]
@@ -170,7 +173,7 @@ def _mesh_lines(mesh: Mesh, program: str, reduced: bool) -> list[str]:
         for node, (x, y, z) in zip(used.tolist(), (mesh.points[used] / mm).tolist(), strict=True)
     ]
     for name, rows in mesh.regions.items():
-        lines.append(f"*ELEMENT, TYPE={kind}, ELSET={_plain(name)}")
+        lines.append(f"*ELEMENT, TYPE={kind}{'' if name in foams else hybrid}, ELSET={_plain(name)}")
         for row in rows.tolist():
             lines += _row_of([row + 1, *(cells[row] + 1).tolist()], first=16)
     lines += ["*ELSET, ELSET=Eall", *(f"{_plain(name)}," for name in mesh.regions)]
@@ -235,7 +238,8 @@ def _material_lines(model: Model, program: str) -> list[str]:
     lines = []
     for name, material in model.region_materials.items():
         lines += [f"** {_plain(material.name)}", *material_lines(_plain(name), material, program)]
-        lines.append(f"*SOLID SECTION, ELSET={_plain(name)}, MATERIAL={_plain(name)}")
+        axes, directed = orientation_lines(_plain(name), material)
+        lines += [*axes, f"*SOLID SECTION, ELSET={_plain(name)}, MATERIAL={_plain(name)}{directed}"]
     for name, membrane in model.membranes.items():
         label = f"membrane_{_plain(name)}"
         lines += [f"** {_plain(membrane.material.name)}", *material_lines(label, membrane.material, program)]

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from turgor.core.materials.fitting.checks import check_stretch_range
-from turgor.core.materials.laws.laws import Hooke, Law
+from turgor.core.materials.laws.laws import FiberLaw, Hooke, Law
 from turgor.core.materials.material import Material
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity, by_weight
@@ -110,16 +110,32 @@ def path_of(name: str, values: ArrayLike, *, points: int = 21, low: float = 0.0)
 
 
 def law_of(material: Material) -> Law:
-    """Return the law of a rubber; a linear elastic material is refused."""
+    """Return the law of a rubber; a linear elastic material and a foam are refused."""
     if isinstance(material.law, Hooke):
         raise TurgorError(
             f"material '{material.name}' is linear elastic (Hooke); the formula needs a rubber, such as NeoHooke."
         )
+    _require_isotropic(material)
+    if material.is_foam:
+        raise TurgorError(
+            f"material '{material.name}' is a foam ({type(material.law).__name__}); the formula is for rubber that "
+            "keeps its volume. Take finite elements."
+        )
+    assert not isinstance(material.law, FiberLaw)
     return material.law
+
+
+def _require_isotropic(material: Material) -> None:
+    if material.has_fibers:
+        raise TurgorError(
+            f"material '{material.name}' has directions ({type(material.law).__name__}); formulas are for isotropic "
+            "materials. Take finite elements."
+        )
 
 
 def young_modulus(material: Material) -> float:
     """Initial Young's modulus [Pa]: 3 μ of an incompressible rubber."""
+    _require_isotropic(material)
     if isinstance(material.law, Hooke):
         return material.law.E
     return 2 * material.law.shear_modulus * (1 + poisson_ratio(material))

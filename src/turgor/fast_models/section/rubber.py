@@ -19,6 +19,7 @@ from turgor.core.engine.percentiles import weighted_percentile
 from turgor.core.model.model import Model
 from turgor.fast_models.section.kinematics import Vectors
 from turgor.fast_models.section.plane import Plane, gradients, tables
+from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -98,6 +99,10 @@ def rubber_of(model: Model, plane: Plane, stress: float) -> Rubber:
     stress : float [Pa]
         Scale of stresses.
     """
+    for name, material in model.region_materials.items():
+        if material.has_fibers or material.is_foam:
+            what = "has directions" if material.has_fibers else "is a foam"
+            raise TurgorError(f"materials.{name}: '{material.name}' {what}, which a section does not take yet.")
     table = tables()
     by_place, areas = gradients(plane.points, plane.quads)
     plain = np.zeros((*by_place.shape[:3], 3))

@@ -13,6 +13,7 @@ from turgor.core.materials.laws.law_spec import is_dimensionless
 from turgor.core.materials.laws.laws import LAWS
 from turgor.core.materials.library.record_history import history_tables
 from turgor.core.materials.material import Material
+from turgor.core.materials.orientation import orientation_table
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.model.sheets import Sheet, Shell
@@ -147,10 +148,12 @@ def _material(entry: Material | Sheet) -> dict[str, Any]:
     for item in fields(material.law):  # type: ignore[arg-type]
         value = getattr(material.law, item.name)
         values[item.name] = _constants(value, None if is_dimensionless(item) else unit)
-    if law != "hooke":
+    if law != "hooke" and not material.is_foam:
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
     values |= history_tables(material.viscoelasticity, material.stress_softening) | failure_tables(material)
+    if material.orientation is not None:
+        values["orientation"] = orientation_table(material.orientation)
     if material.density is not None:
         values["density"] = format_quantity(material.density, "kg/m³")
     if material.stretch_range is not None:

@@ -11,6 +11,7 @@ from turgor.core.materials.failure_tables import read_crack_growth, read_strengt
 from turgor.core.materials.laws.law_spec import is_dimensionless
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
+from turgor.core.materials.orientation import read_orientation
 from turgor.job.text.quantities import BendingStiffness, Density, Length, Pressure, Says, Table, default_of
 from turgor.units import parse_quantity
 
@@ -37,6 +38,11 @@ Growth = Annotated[
 ]
 Softening = Annotated[
     Any, BeforeValidator(read_stress_softening), Says("table of constants", '{ r = 1.5, m = "20 kPa" }')
+]
+Directions = Annotated[
+    Any,
+    BeforeValidator(read_orientation),
+    Says("table of directions", "{ along = [1, 0, 0], across = [0, 1, 0] }"),
 ]
 
 
@@ -156,6 +162,9 @@ class StatedTable(Table):
     crack_growth : str or table
         How fast cracks grow from cycle to cycle: a typical rubber, or ``rate`` at 1 kJ/m², ``exponent``, ``flaw``,
         ``threshold`` and ``spread``.
+    orientation : table
+        Directions of a law with fibers or of a print: ``along``, the first direction; ``across``, the second one, or
+        ``around``, a point on the axis of a tube; ``angle`` of two families of fibers to the first direction.
     """
 
     law: str = Field(examples=['"yeoh"'])
@@ -173,7 +182,9 @@ class StatedTable(Table):
 def law_table(law: type) -> type[Table]:
     """Make the table of a material stated by its law: the coefficients are the fields of the law."""
     keys: dict[str, Any] = {item.name: (_constant_type(item), default_of(item)) for item in fields(law)}
-    if law is not Hooke:
+    if hasattr(law, "families"):
+        keys |= {"bulk_modulus": (BulkModulus, inf), "orientation": (Directions, ...)}
+    elif law is not Hooke and not hasattr(law, "bulk_modulus"):  # a foam has its own, and no history
         keys["bulk_modulus"] = (BulkModulus, inf)
         keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
         keys["crack_growth"] = (Growth | None, None)

@@ -222,7 +222,7 @@ def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
             density=table.density,
             stretch_range=(stretch_range[0], stretch_range[1]) if stretch_range else None,
             source=source,
-            **{name: getattr(table, name, None) for name in OWN},
+            **{name: getattr(table, name, None) for name in (*OWN, "orientation")},
         )
 
     return problems.attempt(

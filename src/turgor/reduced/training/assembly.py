@@ -166,6 +166,12 @@ def _rubber(system: System, vectors: Array) -> tuple[Points, NDArray[np.int64]]:
     materials, regions = system.model.region_materials, system.model.mesh.regions
     by_law: dict[tuple[Law, Material | None], list[str]] = {}
     for name, material in materials.items():
+        if material.is_foam or material.has_fibers:
+            raise TurgorError(
+                f"materials.{name}: '{material.name}' {'is a foam' if material.is_foam else 'has directions'} "
+                f"({type(material.law).__name__}); a reduced model takes isotropic rubbers that keep their volume. "
+                "Take finite elements."
+            )
         remembers = material.viscoelasticity is not None or material.stress_softening is not None
         by_law.setdefault((material.law, material if remembers else None), []).append(name)  # type: ignore[arg-type]
     cells = [np.sort(np.concatenate([regions[name] for name in names])) for names in by_law.values()]

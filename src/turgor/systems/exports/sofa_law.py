@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar, nnls
 
 from turgor.core.materials.laws.curves import CurveMode, curve
-from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.laws.laws import FiberLaw, Hooke
 from turgor.core.materials.material import Material
 from turgor.foundation.errors import TurgorError
 from turgor.units import kPa
@@ -73,6 +73,12 @@ def sofa_law(material: Material, stretch: float, poisson: float) -> SofaLaw:
     """
     if isinstance(material.law, Hooke):
         raise TurgorError(f"material '{material.name}' is linear elastic; a law of rubber is needed for a region.")
+    if isinstance(material.law, FiberLaw):
+        raise TurgorError(
+            f"material '{material.name}' has directions ({type(material.law).__name__}); SOFA gets isotropic laws only."
+        )
+    if material.is_foam:
+        raise TurgorError(f"material '{material.name}' is a foam ({type(material.law).__name__}); SOFA has none.")
     first, third, wanted, sizes = [], [], [], []
     for mode, (power, other) in TESTS.items():
         along = np.linspace(1.0, stretch**power, COUNT + 1)[1:]

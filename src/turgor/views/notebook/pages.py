@@ -5,7 +5,7 @@ from itertools import groupby
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.fitting.result import Fit
-from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.material import Material
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.cell_quality import quality
@@ -37,7 +37,7 @@ def material(of: Material) -> str:
     """Show a material: its curve, its coefficients, its range and its source."""
     words = describe.material([], of)
     rows: Rows = [("law", words.law), *words.values, ("source", words.source), ("doubts", "\n".join(words.doubts))]
-    curve = "" if isinstance(of.law, Hooke) else image(png_of(law_figure(of)), f"stress of {of.name}")
+    curve = "" if not isinstance(of.law, Law) else image(png_of(law_figure(of)), f"stress of {of.name}")
     return card(of.name, curve, facts(rows), line=type(of.law).__name__)
 
 

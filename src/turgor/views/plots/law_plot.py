@@ -5,7 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from turgor.core.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
-from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.laws.laws import FiberLaw, Hooke
 from turgor.core.materials.material import Material
 from turgor.foundation.errors import TurgorError
 from turgor.units import MPa, kPa
@@ -46,6 +46,8 @@ def _curves(axes: Axes, material: Material) -> None:
     law = material.law
     if isinstance(law, Hooke):
         raise TurgorError(f"material '{material.name}' is linear elastic; its curve is a straight line.")
+    if isinstance(law, FiberLaw):
+        raise TurgorError(f"material '{material.name}' has directions; it has no curve that holds for all of them.")
     known = material.stretch_range is not None and material.stretch_range[1] > 1
     reach = material.stretch_range[1] if material.stretch_range is not None and known else PLOT.stretch
     across = np.linspace(1.0, reach, PLOT.curve_points)

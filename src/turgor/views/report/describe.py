@@ -145,6 +145,8 @@ def material(names: list[str], used: Material | Sheet) -> MaterialText:
         kappa = "infinite: fully incompressible" if isinf(material.bulk_modulus) else _modulus(material.bulk_modulus)
         stiff = isinstance(material.law, Hooke)
         values += [] if stiff else [("shear modulus", _modulus(material.law.shear_modulus)), ("bulk modulus", kappa)]
+    if material.orientation is not None:
+        values.append(("directions", repr(material.orientation).removeprefix("Orientation")))
     if material.density is not None:
         values.append(("density", f"{material.density:g} kg/m³"))
     if material.stretch_range is not None:

@@ -1,6 +1,6 @@
 """Curves of the materials in a report."""
 
-from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.material import Material
 from turgor.views.plots.figures import svg_of
 from turgor.views.plots.law_plot import law_figure
@@ -16,6 +16,7 @@ def law_plot(material: Material | None) -> str:
     Returns
     -------
     str
-        SVG; empty for threads (None) and for linear elastic materials, whose curve is a straight line.
+        SVG; empty for threads (None) for linear elastic materials, whose curve is a straight line, and for those with
+        directions.
     """
-    return "" if material is None or isinstance(material.law, Hooke) else svg_of(law_figure(material))
+    return "" if material is None or not isinstance(material.law, Law) else svg_of(law_figure(material))

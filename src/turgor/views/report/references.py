@@ -22,6 +22,11 @@ LAW_SOURCES: Mapping[str, tuple[str, str]] = MappingProxyType(
         "Yeoh": ("O. H. Yeoh, Rubber Chem. Technol. 1993, 66, 754", "Eq. 14"),
         "YeohN": ("O. H. Yeoh, Rubber Chem. Technol. 1993, 66, 754", "Eq. 14"),
         "Gent": ("A. N. Gent, Rubber Chem. Technol. 1996, 69, 59", ""),
+        "ExtendedTube": ("M. Kaliske, G. Heinrich, Rubber Chem. Technol. 1999, 72, 602", ""),
+        "HolzapfelGasserOgden": ("T. C. Gasser, R. W. Ogden, G. A. Holzapfel, J. R. Soc. Interface 2006, 3, 15", ""),
+        "Orthotropic": ("G. Y. Qiu, T. J. Pence, J. Elasticity 1997, 49, 1", ""),
+        "Hyperfoam": ("B. Storåkers, J. Mech. Phys. Solids 1986, 34, 125", ""),
+        "BlatzKo": ("P. J. Blatz, W. L. Ko, Trans. Soc. Rheol. 1962, 6, 223", ""),
         "ArrudaBoyce": ("E. M. Arruda, M. C. Boyce, J. Mech. Phys. Solids 1993, 41, 389", ""),
     }
 )

@@ -7,12 +7,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells import spectral
-from turgor.core.engine.cells.internal_variables import History, Memory, RegionMemory, invariant_stress, joined_memory
+from turgor.core.engine.cells.element import tables_with
+from turgor.core.engine.cells.internal_variables import (
+    History,
+    Memory,
+    RegionMemory,
+    invariant_stress,
+    joined_memory,
+    right_cauchy_green,
+)
 from turgor.core.engine.cells.known_stress import add_known_stress
 from turgor.core.materials.history.softening import INVARIANT_PAIRS
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
-from turgor.core.materials.laws.laws import InvariantLaw, Law, StretchLaw
+from turgor.core.materials.laws.fiber_family import elongation, family_response
+from turgor.core.materials.laws.foam_volume import foam_bulk, less_volume, less_volume_energy
+from turgor.core.materials.laws.laws import FiberLaw, FoamLaw, InvariantLaw, Law, StretchLaw
 from turgor.core.materials.material import Material
+from turgor.core.materials.oriented import families_at
 from turgor.core.model.model import Model
 
 Array = NDArray[np.float64]
@@ -29,7 +40,7 @@ class Isochoric:
         First and second derivatives of the energy by the invariants; zero in cells of laws in stretches.
     stress : (s, q, 6) array
         Second Piola–Kirchhoff stress in the s `gradient_cells` besides that, in the order of the mesh: of laws in
-        stretches, and what a rubber that relaxes remembers.
+        stretches, of fibers, and what a rubber that relaxes remembers.
     tangent : (s, q, 21) array
         Lower triangles of 4 ∂²W/∂C² of it.
     """
@@ -50,8 +61,13 @@ class _Region:
 
     @property
     def law(self) -> Law:
-        assert isinstance(self.material.law, Law)
-        return self.material.law
+        law = self.material.law
+        assert isinstance(law, Law | FiberLaw)
+        return law.matrix if isinstance(law, FiberLaw) else law
+
+    @property
+    def foam(self) -> FoamLaw | None:
+        return self.material.law if isinstance(self.material.law, FoamLaw) else None
 
     @property
     def remembers(self) -> bool:
@@ -72,10 +88,10 @@ class CellMaterials:
     Attributes
     ----------
     compliance : (c,) array
-        1/κ, scaled; zero where incompressible.
+        1/κ, scaled; zero where incompressible, and of a share of the resistance where a foam has its own.
     gradient_cells : (s,) array of int
-        Cells whose deformation gradients are needed, in the order of the mesh: those of laws in stretches, and those
-        that relax.
+        Cells whose deformation gradients are needed, in the order of the mesh: those of laws in stretches or with
+        fibers, and those that relax.
     rows : (c,) array of int
         Place of each cell among them; −1 for the cells that invariants are enough for.
     rest : History
@@ -90,9 +106,10 @@ class CellMaterials:
         self.rows = np.full(count, -1, dtype=np.int64)
         in_stretches = np.zeros(count, dtype=bool)
         for _, cells, material in regions:
-            self.compliance[cells] = 0.0 if material.incompressible else stress / material.bulk_modulus
+            bulk = foam_bulk(material.law) if isinstance(material.law, FoamLaw) else material.bulk_modulus
+            self.compliance[cells] = stress / bulk
             in_stretches[cells] = isinstance(material.law, StretchLaw)
-            if isinstance(material.law, StretchLaw) or material.viscoelasticity is not None:
+            if isinstance(material.law, StretchLaw | FiberLaw) or material.viscoelasticity is not None:
                 self.rows[cells] = 0
         self.gradient_cells = np.flatnonzero(self.rows == 0)
         self.rows[self.gradient_cells] = np.arange(len(self.gradient_cells))
@@ -101,6 +118,9 @@ class CellMaterials:
         for name, cells, material in regions:
             self._regions.append(_Region(name, cells, self.rows[cells], material))
         self._points = points
+        self._fibers = {
+            name: families_at(m, _places(model, cells, points)) for name, cells, m in regions if m.has_fibers
+        }
         self._remembering = [region for region in self._regions if region.remembers]
         self.rest = self.history()
 
@@ -142,7 +162,16 @@ class CellMaterials:
             known = history.regions[region.name].known
             if known is not None:
                 add_known_stress(F, region.rows, known, self._stress, stress, tangent)
+        self._add_fibers(F, stress, tangent)
         return Isochoric(out, stress, tangent)
+
+    def _add_fibers(self, F: Array, stress: Array, tangent: Array) -> None:
+        """Add what fibers in bodies resist, in place."""
+        for region in self._regions:
+            for family, H in self._fibers.get(region.name, ()):
+                S, D = family_response(family, H, right_cauchy_green(F[region.rows]))
+                stress[region.rows] += S / self._stress
+                tangent[region.rows] += D / self._stress
 
     def _in_stretches(self, F: Array, history: History) -> tuple[Array, Array]:
         """Stress and tangent in the gradient cells whose law is one in stretches; zero in the others."""
@@ -150,14 +179,19 @@ class CellMaterials:
         if not len(among):
             return np.zeros((count, F.shape[1], 6)), np.zeros((count, F.shape[1], spectral.TANGENT))
         bar, directions, scale = spectral.principal_stretches(F if len(among) == count else F[among])
-        W = np.empty((9, *scale.shape))
+        W, projected = np.empty((9, *scale.shape)), np.ones(len(scale))
         for region in self._regions:
             if isinstance(region.law, StretchLaw):
                 at = np.searchsorted(among, region.rows)
+                if region.foam is not None:
+                    bar[:, at] *= scale[at]
+                    scale[at], projected[at] = 1.0, 0.0
                 derivatives = stretch_derivatives(region.law, *bar[:, at])
                 for k, values in enumerate(_response(history, region, derivatives, STRETCH_PAIRS)):
                     W[k, at] = values / self._stress
-        response = spectral.spectral_response(bar, directions, scale, W[:3], W[3:])
+                if region.foam is not None:
+                    W[:, at] = less_volume(region.foam, bar[:, at], W[:, at], self._stress)
+        response = spectral.spectral_response(bar, directions, scale, W[:3], W[3:], projected)
         if len(among) == count:
             return response[0], response[1]
         stress, tangent = np.zeros((count, F.shape[1], 6)), np.zeros((count, F.shape[1], spectral.TANGENT))
@@ -172,6 +206,8 @@ class CellMaterials:
         out = np.empty(I1.shape)
         for region in self._regions:
             W = self._law_energy(region, I1, I2, F)
+            for family, H in self._fibers.get(region.name, ()):
+                W = W + family.energy(elongation(H, right_cauchy_green(F[region.rows])))[0]
             out[region.cells] = history.regions[region.name].recoverable(W) if region.remembers else W
         return out
 
@@ -208,7 +244,9 @@ class CellMaterials:
         """Energy density (c, q) [Pa] of a region's law itself."""
         if isinstance(region.law, InvariantLaw):
             return energy_and_derivatives(region.law, I1[region.cells], I2[region.cells])[0]
-        bar, _, _ = spectral.principal_stretches(F[region.rows])
+        bar, _, scale = spectral.principal_stretches(F[region.rows])
+        if region.foam is not None:
+            return less_volume_energy(region.foam, bar * scale)
         return stretch_derivatives(region.law, *bar)[0]
 
 
@@ -217,6 +255,13 @@ def _response(
 ) -> Sequence[Array] | Array:
     """First and second derivatives of the energy in the step; ``values`` are the law's, its energy first."""
     return history.regions[region.name].response(values, pairs) if region.remembers else values[1:]
+
+
+def _places(model: Model, cells: Ints, points: int) -> Array:
+    """Where the integration points of cells are at rest, (c, q, 3) [m]."""
+    nodes = model.mesh.carrying_cells[cells]
+    N = tables_with(nodes.shape[1], points).N
+    return np.einsum("qa,cai->cqi", N, model.mesh.points[nodes])
 
 
 def _own_stress(region: _Region, F: Array, memory: RegionMemory) -> tuple[Array, Array]:

@@ -73,7 +73,9 @@ def _alike(model: Model) -> tuple[tuple[str, ...], ...]:
 
 
 def _response(material: Material) -> tuple[object, ...]:
-    return material.law, material.bulk_modulus, material.viscoelasticity, material.stress_softening
+    return (
+        material.law, material.bulk_modulus, material.viscoelasticity, material.stress_softening, material.orientation
+    )  # fmt: skip
 
 
 def _acting(model: Model) -> tuple[str, ...]:

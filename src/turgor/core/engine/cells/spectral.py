@@ -4,7 +4,8 @@ With λ̄ = J^(−1/3) λ, hᵢⱼ = ∂²W/∂ln λ̄ᵢ ∂ln λ̄ⱼ and P th
 τ = P ∂W/∂ln λ̄ and their slopes c = P h P. Then Sᵢ = τᵢ/λᵢ², Dᵢⱼ = cᵢⱼ/(λᵢ²λⱼ²) − 2 δᵢⱼ τᵢ/λᵢ⁴, and a turn of the
 principal axes adds Gᵢⱼ = (Sⱼ − Sᵢ)/(λⱼ² − λᵢ²), whose limit for equal stretches is ¼ (Dᵢᵢ + Dⱼⱼ) − ½ Dᵢⱼ; see Simo
 and Taylor (1991), doi 10.1016/0045-7825(91)90100-K. The eigenvectors come from Jacobi's rotations, which stay
-orthogonal to round-off however close the stretches are.
+orthogonal to round-off however close the stretches are. In a foam, whose law has the change of volume, λ̄ is λ and
+nothing is projected: P is the identity.
 """
 
 # mypy: disallow-untyped-defs=False
@@ -108,11 +109,14 @@ def principal_stretches(F: Array) -> tuple[Array, Array, Array]:
 
 
 @njit(**LOOP, fastmath=_FAST)
-def _principal_response(bar, scale, W1, W2, S, D):
-    """Principal stresses S (3), and D (3, 3) with the shear moduli Gᵢⱼ of equal or unequal stretches, returned."""
+def _principal_response(bar, scale, W1, W2, share, S, D):
+    """Principal stresses S (3), and D (3, 3) with the shear moduli Gᵢⱼ of equal or unequal stretches, returned.
+
+    ``share`` of the means is taken away: 1 projects on the deviator, 0 does not.
+    """
     mean = 0.0
     for i in range(3):
-        mean += bar[i] * W1[i] / 3.0
+        mean += share * bar[i] * W1[i] / 3.0
     h = np.empty((3, 3))
     total = 0.0
     rows = np.zeros(3)
@@ -122,8 +126,8 @@ def _principal_response(bar, scale, W1, W2, S, D):
             h[i, j] = bar[i] * bar[j] * W2[at[i][j]]
             if i == j:
                 h[i, j] += bar[i] * W1[i]
-            rows[i] += h[i, j] / 3.0
-            total += h[i, j] / 9.0
+            rows[i] += share * h[i, j] / 3.0
+            total += share * h[i, j] / 9.0
     x = np.empty(3)
     for i in range(3):
         x[i] = (scale * bar[i]) ** 2
@@ -144,7 +148,7 @@ def _principal_response(bar, scale, W1, W2, S, D):
 
 
 @njit(**LOOP, fastmath=_FAST)
-def _spectral_response(begin, end, out, stretches, directions, scale, W1, W2):
+def _spectral_response(begin, end, out, stretches, directions, scale, W1, W2, projected):
     stress, tangent = out
     q_count = scale.shape[1]
     S = np.empty(3)
@@ -153,7 +157,7 @@ def _spectral_response(begin, end, out, stretches, directions, scale, W1, W2):
     DM = np.empty((3, 6))
     for c in range(begin, end):
         for q in range(q_count):
-            G = _principal_response(stretches[:, c, q], scale[c, q], W1[:, c, q], W2[:, c, q], S, D)
+            G = _principal_response(stretches[:, c, q], scale[c, q], W1[:, c, q], W2[:, c, q], projected[c], S, D)
             N = directions[c, q]
             for k in range(6):
                 i, j = PAIRS[k]
@@ -174,11 +178,16 @@ def _spectral_response(begin, end, out, stretches, directions, scale, W1, W2):
                     at += 1
 
 
-def spectral_response(stretches: Array, directions: Array, scale: Array, W1: Array, W2: Array) -> tuple[Array, Array]:
-    """Isochoric stress S (c, q, 6) and tangent 4 ∂²W/∂C∂C, lower triangles (c, q, 21).
+def spectral_response(
+    stretches: Array, directions: Array, scale: Array, W1: Array, W2: Array, projected: Array | None = None
+) -> tuple[Array, Array]:
+    """Stress S (c, q, 6) and tangent 4 ∂²W/∂C∂C, lower triangles (c, q, 21).
 
-    ``W1`` (3, c, q) and ``W2`` (6, c, q) are the derivatives of the energy by the isochoric principal stretches.
+    ``W1`` (3, c, q) and ``W2`` (6, c, q) are the derivatives of the energy by the isochoric principal stretches, where
+    ``projected`` (c,) is 1, as in all cells by default. Where it is 0 they are those by the stretches themselves, and
+    the scale is 1.
     """
     out = np.empty((*scale.shape, 6)), np.empty((*scale.shape, TANGENT))
-    over(len(scale), _spectral_response, out, stretches, directions, scale, W1, W2)
+    shares = np.ones(len(scale)) if projected is None else projected
+    over(len(scale), _spectral_response, out, stretches, directions, scale, W1, W2, shares)
     return out

@@ -1,11 +1,12 @@
 """Laws that can be fitted, found by name or by class."""
 
 import re
+from dataclasses import replace
 from typing import Any
 
 from turgor.core.materials.fitting.settings import FIT
 from turgor.core.materials.laws.law_spec import LawSpec, spec_of_fields
-from turgor.core.materials.laws.laws import LAWS
+from turgor.core.materials.laws.laws import LAWS, Hyperfoam
 from turgor.core.materials.laws.names import spelled
 from turgor.foundation.errors import TurgorError, near_match
 
@@ -17,7 +18,8 @@ def law_spec(law: str | type[Any] | LawSpec) -> LawSpec:
     ----------
     law : str, type or LawSpec
         A name such as ``"yeoh"`` or ``"ogden-3"``, or a class such as ``Yeoh``. Ogden's law and the generalized Rivlin
-        law need their number of terms or order, so ask for them by name.
+        law need their number of terms or order, so ask for them by name; ``"hyperfoam-2 nu=0.1"`` states Poisson's
+        ratio, too, which is 0 without.
 
     Examples
     --------
@@ -35,10 +37,11 @@ def law_spec(law: str | type[Any] | LawSpec) -> LawSpec:
     one = spelled(law, single)
     if one is not None:
         return spec_of_fields(single[one], one)
-    words, order = re.fullmatch(r"(.*?)([0-9]*)", law.strip(), re.DOTALL).groups()  # type: ignore[union-attr]
+    before, _, ratio = law.strip().partition(" nu=")
+    words, order = re.fullmatch(r"(.*?)([0-9]*)", before.strip(), re.DOTALL).groups()  # type: ignore[union-attr]
     kind = spelled(words, series)
     if kind is not None:
-        return _of_series(series[kind], law, order)
+        return _with_ratio(series[kind], _of_series(series[kind], before, order), ratio)
     known = [*single, *(f"{each.series}-N" for each in dict.fromkeys(series.values()))]
     hint = near_match(re.sub(r"[\s_]+", "-", law.strip().lower()), [*single, *(f"{name}-3" for name in series)]) or "."
     raise TurgorError(f"unknown law '{law}'{hint} Known: {', '.join(sorted(known))}.")
@@ -54,8 +57,13 @@ def shape_bounds(spec: LawSpec, largest_invariant: float) -> tuple[tuple[float, 
     largest_invariant : float [-]
         Largest I₁ at which the law must have a stress; Gent's law ends at I₁ − 3 = Jm.
     """
-    low, high = spec.bounds(largest_invariant) if callable(spec.bounds) else spec.bounds
-    return ((low, high),) * len(spec.shapes)
+    each: Any = spec.bounds if isinstance(spec.bounds, tuple) and not _is_pair(spec.bounds) else (spec.bounds,)
+    pairs = tuple(bounds(largest_invariant) if callable(bounds) else bounds for bounds in each)
+    return pairs if len(pairs) == len(spec.shapes) else pairs * len(spec.shapes)
+
+
+def _is_pair(bounds: tuple[Any, ...]) -> bool:
+    return len(bounds) == 2 and all(isinstance(edge, int | float) for edge in bounds)
 
 
 def _fitted_laws() -> tuple[dict[str, type[Any]], dict[str, type[Any]]]:
@@ -70,6 +78,19 @@ def _fitted_laws() -> tuple[dict[str, type[Any]], dict[str, type[Any]]]:
         else:
             single[name.replace("_", "-")] = kind
     return single, series
+
+
+def _with_ratio(kind: Any, spec: LawSpec, ratio: str) -> LawSpec:
+    """Spec of a law of foams with a stated Poisson's ratio; any other law has none to state."""
+    if not ratio:
+        return spec
+    if kind is not Hyperfoam:
+        raise TurgorError(f"'{spec.name} nu={ratio}': only hyperfoam has a Poisson's ratio nu that a fit is given.")
+    try:
+        stated = kind.fit_spec(len(spec.coefficients), nu=float(ratio))
+    except ValueError:
+        raise TurgorError(f"'{spec.name} nu={ratio}': nu is {ratio!r}; a number is needed.") from None
+    return replace(stated, name=f"{spec.name} nu={ratio}")
 
 
 def _of_series(kind: Any, name: str, order: str) -> LawSpec:

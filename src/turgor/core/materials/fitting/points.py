@@ -46,7 +46,7 @@ class FitPoints:
             raise TurgorError(f"test '{idle.name}' has no stress at all; nothing can be fitted to it.")
         self.weight = (even_shares(tests) ** 0.5 if weights == "even" else 1.0) / scale
         self.target = self.measured * self.weight
-        self._known: dict[float, Array] = {}
+        self._known: dict[Any, Array] = {}
 
     @property
     def names(self) -> str:
@@ -100,7 +100,7 @@ def _intervals(test: MaterialTest) -> Array:
 
 
 def columns_of(
-    spec: LawSpec, shapes: Sequence[float] | Array, stress: Callable[[Any], Array], known: dict[float, Array]
+    spec: LawSpec, shapes: Sequence[float] | Array, stress: Callable[[Any], Array], known: dict[Any, Array]
 ) -> Array:
     """Return the stress of each term of a law, evaluated with the law itself.
 
@@ -121,13 +121,25 @@ def columns_of(
         first = stress(spec.make(unit[0], ()))
         # a law must have a positive shear modulus, so the other terms are evaluated on top of the first
         return np.stack([first, *(stress(spec.make(unit[0] + unit[k], ())) - first for k in range(1, count))], axis=1)
+    if spec.sign == "positive":
+        return _columns_of_all(spec, tuple(map(float, shapes)), stress, known)
     columns = []
     for shape in shapes:
-        value = off_zero(shape) if spec.sign == "shape" else float(shape)
+        value = off_zero(shape)
         if value not in known:
-            known[value] = stress(_single(spec, value))
+            known[value] = stress(spec.make([np.sign(value)], [value]))  # a positive shear modulus
         columns.append(known[value])
     return np.stack(columns, axis=1)
+
+
+def _columns_of_all(
+    spec: LawSpec, shapes: tuple[float, ...], stress: Callable[[Any], Array], known: dict[Any, Array]
+) -> Array:
+    """Stress of the term of each coefficient of a law whose terms may have any of the shapes."""
+    if shapes not in known:
+        unit = np.eye(len(spec.coefficients))
+        known[shapes] = np.stack([stress(spec.make(each, shapes)) for each in unit.tolist()], axis=1)
+    return known[shapes]
 
 
 def off_zero(exponent: float) -> float:
@@ -192,11 +204,6 @@ def within(test: MaterialTest, stretch: tuple[float, float] | None) -> MaterialT
 def _pull(F: Array, law: Any) -> Array:
     """Nominal stress of a law along the first axis, (n,) [Pa]."""
     return np.asarray(nominal_stress(law, F)[:, 0, 0])
-
-
-def _single(spec: LawSpec, shape: float) -> Any:
-    """One term of a law with shape parameters, with a positive shear modulus."""
-    return spec.make([np.sign(shape) if spec.sign == "shape" else 1.0], [shape])
 
 
 def different(tests: Sequence[MaterialTest]) -> int:

@@ -11,7 +11,7 @@ import tomlkit
 from turgor.core.materials.fitting.result import Fit
 from turgor.core.materials.fitting.uncertainty import scatter
 from turgor.core.materials.laws.conventions import has_no_unit, law_from_printed, saved_convention
-from turgor.core.materials.laws.laws import LAWS, Ogden
+from turgor.core.materials.laws.laws import LAWS
 from turgor.core.materials.library.fit_spread import FitSpread
 from turgor.core.materials.library.record_history import history_tables
 from turgor.core.materials.material import Material
@@ -144,7 +144,7 @@ def _entry(material: Material) -> tomlkit.items.Table:
         parameters[symbol] = value if has_no_unit(symbol) else format_quantity(value, "kPa")
     entry["parameters"] = parameters
     entry["convention"] = convention
-    if not material.incompressible:
+    if not material.incompressible and not material.is_foam:
         entry["compressibility"] = {"bulk_modulus": format_quantity(material.bulk_modulus, "MPa")}
     if material.stretch_range is not None:
         entry["stretch_range"] = [round(edge, 6) for edge in material.stretch_range]
@@ -176,8 +176,8 @@ def _record(fit: Fit, spread: FitSpread | None) -> tomlkit.items.Table:
     entry = tomlkit.table()
     entry["law"] = law
     parameters = tomlkit.inline_table()
-    for key, (symbol, value) in zip(fit.values, _printed(fit).items(), strict=True):
-        parameters[symbol] = value if key in fit.spec.shapes else format_quantity(value, "kPa")
+    for symbol, value in _printed(fit).items():
+        parameters[symbol] = value if has_no_unit(symbol) else format_quantity(value, "kPa")
     entry["parameters"] = parameters
     entry["convention"] = convention
     entry["stretch_range"] = [round(edge, 6) for edge in fit.stretch_range]
@@ -205,9 +205,7 @@ def _spread_table(fit: Fit, spread: FitSpread) -> tomlkit.items.Table:
 
 def _printed(fit: Fit) -> dict[str, float]:
     """Parameters by their symbols in files."""
-    if not isinstance(fit.law, Ogden):
-        return dict(fit.values)
-    return {f"{key[:-1]}_{key[-1]}": value for key, value in fit.values.items()}
+    return dict(_symbols(fit.law)) if hasattr(fit.law, "to_abaqus") else dict(fit.values)
 
 
 def _form(fit: Fit) -> tuple[str, str] | None:

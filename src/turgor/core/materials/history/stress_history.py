@@ -104,6 +104,8 @@ def stress_history(material: Material, mode: HistoryMode, time: ArrayLike, stret
         raise unknown("mode", mode, HISTORY_MODES)
     if not isinstance(material.law, Law):
         raise TurgorError(f"material '{material.name}' is linear elastic; a history is that of a rubber's law.")
+    if material.is_foam:
+        raise TurgorError(f"material '{material.name}' is a foam, which has no history; take its curve.")
     t, along = _checked(time, stretch)
     F = DEFORMATIONS[mode](along)
     S, eta = softened_stress(material, F)

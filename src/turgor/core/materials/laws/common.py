@@ -5,6 +5,7 @@ from dataclasses import fields
 from math import isfinite
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
+from turgor.core.materials.laws.fiber_family import Family
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import number, shown
 
@@ -26,14 +27,39 @@ class StretchLaw(Protocol):
     """An isotropic rubber whose energy is written in the isochoric principal stretches, symmetric in them."""
 
     def energy_of_stretches(self, l1: Any, l2: Any, l3: Any) -> Any:
-        """Strain energy density W(λ̄₁, λ̄₂, λ̄₃) [Pa]."""
+        """Strain energy density W(λ̄₁, λ̄₂, λ̄₃) [Pa]; of a `FoamLaw`, W(λ₁, λ₂, λ₃)."""
 
     @property
     def shear_modulus(self) -> float:
         """Initial shear modulus μ [Pa]."""
 
 
-#: Any law of a rubber, in either form; works with ``isinstance``.
+@runtime_checkable
+class FoamLaw(StretchLaw, Protocol):
+    """An isotropic foam: a law in the principal stretches themselves, so that its energy has the change of volume."""
+
+    @property
+    def bulk_modulus(self) -> float:
+        """Initial bulk modulus κ [Pa]."""
+
+
+@runtime_checkable
+class FiberLaw(Protocol):
+    """A body with fibers: an isotropic rubber, and families of fibers whose directions the material states."""
+
+    @property
+    def matrix(self) -> InvariantLaw:
+        """The rubber between the fibers."""
+
+    def families(self, angle: float) -> tuple[Family, ...]:
+        """Families of fibers at an angle [rad] to the first direction of the material."""
+
+    @property
+    def shear_modulus(self) -> float:
+        """Initial shear modulus μ of the rubber between the fibers [Pa]."""
+
+
+#: Any isotropic law of a rubber or a foam, in either form; works with ``isinstance``.
 Law: TypeAlias = InvariantLaw | StretchLaw
 
 
@@ -60,7 +86,7 @@ def require_finite(law: object, values: Iterable[tuple[str, float]]) -> None:
             raise TurgorError(f"{type(law).__name__}: {name} is {value:g}; it must be a finite number.")
 
 
-def require_positive_shear_modulus(law: Law) -> None:
+def require_positive_shear_modulus(law: Law | FiberLaw) -> None:
     """Raise an error for a law that is not stiff at rest."""
     if not law.shear_modulus > 0:
         raise TurgorError(

@@ -6,7 +6,7 @@ from dataclasses import MISSING, fields, replace
 from typing import Any
 
 from turgor.core.materials.laws.law_spec import is_dimensionless
-from turgor.core.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke, Law, Ogden
+from turgor.core.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke, Law
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.units import UNITS
 
@@ -31,9 +31,11 @@ CONVENTIONS: Mapping[str, Mapping[str, Mapping[str, tuple[str, float]]]] = {
     "canonical": {
         "gent": {"mu": ("mu", 1.0), "Jm": ("Jm", 1.0)},
         "arruda_boyce": {"mu": ("mu", 1.0), "locking_stretch": ("locking_stretch", 1.0)},
+        "extended_tube": {"Gc": ("Gc", 1.0), "Ge": ("Ge", 1.0), "delta": ("delta", 1.0), "beta": ("beta", 1.0)},
+        "blatz_ko": {"mu": ("mu", 1.0)},
     },
-    "mu/alpha": {"ogden": {}},
-    "abaqus": {"ogden": {}},
+    "mu/alpha": {"ogden": {}, "hyperfoam": {}},
+    "abaqus": {"ogden": {}, "hyperfoam": {}},
 }
 
 #: Coefficients that a convention leaves out because they are zero in it.
@@ -70,8 +72,8 @@ def law_from_printed(law: str, convention: str, printed: Mapping[str, float]) ->
         raise unknown("convention", convention, CONVENTIONS)
     if law not in CONVENTIONS[convention]:
         raise unknown(f"law for the convention {convention}", law, CONVENTIONS[convention])
-    if law == "ogden":
-        return _ogden(convention, printed)
+    if law in ("ogden", "hyperfoam"):
+        return _of_terms(law, convention, printed)
     if law == "generalized_rivlin":
         return GeneralizedRivlin.from_names(printed)
     symbols = CONVENTIONS[convention][law]
@@ -123,12 +125,18 @@ def ogden_terms(printed: Mapping[str, float]) -> tuple[tuple[float, float], ...]
     >>> ogden_terms({"mu_1": 22e3, "alpha_1": 1.3})
     ((22000.0, 1.3),)
     """
-    count = len(printed) // 2
-    expected = [f"{symbol}_{i}" for i in range(1, count + 1) for symbol in ("mu", "alpha")]
+    return tuple((mu, alpha) for mu, alpha in _terms("ogden", ("mu", "alpha"), printed))
+
+
+def _terms(law: str, symbols: tuple[str, ...], printed: Mapping[str, float]) -> tuple[tuple[float, ...], ...]:
+    """Printed constants of each term of a law, in the order of its symbols."""
+    count = len(printed) // len(symbols)
+    expected = [f"{symbol}_{i}" for i in range(1, count + 1) for symbol in symbols]
     if not count or set(expected) != set(printed):
         shown = ", ".join(printed) or "none"
-        raise TurgorError(f"the constants of an Ogden law are mu_1, alpha_1, mu_2, alpha_2 and so on, not {shown}.")
-    return tuple((printed[f"mu_{i}"], printed[f"alpha_{i}"]) for i in range(1, count + 1))
+        needed = ", ".join(f"{symbol}_{i}" for i in (1, 2) for symbol in symbols)
+        raise TurgorError(f"the constants of the law {law} are {needed} and so on, not {shown}.")
+    return tuple(tuple(printed[f"{symbol}_{i}"] for symbol in symbols) for i in range(1, count + 1))
 
 
 def ogden_moduli(printed: Mapping[str, float]) -> dict[str, float]:
@@ -155,7 +163,7 @@ def describe(law: Law | Hooke) -> str:
     unit = "GPa" if isinstance(law, Hooke) and law.E >= 1e8 else "MPa"
     plain = {item.name for item in fields(law) if is_dimensionless(item)}  # type: ignore[arg-type]
     return ", ".join(
-        f"{key} = {value:g}" if key in plain or key.startswith("alpha") else f"{key} = {_rounded(value, unit)}"
+        f"{key} = {value:g}" if re.sub(r"_\d+$", "", key) in plain else f"{key} = {_rounded(value, unit)}"
         for key, value in _coefficients(law).items()
         if value != 0
     )
@@ -210,6 +218,9 @@ def _rounded(value: float, unit: str) -> str:
     return f"{value / UNITS['pressure'][unit]:.7g} {unit}"
 
 
-def _ogden(convention: str, printed: Mapping[str, float]) -> Law:
-    mu, alpha = zip(*ogden_terms(printed), strict=True)
-    return Ogden.from_abaqus(mu=mu, alpha=alpha) if convention == "abaqus" else Ogden(mu=mu, alpha=alpha)
+def _of_terms(law: str, convention: str, printed: Mapping[str, float]) -> Law:
+    kind: Any = LAWS[law]
+    symbols = tuple(item.name for item in fields(kind))
+    terms = dict(zip(symbols, zip(*_terms(law, symbols, printed), strict=True), strict=True))
+    made: Law = kind.from_abaqus(**terms) if convention == "abaqus" else kind(**terms)
+    return made

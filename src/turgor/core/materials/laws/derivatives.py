@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from turgor.core.materials.laws.derived_formulas import cached_formulas
 from turgor.core.materials.laws.laws import InvariantLaw, Law
+from turgor.foundation.errors import TurgorError
 from turgor.foundation.symmetric import PAIRS
 
 Array = NDArray[np.float64]
@@ -108,6 +109,7 @@ def _derived_by_invariants(law_type: type, pattern: tuple[Any, ...]) -> Callable
     """Differentiate with SymPy, the parameters as symbols."""
     import sympy  # slow to load, and not needed where all was derived before
 
+    require_isotropic(law_type)
     I = sympy.symbols("I1 I2", positive=True)
     law, symbols = _symbolic(law_type, pattern)
     energy = law.energy(*I, **_functions(law_type))
@@ -126,6 +128,7 @@ def _derived_by_stretches(law_type: type, pattern: tuple[Any, ...]) -> Callable[
     """Differentiate with SymPy, the parameters as symbols."""
     import sympy
 
+    require_isotropic(law_type)
     l = sympy.symbols("l1 l2 l3", positive=True)
     law, symbols = _symbolic(law_type, pattern)
     if hasattr(law_type, "energy_of_stretches"):
@@ -137,6 +140,15 @@ def _derived_by_stretches(law_type: type, pattern: tuple[Any, ...]) -> Callable[
     orders = [(0,), (1,), (2,), *STRETCH_PAIRS]
     derivatives = [energy, *(sympy.diff(energy, *(l[k] for k in order)) for order in orders)]
     return sympy.lambdify([*l, *symbols], derivatives, modules="numpy", cse=True)
+
+
+def require_isotropic(law_type: type) -> None:
+    """Refuse laws with directions: all that is derived here is isotropic."""
+    if hasattr(law_type, "families"):
+        raise TurgorError(
+            f"{law_type.__name__} has directions, so its stress is no function of stretches alone; finite elements "
+            "take it, this does not."
+        )
 
 
 def _symbolic(law_type: type, pattern: tuple[Any, ...]) -> tuple[Any, list[Any]]:

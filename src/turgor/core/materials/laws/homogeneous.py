@@ -1,7 +1,8 @@
 """Homogeneous deformations of an incompressible solid: the four tests of a rubber, and the stress of any law in them.
 
 A deformation gradient comes in, a stress goes out, derived from the law's energy by one chain rule; the hydrostatic
-multiplier follows from the third direction being free of traction. Fitting, curves and verification share this.
+multiplier follows from the third direction being free of traction. Of a foam, the stretches across follow from that
+(`turgor.core.materials.laws.released`). Fitting, curves and verification share this.
 """
 
 from collections.abc import Callable, Mapping
@@ -10,8 +11,9 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from turgor.core.materials.laws.derivatives import energy_derivatives, stretch_derivatives
-from turgor.core.materials.laws.laws import InvariantLaw, Law, StretchLaw
+from turgor.core.materials.laws.derivatives import energy_derivatives, require_isotropic, stretch_derivatives
+from turgor.core.materials.laws.laws import FoamLaw, InvariantLaw, Law, StretchLaw
+from turgor.core.materials.laws.released import released
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 
@@ -134,10 +136,11 @@ DEFORMATIONS: Mapping[str, Callable[[ArrayLike], Array]] = MappingProxyType(
 
 
 def cauchy_stress(law: Law, F: Array) -> Array:
-    """Cauchy stress of an incompressible solid whose third direction is free of traction.
+    """Cauchy stress of an incompressible solid, or of a foam, whose third direction is free of traction.
 
     From W(I₁, I₂): σ = 2 W₁ B + 2 W₂ (I₁ B − B²) − p 1 with B = F Fᵀ, and p such that σ₃₃ = 0. From W(λ₁, λ₂, λ₃):
-    σ = Σ λᵢ ∂W/∂λᵢ nᵢ⊗nᵢ − p 1 in the principal frame of B, which any frame is where stretches are equal.
+    σ = Σ λᵢ ∂W/∂λᵢ nᵢ⊗nᵢ − p 1 in the principal frame of B, which any frame is where stretches are equal. A foam has
+    σ = Σ λᵢ ∂W/∂λᵢ nᵢ⊗nᵢ / J at the stretches across that its test leaves free.
 
     Parameters
     ----------
@@ -162,6 +165,7 @@ def cauchy_stress(law: Law, F: Array) -> Array:
     >>> [round(float(s), 6) for s in (stress[0, 1], stress[0, 0], stress[1, 1])]
     [240000.0, 240000.0, 0.0]
     """
+    require_isotropic(type(law))
     if not isinstance(law, Law):
         raise TurgorError(
             f"{type(law).__name__} has no energy in invariants or stretches; give a law such as NeoHooke or Ogden."
@@ -173,13 +177,16 @@ def cauchy_stress(law: Law, F: Array) -> Array:
         raise TurgorError(
             f"det F differs from 1 by {worst:.3g}; these stresses are for volume-preserving deformations."
         )
+    if isinstance(law, FoamLaw):
+        F = released(law, F)
+        return np.asarray(_from_stretches(law, F @ F.swapaxes(-1, -2)) / np.linalg.det(F)[..., None, None])
     B = F @ F.swapaxes(-1, -2)
     extra = _from_stretches(law, B) if isinstance(law, StretchLaw) else _from_invariants(law, B)
     return np.asarray(extra - extra[..., 2, 2][..., None, None] * np.eye(3))
 
 
 def nominal_stress(law: Law, F: Array) -> Array:
-    """Nominal (first Piola–Kirchhoff) stress P = σ F⁻ᵀ [Pa], force per initial area; see `cauchy_stress`.
+    """Nominal (first Piola–Kirchhoff) stress P = J σ F⁻ᵀ [Pa], force per initial area; see `cauchy_stress`.
 
     The pull of a tension test is ``[..., 0, 0]``; the force that holds the width in planar tension ``[..., 1, 1]``.
 
@@ -201,7 +208,11 @@ def nominal_stress(law: Law, F: Array) -> Array:
     >>> nominal_stress(law, uniaxial([1.5, 2.0]))[:, 0, 0].round(1)
     array([281481.5, 665000. ])
     """
-    return np.asarray(cauchy_stress(law, F) @ np.linalg.inv(F).swapaxes(-1, -2))
+    stress = cauchy_stress(law, F)
+    if isinstance(law, FoamLaw):
+        F = released(law, np.asarray(F, dtype=np.float64))
+        stress = np.linalg.det(F)[..., None, None] * stress
+    return np.asarray(stress @ np.linalg.inv(F).swapaxes(-1, -2))
 
 
 def _from_invariants(law: InvariantLaw, B: Array) -> Array:
@@ -213,7 +224,7 @@ def _from_invariants(law: InvariantLaw, B: Array) -> Array:
 
 
 def _from_stretches(law: StretchLaw, B: Array) -> Array:
-    """Cauchy stress but for its mean, of a law in stretches."""
+    """Σ λᵢ ∂W/∂λᵢ nᵢ⊗nᵢ of a law in stretches: the Cauchy stress but for its mean, or J σ of a foam."""
     squares, directions = np.linalg.eigh(B)
     stretches = np.sqrt(squares)
     slopes = stretch_derivatives(law, stretches[..., 0], stretches[..., 1], stretches[..., 2])[1:4]

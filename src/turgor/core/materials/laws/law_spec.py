@@ -27,8 +27,9 @@ class LawSpec:
     sign : str
         Constraint that keeps the law stable: ``"slope"`` (the stress rises), ``"positive"`` (coefficients are
         positive) or ``"shape"`` (coefficients have the sign of their shape).
-    bounds : (float, float) or callable
-        Smallest and largest value of a shape; ``bounds(I1)`` where they depend on the largest invariant I₁.
+    bounds : (float, float) or callable, or a tuple of them
+        Smallest and largest value of a shape; ``bounds(I1)`` where they depend on the largest invariant I₁. A tuple
+        has those of each shape.
     """
 
     name: str
@@ -36,7 +37,7 @@ class LawSpec:
     shapes: tuple[str, ...] = ()
     make: Callable[[Sequence[float], Sequence[float]], Any]
     sign: str = "slope"
-    bounds: Bounds = (0.0, 0.0)
+    bounds: Bounds | tuple[Bounds, ...] = (0.0, 0.0)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -53,7 +54,7 @@ def spec_of_fields(kind: type[Any], name: str) -> LawSpec:
     """Derive the spec of a law from its fields.
 
     Fields with a unit are coefficients. A field without one is a shape parameter and states its bounds:
-    ``field(metadata={"dimension": "number", "bounds": (0.1, 10.0)})``. A law with a shape has one coefficient.
+    ``field(metadata={"dimension": "number", "bounds": (0.1, 10.0)})``. Coefficients of a law with shapes are positive.
 
     Parameters
     ----------
@@ -80,22 +81,19 @@ def spec_of_fields(kind: type[Any], name: str) -> LawSpec:
     """
     coefficients = tuple(item.name for item in fields(kind) if not is_dimensionless(item))
     shapes = [item for item in fields(kind) if is_dimensionless(item)]
-    if not coefficients or (shapes and (len(coefficients), len(shapes)) != (1, 1)):
-        raise TurgorError(
-            f"{kind.__name__} cannot be fitted: it needs coefficients in Pa alone, or one of them and one "
-            "number without a unit."
-        )
-    if shapes and "bounds" not in shapes[0].metadata:
-        raise TurgorError(
-            f"{kind.__name__}: {shapes[0].name} states no bounds; a fit needs them in the field's metadata."
-        )
+    if not coefficients:
+        raise TurgorError(f"{kind.__name__} cannot be fitted: it needs coefficients in Pa.")
+    for item in shapes:
+        if "bounds" not in item.metadata:
+            raise TurgorError(
+                f"{kind.__name__}: {item.name} states no bounds; a fit needs them in the field's metadata."
+            )
 
     def make(c: Sequence[float], s: Sequence[float]) -> Any:
         return kind(**dict(zip((*coefficients, *(item.name for item in shapes)), map(float, (*c, *s)), strict=True)))
 
     if not shapes:
         return LawSpec(name=name, coefficients=coefficients, make=make)
-    bounds = shapes[0].metadata["bounds"]
-    return LawSpec(
-        name=name, coefficients=coefficients, shapes=(shapes[0].name,), make=make, sign="positive", bounds=bounds
-    )
+    bounds = tuple(item.metadata["bounds"] for item in shapes)
+    names = tuple(item.name for item in shapes)
+    return LawSpec(name=name, coefficients=coefficients, shapes=names, make=make, sign="positive", bounds=bounds)

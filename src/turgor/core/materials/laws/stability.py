@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, stretch_derivatives
-from turgor.core.materials.laws.laws import Law
+from turgor.core.materials.laws.laws import FoamLaw, Law
+from turgor.core.materials.laws.released import foam_path
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.round_off import ROUND_OFF
 
@@ -134,16 +135,13 @@ def _margin(law: Law, mode: Mode, criterion: Criterion, stretch: Array) -> Array
     """Moduli that are positive as long as the law is stable [Pa]."""
     if criterion == "drucker":
         return _drucker(law, mode, stretch)
-    nominal, slope = _pull(law, mode, stretch)
-    return slope if criterion == "nominal" else nominal + stretch * slope
+    return _cauchy_slope(law, mode, stretch) if criterion == "cauchy" else _pull(law, mode, stretch)[1]
 
 
 def _pull(law: Law, mode: Mode, stretch: Array) -> tuple[Array, Array]:
-    """Nominal stress and its slope: first and second derivative of the energy along the path, by pulled direction."""
-    powers, pulled = MODES[mode]
-    at = [stretch**n for n in powers]
-    first = [n * stretch ** (n - 1) for n in powers]
-    second = [n * (n - 1) * stretch ** (n - 2) for n in powers]
+    """Nominal stress and its slope along the path of a test, by pulled direction."""
+    _, pulled = MODES[mode]
+    at, first, second = _path(law, mode, stretch)
     W = stretch_derivatives(law, *at)
     nominal = sum(W[1 + i] * first[i] for i in range(3))
     slope = sum(W[1 + i] * second[i] for i in range(3))
@@ -152,14 +150,36 @@ def _pull(law: Law, mode: Mode, stretch: Array) -> tuple[Array, Array]:
     return np.asarray(nominal / pulled), np.asarray(slope / pulled)
 
 
-def _drucker(law: Law, mode: Mode, stretch: Array) -> Array:
-    """Smaller eigenvalue of ∂²W/∂εᵢ∂εⱼ for two free logarithmic strains, ε₃ = −ε₁ − ε₂."""
+def _path(law: Law, mode: Mode, stretch: Array) -> tuple[list[Array], list[Array], list[Array]]:
+    """The three stretches along a test, and their first and second derivatives by the stretch.
+
+    A foam has no traction across, so that second derivatives of those stretches do no work; they are left out.
+    """
     powers, _ = MODES[mode]
+    if isinstance(law, FoamLaw):
+        return foam_path(law, powers, stretch)
     at = [stretch**n for n in powers]
+    first = [n * stretch ** (n - 1) for n in powers]
+    second = [n * (n - 1) * stretch ** (n - 2) for n in powers]
+    return at, first, second
+
+
+def _cauchy_slope(law: Law, mode: Mode, stretch: Array) -> Array:
+    """Slope of the Cauchy stress times the area that it acts on, which is positive."""
+    at, first, _ = _path(law, mode, stretch)
+    nominal, slope = _pull(law, mode, stretch)
+    return np.asarray(slope - nominal * (first[1] / at[1] + first[2] / at[2]))
+
+
+def _drucker(law: Law, mode: Mode, stretch: Array) -> Array:
+    """Smallest eigenvalue of ∂²W/∂εᵢ∂εⱼ for two free logarithmic strains, ε₃ = −ε₁ − ε₂; for all three of a foam."""
+    at, _, _ = _path(law, mode, stretch)
     W = stretch_derivatives(law, *at)
     H = np.empty((3, 3, *stretch.shape))
     for value, (i, j) in zip(W[4:], STRETCH_PAIRS, strict=True):
         H[i, j] = H[j, i] = value * at[i] * at[j] + (W[1 + i] * at[i] if i == j else 0.0)
+    if isinstance(law, FoamLaw):
+        return np.asarray(np.linalg.eigvalsh(np.moveaxis(H, -1, 0))[..., 0])
     a = H[0, 0] - 2 * H[0, 2] + H[2, 2]
     b = H[1, 1] - 2 * H[1, 2] + H[2, 2]
     c = H[0, 1] - H[0, 2] - H[1, 2] + H[2, 2]

@@ -7,7 +7,7 @@ findings.
 import re
 from collections.abc import Sequence
 
-from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.library.doubt_checks import LOOKS, Case, Doubt, unstable_law
 from turgor.core.materials.library.record import Record
 from turgor.core.materials.material import Material
@@ -81,7 +81,7 @@ def doubts_of(material: Material) -> tuple[Finding, ...]:
     ['M06']
     """
     doubts = [_stated(text) for text in material.source.doubts]
-    if not isinstance(material.law, Hooke) and all(doubt.code != "M06" for doubt in doubts):
+    if isinstance(material.law, Law) and all(doubt.code != "M06" for doubt in doubts):
         doubts += unstable_law(material.law)  # records of the library were checked when they were loaded
     return tuple(_finding(material, doubt) for doubt in doubts)
 

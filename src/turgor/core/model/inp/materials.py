@@ -5,8 +5,10 @@ from typing import Any
 
 from turgor.core.materials.laws.laws import (
     ArrudaBoyce,
+    BlatzKo,
     GeneralizedRivlin,
     Hooke,
+    Hyperfoam,
     MooneyRivlin,
     NeoHooke,
     Ogden,
@@ -14,6 +16,7 @@ from turgor.core.materials.laws.laws import (
     YeohN,
 )
 from turgor.core.materials.material import Material
+from turgor.core.model.inp.directions import fiber_lines
 from turgor.foundation.errors import TurgorError
 from turgor.units import MPa
 
@@ -57,10 +60,14 @@ def material_lines(name: str, material: Material, program: str) -> list[str]:
     lines = [f"*MATERIAL, NAME={name}"]
     if isinstance(law, Hooke):
         lines += ["*ELASTIC", _row([law.E / MPa, law.nu])]
+    elif material.has_fibers:
+        lines += fiber_lines(name, material, program)
+    elif isinstance(law, BlatzKo | Hyperfoam):
+        lines += _foam(name, law, program)
     else:
         form = _FORMS.get(type(law))
         if form is None:
-            known = ", ".join(kind.__name__ for kind in _FORMS)
+            known = ", ".join(kind.__name__ for kind in (*_FORMS, Hyperfoam, BlatzKo))
             raise TurgorError(
                 f"materials.{name}: {type(law).__name__} has no form in .inp files; these have one: {known}."
             )
@@ -126,6 +133,25 @@ def _yeoh_n(law: YeohN) -> tuple[str, Sequence[float], int]:
     if order > 3:
         raise TurgorError(f"YeohN with {order} terms has no form in .inp files; 3 is the most.")
     return f"REDUCED POLYNOMIAL, N={order}", law.coefficients, order
+
+
+def _foam(name: str, law: Hyperfoam | BlatzKo, program: str) -> list[str]:
+    """Triples μᵢ, αᵢ, νᵢ in Abaqus's convention, of which Blatz and Ko's law is one.
+
+    CalculiX 2.20 reads them but crashes with one term, and squeezes a cube of two with twelve times the stress.
+    """
+    if program == "calculix":
+        raise TurgorError(
+            f"materials.{name}: the foams of CalculiX are wrong: a cube of *HYPERFOAM crashes it or has another stress "
+            "than its formula; write for Abaqus."
+        )
+    if isinstance(law, BlatzKo):
+        law = Hyperfoam.from_abaqus(mu=(law.mu,), alpha=(-2.0,), nu=(0.25,))
+    mu, alpha, nu = law.to_abaqus()
+    if len(mu) > 3:
+        raise TurgorError(f"Hyperfoam with {len(mu)} terms has no form in .inp files; 3 is the most.")
+    numbers = [value for m, a, n in zip(mu, alpha, nu, strict=True) for value in (m / MPa, a, n)]
+    return [f"*HYPERFOAM, N={len(mu)}", *_rows(numbers)]
 
 
 def _ogden(law: Ogden) -> tuple[str, Sequence[float], int]:

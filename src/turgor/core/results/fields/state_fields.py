@@ -159,8 +159,12 @@ class StateFields:
 
     @cached_property
     def mean_stress(self) -> Array:
-        """Mean stress at the nodes of each region, (d,) [Pa]: the multiplier, interpolated between its values."""
-        if self.model.formulation == DISPLACEMENT:
+        """Mean stress at the nodes of each region, (d,) [Pa]: the multiplier, interpolated between its values.
+
+        Where there is a foam or no multiplier, that of the points is averaged.
+        """
+        foams = any(material.is_foam for material in self.model.region_materials.values())
+        if foams or self.model.formulation == DISPLACEMENT:
             return self._averaged(self.cells.mean_stress)
         return nodal_mean_stress(self.model, self.state.mean_stress, self.facts.region_nodes)
 

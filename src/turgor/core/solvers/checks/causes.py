@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.engine.fields import deformation_gradients
 from turgor.core.engine.percentiles import weighted_percentile
-from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.laws.stability import Mode, first_instability
 from turgor.core.materials.material import Material
 from turgor.core.solvers.checks.membranes import Compression, bears_compression
@@ -135,7 +135,7 @@ def _turn(material: Material, stretches: Array, weight: Array) -> tuple[str, flo
     """
     isochoric = stretches / np.cbrt(stretches.prod(axis=1))[:, None]
     far = isochoric[:, 0] > CAUSES.stretched
-    if isinstance(material.law, Hooke) or not far.any():
+    if not isinstance(material.law, Law) or not far.any():
         return None
     logs = np.log(isochoric)
     second = np.where(far, logs[:, 1], -1.0) / np.where(far, logs[:, 0], 1.0)  # −½ uniaxial, 0 planar, 1 equibiaxial

@@ -227,6 +227,8 @@ def initial_moduli(material: Material) -> tuple[float, float]:
     >>> initial_moduli(Material(name="rubber", law=NeoHooke(C10=0.1e6)))
     (600000.0, 200000.0)
     """
+    if material.has_fibers:
+        raise TurgorError(f"material '{material.name}' has directions, which a rod does not take yet.")
     if isinstance(material.law, Hooke):
         return material.law.E, material.law.shear_modulus
     shear = material.law.shear_modulus

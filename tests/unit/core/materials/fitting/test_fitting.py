@@ -357,3 +357,12 @@ def test_findings_of_use():
     assert check_order(law, 3.5)[0].severity is Severity.WARNING
     assert check_order(law, 3.5, reinforced=True)[0].severity is Severity.NOTE
     assert check_order(YEOH, 9.0) == ()
+
+
+def test_a_law_whose_shape_ends_at_the_bound_of_a_fit_has_errors_there():
+    """The uncertainty takes differences beyond the bound, where the extended tube would not exist."""
+    stretch = np.linspace(1.05, 3.0, 15)
+    stiffening = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=1e5 * (stretch - stretch**-4), name="s")
+    result = fit("extended-tube", stiffening, starts=4)
+    assert result.values["beta"] == pytest.approx(0.999)
+    assert any("beta is at its bound" in each for each in result.bounds_hit)

@@ -12,6 +12,7 @@ from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_der
 from turgor.core.materials.laws.homogeneous import cauchy_stress, simple_shear, uniaxial
 from turgor.core.materials.laws.laws import (
     ArrudaBoyce,
+    ExtendedTube,
     GeneralizedRivlin,
     Gent,
     Hooke,
@@ -40,6 +41,7 @@ OGDENS = [
     Ogden(mu=(24361.0, 66.703, 453.81), alpha=(1.7138, 7.0679, -3.3659)),
     Ogden.from_abaqus(mu=(24361.0, 66.703, 453.81), alpha=(1.7138, 7.0679, -3.3659)),
     Ogden(mu=(5e4,), alpha=(3.3,)),
+    ExtendedTube(Gc=4e4, Ge=6e4, delta=0.1, beta=0.4),
 ]
 
 
@@ -189,6 +191,9 @@ def test_gent_has_no_stress_beyond_its_locking_stretch() -> None:
         (lambda: Gent(mu=1.0, Jm=0.0), ("Gent", "Jm is 0", "positive")),
         (lambda: Gent(mu=-1.0, Jm=1.0), ("Gent", "-1 Pa", "positive")),
         (lambda: ArrudaBoyce(mu=1.0, locking_stretch=1.0), ("ArrudaBoyce", "locking_stretch is 1", "more than 1")),
+        (lambda: ExtendedTube(Gc=-1.0, Ge=2.0, delta=0.1, beta=0.2), ("ExtendedTube", "Gc is -1 Pa", "negative")),
+        (lambda: ExtendedTube(Gc=1.0, Ge=2.0, delta=0.8, beta=0.2), ("ExtendedTube", "delta is 0.8", "0.707")),
+        (lambda: ExtendedTube(Gc=1.0, Ge=2.0, delta=0.1, beta=0.0), ("ExtendedTube", "beta is 0", "up to 1")),
         (lambda: ArrudaBoyce(mu=0.0, locking_stretch=2.0), ("ArrudaBoyce", "0 Pa", "positive")),
         (lambda: Yeoh(C10=1.0, C20=float("nan")), ("Yeoh", "C20 is nan", "finite")),
     ],
@@ -225,3 +230,13 @@ def test_shear_modulus_must_be_positive(law_type: type, value: float) -> None:
 def test_impossible_elastic_constants_are_refused(E: float, nu: float, facts: tuple) -> None:
     with refused(*facts):
         Hooke(E=E, nu=nu)
+
+
+def test_extended_tube_pulls_as_its_authors_write() -> None:
+    """Kaliske and Heinrich (1999), doi 10.5254/1.3538822, uniaxial tension."""
+    law, stretch = ExtendedTube(Gc=4e4, Ge=6e4, delta=0.1, beta=0.4), np.array([0.6, 1.5, 4.0])
+    D, d2 = stretch**2 + 2 / stretch - 3, law.delta**2
+    tube = 2 * law.Ge / law.beta * (stretch ** (law.beta / 2 - 1) - stretch ** (-law.beta - 1))
+    net = law.Gc * (stretch - stretch**-2) * ((1 - d2) / (1 - d2 * D) ** 2 - d2 / (1 - d2 * D))
+    pull = cauchy_stress(law, uniaxial(stretch))[:, 0, 0] / stretch
+    assert pull == pytest.approx(net + tube, rel=1e-10)

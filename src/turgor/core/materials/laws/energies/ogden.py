@@ -38,13 +38,8 @@ class Ogden:
         def __init__(self, *, mu: Iterable[Quantity], alpha: Iterable[float]) -> None: ...
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "mu", numbers(self, "mu", self.mu, "pressure"))
-        object.__setattr__(self, "alpha", numbers(self, "alpha", self.alpha))
-        _require_same_length(self.mu, self.alpha)
-        _require_exponents(self.alpha)
+        check_terms(self)
         require_positive_shear_modulus(self)
-        require_finite(self, ((f"mu {i}", value) for i, value in enumerate(self.mu, 1)))
-        require_finite(self, ((f"alpha {i}", value) for i, value in enumerate(self.alpha, 1)))
 
     @classmethod
     def from_abaqus(cls, mu: Sequence[float], alpha: Sequence[float]) -> "Ogden":
@@ -55,8 +50,8 @@ class Ogden:
         >>> Ogden.from_abaqus(mu=(75.5e3,), alpha=(5.0,))
         Ogden(mu=(30200.0,), alpha=(5.0,))
         """
-        _require_same_length(mu, alpha)
-        _require_exponents(alpha)
+        require_same_length("Ogden", mu, alpha)
+        require_exponents("Ogden", alpha)
         return cls(mu=tuple(2 * m / a for m, a in zip(mu, alpha, strict=True)), alpha=tuple(alpha))
 
     @classmethod
@@ -95,14 +90,27 @@ class Ogden:
         return 0.5 * sum(m * a for m, a in zip(self.mu, self.alpha, strict=True))
 
 
-def _require_same_length(mu: Sequence[float], alpha: Sequence[float]) -> None:
+def check_terms(law: Any) -> None:
+    """Make tuples of the coefficients ``mu`` and exponents ``alpha`` of a law, and check them."""
+    object.__setattr__(law, "mu", numbers(law, "mu", law.mu, "pressure"))
+    object.__setattr__(law, "alpha", numbers(law, "alpha", law.alpha))
+    name = type(law).__name__
+    require_same_length(name, law.mu, law.alpha)
+    require_exponents(name, law.alpha)
+    require_finite(law, ((f"mu {i}", value) for i, value in enumerate(law.mu, 1)))
+    require_finite(law, ((f"alpha {i}", value) for i, value in enumerate(law.alpha, 1)))
+
+
+def require_same_length(name: str, mu: Sequence[float], alpha: Sequence[float]) -> None:
+    """Raise an error where a law of some name has not as many exponents as coefficients."""
     if len(mu) != len(alpha):
         raise TurgorError(
-            f"Ogden: {len(mu)} coefficients mu but {len(alpha)} exponents alpha; give one of each a term."
+            f"{name}: {len(mu)} coefficients mu but {len(alpha)} exponents alpha; give one of each a term."
         )
 
 
-def _require_exponents(alpha: Sequence[float]) -> None:
+def require_exponents(name: str, alpha: Sequence[float]) -> None:
+    """Raise an error for an exponent of zero."""
     for i, exponent in enumerate(alpha, 1):
         if exponent == 0:
-            raise TurgorError(f"Ogden: alpha {i} is 0; an exponent may have any value but 0.")
+            raise TurgorError(f"{name}: alpha {i} is 0; an exponent may have any value but 0.")

@@ -19,8 +19,8 @@ RIGID = 30.0
 
 
 def rubber_modulus(question: Question) -> Iterator[Magnitude]:
-    """Initial shear modulus of every region's law but that of stiff parts [Pa]."""
-    return (_of(each, each.law.shear_modulus) for each, stiff in _solids(question) if not stiff)
+    """Initial shear modulus of every region's law but those of stiff parts and of foams [Pa]."""
+    return (_of(each, each.law.shear_modulus) for each, stiff in _solids(question) if not (stiff or each.is_foam))
 
 
 def stiff_modulus(question: Question) -> Iterator[Magnitude]:
@@ -29,10 +29,10 @@ def stiff_modulus(question: Question) -> Iterator[Magnitude]:
 
 
 def poisson_ratio(question: Question) -> Iterator[Magnitude]:
-    """Poisson's ratio of the compressible rubbers [-]."""
+    """Poisson's ratio of the compressible rubbers that are no foams [-]."""
     for each, stiff in _solids(question):
         bulk, shear = each.bulk_modulus, each.law.shear_modulus
-        if bulk < inf and not stiff:
+        if bulk < inf and not stiff and not each.is_foam:
             yield Magnitude(
                 f"Material '{each.name}' with a bulk modulus of {bulk / shear:.3g} times its shear modulus",
                 (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear)),
@@ -49,8 +49,9 @@ def locking_stretch(question: Question) -> Iterator[Magnitude]:
 
 
 def rubber_density(question: Question) -> Iterator[Magnitude]:
-    """Density of every region's rubber that states one [kg/m³]."""
-    return (_of(each, each.density) for each, stiff in _solids(question) if each.density is not None and not stiff)
+    """Density of every region's rubber that states one and is no foam [kg/m³]."""
+    rubbers = (each for each, stiff in _solids(question) if not stiff and not each.is_foam)
+    return (_of(each, each.density) for each in rubbers if each.density is not None)
 
 
 def stiff_density(question: Question) -> Iterator[Magnitude]:
