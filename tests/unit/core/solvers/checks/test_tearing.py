@@ -138,7 +138,7 @@ def test_life_is_a_note_or_a_warning():
     (warning,) = tearing_findings(path(replace(slow, crack_growth=large), np.linspace(1, 2, 11)))
     assert (warning.code, warning.severity) == ("T03", "warning")
     assert "% of its tear strength" in warning.message
-    assert "cycles (" in warning.message
+    assert "in about 900 cycles (180 to 4,500)" in warning.message  # c₀ (1 − T/Tc) / (r T²)
 
 
 def test_measures_without_the_numbers_that_they_need_say_so():

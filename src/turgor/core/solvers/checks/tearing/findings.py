@@ -1,6 +1,7 @@
 """Findings about tearing: where a path passes half and all of what a material bears (T01, T02), and its life (T03)."""
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -39,9 +40,7 @@ def _passed(states: Sequence[State]) -> Iterator[Finding]:
 
 
 def _uses_of(state: State) -> dict[tuple[str, str], Use]:
-    def cells():  # type: ignore[no-untyped-def]
-        return cell_fields(state.model, state.displacement, state.mean_stress, state.memory)
-
+    cells = partial(cell_fields, state.model, state.displacement, state.mean_stress, state.memory)
     return {(use.part, use.quantity): use for use in uses(state.model, state.displacement, cells)}
 
 
@@ -134,4 +133,5 @@ def _life_finding(model: Model, worst: Cracking, load: str) -> Finding:
 
 
 def _count(cycles: float) -> str:
-    return "infinitely many" if cycles == np.inf else f"{cycles:.2g}"
+    """Two digits of a number of cycles."""
+    return "infinitely many" if cycles == np.inf else f"{float(f'{cycles:.2g}'):,.0f}"
