@@ -58,6 +58,8 @@ class SamplingSettings:
         of each state. With one the tip of a short finger was 2.6 % off in a step of 20 ms, with four 0.5 %.
     states : int
         Training states at most; more are thinned.
+    rows : int
+        Rows of the least squares at most; more are combined at random. Some times the number of points is enough.
     near : float
         Points of a surface that came nearer to another than this share of the cell behind it may touch. On the demo
         finger 0.1 and 0.5 give the same answers, with 607 and 1,627 points.
@@ -74,6 +76,7 @@ class SamplingSettings:
     swing: float = 0.2
     swings: int = 4
     states: int = 120
+    rows: int = 3000
     near: float = 0.2
     near_obstacles: float = 1.0
     moments: float = 1e-4
