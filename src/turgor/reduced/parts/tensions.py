@@ -54,7 +54,7 @@ class Tensions:
         It is the smallest value of a convex function, which Newton's method finds while all stretches are finite.
         """
         shares = self.modes / self.stiffness
-        own, inverse = np.zeros(len(strains)), np.linalg.inv((shares * self.weights) @ self.modes.T)
+        own, inverse = np.zeros(len(strains)), np.linalg.inv((shares * self.weights) @ self.modes.T).astype(np.float64)
         left, change = strains, inverse @ strains
         for _ in range(TENSIONS.iterations):
             share = (own + change) @ shares
@@ -63,7 +63,7 @@ class Tensions:
                 share = (own + change) @ shares
             own, stretch = own + change, 1.0 / (1.0 - share)
             left = strains - self.modes @ (self.weights * 0.5 * (stretch**2 - 1.0))
-            inverse = np.linalg.inv((shares * (self.weights * stretch**3)) @ self.modes.T)
+            inverse = np.linalg.inv((shares * (self.weights * stretch**3)) @ self.modes.T).astype(np.float64)
             change = inverse @ left
             if np.abs(change).max() <= TENSIONS.tolerance * max(np.abs(own).max(), 1e-300):
                 return own, stretch, inverse
