@@ -15,6 +15,7 @@ import re
 import sys
 from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import permutations
@@ -75,14 +76,14 @@ class Case:
 CASES = {
     "pressures": Case(
         "pressures", PRESSURES, (),
-        Budget(error=0.005, paths=19, held_out=0, modes=36, steps=7, aims=PRESSED),
+        Budget(error=0.005, paths=19, held_out=0, modes=30, steps=7, aims=PRESSED),
     ),
     "forces": Case(
         "forces",
         PRESSURES | {"loads.tip.vector": (-FORCE, FORCE), "loads.gravity.falling": (-WEIGHT, WEIGHT)},
         (tg.loads.Force("tip", (0, 0, FORCE)), tg.Gravity()),
         Budget(
-            error=0.01, paths=24, held_out=0, modes=40, steps=7,
+            error=0.01, paths=24, held_out=0, modes=48, steps=7,
             aims=tuple((*pressures, *others) for pressures, others in zip(PRESSED[:8], SIGNS.tolist(), strict=True)),
         ),
     ),
@@ -146,8 +147,15 @@ def whole_path(answer: tg.real_time.ReducedState) -> Array:
 
 
 def held_out(folder: Path, case: str, seed: int) -> tuple[float, float, float]:
-    """True and estimated error of one random state, and the processor time of its full solve [s], perhaps before."""
-    file, answer = folder / f"{case}-{seed}.npz", Reduced.load(folder / f"{case}.reduced").at(random_inputs(case, seed))
+    """True and estimated error of one random state, and the processor time of its full solve [s], perhaps before.
+
+    Infinite where the reduced model refuses.
+    """
+    file, reduced = folder / f"{case}-{seed}.npz", Reduced.load(folder / f"{case}.reduced")
+    try:
+        answer = reduced.at(random_inputs(case, seed))
+    except NotSolved:
+        return np.inf, np.inf, np.inf
     if not file.exists():
         began = process_time()
         try:
@@ -160,12 +168,13 @@ def held_out(folder: Path, case: str, seed: int) -> tuple[float, float, float]:
     return true, answer.estimate, float(saved["seconds"])
 
 
-def times(reduced: Reduced, case: str) -> Array:
-    """Processor time [ms] of random states, with their displacements."""
+def times(reduced: Reduced, case: str, count: int = STATES) -> Array:
+    """Processor time [ms] of random states, with their displacements, and of refusals."""
     out = []
-    for seed in range(STATES):
+    for seed in range(count):
         inputs, start = random_inputs(case, 10**6 + seed), process_time()
-        _ = reduced.at(inputs).displacement
+        with suppress(NotSolved):
+            _ = reduced.at(inputs).displacement
         out.append(1e3 * (process_time() - start))
     return np.array(out)
 
@@ -196,7 +205,9 @@ def rows_of(folder: Path, case: Case) -> list[tuple[str, str, str]]:
     reduced, seconds = trained(folder, case)
     with ProcessPoolExecutor(2, get_context("spawn")) as pool:
         true, estimate, full = np.array(list(pool.map(partial(held_out, folder, case.name), range(HELD_OUT)))).T
-    reduced.at(random_inputs(case.name, 10**6))  # compiled loops are loaded
+    refused = np.isinf(true)
+    true, estimate, full = true[~refused], estimate[~refused], full[~refused]
+    times(reduced, case.name, 1)  # compiled loops are loaded
     ms, ratio = times(reduced, case.name), estimate / true
     modes, means = reduced.equations.sizes
     one, two = (bending(reduced, at) for at in ((PRESSURE, 0.0, 0.0), (PRESSURE, PRESSURE, 0.0)))
@@ -209,6 +220,7 @@ def rows_of(folder: Path, case: Case) -> list[tuple[str, str, str]]:
         ("sampled points", f"{reduced.counts['points']}", ""),
         (f"any node, largest of {len(true)} held-out states", f"{true.max():.2%} of the largest displacement", "1 %"),
         ("their median", f"{np.median(true):.2%}", ""),
+        ("refused besides", f"{refused.sum()}", "0"),
         ("estimate over true error within 0.3 to 3", f"{np.mean((ratio > 0.3) & (ratio < 3)):.0%}", "95 %"),
         (f"states a second, median of {STATES:,} random inputs", f"{1e3 / np.median(ms):.0f}", "100"),
         ("99th percentile of their time", f"{np.percentile(ms, 99):.1f} ms", ""),

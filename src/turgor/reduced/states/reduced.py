@@ -223,6 +223,13 @@ class Reduced(Saved, Shown):
         """Largest size of trained coordinates of the displacement."""
         return self._size
 
+    @cached_property
+    def yardsticks(self) -> tuple[float, float]:
+        """Largest displacement of a node, and travel of the tip, of all training states, scaled."""
+        q = self.trained[:, : self.modes.shape[1]].T
+        travel = float(np.linalg.norm(self.tip @ q, axis=0).max())
+        return float(np.abs(self.modes @ q).max()), travel
+
     def save(self, file: str | Path) -> Path:
         """Save it to a file, which holds numbers, text and arrays, no code; the ending ``.reduced`` is added."""
         path = Path(file)

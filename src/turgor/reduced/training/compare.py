@@ -103,19 +103,12 @@ def aim_of(box: Inputs, path: Path) -> Array:
     return box.on_path(values, 1.0)
 
 
-def _yardsticks(reduced: Reduced) -> tuple[float, float]:
-    """Largest displacement of a node, and travel of the tip, of all training states, scaled."""
-    q = reduced.trained[:, : reduced.modes.shape[1]].T
-    travel = float(np.linalg.norm(reduced.tip @ q, axis=0).max())
-    return float(np.abs(reduced.modes @ q).max()), travel
-
-
 def errors_of(answer: ReducedState, full: Array) -> tuple[float, float, float]:
     """Errors of an answer's displacement, tip and volume, for full scaled displacements (n, 3).
 
     Displacement and tip are shares of the largest ones in training; volume is the worst of all faces.
     """
-    reduced, (largest, travel) = answer.reduced, _yardsticks(answer.reduced)
+    reduced, (largest, travel) = answer.reduced, answer.reduced.yardsticks
     mesh, length = reduced.model.mesh, reduced.scales[0]
     error = float(np.abs(answer.displacement / length - full).max())
     tip = np.zeros(3)

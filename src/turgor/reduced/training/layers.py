@@ -7,12 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.faces.membrane_term import MembraneTerm
-from turgor.core.engine.fibers.fiber_term import FiberTerm
+from turgor.core.engine.fibers.fiber_kernels import Pieces
 from turgor.core.engine.system import System
 from turgor.reduced.parts.threads import Threads
 from turgor.reduced.parts.wrinkling import Wrinkling
 from turgor.reduced.settings import SAMPLING
 from turgor.reduced.training import forms, sampling
+from turgor.reduced.training.tensions import windings
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -34,13 +35,11 @@ class Layer:
 
 
 def layers_of(system: System, vectors: Array) -> tuple[Layer, ...]:
-    """Make the layers of a system for modes (3 n, r): a winding each, and a sheet that wrinkles each."""
+    """Make the layers of a system for modes (3 n, r): a winding that may go slack each, and a sheet that wrinkles."""
     every = forms.positions(system, vectors)
-    out = []
+    out = [_threads(pieces, every) for pieces in windings(system, slack=True)]
     for term in system.terms.all:
-        if isinstance(term, FiberTerm):
-            out.append(_threads(term, every))
-        elif isinstance(term, MembraneTerm) and term.field is not None:
+        if isinstance(term, MembraneTerm) and term.field is not None:
             moved = np.einsum("fqak,faiR->fqkiR", term.gradients, every[term.nodes], optimize=True)
             count = moved.shape[1]
             moved = moved.reshape(-1, 2, 3, every.shape[2])
@@ -49,9 +48,8 @@ def layers_of(system: System, vectors: Array) -> tuple[Layer, ...]:
     return tuple(out)
 
 
-def _threads(term: FiberTerm, every: Array) -> Layer:
+def _threads(p: Pieces, every: Array) -> Layer:
     """The pieces of a winding; ``every`` (n, 3, R) are positions at rest and displacements of the modes."""
-    p = term.pieces
     _, side = np.unique(p.sides, axis=0, return_inverse=True)
     order = np.argsort(side.ravel(), kind="stable")
     starts = np.append(np.flatnonzero(np.diff(side.ravel()[order], prepend=-1)), len(order))

@@ -1,7 +1,8 @@
 """Sampling: few cells whose weighted forces are those of all, by least squares without negative weights.
 
 Rows are multiplied by the inverse of the reduced tangent, so that what is left is an error of the coordinates. Without
-that, soft directions amplify what looks like a small error of forces.
+that, soft directions amplify what looks like a small error of forces. Many rows are combined at random to fewer, which
+preserves the sizes of all combinations of the columns nearly (Clarkson and Woodruff 2013, doi 10.1145/2488608.2488620).
 """
 
 from dataclasses import dataclass
@@ -9,6 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import qr_delete, solve_triangular
+from scipy.sparse import csr_array
+
+from turgor.reduced.settings import SAMPLING
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -40,6 +44,8 @@ def choose(A: Array, b: Array, tolerance: float, most: int, without: Ints | None
     -------
     Sample
     """
+    if len(b) > SAMPLING.rows:
+        A, b = combined(A, b, SAMPLING.rows)
     size, left = float(np.linalg.norm(b)), b.copy()
     norms = np.linalg.norm(A, axis=0)
     scale = np.where(norms > 1e-12 * norms.max(initial=1e-300), 1.0 / np.maximum(norms, 1e-300), 0.0)
@@ -64,6 +70,15 @@ def choose(A: Array, b: Array, tolerance: float, most: int, without: Ints | None
     order = np.argsort(passive)
     which = np.array(passive, dtype=np.int64)[order]
     return Sample(which, x[order], float(np.linalg.norm(left)) / size if size else 0.0)
+
+
+def combined(A: Array, b: Array, rows: int) -> tuple[Array, Array]:
+    """Add the rows of A and b up to fewer, as many to each, with random signs."""
+    random, count = np.random.default_rng(0), len(b)
+    place = random.permutation(np.arange(count) % rows)
+    signs = random.choice([-1.0, 1.0], count)
+    sums = csr_array((signs, (place, np.arange(count))), shape=(rows, count))
+    return np.asarray(sums @ A), np.asarray(sums @ b)
 
 
 def _appended(factors: tuple[Array, Array], column: Array) -> tuple[Array, Array] | None:

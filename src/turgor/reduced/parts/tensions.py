@@ -1,0 +1,102 @@
+"""Tensions: fibers that work in compression as in tension, by a few modes of their tension.
+
+The modes of the displacement miss a little of each state, and stiff fibers resist every such miss: the whole model
+would bend too little. So the second Piola–Kirchhoff tension S is a combination of modes, like the mean stress, and a
+fiber fulfills its law as far as these modes see it (Hellinger and Reissner's principle):
+
+    S = Σ σₖ θₖ,        ∫ θₖ (E(q) − E(S)) = 0,        E(q) = ½ (|t|² − 1),   E(S) = ½ (λ² − 1),   λ = 1 / (1 − S / k)
+
+The left term of the condition is quadratic in q, so it is exact; the tension N = k (λ − 1) and S = N / λ.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.foundation.store.codec import SEVEN_DIGITS
+from turgor.reduced.settings import TENSIONS
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tensions:
+    """Modes of the tension of fibers.
+
+    Parameters
+    ----------
+    forms : (m, R, R) array
+        ∫ θₖ E(q) is half of q̂ᵀ Fₖ q̂, with q̂ = (1, q).
+    modes : (m, k) array
+        θ at each piece.
+    weights : (k,) array
+        Reference length or area of each piece.
+    stiffness : (k,) array
+        Scaled.
+    """
+
+    forms: Array
+    modes: Array = field(metadata=SEVEN_DIGITS)
+    weights: Array = field(metadata=SEVEN_DIGITS)
+    stiffness: Array = field(metadata=SEVEN_DIGITS)
+
+    def at(self, q: Array) -> "TensionsAt | None":
+        """Evaluate at coordinates (r,); None where no tension fits."""
+        one = np.concatenate([[1.0], q])
+        rows = self.forms @ one
+        solved = self._solved(0.5 * rows @ one)
+        return None if solved is None else TensionsAt(self, rows[:, 1:], *solved)
+
+    def _solved(self, strains: Array) -> tuple[Array, Array, Array] | None:
+        """Coordinates σ (m,) of the tension for ∫ θₖ E (m,), stretches (k,), and the inverse of ∂strains/∂σ.
+
+        It is the smallest value of a convex function, which Newton's method finds while all stretches are finite.
+        """
+        shares = self.modes / self.stiffness
+        own, inverse = np.zeros(len(strains)), np.linalg.inv((shares * self.weights) @ self.modes.T).astype(np.float64)
+        left, change = strains, inverse @ strains
+        for _ in range(TENSIONS.iterations):
+            share = (own + change) @ shares
+            while share.max() >= TENSIONS.largest:
+                change = 0.5 * change
+                share = (own + change) @ shares
+            own, stretch = own + change, 1.0 / (1.0 - share)
+            left = strains - self.modes @ (self.weights * 0.5 * (stretch**2 - 1.0))
+            inverse = np.linalg.inv((shares * (self.weights * stretch**3)) @ self.modes.T).astype(np.float64)
+            change = inverse @ left
+            if np.abs(change).max() <= TENSIONS.tolerance * max(np.abs(own).max(), 1e-300):
+                return own, stretch, inverse
+            if not np.isfinite(change).all():
+                return None
+        return None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TensionsAt:
+    """Fibers at some coordinates: slopes (m, r) of the strains, σ (m,), stretches (k,), ∂σ/∂strains (m, m)."""
+
+    tensions: Tensions
+    slopes: Array
+    own: Array
+    stretch: Array
+    stiff: Array
+
+    def forces(self) -> Array:
+        """Forces (r,)."""
+        return np.asarray(self.own @ self.slopes)
+
+    def energy(self) -> float:
+        """½ k (λ − 1)² of every piece."""
+        t = self.tensions
+        return 0.5 * float((t.weights * t.stiffness) @ (self.stretch - 1) ** 2)
+
+    def tangent(self, geometric: Array | None) -> Array:
+        """Tangent (r, r), with σ (m,) in its geometric part where it is given."""
+        own = self.own if geometric is None else geometric
+        turning = np.tensordot(own, self.tensions.forms[:, 1:, 1:], 1)
+        return np.asarray(self.slopes.T @ self.stiff @ self.slopes + turning)
+
+    def linearized(self, update: Array) -> Array:
+        """σ (m,) linearized for an update (r,)."""
+        return np.asarray(self.own + self.stiff @ (self.slopes @ update))
