@@ -23,6 +23,12 @@ SHELL = tg.Shell(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e7, nu=0.3)), 1e
 WRINKLING = tg.Membrane(SHEET.material, SHEET.thickness, compression=0.0)
 OPEN = tg.Pressure("z1", 4e4)
 OGDEN = Ogden(mu=(8e4, 2e3, -1e4), alpha=(1.7, 5.0, -2.3))
+STATES = (
+    tg.loads.Shrinkage("body", 0.1),
+    tg.loads.PreStretch("body", 1.4, (1, 2, 0)),
+    tg.loads.PreStretch("body", 1.2, (0, 0, 1), "around", (0, -5e-3, 0)),
+    tg.loads.Stiffness("body", 0.3),
+)
 CASES = {
     "neo-Hookean, incompressible": (problems.NEO_HOOKE, np.inf, None, ()),
     "Mooney-Rivlin, compressible": (tg.laws.MooneyRivlin(C10=1e4, C01=9e4), 1e6, None, ()),
@@ -42,6 +48,8 @@ CASES = {
     "membrane": (problems.YEOH, np.inf, SHEET, ()),
     "membrane that wrinkles": (problems.YEOH, np.inf, WRINKLING, ()),
     "shell": (problems.YEOH, np.inf, SHELL, ()),
+    "states of a body": (problems.YEOH, np.inf, None, STATES),
+    "states of a body, in stretches": (OGDEN, 1e6, SHEET, STATES),
     "membrane and pressure": (problems.YEOH, 2e7, SHEET, (OPEN,)),
 }
 

@@ -1,6 +1,7 @@
 """Materials of the cells: derivatives of the energy at all points, stresses of laws in stretches, compressibility."""
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -101,8 +102,15 @@ class CellMaterials:
         for name, cells, material in regions:
             self._regions.append(_Region(name, cells, self.rows[cells], material))
         self._points = points
+        self._factors: Array | None = None
         self._remembering = [region for region in self._regions if region.remembers]
         self.rest = self.history()
+
+    def with_factors(self, factors: Array) -> "CellMaterials":
+        """The same materials with a factor (c,) on the isochoric stress of each cell."""
+        out = copy(self)
+        out._factors = factors
+        return out
 
     @property
     def remembers(self) -> bool:
@@ -142,6 +150,10 @@ class CellMaterials:
             known = history.regions[region.name].known
             if known is not None:
                 add_known_stress(F, region.rows, known, self._stress, stress, tangent)
+        if self._factors is not None:
+            out *= self._factors[:, None]
+            stress *= self._factors[self.gradient_cells, None, None]
+            tangent *= self._factors[self.gradient_cells, None, None]
         return Isochoric(out, stress, tangent)
 
     def _in_stretches(self, F: Array, history: History) -> tuple[Array, Array]:
@@ -173,7 +185,7 @@ class CellMaterials:
         for region in self._regions:
             W = self._law_energy(region, I1, I2, F)
             out[region.cells] = history.regions[region.name].recoverable(W) if region.remembers else W
-        return out
+        return out if self._factors is None else out * self._factors[:, None]
 
     def remembered(self, F: Array, history: History) -> Memory | None:
         """Memory of the state at the end of a step.
