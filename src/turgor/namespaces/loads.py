@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from turgor.core.model.loads import Force as Force
     from turgor.core.model.loads import Gravity as Gravity
     from turgor.core.model.loads import Hanging as Hanging
+    from turgor.core.model.loads import Hardening as Hardening
     from turgor.core.model.loads import LineForce as LineForce
     from turgor.core.model.loads import Load as Load
     from turgor.core.model.loads import Moment as Moment

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.cells import kernels_geometry
-from turgor.core.engine.cells.body_states import has_states, rest_of, stiffness_of
+from turgor.core.engine.cells.body_states import has_states, networks_of, rest_of, stiffness_of
 from turgor.core.engine.cells.cell_materials import CellMaterials
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.element import Element, element_of, tables_with
@@ -97,7 +97,13 @@ def cell_fields(
     if has_states(model):
         rest = rest_of(model, _places(model), load_factor)
         F, J = F @ rest.inverse, ratio / rest.volume
-        materials = materials.with_factors(stiffness_of(model, load_factor))
+        Jinv, _ = _geometry(model.mesh, len(r.weights))
+
+        def shaped(cells: NDArray[np.int64], u: Array) -> Array:
+            return kernels_geometry.deformation_gradients(element.shape, element.cells[cells], u, r.dN, Jinv[cells])
+
+        networks = networks_of(model, materials.rows, rest, load_factor, shaped)
+        materials = materials.with_states(stiffness_of(model, load_factor), networks)
     B = F @ F.swapaxes(-1, -2)
     I1 = _trace(B)
     I2 = 0.5 * (I1**2 - _squared(B))

@@ -176,7 +176,8 @@ def _first_line(kind: Any) -> str:
 
 
 def _stated(kind: Any) -> list[Field[Any]]:
-    return [item for item in fields(kind) if item.name != "history"]
+    """Fields that are keys; a shape is that of a state, which a job file does not know."""
+    return [item for item in fields(kind) if item.name not in ("history", "shape")]
 
 
 def _key(item: Field[Any]) -> str:

@@ -6,14 +6,21 @@ cells that are at rest in the stress-free configuration, which need not fit toge
 loads on a body state, so that their order does not matter.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.cells.networks import Network
+from turgor.core.materials.laws.laws import Law
 from turgor.core.model.model import Model
 
 Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: Gradients (c, q, 3, 3) of cells (c,) at a displacement of the nodes (n, 3) [m].
+Gradients = Callable[[Ints, Array], Array]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,3 +76,35 @@ def stiffness_of(model: Model, load_factor: float) -> Array:
         for load in model.states_of(body):
             factors[model.mesh.regions[body]] *= load.stiffness(load_factor)
     return factors
+
+
+def hardens(model: Model, body: str) -> bool:
+    """Whether a load adds a network to a body."""
+    return any(load.hardens for load in model.states_of(body))
+
+
+def networks_of(model: Model, rows: Ints, rest: Rest, load_factor: float, gradients: Gradients) -> tuple[Network, ...]:
+    """Return the networks at a load factor.
+
+    Parameters
+    ----------
+    model : Model
+    rows : (c,) int array
+        Row of each cell among those whose laws need gradients.
+    rest : Rest
+    load_factor : float
+    gradients : callable
+    """
+    out = []
+    for body, material in model.region_materials.items():
+        cells, law = model.mesh.regions[body], material.law
+        for load in model.states_of(body):
+            if not load.hardens or not load.network(load_factor) > 0:
+                continue
+            assert isinstance(law, Law)
+            reference = np.linalg.inv(rest.inverse[cells])
+            if load.shape is not None:
+                reference = reference @ np.linalg.inv(gradients(cells, load.shape))
+            factor = load.network(load_factor) / rest.volume[cells]
+            out.append(Network(cells, rows[cells], law, factor, reference))
+    return tuple(out)

@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells import spectral
+from turgor.core.engine.cells.body_states import hardens
 from turgor.core.engine.cells.internal_variables import History, Memory, RegionMemory, invariant_stress, joined_memory
 from turgor.core.engine.cells.known_stress import add_known_stress
+from turgor.core.engine.cells.networks import Network
 from turgor.core.materials.history.softening import INVARIANT_PAIRS
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
 from turgor.core.materials.laws.laws import InvariantLaw, Law, StretchLaw
@@ -90,10 +92,10 @@ class CellMaterials:
         self.compliance = np.empty(count)
         self.rows = np.full(count, -1, dtype=np.int64)
         in_stretches = np.zeros(count, dtype=bool)
-        for _, cells, material in regions:
+        for name, cells, material in regions:
             self.compliance[cells] = 0.0 if material.incompressible else stress / material.bulk_modulus
             in_stretches[cells] = isinstance(material.law, StretchLaw)
-            if isinstance(material.law, StretchLaw) or material.viscoelasticity is not None:
+            if isinstance(material.law, StretchLaw) or material.viscoelasticity is not None or hardens(model, name):
                 self.rows[cells] = 0
         self.gradient_cells = np.flatnonzero(self.rows == 0)
         self.rows[self.gradient_cells] = np.arange(len(self.gradient_cells))
@@ -103,13 +105,14 @@ class CellMaterials:
             self._regions.append(_Region(name, cells, self.rows[cells], material))
         self._points = points
         self._factors: Array | None = None
+        self._networks: tuple[Network, ...] = ()
         self._remembering = [region for region in self._regions if region.remembers]
         self.rest = self.history()
 
-    def with_factors(self, factors: Array) -> "CellMaterials":
-        """The same materials with a factor (c,) on the isochoric stress of each cell."""
+    def with_states(self, factors: Array, networks: tuple[Network, ...]) -> "CellMaterials":
+        """The same materials with a factor (c,) on the isochoric stress of each cell, and with networks besides."""
         out = copy(self)
-        out._factors = factors
+        out._factors, out._networks = factors, networks
         return out
 
     @property
@@ -154,6 +157,8 @@ class CellMaterials:
             out *= self._factors[:, None]
             stress *= self._factors[self.gradient_cells, None, None]
             tangent *= self._factors[self.gradient_cells, None, None]
+        for network in self._networks:
+            network.add_response(F, stress, tangent, self._stress)
         return Isochoric(out, stress, tangent)
 
     def _in_stretches(self, F: Array, history: History) -> tuple[Array, Array]:
@@ -185,7 +190,11 @@ class CellMaterials:
         for region in self._regions:
             W = self._law_energy(region, I1, I2, F)
             out[region.cells] = history.regions[region.name].recoverable(W) if region.remembers else W
-        return out if self._factors is None else out * self._factors[:, None]
+        if self._factors is not None:
+            out *= self._factors[:, None]
+        for network in self._networks:
+            out[network.cells] += network.energy(F)
+        return out
 
     def remembered(self, F: Array, history: History) -> Memory | None:
         """Memory of the state at the end of a step.

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, cell_places, scatter_add
 from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent
-from turgor.core.engine.cells.body_states import has_states, rest_of, stiffness_of
+from turgor.core.engine.cells.body_states import has_states, networks_of, rest_of, stiffness_of
 from turgor.core.engine.cells.cell_materials import CellMaterials, Isochoric
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.cells.internal_variables import History
@@ -91,11 +91,20 @@ class CellTerms:
         out.Jinv, out.dV, out._unit = self.Jinv @ rest.inverse, self.dV * rest.volume, 0.0
         out._states = False
         out._gradient_Jinv = self._of_gradient_cells(out.Jinv)
-        out.materials = self.materials.with_factors(factors)
+        networks = networks_of(self._model, self.materials.rows, rest, load_factor, self._shape_gradients)
+        out.materials = self.materials.with_states(factors.copy(), networks)
+        for network in networks:
+            factors[network.cells] += network.factor.mean(axis=1)
         out.penalty = volume_penalty(self._model, r, self.dV, self.materials.compliance, stress, factors)
         changed = {"Jinv": out.Jinv, "dV": out.dV, "penalty": out.penalty, "unit": 0.0}
         out._loops, out._regular = self._loops._replace(**changed), self._regular._replace(**changed)
         return out
+
+    def _shape_gradients(self, cells: Integers, displacement: Array) -> Array:
+        e, scaled = self.element, displacement / self._scales[0]
+        return np.asarray(
+            kernels_geometry.deformation_gradients(e.shape, self.cells[cells], scaled, e.tables.dN, self.Jinv[cells])
+        )
 
     def _moved(self, u: Array) -> Array:
         """What the loops take: displacements (n, 3), or positions where cells have a rest of their own."""

@@ -145,6 +145,14 @@ class Load:
     #: Whether the load is spread over the faces that it names, so that the mean stress may jump there.
     spread: ClassVar[bool] = True
 
+    #: Displacement at which a network that it adds has no stress; None is the shape of the mesh.
+    shape: Array | None = None
+
+    @property
+    def hardens(self) -> bool:
+        """Whether it adds a network to its body."""
+        return False
+
     @property
     def kind(self) -> str:
         """Name of the class in words, such as ``"point force"``."""
@@ -224,6 +232,14 @@ class Load:
     def stiffness(self, load_factor: float) -> float:
         """Return the factor on the shear stiffness of its body, which is larger than 0."""
         return 1.0
+
+    def network(self, load_factor: float) -> float:
+        """Return the stiffness over that of the law of a network that it adds to its body."""
+        return 0.0
+
+    def begun(self, displacement: Array) -> "Load":
+        """Return the load of a stage that begins at a displacement (n, 3) [m]; most do not depend on it."""
+        return self
 
     def dead_forces(self, nodal: NodalForces) -> Array | None:
         """Return nodal forces (n, 3) at a share of one that do not change with the deformation; None without any."""
