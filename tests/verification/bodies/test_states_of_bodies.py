@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
+from turgor.loads import Hardening, PreStretch, Shrinkage, Stiffness, Swelling, Temperature
 
 import meshes
 import problems
 import turgor as tg
 from turgor.core.meshing.cells import HEXAHEDRON
-from turgor.loads import Hardening, PreStretch, Shrinkage, Stiffness, Swelling, Temperature
 
 C10 = problems.NEO_HOOKE.C10
 RUBBER = problems.rubber(problems.NEO_HOOKE)

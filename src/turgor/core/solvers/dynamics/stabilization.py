@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.additions import Linear
 from turgor.core.engine.cells.internal_variables import History
-from turgor.core.engine.energy import contact_energy, softening_loss, stored_energy
+from turgor.core.engine.energy import contact_energy, softening_loss, stored_energy, work_of_states
 from turgor.core.engine.mass import mass_data
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.model.drive import kinks
@@ -255,7 +255,10 @@ def _energies(run: _Run, at: Evaluation, viscous: Array) -> Energies:
         strain=stored_energy(system, at.unknowns, at.load_factor, at.history) + contact_energy(system, at),
         dissipated=before.dissipated + 0.5 * unit * float((run.viscous + viscous) @ moved) + lasting,
         lasting=before.lasting + lasting,
-        work=before.work + pushed + unit * float((0.5 * (run.at.external + at.external) + support) @ moved),
+        work=before.work
+        + pushed
+        + work_of_states(system, run.at, at)
+        + unit * float((0.5 * (run.at.external + at.external) + support) @ moved),
     )
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.additions import Addition, Linear, Together
 from turgor.core.engine.cells.internal_variables import Memory
 from turgor.core.engine.damping import StrainRateDamping
-from turgor.core.engine.energy import contact_energy, stored_energy
+from turgor.core.engine.energy import contact_energy, stored_energy, work_of_states
 from turgor.core.engine.mass import mass_data
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.model.drive import kinks
@@ -277,7 +277,7 @@ def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[
         kinetic=0.5 * unit * float(motion.velocity @ system.layout.base.product(run.mass, motion.velocity)),
         strain=strain,
         dissipated=before.dissipated + taken,
-        work=before.work + unit * work + by_contacts,
+        work=before.work + unit * work + by_contacts + work_of_states(system, run.at, at),
     )
 
 
