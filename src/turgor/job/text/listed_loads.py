@@ -221,11 +221,15 @@ def _written(load: Any) -> dict[str, Any]:
     for item in _stated(type(load)):
         value = getattr(load, item.name)
         if value != item.default or item.default is MISSING:
-            values[_key(item)] = _shown(value, item.metadata.get("dimension", ""))
+            values[_key(item)] = _shown(value, item.metadata.get("dimension", ""), item.metadata.get("points", False))
     return values | history_values(load.history)
 
 
-def _shown(value: Any, dimension: str) -> Any:
+def _shown(value: Any, dimension: str, points: bool = False) -> Any:
+    if isinstance(value, str):
+        return value
+    if points:
+        return [[_shown(first, dimension), second] for first, second in value]
     if isinstance(value, tuple):
         return [_shown(part, dimension) for part in value]
     unit = _UNITS.get(dimension) or next(iter(UNITS.get(dimension, ())), None)
