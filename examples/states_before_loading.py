@@ -72,12 +72,12 @@ def frozen(part=TwoLayers()):
     mesh = tg.mesh(part.build(), size=2 * mm)
     model = tg.Model(mesh, {"lower": POLYMER, "upper": RUBBER}, "fixed", [])
     stages = tg.Stages(
-        [
-            tg.Stage("melt", loads=[tg.loads.Stiffness("lower", 1e-4)]),
-            tg.Stage("bend", loads=[tg.loads.Force("tip", (0, 0, -0.3 * mN))]),
-            tg.Stage("freeze", loads=[tg.loads.Hardening("lower", 1.0)]),
-            tg.Stage("release", loads=[tg.loads.Force("tip", (0, 0, 0))]),
-        ]
+        (
+            tg.Stage("melt", loads=(tg.loads.Stiffness("lower", 1e-4),)),
+            tg.Stage("bend", loads=(tg.loads.Force("tip", (0, 0, -0.3 * mN)),)),
+            tg.Stage("freeze", loads=(tg.loads.Hardening("lower", 1.0),)),
+            tg.Stage("release", loads=(tg.loads.Force("tip", (0, 0, 0)),)),
+        )
     )
     response = angle(model, stages)
     ends = {name: k for k, name in enumerate(response.stages)}

@@ -106,5 +106,5 @@ def networks_of(model: Model, rows: Ints, rest: Rest, load_factor: float, gradie
             if load.shape is not None:
                 reference = reference @ np.linalg.inv(gradients(cells, load.shape))
             factor = load.network(load_factor) / rest.volume[cells]
-            out.append(Network(cells, rows[cells], law, factor, reference))
+            out.append(Network(cells, rows[cells], law, factor, np.asarray(reference, dtype=np.float64)))
     return tuple(out)
