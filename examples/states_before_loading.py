@@ -48,9 +48,9 @@ class TwoLayers:
         )
 
 
-def angle(model, procedure=None):
+def angle(solution):
     """Bending angle along the path, positive downwards [rad]."""
-    return tg.measure(tg.solve(model, procedure), "bending_angle", mesh_error=False)
+    return tg.measure(solution, "bending_angle", mesh_error=False)
 
 
 # %% The upper layer shrinks by 0.5 %, or was stretched by 0.5 %
@@ -59,7 +59,7 @@ def angle(model, procedure=None):
 def bent_by(load, part=TwoLayers()):
     """Angle of the strip and that of Timoshenko, κ L with κ = 3 ε / (2 h) for equal layers of together h [rad]."""
     mesh = tg.mesh(part.build(), size=2 * mm)
-    response = angle(tg.Model(mesh, RUBBER, "fixed", [load]))
+    response = angle(tg.solve(tg.Model(mesh, RUBBER, "fixed", [load])))
     exact = -1.5 * 0.005 / (2 * part.layer) * part.length
     return float(response.column("bending_angle")[-1]), exact
 
@@ -68,7 +68,7 @@ def bent_by(load, part=TwoLayers()):
 
 
 def frozen(part=TwoLayers()):
-    """Angles after the strip is bent, after its core has frozen, and after the force is gone [rad]."""
+    """Path of a strip whose core melts, is bent, freezes, and is released."""
     mesh = tg.mesh(part.build(), size=2 * mm)
     model = tg.Model(mesh, {"lower": POLYMER, "upper": RUBBER}, "fixed", [])
     stages = tg.Stages(
@@ -79,14 +79,19 @@ def frozen(part=TwoLayers()):
             tg.Stage("release", loads=(tg.loads.Force("tip", (0, 0, 0)),)),
         )
     )
-    response = angle(model, stages)
-    ends = {name: k for k, name in enumerate(response.stages)}
-    return {name: float(response.column("bending_angle")[k]) for name, k in ends.items()}
+    return tg.solve(model, stages)
+
+
+def at_the_ends(solution):
+    """Angle at the end of each stage [rad]."""
+    response = angle(solution)
+    ends = {name: number for number, name in enumerate(response.stages)}
+    return {name: float(response.column("bending_angle")[number]) for name, number in ends.items()}
 
 
 if __name__ == "__main__":
     for load in (tg.loads.Shrinkage("upper", 0.005), tg.loads.PreStretch("upper", 1.005)):
         got, exact = bent_by(load)
         print(f"{load.kind}: {got / deg:.2f} deg, Timoshenko {exact / deg:.2f} deg")
-    for name, value in frozen().items():
+    for name, value in at_the_ends(frozen()).items():
         print(f"after '{name}': {value / deg:.1f} deg")

@@ -19,7 +19,7 @@ def test_layers_bend_like_a_bimetal(load):
 
 
 def test_a_frozen_core_keeps_its_bend():
-    angles = {name: value / deg for name, value in EXAMPLE["frozen"]().items()}
+    angles = {name: value / deg for name, value in EXAMPLE["at_the_ends"](EXAMPLE["frozen"]()).items()}
     assert list(angles) == ["melt", "bend", "freeze", "release"]
     assert angles["melt"] == pytest.approx(0, abs=1e-6)
     assert angles["bend"] == pytest.approx(35.2, rel=0.03)
