@@ -13,6 +13,7 @@ from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, points_of
+from turgor.core.model.inp.growth import expansion_lines, initial_lines
 from turgor.core.model.inp.materials import material_lines
 from turgor.core.model.inp.reference_points import InpDeck, fixed_lines, inp_points, point_lines
 from turgor.core.model.loads.load import DeckRows, Load
@@ -83,6 +84,7 @@ def write_inp(
         *_material_lines(model, program),
         *point_lines(model, points, plain),
         *_support_lines(model, deck),
+        *initial_lines(model),
         *_amplitude_lines(acting),
         *_step_lines(model, at, program, acting),
     ]
@@ -235,6 +237,7 @@ def _material_lines(model: Model, program: str) -> list[str]:
     lines = []
     for name, material in model.region_materials.items():
         lines += [f"** {_plain(material.name)}", *material_lines(_plain(name), material, program)]
+        lines += expansion_lines(model, name)
         lines.append(f"*SOLID SECTION, ELSET={_plain(name)}, MATERIAL={_plain(name)}")
     for name, membrane in model.membranes.items():
         label = f"membrane_{_plain(name)}"
@@ -252,7 +255,8 @@ def _support_lines(model: Model, deck: InpDeck) -> list[str]:
 def _acting(model: Model, deck: InpDeck) -> list[DeckRows]:
     """Displacements and loads of the model, in the order of the numbers of the amplitudes."""
     acting: list[Load | Support] = [*model.loads, *(each for each in model.supports if each.place in deck.points)]
-    return [rows for each in acting for rows in each.deck_rows(deck) if rows.rows]
+    every = [rows for each in acting for rows in each.deck_rows(deck) if rows.rows]
+    return list(dict.fromkeys(every))  # the states of all bodies are one temperature
 
 
 def _amplitude_lines(acting: Sequence[DeckRows]) -> list[str]:

@@ -99,6 +99,18 @@ def test_states_have_no_form_in_inp_files(tmp_path):
         tg.files.write_inp(model(Hardening("body", 1.0)), tmp_path / "model.inp", program="abaqus")
 
 
+def test_states_that_grow_are_one_temperature_of_an_inp_file(tmp_path):
+    file = tmp_path / "model.inp"
+    tg.files.write_inp(model(Shrinkage("body", 0.01), Swelling("base", 1.331)), file, program="abaqus")
+    lines = file.read_text().splitlines()
+    values = [lines[k + 1] for k, line in enumerate(lines) if line == "*EXPANSION, ZERO=0."]
+    assert sorted(map(float, values)) == pytest.approx([-0.01, 0.1])
+    assert sum(line.startswith("*TEMPERATURE") for line in lines) == 1
+    early = Swelling("base", 1.2, history=[(0, 0), (0.2, 1), (1, 1)])
+    with pytest.raises(TurgorError, match=r"Shrinkage\(body\) and Swelling\(base\) have different histories"):
+        tg.files.write_inp(model(Shrinkage("body", 0.01), early), file, program="abaqus")
+
+
 def test_reduced_models_refuse_states():
     with pytest.raises(TurgorError, match=r"reduced models have no states of bodies, and Shrinkage\(body\) is one"):
         tg.reduce(model(Shrinkage("body", 0.01), Pressure("cavity", 1e3)), {"loads.pressure": (0, 1e3)})

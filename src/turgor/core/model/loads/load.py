@@ -229,6 +229,11 @@ class Load:
         """
         return None
 
+    @property
+    def growth(self) -> float | None:
+        """Linear strain of its free body at a share of one, alike in all directions; None of any other load."""
+        return None
+
     def stiffness(self, load_factor: float) -> float:
         """Return the factor on the shear stiffness of its body, which is larger than 0."""
         return 1.0
@@ -276,17 +281,13 @@ class Load:
         TurgorError
             If it has no form there.
         """
+        if self.growth is not None:
+            return (DeckRows("*TEMPERATURE", self.history, ("Nall, 1.",)),)
         raise TurgorError(f"a load of kind {type(self).__name__} has no form in .inp files; leave it out.")
 
 
 def no_body(kind: str, body: str, bodies: Iterable[str], faces: Iterable[str]) -> TurgorError:
-    """Return the error of a body that is not there, or is a face with a sheet.
-
-    Examples
-    --------
-    >>> print(no_body("shrinkage", "rim", ["body"], ["rim"]))
-    shrinkage of 'rim': 'rim' is a face, and sheets have no such state; give a body: body.
-    """
+    """Return the error of a body that is not there, or is a face with a sheet."""
     if body in faces:
         return TurgorError(
             f"{kind} of '{body}': '{body}' is a face, and sheets have no such state; give a body: {', '.join(bodies)}."

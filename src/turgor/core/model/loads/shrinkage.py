@@ -59,6 +59,11 @@ class Shrinkage(Load):
         size = f"{abs(self.linear) * 100:g} % in length"
         return f"Body {self.body} {way} by {size} where it is free{shares_text(self.history)}."
 
+    @property
+    def growth(self) -> float:
+        """Minus the shrinkage."""
+        return -self.linear
+
     def log_stretch(self, points: Array, load_factor: float) -> Array:
         """Return the same in all directions."""
         return np.asarray(self.share(load_factor) * log1p(-self.linear) * np.eye(3))

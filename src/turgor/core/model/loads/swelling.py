@@ -61,6 +61,11 @@ class Swelling(Load):
             f"{shares_text(self.history)}."
         )
 
+    @property
+    def growth(self) -> float:
+        """From the ratio of volumes."""
+        return float(self.volume_ratio ** (1 / 3) - 1)
+
     def log_stretch(self, points: Array, load_factor: float) -> Array:
         """Return the same in all directions."""
         return np.asarray(self.share(load_factor) * log(self.volume_ratio) / 3 * np.eye(3))

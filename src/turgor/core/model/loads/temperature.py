@@ -111,6 +111,11 @@ class Temperature(Load):
         sentence = f"{head} and {last}" if head else last
         return f"Body {self.body} {sentence}{shares_text(self.history)}."
 
+    @property
+    def growth(self) -> float | None:
+        """The expansion; None where the stiffness changes, too."""
+        return self.expansion * (self.temperature - self.rest) if self.modulus == "constant" else None
+
     def log_stretch(self, points: Array, load_factor: float) -> Array:
         """Return the same in all directions."""
         return np.asarray(log1p(self.expansion * (self.at(load_factor) - self.rest)) * np.eye(3))
