@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.cells import kernels_geometry
-from turgor.core.engine.cells.body_states import has_states, networks_of, rest_of, stiffness_of
 from turgor.core.engine.cells.cell_materials import CellMaterials
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.element import Element, element_of, tables_with
 from turgor.core.engine.cells.internal_variables import Memory
 from turgor.core.engine.cells.reference import reference_nodes, smooth_basis, tables_at
 from turgor.core.engine.cells.stabilization import penalty_energy
+from turgor.core.engine.cells.states.body_states import has_states, networks_of, rest_of, stiffness_of
 from turgor.core.engine.points.motion import PointMotion, carrier_displacement
 from turgor.core.engine.points.point_unknowns import carriers_of, with_carrier_points
 from turgor.core.engine.term import Setting

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.additions import Addition
 from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.algebra.pattern import Pattern, build_pattern
-from turgor.core.engine.cells.body_states import has_states
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.internal_variables import History, Memory, friction_of, joined_memory
+from turgor.core.engine.cells.states.body_states import has_states
 from turgor.core.engine.contact.couplings import Layout
 from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.contact.surface import whole_surface

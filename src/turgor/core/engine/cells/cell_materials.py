@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells import spectral
-from turgor.core.engine.cells.body_states import hardens
 from turgor.core.engine.cells.internal_variables import History, Memory, RegionMemory, invariant_stress, joined_memory
 from turgor.core.engine.cells.known_stress import add_known_stress
-from turgor.core.engine.cells.networks import Network
+from turgor.core.engine.cells.states.body_states import hardens
+from turgor.core.engine.cells.states.networks import Network
 from turgor.core.materials.history.softening import INVARIANT_PAIRS
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
 from turgor.core.materials.laws.laws import InvariantLaw, Law, StretchLaw

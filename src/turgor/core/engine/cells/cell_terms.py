@@ -7,11 +7,11 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, cell_places, scatter_add
 from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent
-from turgor.core.engine.cells.body_states import has_states, networks_of, rest_of, stiffness_of
 from turgor.core.engine.cells.cell_materials import CellMaterials, Isochoric
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.cells.internal_variables import History
 from turgor.core.engine.cells.stabilization import REGULARIZATION, SERENDIPITY_REGULARIZATION, volume_penalty
+from turgor.core.engine.cells.states.body_states import has_states, networks_of, rest_of, stiffness_of
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 

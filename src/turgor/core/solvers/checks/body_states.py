@@ -20,9 +20,9 @@ def states_while_loading(model: Model) -> tuple[Finding, ...]:
     """
     states = [load for load in model.loads if load.of_bodies and _rises(load)]
     loads = [load for load in model.loads if not load.of_bodies and _rises(load)]
-    found = [_together(states[0], loads[0])] if states and loads else []
+    together = [_together(states[0], loads[0])] if states and loads else []
     loose = [load for load in model.loads if load.hardens and load.shape is None]
-    return (*found, *(_without_stage(load) for load in loose))
+    return (*together, *(_without_stage(load) for load in loose))
 
 
 def _rises(load: Load) -> bool:

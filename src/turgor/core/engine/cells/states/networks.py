@@ -1,9 +1,8 @@
-"""Networks that harden in a deformed shape: a second law at the points of a body, with a reference of its own.
+"""Networks: a second law at the points of a body, which hardens in a deformed shape and has a reference of its own.
 
 A network has the gradient F_r = Fₑ G with G = F_g F_s⁻¹, F_s being the gradient of the shape in which it has no stress.
 Its isochoric energy per volume of the cells at rest is f W(F_r). From S_r and 4 ∂²W/∂C_r² follow S = G S_r Gᵀ and the
-moduli with G on each of their four indices. The network resists a change of shape only; the volume is that of the
-cells.
+moduli with G on each of their four indices. It resists a change of shape only; the volume is that of the cells.
 """
 
 from dataclasses import dataclass

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.cells.networks import Network
+from turgor.core.engine.cells.states.networks import Network
 from turgor.core.materials.laws.laws import Law
 from turgor.core.model.model import Model
 
