@@ -112,7 +112,9 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
             }
         ),
         "frequency": MappingProxyType({"Hz": 1.0, "kHz": 1e3}),
-        "temperature": MappingProxyType({"K": 1.0}),
+        "temperature": MappingProxyType({"K": 1.0, "°C": 1.0, "degC": 1.0}),
+        "share": MappingProxyType({"1": 1.0, "%": 0.01}),
+        "expansion": MappingProxyType({"1/K": 1.0, "1/°C": 1.0, "ppm/K": 1e-6}),
         "heat conductance": MappingProxyType({"W/K": 1.0, "mW/K": 1e-3}),
     }
 )
@@ -141,10 +143,15 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "contact stiffness": "10 MPa/mm",
         "conductance": "0.5 dm³/(s bar)",
         "frequency": "20 Hz",
-        "temperature": "293.15 K",
+        "temperature": "20 °C",
+        "share": "0.3 %",
+        "expansion": "3e-4 1/K",
         "heat conductance": "5 mW/K",
     }
 )
+
+#: Value in kelvin of the zero of a unit.
+_ZERO: Mapping[str, float] = MappingProxyType({"°C": 273.15, "degC": 273.15})
 
 #: Signs that look alike or are typed for convenience, and the one that is understood.
 _SAME_SIGN = str.maketrans({"\N{GREEK SMALL LETTER MU}": "µ", "\N{MINUS SIGN}": "-", "\N{NO-BREAK SPACE}": " "})
@@ -257,6 +264,8 @@ def parse_quantity(text: object, dimension: str) -> float:
     --------
     >>> parse_quantity("60 kPa", "pressure")
     60000.0
+    >>> parse_quantity("20 °C", "temperature")
+    293.15
     >>> parse_quantity("60 kP", "pressure")
     Traceback (most recent call last):
     turgor.TurgorError: unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, ...
@@ -276,7 +285,7 @@ def parse_quantity(text: object, dimension: str) -> float:
         raise TurgorError(f"'{text}' needs a unit, {_example(dimension)}. {_known(dimension)}")
     if unit not in units:
         raise _wrong_unit(text, unit, dimension)
-    value = number * units[unit]
+    value = number * units[unit] + _ZERO.get(unit, 0.0)
     if not isfinite(value):
         raise TurgorError(f"'{text}' is too large; a finite {dimension} is needed.")
     return value

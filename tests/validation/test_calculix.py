@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from calculix import displacements, needs_calculix, run_ccx
-from turgor.loads import Force, Hanging, Moment
+from turgor.loads import Force, Hanging, Moment, Shrinkage, Temperature
 from turgor.supports import Hinge, ReferencePoint, Rotation, Shift
 
 import turgor as tg
@@ -133,3 +133,13 @@ def test_a_plate_on_a_finger_agrees(tmp_path, supports, loads):
     assert np.abs(ours).max() > 0.1 * mm
     error = np.nanmax(np.abs(theirs - ours)) / np.abs(ours).max()
     assert error < 1e-3
+
+
+@needs_calculix
+def test_a_body_that_shrinks_on_another_one(tmp_path):
+    plain = question(tg.mesh(finger(1).build(), size=4 * mm), 2 * kPa)
+    model = replace(plain, loads=(*plain.loads, Shrinkage("body", 0.01), Temperature("base", "60 °C", expansion=3e-4)))
+    ((ours, theirs),) = compare(model, tmp_path)
+    without = tg.solve(plain).states[-1].displacement[np.unique(plain.mesh.faces["tip"])].mean(axis=0)
+    assert np.linalg.norm(ours - without) > 0.3 * np.linalg.norm(ours)
+    assert np.linalg.norm(ours - theirs) < 3e-3 * np.linalg.norm(ours)

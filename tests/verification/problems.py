@@ -88,12 +88,13 @@ def mean_radius(state: tg.solutions.State, face: str, axes: Sequence[int]) -> fl
 
 def fields(state: tg.solutions.State) -> CellFields:
     """Stresses and stretches of a state at the quadrature points."""
-    return cell_fields(state.model, state.displacement, state.mean_stress, state.memory)
+    return cell_fields(state.model, state.displacement, state.mean_stress, state.memory, state.load_factor)
 
 
 def energy(state: tg.solutions.State) -> float:
     """Stored energy of the modeled part [J]."""
-    return strain_energy(state.model, state.displacement, state.mean_stress, state.memory, state.points)
+    fields = (state.displacement, state.mean_stress, state.memory, state.points)
+    return strain_energy(state.model, *fields, state.load_factor)
 
 
 def at_quadrature_points(state: tg.solutions.State, nodal: np.ndarray) -> np.ndarray:

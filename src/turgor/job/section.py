@@ -56,6 +56,11 @@ def solve_section(job: Job, section: Section, rows: int) -> SectionSolution:
     """
     if not 1 <= rows <= MOST_ROWS:
         raise TurgorError(f"rows is {rows}; allowed is 1 to {MOST_ROWS}.")
+    for load in job.loads:
+        if load.of_bodies:
+            raise TurgorError(
+                f"loads: a section has no states of bodies, and {load.label} is one; solve the whole part."
+            )
     full = {load.face: load.pressure for load in pressures_among(job.loads)}
     acting = {name: value for name, value in full.items() if name in section.cavities}
     if not acting:

@@ -10,11 +10,17 @@ if TYPE_CHECKING:
     from turgor.core.model.loads import Force as Force
     from turgor.core.model.loads import Gravity as Gravity
     from turgor.core.model.loads import Hanging as Hanging
+    from turgor.core.model.loads import Hardening as Hardening
     from turgor.core.model.loads import LineForce as LineForce
     from turgor.core.model.loads import Load as Load
     from turgor.core.model.loads import Moment as Moment
     from turgor.core.model.loads import PointForce as PointForce
     from turgor.core.model.loads import Pressure as Pressure
+    from turgor.core.model.loads import PreStretch as PreStretch
+    from turgor.core.model.loads import Shrinkage as Shrinkage
+    from turgor.core.model.loads import Stiffness as Stiffness
+    from turgor.core.model.loads import Swelling as Swelling
+    from turgor.core.model.loads import Temperature as Temperature
     from turgor.core.model.loads import Traction as Traction
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

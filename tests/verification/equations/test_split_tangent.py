@@ -66,7 +66,7 @@ def saddle(system, unknowns):
     mean = np.einsum("qm,cm->cq", r.M, p[e.mean])
     lost = J - 1 - mean * system.materials.compliance[:, None]
     scale = system.stress_scale * system.length**3
-    return stored_energy(system, unknowns) / scale + float((system.dV * mean * lost).sum())
+    return stored_energy(system, unknowns, 0.0) / scale + float((system.dV * mean * lost).sum())
 
 
 @pytest.mark.parametrize("bulk", BULK)

@@ -42,6 +42,13 @@ PRINT = tg.Material(
     bulk_modulus=1e6,
 )
 FOAM = Hyperfoam(mu=(3e4, -1e4), alpha=(6.0, -3.0), nu=(0.0, 0.2))
+STATES = (
+    tg.loads.Shrinkage("body", 0.1),
+    tg.loads.PreStretch("body", 1.4, (1, 2, 0)),
+    tg.loads.PreStretch("body", 1.2, (0, 0, 1), "around", (0, -5e-3, 0)),
+    tg.loads.Stiffness("body", 0.3),
+)
+NETWORK = (*STATES[:2], tg.loads.Hardening("body", 1.5))
 CASES = {
     "neo-Hookean, incompressible": (problems.NEO_HOOKE, np.inf, None, ()),
     "Mooney-Rivlin, compressible": (tg.laws.MooneyRivlin(C10=1e4, C01=9e4), 1e6, None, ()),
@@ -66,6 +73,10 @@ CASES = {
     "membrane": (problems.YEOH, np.inf, SHEET, ()),
     "membrane that wrinkles": (problems.YEOH, np.inf, WRINKLING, ()),
     "shell": (problems.YEOH, np.inf, SHELL, ()),
+    "states of a body": (problems.YEOH, np.inf, None, STATES),
+    "states of a body, in stretches": (OGDEN, 1e6, SHEET, STATES),
+    "network with a shape of its own": (problems.YEOH, np.inf, None, NETWORK),
+    "network with a shape of its own, in stretches": (OGDEN, 1e6, None, NETWORK),
     "membrane and pressure": (problems.YEOH, 2e7, SHEET, (OPEN,)),
 }
 
@@ -75,7 +86,9 @@ def _system(name):
     mesh = meshes.box((0.02, 0.01, 0.01), (2, 1, 1), lambda X: X + 3 * X[:, [1, 2, 0]] ** 2)
     material = law if isinstance(law, tg.Material) else problems.rubber(law, kappa)
     materials = {"body": material} | ({"y1": sheet} if sheet else {})
-    return System(tg.Model(mesh, materials, [tg.Fixed("x0")], list(loads)))
+    X = mesh.points
+    loads = [each.begun(0.3 * X[:, [1, 2, 0]] + 10 * X * X) if each.hardens else each for each in loads]
+    return System(tg.Model(mesh, materials, [tg.Fixed("x0")], loads))
 
 
 def _deformed(system, seed):

@@ -39,7 +39,7 @@ def squared_errors(state: State) -> Array:
         cell, by how much the stress bends along each.
     """
     model, mesh = state.model, state.model.mesh
-    fields = cell_fields(model, state.displacement, state.mean_stress, state.memory)
+    fields = cell_fields(model, state.displacement, state.mean_stress, state.memory, state.load_factor)
     stress = fields.cauchy.reshape(*fields.cauchy.shape[:2], 9)
     nodes, corners = mesh.cell_type.nodes, mesh.cell_type.corners
     r = tables_with(nodes, stress.shape[1])

@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.internal_variables import History
 from turgor.core.engine.cells.stabilization import penalty_energy
 from turgor.core.engine.evaluation import Evaluation
@@ -12,25 +11,47 @@ from turgor.core.engine.system import System
 Array = NDArray[np.float64]
 
 
-def stored_energy(system: System, unknowns: Array, history: History | None = None) -> float:
+def stored_energy(system: System, unknowns: Array, load_factor: float, history: History | None = None) -> float:
     """Strain energy of cells, membranes and fibers of the modeled part [J].
 
     The same as `turgor.core.engine.fields.strain_energy`, without building the geometry again. ``history`` is that
     of the step, where the rubber relaxes or softens.
     """
-    e, r, rubber = system.element, system.element.tables, system.materials
+    cells, penalty, _ = _cell_energies(system, unknowns, load_factor, history)
+    terms = system.terms.energy(system.points + system.split(unknowns)[0])
+    return (cells + penalty + terms) * system.stress_scale * system.length**3
+
+
+def work_of_states(system: System, before: Evaluation, after: Evaluation) -> float:
+    """Energy that states of bodies bring into the modeled part in a step [J]: by the trapezoidal rule, nothing moving.
+
+    A body that shrinks between walls takes up energy without any motion of a load. The mean stress does work on the
+    volume that it would have, so that the term of its constraint counts, too.
+    """
+    if not system.has_states:
+        return 0.0
+    total = 0.0
+    for at in (before, after):
+        ends = [sum(_cell_energies(system, at.unknowns, each.load_factor, at.history)) for each in (before, after)]
+        total += 0.5 * (ends[1] - ends[0])
+    return total * system.stress_scale * system.length**3
+
+
+def _cell_energies(
+    system: System, unknowns: Array, load_factor: float, history: History | None
+) -> tuple[float, float, float]:
+    """Scaled energy of the laws and the volume, of the penalty, and the term of the constraint ∫ p (J − 1 − p/κ) dV."""
+    e, r, cells = system.element, system.element.tables, system.rubber.at(load_factor)
+    rubber = cells.materials
     u, p = system.split(unknowns)
-    I1, I2, J = kernels_geometry.kinematics(e.shape, system.cells, u, r.dN, system.Jinv)
-    chosen = rubber.gradient_cells
-    F = kernels_geometry.deformation_gradients(e.shape, system.cells[chosen], u, r.dN, system.Jinv[chosen])
+    I1, I2, J = cells.kinematics(u)
     compliance = rubber.compliance[:, None]
     mean = np.einsum("qm,cm->cq", r.M, p[e.mean]) if e.modes else (J - 1) / compliance
     lost = J - 1 - mean * compliance
-    density = rubber.energy(I1, I2, F, history or rubber.rest) / system.stress_scale + 0.5 * mean**2 * compliance
-    position = system.points + u
-    terms = system.terms.energy(position)
-    penalty = float(penalty_energy(system.rubber.penalty, system.dV, lost).sum())
-    return (float((system.dV * density).sum()) + penalty + terms) * system.stress_scale * system.length**3
+    W = rubber.energy(I1, I2, cells.gradients_of_laws(u), history or rubber.rest)
+    density = W / system.stress_scale + 0.5 * mean**2 * compliance
+    penalty = float(penalty_energy(cells.penalty, cells.dV, lost).sum())
+    return float((cells.dV * density).sum()), penalty, float((cells.dV * mean * lost).sum())
 
 
 def contact_energy(system: System, at: Evaluation) -> float:

@@ -10,10 +10,12 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.cell_materials import CellMaterials
+from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.element import Element, element_of, tables_with
 from turgor.core.engine.cells.internal_variables import Memory
 from turgor.core.engine.cells.reference import reference_nodes, smooth_basis, tables_at
-from turgor.core.engine.cells.stabilization import penalty_energy, volume_penalty
+from turgor.core.engine.cells.stabilization import penalty_energy
+from turgor.core.engine.cells.states.body_states import has_states, networks_of, rest_of, stiffness_of
 from turgor.core.engine.points.motion import PointMotion, carrier_displacement
 from turgor.core.engine.points.point_unknowns import carriers_of, with_carrier_points
 from turgor.core.engine.term import Setting
@@ -39,9 +41,9 @@ class CellFields:
     von_mises : (c, q) array [Pa]
         Von Mises stress.
     stretch : (c, q) array [-]
-        Largest principal stretch.
+        Largest principal stretch, from the stress-free configuration of the point.
     volume_ratio : (c, q) array [-]
-        J = det F.
+        J = det F, from the mesh at rest.
     weight : (c, q) array [m³]
         Reference volume of each point.
     """
@@ -81,7 +83,9 @@ def _mean_stress(model: Model, element: Element, J: Array, mean_stress: Array, c
     return np.einsum("qm,cm->cq", element.tables.M, mean_stress[element.mean])
 
 
-def cell_fields(model: Model, displacement: Array, mean_stress: Array, memory: Memory | None = None) -> CellFields:
+def cell_fields(
+    model: Model, displacement: Array, mean_stress: Array, memory: Memory | None = None, load_factor: float = 1.0
+) -> CellFields:
     """Compute stresses and stretches at the quadrature points.
 
     Parameters
@@ -92,16 +96,28 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array, memory: M
         The mean stresses of a `State`.
     memory : Memory, optional
         What its rubber remembers, where any relaxes or softens; by default the deformation is a sudden one from rest.
+    load_factor : float
+        That of the state, where loads set states of bodies.
     """
     element = element_of(model)
     r = element.tables
     F, weight = deformation_gradients(model, displacement)
-    J = _determinant(F)
+    materials = CellMaterials(model, 1.0, len(r.weights))
+    J = ratio = _determinant(F)
+    if has_states(model):
+        rest = rest_of(model, _places(model), load_factor)
+        F, J = F @ rest.inverse, ratio / rest.volume
+        Jinv, _ = _geometry(model.mesh, len(r.weights))
+
+        def shaped(cells: NDArray[np.int64], u: Array) -> Array:
+            return kernels_geometry.deformation_gradients(element.shape, element.cells[cells], u, r.dN, Jinv[cells])
+
+        networks = networks_of(model, materials.rows, rest, load_factor, shaped)
+        materials = materials.with_states(stiffness_of(model, load_factor), networks)
     B = F @ F.swapaxes(-1, -2)
     I1 = _trace(B)
     I2 = 0.5 * (I1**2 - _squared(B))
     j = J ** (-2 / 3)
-    materials = CellMaterials(model, 1.0, len(r.weights))
     chosen = F[materials.gradient_cells]
     laws = materials.isochoric(j * I1, j * j * I2, chosen, materials.history(memory))  # a sudden step: its own stress
     W1, W2 = laws.derivatives[:2]
@@ -124,7 +140,7 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array, memory: M
         mean_stress=mean,
         von_mises=von_mises,
         stretch=np.sqrt(_largest_eigenvalue(B, I1)),
-        volume_ratio=J,
+        volume_ratio=ratio,
         weight=weight,
     )
 
@@ -135,6 +151,18 @@ def deformation_gradients(model: Model, displacement: Array) -> tuple[Array, Arr
     dN = element.tables.dN
     Jinv, weight = _geometry(mesh, len(element.tables.weights))
     return kernels_geometry.deformation_gradients(element.shape, element.cells, displacement, dN, Jinv), weight
+
+
+def _places(model: Model) -> Array:
+    """Integration points at rest (c, q, 3) [m]."""
+    element = element_of(model)
+    return np.einsum("qa,cai->cqi", element.tables.N, model.mesh.points[element.cells])
+
+
+def elastic_gradients(model: Model, displacement: Array, load_factor: float) -> tuple[Array, Array]:
+    """Return `deformation_gradients` from the stress-free configuration at a load factor."""
+    F, weight = deformation_gradients(model, displacement)
+    return (F @ rest_of(model, _places(model), load_factor).inverse if has_states(model) else F), weight
 
 
 def _determinant(A: Array) -> Array:
@@ -214,27 +242,25 @@ def strain_energy(
     mean_stress: Array,
     memory: Memory | None = None,
     points: Mapping[str, PointMotion] | None = None,
+    load_factor: float = 1.0,
 ) -> float:
     """Stored energy of cells, sheets, fibers and springs of the modeled part [J].
 
     Where a material is compressible its volumetric energy is p²/(2κ), with κ (J − 1) = p. Of a rubber that relaxes or
     softens it is what infinitely slow unloading gives back; ``memory`` is that of the state. Springs of reference
-    points need their motions ``points``; a point without one moves with its face.
+    points need their motions ``points``; a point without one moves with its face. The ``load_factor`` is that of the
+    state, where loads set states of bodies.
     """
-    mesh, element = model.mesh, element_of(model)
-    r = element.tables
-    Jinv, weight = _geometry(mesh, len(r.weights))
-    I1, I2, J = kernels_geometry.kinematics(element.shape, element.cells, displacement, r.dN, Jinv)
-    materials = CellMaterials(model, 1.0, len(r.weights))
-    mean = _mean_stress(model, element, J, mean_stress, materials.compliance)
-    chosen = materials.gradient_cells
-    F = kernels_geometry.deformation_gradients(element.shape, element.cells[chosen], displacement, r.dN, Jinv[chosen])
-    density = materials.energy(I1, I2, F, materials.history(memory)) + 0.5 * mean**2 * materials.compliance[:, None]
-    penalty = volume_penalty(model, r, weight, materials.compliance, 1.0)
-    lost = penalty_energy(penalty, weight, J - 1 - mean * materials.compliance[:, None])
     carriers = carriers_of(model)
-    rest = with_carrier_points(mesh.points, carriers)
-    terms = Terms(Setting(model, rest, prescribed_components(model).along_axes, weight, 1.0, 1.0))
-    own = carrier_displacement(carriers, (1.0, 1.0), displacement, points or {})
-    position = rest + np.concatenate([displacement, own])
-    return float((weight * density).sum() + lost.sum()) + terms.energy(position)
+    rest = with_carrier_points(model.mesh.points, carriers)
+    whole, element = CellTerms(model, rest, 1.0, 1.0), element_of(model)
+    cells = whole.at(load_factor)
+    materials = cells.materials
+    u = np.concatenate([displacement, carrier_displacement(carriers, (1.0, 1.0), displacement, points or {})])
+    I1, I2, J = cells.kinematics(u)
+    mean = _mean_stress(model, element, J, mean_stress, materials.compliance)
+    F = cells.gradients_of_laws(u)
+    density = materials.energy(I1, I2, F, materials.history(memory)) + 0.5 * mean**2 * materials.compliance[:, None]
+    lost = penalty_energy(cells.penalty, cells.dV, J - 1 - mean * materials.compliance[:, None])
+    terms = Terms(Setting(model, rest, prescribed_components(model).along_axes, whole.dV, 1.0, 1.0))
+    return float((cells.dV * density).sum() + lost.sum()) + terms.energy(rest + u)

@@ -17,6 +17,7 @@ from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.algebra.pattern import Pattern, build_pattern
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.internal_variables import History, Memory, friction_of, joined_memory
+from turgor.core.engine.cells.states.body_states import has_states
 from turgor.core.engine.contact.couplings import Layout
 from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.contact.surface import whole_surface
@@ -92,7 +93,7 @@ class System:
         self.rest = with_carrier_points(mesh.points, self.carriers)
         self.points = np.ascontiguousarray(self.rest / self.length)
         self.node_count = len(self.points)
-        self.rubber = CellTerms(model, self.points, self.stress_scale)
+        self.rubber = CellTerms(model, self.points, self.length, self.stress_scale)
         self.cells, self.element, self.materials = self.rubber.cells, self.rubber.element, self.rubber.materials
         self.Jinv, self.dV = self.rubber.Jinv, self.rubber.dV
         self.mean_stress_volumes = self.rubber.mean_stress_volumes
@@ -124,7 +125,21 @@ class System:
     def _applied(self, load_factor: float) -> float:
         """Size of the loads' forces on the free nodes at rest; unknown pressures count as the modulus."""
         _, external = self.terms.forces(Configuration(self.points, load_factor, np.ones(len(self.controlled))))
-        return float(np.linalg.norm(self.joined(external)[~self.prescribed]))
+        by_states = self.cell_forces(np.zeros(self.size), load_factor) if self.has_states else 0.0
+        return float(np.linalg.norm((self.joined(external) - by_states)[~self.prescribed]))
+
+    @property
+    def has_states(self) -> bool:
+        """Whether a load changes the stress-free configuration or the stiffness of a body."""
+        return has_states(self.model)
+
+    def cell_forces(self, unknowns: Array, load_factor: float) -> Array:
+        """Scaled forces (size,) of the cells with the states of their bodies at a load factor, without memory."""
+        (u, p), rubber = self.split(unknowns), self.rubber.at(load_factor)
+        laws = rubber.laws(u, self.materials.rest)
+        if laws is None:
+            raise TurgorError("a cell is turned inside out at these unknowns.")
+        return self.gathered(rubber.forces(u, p, laws))
 
     @cached_property
     def layout(self) -> Layout:
@@ -255,11 +270,11 @@ class System:
         default; ``addition`` are forces besides those of the model, such as inertia.
         """
         u, p = self.split(unknowns)
-        history = history or self.materials.rest
-        laws = self.rubber.laws(u, history)
+        history, rubber = history or self.materials.rest, self.rubber.at(load_factor)
+        laws = rubber.laws(u, history)
         if laws is None:
             return None
-        internal = self._summed(self.rubber.forces(u, p, laws))
+        internal = self._summed(rubber.forces(u, p, laws))
         position = self.points + u
         forces, external = self.terms.forces(Configuration(position, load_factor, unknown_pressures))
         springs = self.springs(unknowns)
@@ -296,7 +311,8 @@ class System:
         friction = self.contact.remembered(at.contacts)
         if not self.materials.remembers:
             return joined_memory({}, {}, friction)
-        memory = self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]), at.history)
+        gradients = self.rubber.at(at.load_factor).gradients(self.split(at.unknowns)[0])
+        memory = self.materials.remembered(gradients, at.history)
         return None if memory is None else replace(memory, friction=friction)
 
     def contact_memory(self) -> ContactMemory:
@@ -315,7 +331,8 @@ class System:
         """Values of the symmetric tangent's lower triangle, supports not yet applied; to be factored unless exact."""
         u, p = self.split(at.unknowns)
         data = np.zeros(len(self.layout.base.indices))
-        self.rubber.add_tangents(data, (u, p), at.isochoric, None if geometric is None else geometric.cells, exact)
+        rubber, stresses = self.rubber.at(at.load_factor), None if geometric is None else geometric.cells
+        rubber.add_tangents(data, (u, p), at.isochoric, stresses, exact)
         given = None if geometric is None else geometric.terms
         self.terms.add_tangents(data, Configuration(self.points + u, at.load_factor, at.unknown_pressures), given)
         self.lay_out(at)
@@ -373,7 +390,7 @@ class System:
         """
         there = self.split(at.unknowns)
         change = self.split(np.zeros(self.size) if update is None else update)
-        cells = self.rubber.stresses(there, change, at.isochoric)
+        cells = self.rubber.at(at.load_factor).stresses(there, change, at.isochoric)
         given = None if last is None else last.terms
         return Stresses(cells, self.terms.stresses(self.points + there[0], change[0], given))
 

@@ -198,6 +198,10 @@ class Model(Saved, Shown):
         """The reference points by their names."""
         return points_of(self.supports)
 
+    def states_of(self, body: str) -> tuple[Load, ...]:
+        """Loads that are a state of a body: shrinkage, temperature and the like."""
+        return tuple(load for load in self.loads if load.of_bodies and load.place in ("", body))
+
     @property
     def pressures(self) -> tuple[Pressure, ...]:
         """The follower pressures among the loads."""

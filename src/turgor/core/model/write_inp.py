@@ -14,6 +14,7 @@ from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, points_of
 from turgor.core.model.inp.directions import orientation_lines
+from turgor.core.model.inp.growth import expansion_lines, initial_lines
 from turgor.core.model.inp.materials import material_lines
 from turgor.core.model.inp.reference_points import InpDeck, fixed_lines, inp_points, point_lines
 from turgor.core.model.loads.load import DeckRows, Load
@@ -85,6 +86,7 @@ def write_inp(
         *_material_lines(model, program),
         *point_lines(model, points, plain),
         *_support_lines(model, deck),
+        *initial_lines(model),
         *_amplitude_lines(acting),
         *_step_lines(model, at, program, acting),
     ]
@@ -238,6 +240,7 @@ def _material_lines(model: Model, program: str) -> list[str]:
     lines = []
     for name, material in model.region_materials.items():
         lines += [f"** {_plain(material.name)}", *material_lines(_plain(name), material, program)]
+        lines += expansion_lines(model, name)
         axes, directed = orientation_lines(_plain(name), material)
         lines += [*axes, f"*SOLID SECTION, ELSET={_plain(name)}, MATERIAL={_plain(name)}{directed}"]
     for name, membrane in model.membranes.items():
@@ -256,7 +259,8 @@ def _support_lines(model: Model, deck: InpDeck) -> list[str]:
 def _acting(model: Model, deck: InpDeck) -> list[DeckRows]:
     """Displacements and loads of the model, in the order of the numbers of the amplitudes."""
     acting: list[Load | Support] = [*model.loads, *(each for each in model.supports if each.place in deck.points)]
-    return [rows for each in acting for rows in each.deck_rows(deck) if rows.rows]
+    every = [rows for each in acting for rows in each.deck_rows(deck) if rows.rows]
+    return list(dict.fromkeys(every))  # the states of all bodies are one temperature
 
 
 def _amplitude_lines(acting: Sequence[DeckRows]) -> list[str]:

@@ -4,6 +4,9 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
+import numpy as np
+from numpy.typing import NDArray
+
 from turgor.core.model.continued_model import continued, movable, with_loads
 from turgor.core.model.drive import pressures_at
 from turgor.core.model.loads import pressures_among
@@ -73,21 +76,22 @@ def questions(model: Model, procedure: Procedure) -> tuple[Model, ...]:
         except TurgorError as error:
             raise TurgorError(f"stage '{stage.name}': {error}") from None
         models.append(question)
-        last = _End(question, 1.0, pressures_at(question, 1.0))
+        last = _End(question, 1.0, pressures_at(question, 1.0), np.zeros_like(model.mesh.points))
     return tuple(models)
 
 
 @dataclass(frozen=True, slots=True)
 class _End:
-    """How a stage ended: its model, its load factor, and the pressures."""
+    """How a stage ended: its model, its load factor, the pressures, and the displacement (n, 3) [m]."""
 
     model: Model
     load_factor: float
     pressures: dict[str, float]
+    displacement: NDArray[np.float64]
 
     @staticmethod
     def of(state: State) -> "_End":
-        return _End(state.model, state.load_factor, pressures_of(state))
+        return _End(state.model, state.load_factor, pressures_of(state), state.displacement)
 
 
 def _movable(model: Model, procedure: Procedure) -> Model:
@@ -105,7 +109,8 @@ def _question(model: Model, stage: Stage, last: _End | None) -> Model:
         if name not in stated:
             pressures.pop(name, None)  # it is unknown from here on
     acting = (last.load_factor, pressures)
-    return continued(last.model, acting, stage.loads, stage.displacements, stage.moves)
+    loads = [load.begun(last.displacement) for load in stage.loads]
+    return continued(last.model, acting, loads, stage.displacements, stage.moves)
 
 
 def _within(stage: Stage, listeners: Listeners) -> Listeners:

@@ -14,15 +14,15 @@ import pydantic
 from pydantic import BeforeValidator, create_model
 
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.model.loads.load import Load
-from turgor.foundation.errors import unknown
+from turgor.core.model.loads.load import Load, no_body
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.job.reference.kinds import kind_of
 from turgor.job.reference.meanings import meanings
 from turgor.job.text.load_tables import LoadsTable
 from turgor.job.text.load_values import OVER_TIME, SHARES, Points, Vector, history_of, history_values, says_three, three
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Coordinate, Says, Table, default_of
+from turgor.job.text.quantities import Coordinate, Says, Table, default_of, shown
 from turgor.units import UNITS, format_quantity, parse_quantity
 
 #: Loads by the name of their file: the classes in their folder.
@@ -31,8 +31,9 @@ LOADS: Registry[type[Load]] = Registry(
 )
 
 #: Units in which lock files state the fields of loads; SI units of other dimensions.
-_UNITS: Mapping[str, str] = {"length": "mm", "pressure": "kPa", "mass": "g", "angle": "deg"}
+_UNITS: Mapping[str, str] = {"length": "mm", "pressure": "kPa", "mass": "g", "angle": "deg", "share": "%"}
 
+_POINTS = '[["20 °C", 1], ["60 °C", 0.8]]'
 _TWO_FACES = '["tip", "outside"]'
 
 
@@ -133,6 +134,8 @@ def fits(
         return True
     faces = geometry.faces
     wrong = [str(unknown("face", name, faces)) for name in load.named_faces if name not in (*faces, *points)]
+    if load.of_bodies and load.place not in geometry.regions:
+        wrong.append(str(no_body(load.kind, load.place, geometry.regions, faces)))
     for number, axis in enumerate("xyz"):
         if f"symmetry_{axis}" in geometry.faces and not load.mirrored(number):
             wrong.append(
@@ -173,7 +176,8 @@ def _first_line(kind: Any) -> str:
 
 
 def _stated(kind: Any) -> list[Field[Any]]:
-    return [item for item in fields(kind) if item.name != "history"]
+    """Fields that are keys; a shape is that of a state, which a job file does not know."""
+    return [item for item in fields(kind) if item.name not in ("history", "shape")]
 
 
 def _key(item: Field[Any]) -> str:
@@ -182,6 +186,9 @@ def _key(item: Field[Any]) -> str:
 
 def _type_of(item: Field[Any]) -> Any:
     dimension = item.metadata.get("dimension", "")
+    if item.metadata.get("points"):
+        read = BeforeValidator(partial(_points, dimension=dimension))
+        return Annotated[Any, read, Says("text or list of points", _POINTS)]
     if item.type == Vector and dimension in ("", "length"):
         return list[Coordinate] if dimension else list[float]
     if item.type == Vector:
@@ -189,6 +196,15 @@ def _type_of(item: Field[Any]) -> Any:
     if item.type == tuple[str, str]:
         return Annotated[list[str], pydantic.Field(min_length=2, max_length=2), Says("two texts", _TWO_FACES)]
     return Annotated[float, BeforeValidator(partial(parse_quantity, dimension=dimension))] if dimension else item.type
+
+
+def _points(value: object, dimension: str) -> object:
+    """A word, or points (quantity, number)."""
+    if not isinstance(value, list):
+        return value
+    if not all(isinstance(pair, list) and len(pair) == 2 for pair in value):
+        raise TurgorError(f"{shown(value)} is no list of points; write {_POINTS}.")
+    return tuple((parse_quantity(first, dimension), second) for first, second in value)
 
 
 def _default_of(item: Field[Any]) -> Any:
@@ -205,11 +221,15 @@ def _written(load: Any) -> dict[str, Any]:
     for item in _stated(type(load)):
         value = getattr(load, item.name)
         if value != item.default or item.default is MISSING:
-            values[_key(item)] = _shown(value, item.metadata.get("dimension", ""))
+            values[_key(item)] = _shown(value, item.metadata.get("dimension", ""), item.metadata.get("points", False))
     return values | history_values(load.history)
 
 
-def _shown(value: Any, dimension: str) -> Any:
+def _shown(value: Any, dimension: str, points: bool = False) -> Any:
+    if isinstance(value, str):
+        return value
+    if points:
+        return [[_shown(first, dimension), second] for first, second in value]
     if isinstance(value, tuple):
         return [_shown(part, dimension) for part in value]
     unit = _UNITS.get(dimension) or next(iter(UNITS.get(dimension, ())), None)

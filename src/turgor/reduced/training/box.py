@@ -41,6 +41,11 @@ def inputs_of(model: Model, ranges: Mapping[str, tuple[float, float]]) -> Inputs
                 "places of obstacles."
             )
     for load in model.loads:
+        if load.of_bodies:
+            raise TurgorError(
+                f"reduced models have no states of bodies, and {load.label} is one; their equations are those of "
+                "bodies that are at rest in the shape of the mesh."
+            )
         if load.history != RAMP:
             raise TurgorError(f"reduced models have no histories of loads; {load.label} has one.")
     low, high = np.array(list(ranges.values()), dtype=np.float64).T

@@ -1,6 +1,7 @@
 """Materials of the cells: derivatives of the energy at all points, stresses of laws in stretches, compressibility."""
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +18,8 @@ from turgor.core.engine.cells.internal_variables import (
     right_cauchy_green,
 )
 from turgor.core.engine.cells.known_stress import add_known_stress
+from turgor.core.engine.cells.states.body_states import hardens
+from turgor.core.engine.cells.states.networks import Network
 from turgor.core.materials.history.softening import INVARIANT_PAIRS
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
 from turgor.core.materials.laws.fiber_family import elongation, family_response
@@ -105,11 +108,12 @@ class CellMaterials:
         self.compliance = np.empty(count)
         self.rows = np.full(count, -1, dtype=np.int64)
         in_stretches = np.zeros(count, dtype=bool)
-        for _, cells, material in regions:
+        for name, cells, material in regions:
             bulk = foam_bulk(material.law) if isinstance(material.law, FoamLaw) else material.bulk_modulus
             self.compliance[cells] = stress / bulk
             in_stretches[cells] = isinstance(material.law, StretchLaw)
-            if isinstance(material.law, StretchLaw | FiberLaw) or material.viscoelasticity is not None:
+            in_gradients = isinstance(material.law, StretchLaw | FiberLaw) or hardens(model, name)
+            if in_gradients or material.viscoelasticity is not None:
                 self.rows[cells] = 0
         self.gradient_cells = np.flatnonzero(self.rows == 0)
         self.rows[self.gradient_cells] = np.arange(len(self.gradient_cells))
@@ -121,8 +125,16 @@ class CellMaterials:
         self._fibers = {
             name: families_at(m, _places(model, cells, points)) for name, cells, m in regions if m.has_fibers
         }
+        self._factors: Array | None = None
+        self._networks: tuple[Network, ...] = ()
         self._remembering = [region for region in self._regions if region.remembers]
         self.rest = self.history()
+
+    def with_states(self, factors: Array, networks: tuple[Network, ...]) -> "CellMaterials":
+        """The same materials with a factor (c,) on the isochoric stress of each cell, and with networks besides."""
+        out = copy(self)
+        out._factors, out._networks = factors, networks
+        return out
 
     @property
     def remembers(self) -> bool:
@@ -163,6 +175,12 @@ class CellMaterials:
             if known is not None:
                 add_known_stress(F, region.rows, known, self._stress, stress, tangent)
         self._add_fibers(F, stress, tangent)
+        if self._factors is not None:
+            out *= self._factors[:, None]
+            stress *= self._factors[self.gradient_cells, None, None]
+            tangent *= self._factors[self.gradient_cells, None, None]
+        for network in self._networks:
+            network.add_response(F, stress, tangent, self._stress)
         return Isochoric(out, stress, tangent)
 
     def _add_fibers(self, F: Array, stress: Array, tangent: Array) -> None:
@@ -209,6 +227,10 @@ class CellMaterials:
             for family, H in self._fibers.get(region.name, ()):
                 W = W + family.energy(elongation(H, right_cauchy_green(F[region.rows])))[0]
             out[region.cells] = history.regions[region.name].recoverable(W) if region.remembers else W
+        if self._factors is not None:
+            out *= self._factors[:, None]
+        for network in self._networks:
+            out[network.cells] += network.energy(F)
         return out
 
     def remembered(self, F: Array, history: History) -> Memory | None:

@@ -70,6 +70,8 @@ class Cells(NamedTuple):
         1/κ.
     penalty : (c, q, k) array
         Functions φₖ.
+    unit : float
+        1 where the loops take displacements; 0 where they take positions, because cells have a rest of their own.
     """
 
     shape: tuple[int, ...]
@@ -82,6 +84,7 @@ class Cells(NamedTuple):
     dV: Array
     compliance: Array
     penalty: Array
+    unit: float = 1.0
 
     def part(self, chosen: slice) -> "Cells":
         """Some of the cells."""
@@ -117,7 +120,7 @@ class Response(NamedTuple):
 @njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
 def _residual(begin, end, out, cells, u, p, laws):
-    shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
+    shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty, unit = cells
     W1, W2, rows, stress = laws.W[0], laws.W[1], laws.rows, laws.stress
     table, ue = np.empty((len(shape), 3 * len(dN))), np.empty((3, len(shape)))
     H, P = np.empty((3, 3 * len(dN))), np.empty((3, 3 * len(dN)))
@@ -126,13 +129,13 @@ def _residual(begin, end, out, cells, u, p, laws):
     s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
     side_by_side(shape, dN, table)
     for c in range(begin, end):
-        cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c])
+        cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c], unit)
         load_cell(shape, nodes[c], u, ue)
         slopes_of(shape, ue, table, H)
         out[c, :] = 0.0
         moments = lost_moments(shape, modes, H, p, M, cell)
         for q in range(len(dN)):
-            deformation_gradient_at(H, q, Jinv[c, q], F)
+            deformation_gradient_at(H, q, Jinv[c, q], unit, F)
             J = cofactor_at(F, Cof)
             pq = mean_stress_at(modes, M[q], p, mean[c], J, compliance[c])
             strain_at(J, F, Cof, C, Ci)
@@ -179,7 +182,7 @@ def residual(cells: Cells, u: Array, p: Array, laws: Response) -> Array:
 @njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
 def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
-    shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
+    shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty, unit = cells
     W, rows, stress, moduli = laws
     table, ue = np.empty((len(shape), 3 * len(dN))), np.empty((3, len(shape)))
     H, dH = np.empty((3, 3 * len(dN))), np.empty((3, 3 * len(dN)))
@@ -190,7 +193,7 @@ def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
     E = np.empty(6)
     side_by_side(shape, dN, table)
     for c in range(begin, end):
-        cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c])
+        cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c], unit)
         load_cell(shape, nodes[c], u, ue)
         slopes_of(shape, ue, table, H)
         load_cell(shape, nodes[c], du, ue)
@@ -198,10 +201,8 @@ def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
         moments = lost_moments(shape, modes, H, p, M, cell)
         changes = moment_changes(shape, modes, H, (dH, dp), M, cell)
         for q in range(len(dN)):
-            deformation_gradient_at(H, q, Jinv[c, q], F)
-            deformation_gradient_at(dH, q, Jinv[c, q], dF)
-            for i in range(3):
-                dF[i, i] -= 1.0
+            deformation_gradient_at(H, q, Jinv[c, q], unit, F)
+            deformation_gradient_at(dH, q, Jinv[c, q], 0.0, dF)
             J = cofactor_at(F, Cof)
             pq = mean_stress_at(modes, M[q], p, mean[c], J, compliance[c])
             dpq = 0.0

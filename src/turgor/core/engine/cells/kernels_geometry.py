@@ -39,12 +39,15 @@ def slopes_of(shape, u, table, H):
 
 
 @njit(**INNER, fastmath=FAST)
-def deformation_gradient_at(H, q, Jinv, F):
-    """F = I + ∂u/∂X at one point, from the slopes of the displacement in the reference cell."""
+def deformation_gradient_at(H, q, Jinv, unit, F):
+    """F = I + ∂u/∂X at one point, from the slopes of the displacement in the reference cell.
+
+    A ``unit`` of 0 leaves the identity out: the slopes are those of positions, or of an update.
+    """
     for i in range(3):
         for J in range(3):
             F[i, J] = H[i, 3 * q] * Jinv[0, J] + H[i, 3 * q + 1] * Jinv[1, J] + H[i, 3 * q + 2] * Jinv[2, J]
-        F[i, i] += 1.0
+        F[i, i] += unit
 
 
 @njit(**INNER, fastmath=FAST)
@@ -91,7 +94,7 @@ def reference_geometry(shape, points, cells, dN, weights):
 
 
 @njit(**LOOP, fastmath=FAST)
-def _kinematics(begin, end, out, shape, cells, u, dN, Jinv):
+def _kinematics(begin, end, out, shape, cells, u, dN, Jinv, unit):
     I1, I2, ratio = out
     table, ue, H = np.empty((len(shape), 3 * len(dN))), np.empty((3, len(shape))), np.empty((3, 3 * len(dN)))
     F, Cof = np.empty((3, 3)), np.empty((3, 3))
@@ -100,7 +103,7 @@ def _kinematics(begin, end, out, shape, cells, u, dN, Jinv):
         load_cell(shape, cells[c], u, ue)
         slopes_of(shape, ue, table, H)
         for q in range(len(dN)):
-            deformation_gradient_at(H, q, Jinv[c, q], F)
+            deformation_gradient_at(H, q, Jinv[c, q], unit, F)
             J = cofactor_at(F, Cof)
             first = 0.0
             second = 0.0
@@ -118,27 +121,34 @@ def _kinematics(begin, end, out, shape, cells, u, dN, Jinv):
                 I2[c, q] = np.nan
 
 
-def kinematics(shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: Array) -> tuple[Array, Array, Array]:
-    """Isochoric invariants Ī₁, Ī₂ and volume ratio J at all points; J ≤ 0 gives NaN invariants."""
+def kinematics(
+    shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: Array, unit: float = 1.0
+) -> tuple[Array, Array, Array]:
+    """Isochoric invariants Ī₁, Ī₂ and volume ratio J at all points; J ≤ 0 gives NaN invariants.
+
+    ``u`` are displacements, or positions where ``unit`` is 0.
+    """
     count, q_count = len(cells), len(dN)
     out = np.empty((count, q_count)), np.empty((count, q_count)), np.empty((count, q_count))
-    over(count, _kinematics, out, shape, cells, u, dN, Jinv)
+    over(count, _kinematics, out, shape, cells, u, dN, Jinv, unit)
     return out
 
 
 @njit(**LOOP, fastmath=FAST)
-def _deformation_gradients(begin, end, out, shape, cells, u, dN, Jinv):
+def _deformation_gradients(begin, end, out, shape, cells, u, dN, Jinv, unit):
     table, ue, H = np.empty((len(shape), 3 * len(dN))), np.empty((3, len(shape))), np.empty((3, 3 * len(dN)))
     side_by_side(shape, dN, table)
     for c in range(begin, end):
         load_cell(shape, cells[c], u, ue)
         slopes_of(shape, ue, table, H)
         for q in range(len(dN)):
-            deformation_gradient_at(H, q, Jinv[c, q], out[c, q])
+            deformation_gradient_at(H, q, Jinv[c, q], unit, out[c, q])
 
 
-def deformation_gradients(shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: Array) -> Array:
-    """Deformation gradient F (c, q, 3, 3) at all points, for results."""
+def deformation_gradients(
+    shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: Array, unit: float = 1.0
+) -> Array:
+    """Deformation gradient F (c, q, 3, 3) at all points, for results; ``unit`` as in `kinematics`."""
     out = np.empty((len(cells), len(dN), 3, 3))
-    over(len(cells), _deformation_gradients, out, shape, cells, u, dN, Jinv)
+    over(len(cells), _deformation_gradients, out, shape, cells, u, dN, Jinv, unit)
     return out

@@ -113,7 +113,7 @@ def _pack(shape, modes, K, Kup, Kpp, out):
 @njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
 def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
-    shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
+    shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty, unit = cells
     W, rows, stress, moduli = laws
     pad = (len(shape) + 3) // 4 * 4
     table, H = np.empty((len(shape), 3 * len(dN))), np.empty((3, 3 * len(dN)))
@@ -134,7 +134,7 @@ def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
                 slopes[q, k, a] = dN[q, a, k]
     for c in range(begin, end):
         K[:], Kpp[:], Kup[:], u_part[:], p_part[:] = 0.0, 0.0, 0.0, 0.0, 0.0
-        cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c])
+        cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c], unit)
         load_cell(shape, nodes[c], u, ue)
         slopes_of(shape, ue, table, H)
         moments = lost_moments(shape, modes, H, p, M, cell)
@@ -143,7 +143,7 @@ def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
                 j0, j1, j2 = Jinv[c, q, 0, J], Jinv[c, q, 1, J], Jinv[c, q, 2, J]
                 for a in range(len(shape)):
                     G[J, a] = slopes[q, 0, a] * j0 + slopes[q, 1, a] * j1 + slopes[q, 2, a] * j2
-            deformation_gradient_at(H, q, Jinv[c, q], F)
+            deformation_gradient_at(H, q, Jinv[c, q], unit, F)
             J = cofactor_at(F, Cof)
             pq = mean_stress_at(modes, M[q], p, mean[c], J, compliance[c])
             pq += geometric[c, q, 6] if use_geometric else penalty_stress_at(shape, penalty[c, q], moments)

@@ -39,6 +39,8 @@ class Cell(NamedTuple):
         1/κ.
     penalty : (q, k) array
         Functions φₖ.
+    unit : float
+        As in `turgor.core.engine.cells.kernels.Cells`.
     """
 
     mean: Ints
@@ -46,6 +48,7 @@ class Cell(NamedTuple):
     dV: Array
     compliance: float
     penalty: Array
+    unit: float
 
 
 @njit(**INNER, fastmath=FAST)
@@ -79,14 +82,14 @@ def bulk_modulus(modes, compliance):
 @calls(kernels_geometry)
 def lost_moments(shape, modes, H, p, M, cell):
     """Moments ∫ φₖ (J − 1 − p/κ) dV of a cell, (k,)."""
-    mean, Jinv, dV, compliance, penalty = cell
+    mean, Jinv, dV, compliance, penalty, unit = cell
     if len(shape) < PENALIZED:
         return penalty[0]  # empty
     moments = np.zeros(penalty.shape[1])
     F = np.empty((3, 3))
     Cof = np.empty((3, 3))
     for q in range(len(dV)):
-        deformation_gradient_at(H, q, Jinv[q], F)
+        deformation_gradient_at(H, q, Jinv[q], unit, F)
         J = cofactor_at(F, Cof)
         lost = lost_volume_at(modes, J, mean_stress_at(modes, M[q], p, mean, J, compliance), compliance)
         for k in range(len(moments)):
@@ -98,7 +101,7 @@ def lost_moments(shape, modes, H, p, M, cell):
 @calls(kernels_geometry)
 def moment_changes(shape, modes, H, update, M, cell):
     """Changes of the moments of a cell, (k,), with an ``update``: the slopes of displacements, and mean stresses."""
-    mean, Jinv, dV, compliance, penalty = cell
+    mean, Jinv, dV, compliance, penalty, unit = cell
     if len(shape) < PENALIZED:
         return penalty[0]  # empty
     changes = np.zeros(penalty.shape[1])
@@ -107,12 +110,11 @@ def moment_changes(shape, modes, H, update, M, cell):
     dF = np.empty((3, 3))
     Cof = np.empty((3, 3))
     for q in range(len(dV)):
-        deformation_gradient_at(H, q, Jinv[q], F)
-        deformation_gradient_at(dH, q, Jinv[q], dF)
+        deformation_gradient_at(H, q, Jinv[q], unit, F)
+        deformation_gradient_at(dH, q, Jinv[q], 0.0, dF)
         cofactor_at(F, Cof)
         change = 0.0
         for i in range(3):
-            dF[i, i] -= 1.0
             for J in range(3):
                 change += Cof[i, J] * dF[i, J]
         for m in range(len(modes)):

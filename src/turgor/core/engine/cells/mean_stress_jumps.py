@@ -61,14 +61,15 @@ def _at_vertices(mesh: Mesh, leaders: Ints) -> Ints:
 
 def _alike(model: Model) -> tuple[tuple[str, ...], ...]:
     """Groups of regions whose rubber responds alike."""
-    groups: list[tuple[Material, list[str]]] = []
+    groups: list[tuple[tuple[object, ...], list[str]]] = []
     for name, material in model.region_materials.items():
+        response = (*_response(material), model.states_of(name))
         for known, names in groups:
-            if _response(known) == _response(material):
+            if known == response:
                 names.append(name)
                 break
         else:
-            groups.append((material, [name]))
+            groups.append((response, [name]))
     return tuple(tuple(names) for _, names in groups)
 
 

@@ -39,7 +39,9 @@ REGULARIZATION = 1e-9
 SERENDIPITY_REGULARIZATION = 1e-7
 
 
-def volume_penalty(model: Model, tables: ReferenceCell, dV: Array, compliance: Array, stress: float) -> Array:
+def volume_penalty(
+    model: Model, tables: ReferenceCell, dV: Array, compliance: Array, stress: float, factors: Array | float = 1.0
+) -> Array:
     """Tabulate √γ φₖ (c, q, k) at the points of all cells; k is zero where cells are stable without it.
 
     Parameters
@@ -51,6 +53,8 @@ def volume_penalty(model: Model, tables: ReferenceCell, dV: Array, compliance: A
     compliance : (c,) array
         1/κ, scaled by ``stress``; γ stays below κ.
     stress : float [Pa]
+    factors : (c,) array or float
+        On the shear moduli of the cells.
     """
     if model.mesh.cell_type is not HEXAHEDRON or model.formulation != MIXED:
         return np.zeros((*dV.shape, 0))
@@ -64,6 +68,7 @@ def volume_penalty(model: Model, tables: ReferenceCell, dV: Array, compliance: A
     gamma = np.empty(len(dV))
     for name, material in model.region_materials.items():
         gamma[model.mesh.regions[name]] = stiffness * material.law.shear_modulus / stress
+    gamma *= factors
     gamma /= 1 + gamma * compliance
     return np.ascontiguousarray(np.sqrt(gamma)[:, None, None] * np.swapaxes(orthonormal, 1, 2))
 

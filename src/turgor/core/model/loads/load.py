@@ -6,7 +6,7 @@ that stands here.
 """
 
 import re
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
@@ -138,10 +138,20 @@ class Load:
     #: Key of a list of tables below ``[loads]`` in job files; empty where the tables of a load are read by their own
     #: function. A file in the folder of loads that states none has its own name as key.
     job_key: ClassVar[str] = ""
+    #: Whether the load is a state of bodies, at rest or in stiffness, and pulls at nothing.
+    of_bodies: ClassVar[bool] = False
     #: Whether the load needs the density of every region.
     needs_density: ClassVar[bool] = False
     #: Whether the load is spread over the faces that it names, so that the mean stress may jump there.
     spread: ClassVar[bool] = True
+
+    #: Displacement at which a network that it adds has no stress; None is the shape of the mesh.
+    shape: Array | None = None
+
+    @property
+    def hardens(self) -> bool:
+        """Whether it adds a network to its body."""
+        return False
 
     @property
     def kind(self) -> str:
@@ -150,8 +160,8 @@ class Load:
 
     @property
     def place(self) -> str:
-        """Name of the face or point on which it acts; a load of the same kind and place replaces it in a stage."""
-        return str(getattr(self, "face", getattr(self, "point", "")))
+        """Name of the face, point or body on which it acts; one of the same kind and place replaces it in a stage."""
+        return str(getattr(self, "face", getattr(self, "point", getattr(self, "body", ""))))
 
     @property
     def named_faces(self) -> tuple[str, ...]:
@@ -199,7 +209,42 @@ class Load:
             raise unknown(f"reference point of a {self.kind} load", point, points)  # type: ignore[arg-type]
         for name in self.named_faces:
             mesh.face(name)
+        body = getattr(self, "body", "")
+        if body and body not in mesh.regions:
+            raise no_body(self.kind, body, mesh.regions, mesh.faces)
         check_images(mesh, f"{self.kind} on '{self.place}'" if self.place else self.kind, self.mirrored, self.turned)
+
+    def log_stretch(self, points: Array, load_factor: float) -> Array | None:
+        """Return the logarithm of the stretch at which its body is free of stress; None of loads that state none.
+
+        Parameters
+        ----------
+        points : (c, q, 3) array [m]
+            Points of the body at rest.
+        load_factor : float
+
+        Returns
+        -------
+        (c, q, 3, 3) array, or one that broadcasts to it, or None
+        """
+        return None
+
+    @property
+    def growth(self) -> float | None:
+        """Linear strain of its free body at a share of one, alike in all directions; None of any other load."""
+        return None
+
+    def stiffness(self, load_factor: float) -> float:
+        """Return the factor on the shear stiffness of its body, which is larger than 0."""
+        return 1.0
+
+    def network(self, load_factor: float) -> float:
+        """Return the stiffness over that of the law of a network that it adds to its body."""
+        return 0.0
+
+    def begun(self, displacement: Array) -> "Load":
+        """Return the load of a stage that begins at a displacement (n, 3) [m]; most do not depend on it."""
+        return self
 
     def dead_forces(self, nodal: NodalForces) -> Array | None:
         """Return nodal forces (n, 3) at a share of one that do not change with the deformation; None without any."""
@@ -222,7 +267,7 @@ class Load:
     @property
     def outside(self) -> bool:
         """Whether the actuator does work on something outside by moving against its dead forces."""
-        return True
+        return not self.of_bodies
 
     def continued(self, share: float, new: "Load | None") -> "Load":
         """Return the load of the next stage: the share that acts stays, or gives way to a new load."""
@@ -236,4 +281,15 @@ class Load:
         TurgorError
             If it has no form there.
         """
+        if self.growth is not None:
+            return (DeckRows("*TEMPERATURE", self.history, ("Nall, 1.",)),)
         raise TurgorError(f"a load of kind {type(self).__name__} has no form in .inp files; leave it out.")
+
+
+def no_body(kind: str, body: str, bodies: Iterable[str], faces: Iterable[str]) -> TurgorError:
+    """Return the error of a body that is not there, or is a face with a sheet."""
+    if body in faces:
+        return TurgorError(
+            f"{kind} of '{body}': '{body}' is a face, and sheets have no such state; give a body: {', '.join(bodies)}."
+        )
+    return unknown(f"body of a {kind}", body, bodies)

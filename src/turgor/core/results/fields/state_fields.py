@@ -132,7 +132,8 @@ class StateFields:
     @cached_property
     def cells(self) -> CellFields:
         """Stresses and stretches at the quadrature points of the cells."""
-        return cell_fields(self.model, self.state.displacement, self.state.mean_stress, self.state.memory)
+        state = self.state
+        return cell_fields(self.model, state.displacement, state.mean_stress, state.memory, state.load_factor)
 
     @cached_property
     def von_mises(self) -> Array:

@@ -87,6 +87,6 @@ def _bare(value: Any) -> Any:
 def _whole(value: Any, system: System) -> Any:
     if not isinstance(value, Evaluation):
         return value
-    laws = system.rubber.laws(system.split(value.unknowns)[0], value.history)
+    laws = system.rubber.at(value.load_factor).laws(system.split(value.unknowns)[0], value.history)
     assert laws is not None
     return replace(value, isochoric=laws)

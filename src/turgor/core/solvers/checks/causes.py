@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.chamber_volumes import cavity_volume
-from turgor.core.engine.fields import deformation_gradients
+from turgor.core.engine.fields import elastic_gradients
 from turgor.core.engine.percentiles import weighted_percentile
 from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.laws.stability import Mode, first_instability
@@ -52,7 +52,7 @@ def cause_in(state: State) -> Why | None:
 def turned_law(state: State) -> Why | None:
     """Say which law has an extreme of its stress at stretches that were reached, be it in a few cells only."""
     model = state.model
-    gradients, weight = deformation_gradients(model, state.displacement)
+    gradients, weight = elastic_gradients(model, state.displacement, state.load_factor)
     for name, material in model.region_materials.items():
         cells = model.mesh.regions[name]
         turn = _turn(material, _principal_stretches(gradients[cells]), weight[cells].ravel())
@@ -117,7 +117,7 @@ def overload(state: State) -> Why | None:
 
 def largest_stretch(state: State, region: str | None = None) -> float:
     """Stretch that 99 % of the volume stay below, of the body or of a region."""
-    gradients, weight = deformation_gradients(state.model, state.displacement)
+    gradients, weight = elastic_gradients(state.model, state.displacement, state.load_factor)
     chosen = slice(None) if region is None else state.model.mesh.regions[region]
     return weighted_percentile(_principal_stretches(gradients[chosen])[:, 0], weight[chosen].ravel())
 

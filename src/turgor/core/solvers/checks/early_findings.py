@@ -1,6 +1,7 @@
 """Early findings: everything that is known about a model before it is solved, in one call."""
 
 from turgor.core.model.model import Model
+from turgor.core.solvers.checks.body_states import states_while_loading
 from turgor.core.solvers.checks.contact import check_contact
 from turgor.core.solvers.checks.fibers import check_fibers
 from turgor.core.solvers.checks.materials import constants_in_doubt
@@ -60,7 +61,8 @@ def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
     tuple of Finding
         Doubtful constants, unstable laws (M04 to M07), magnitudes outside the range of the field (P01 to P06, L08),
         supports that hold everything, a cavity or the tip (B09, B27, B28), cavities without a pressure or with several
-        (B03, L10), windings (B04, B05), walls and obstacles that overlap (B07, B08), obstacles in a cavity (B29).
+        (B03, L10), states of bodies (L11, L12), windings (B04, B05), walls and obstacles that overlap (B07, B08),
+        obstacles in a cavity (B29).
 
     Raises
     ------
@@ -72,6 +74,7 @@ def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
         (
             *constants_in_doubt(model),
             *(finding for question in questions for finding in implausible(question)),
+            *(finding for question in questions for finding in states_while_loading(question.model)),
             *everything_fixed(model),
             *fixed_cavities(model),
             *fixed_tip(model),

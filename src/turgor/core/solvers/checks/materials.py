@@ -54,7 +54,7 @@ def laws_beyond_their_tests(model: Model, states: Sequence[State]) -> tuple[Find
     looked_at = (*(s for s in states if s.load_factor in turns), farthest, states[-1])
     largest = dict.fromkeys((id(material) for material in tested.values()), 1.0)
     for state in {id(state): state for state in looked_at}.values():
-        cells = cell_fields(model, state.displacement, state.mean_stress)
+        cells = cell_fields(state.model, state.displacement, state.mean_stress, None, state.load_factor)
         for name, material in tested.items():
             here = volume_percentile(cells, cells.stretch, model.mesh.regions[name])
             largest[id(material)] = max(largest[id(material)], here)

@@ -120,7 +120,7 @@ def _bending_share(model: Model, name: str, state: State) -> float | None:
         bent = bending_energy(model, name, state.displacement)
     except TurgorError:
         return None
-    return bent / strain_energy(model, state.displacement, state.mean_stress)
+    return bent / strain_energy(model, state.displacement, state.mean_stress, load_factor=state.load_factor)
 
 
 def _as_shell(model: Model, name: str, bent: float | None) -> str:

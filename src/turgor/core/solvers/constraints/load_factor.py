@@ -14,6 +14,19 @@ from turgor.core.solvers.constraints.elimination import Conditions
 Array = NDArray[np.float64]
 
 
+#: Load factors to both sides of a state, at which the difference of forces of states is taken: a curvature of a tenth
+#: per load factor squared is off by 1e-9, and so is round-off.
+STATE_NUDGE = 1e-4
+
+
+def load_change(system: System, unknowns: Array, before: float, after: float) -> Array:
+    """Change (size,) of the forces that loads and states of bodies exert between two load factors, nothing moving."""
+    change = system.external(unknowns, after) - system.external(unknowns, before)
+    if not system.has_states:
+        return change
+    return np.asarray(change + system.cell_forces(unknowns, before) - system.cell_forces(unknowns, after))
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class LoadFactor:
     """The load factor.
@@ -35,9 +48,11 @@ class LoadFactor:
         return None
 
     def columns(self, at: Evaluation) -> Array:
-        """Minus the forces of all loads, which are straight in the load factor."""
-        full, none = (self.system.external(at.unknowns, factor) for factor in (1.0, 0.0))
-        return (none - full)[None, :]
+        """Minus the forces of all loads, which are straight in the load factor but for states of bodies."""
+        if not self.system.has_states:
+            return -load_change(self.system, at.unknowns, 0.0, 1.0)[None, :]
+        ends = (at.load_factor - STATE_NUDGE, at.load_factor + STATE_NUDGE)
+        return -load_change(self.system, at.unknowns, *ends)[None, :] / (2 * STATE_NUDGE)
 
     def unstable(self, modes: int | None, stiffness: Array) -> int | None:
         """Those at given loads, because the user requested loads."""

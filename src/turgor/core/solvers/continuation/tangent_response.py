@@ -13,6 +13,7 @@ from turgor.core.engine.algebra.linear import ROUGH, SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import NUDGE, Constraint
+from turgor.core.solvers.constraints.load_factor import load_change
 from turgor.core.solvers.continuation.settings import BRANCH_JUMP
 from turgor.core.solvers.newton.border import push
 
@@ -21,7 +22,7 @@ Array = NDArray[np.float64]
 
 def load_response(system: System, tangent: Tangent, unknowns: Array, before: float = 0.0, after: float = 1.0) -> Array:
     """Change (size,) of the unknowns with the load factor, for loads from one to another, by the last factors."""
-    force = (system.external(unknowns, after) - system.external(unknowns, before)) / (after - before)
+    force = load_change(system, unknowns, before, after) / (after - before)
     return tangent.solve(np.where(system.prescribed, 0.0, force), ROUGH)
 
 
@@ -56,7 +57,9 @@ def response_in_step(constraint: Constraint, tangent: Tangent, at: Evaluation, b
 
 
 def others_move(system: System, before: float, after: float) -> bool:
-    """Whether supports or obstacles move between two load factors."""
+    """Whether supports or obstacles move between two load factors, or states of bodies change."""
+    if system.has_states:
+        return True
     obstacles = system.model.contact.obstacles
     return bool((system.prescribed_values(before) != system.prescribed_values(after)).any()) or any(
         bool((each.displacement(before) != each.displacement(after)).any()) for each in obstacles

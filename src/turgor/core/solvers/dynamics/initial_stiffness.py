@@ -19,13 +19,13 @@ def initial_stiffness(system: System, tangent: Tangent, at: Evaluation, mass: Ar
     if free:
         youngs_modulus = 3.0  # of rubber, in shear moduli
         return 0.5 * youngs_modulus / float(np.ptp(system.points, axis=0).max()) ** 2
-    factor = max(extremes(system.model), key=lambda each: float(np.linalg.norm(system.external(at.unknowns, each))))
+    factor = max(extremes(system.model), key=lambda each: float(np.linalg.norm(_driving(system, at, each))))
     jump = system.prescribed_values(factor) - at.unknowns[system.prescribed]
     try:
         coupling = tangent.factor(at, None, jump)
     except SingularTangentError:
         return float(np.abs(system.tangent_data(at)).max()) / float(np.abs(mass).max())
-    right = system.external(at.unknowns, factor) - coupling
+    right = _driving(system, at, factor) - coupling
     right[system.prescribed] = jump
     answer = tangent.solve(right)
     answer[~system.moving] = 0.0
@@ -33,3 +33,12 @@ def initial_stiffness(system: System, tangent: Tangent, at: Evaluation, mass: Ar
     stretched = float(answer @ system.pattern.product(data, answer))
     moved = float(answer @ system.layout.base.product(mass, answer))
     return 0.5 * abs(stretched) / moved if moved > 0 else 1.0
+
+
+def _driving(system: System, at: Evaluation, factor: float) -> Array:
+    """Forces (size,) of the loads at a load factor, and what states of bodies change up to it."""
+    force = system.external(at.unknowns, factor)
+    if not system.has_states:
+        return force
+    states = system.cell_forces(at.unknowns, at.load_factor) - system.cell_forces(at.unknowns, factor)
+    return np.asarray(force + states)

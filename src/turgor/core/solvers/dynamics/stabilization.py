@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.additions import Linear
 from turgor.core.engine.cells.internal_variables import History
-from turgor.core.engine.energy import contact_energy, softening_loss, stored_energy
+from turgor.core.engine.energy import contact_energy, softening_loss, stored_energy, work_of_states
 from turgor.core.engine.mass import mass_data
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.model.drive import kinks
@@ -97,7 +97,7 @@ def _begin(problem: Problem, procedure: StepOptions, share: float) -> _Run:
         len(system.cells), system.stress_scale / system.length**2
     )  # a scaled mass of 1 for a scaled volume of 1
     mass = mass_data(system, even)
-    strain = stored_energy(system, unknowns, history) + contact_energy(system, at)
+    strain = stored_energy(system, unknowns, at.load_factor, history) + contact_energy(system, at)
     free = free_motions(system.model) > 0
     run = _Run(
         problem=problem, procedure=procedure, control=StepControl.of(procedure, turns), kinks=turns,
@@ -252,10 +252,13 @@ def _energies(run: _Run, at: Evaluation, viscous: Array) -> Energies:
     lasting = taken_by_friction(system, at) + softening_loss(system, at) - run.softened
     return Energies(
         kinetic=0.0,
-        strain=stored_energy(system, at.unknowns, at.history) + contact_energy(system, at),
+        strain=stored_energy(system, at.unknowns, at.load_factor, at.history) + contact_energy(system, at),
         dissipated=before.dissipated + 0.5 * unit * float((run.viscous + viscous) @ moved) + lasting,
         lasting=before.lasting + lasting,
-        work=before.work + pushed + unit * float((0.5 * (run.at.external + at.external) + support) @ moved),
+        work=before.work
+        + pushed
+        + work_of_states(system, run.at, at)
+        + unit * float((0.5 * (run.at.external + at.external) + support) @ moved),
     )
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.additions import Addition, Linear, Together
 from turgor.core.engine.cells.internal_variables import Memory
 from turgor.core.engine.damping import StrainRateDamping
-from turgor.core.engine.energy import contact_energy, stored_energy
+from turgor.core.engine.energy import contact_energy, stored_energy, work_of_states
 from turgor.core.engine.mass import mass_data
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.model.drive import kinks
@@ -107,7 +107,7 @@ def _begin(problem: Problem, procedure: TimeOptions) -> _Run:
     acceleration, stress = accelerations.acceleration(velocity, damping)
     moving = system.moving.astype(np.float64)
     kinetic = _unit(system) * 0.5 * float(velocity @ system.layout.base.product(mass, velocity))
-    strain = stored_energy(system, unknowns, history) + contact_energy(system, at)
+    strain = stored_energy(system, unknowns, at.load_factor, history) + contact_energy(system, at)
     run = _Run(
         problem=problem, procedure=procedure, control=TimeControl.of(procedure, kinks(system.model)),
         mass=mass, moving=moving, motion=Motion(unknowns + stress, velocity, acceleration, acceleration), at=at,
@@ -265,7 +265,8 @@ def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[
     moved = run.moving * (at.unknowns - run.at.unknowns)
     support = np.where(system.prescribed, 0.5 * (run.at.residual + at.residual), 0.0)
     work = float((0.5 * (run.at.external + at.external) + support) @ moved)
-    unit, strain = _unit(system), stored_energy(system, at.unknowns, at.history) + contact_energy(system, at)
+    unit = _unit(system)
+    strain = stored_energy(system, at.unknowns, at.load_factor, at.history) + contact_energy(system, at)
     by_contacts = work_of_contacts(system, run.pushed, pushed)
     taken = 0.5 * unit * float((run.damping + damping) @ moved)
     if system.materials.remembers:  # what the rubber took up and will not give back
@@ -276,7 +277,7 @@ def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[
         kinetic=0.5 * unit * float(motion.velocity @ system.layout.base.product(run.mass, motion.velocity)),
         strain=strain,
         dissipated=before.dissipated + taken,
-        work=before.work + unit * work + by_contacts,
+        work=before.work + unit * work + by_contacts + work_of_states(system, run.at, at),
     )
 
 

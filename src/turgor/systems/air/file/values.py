@@ -145,12 +145,7 @@ def read_valve_passage(content: Mapping[str, Any]) -> Passage:
 
 
 def quantity(value: Any, dimension: str) -> float:
-    """Read a number, with its unit where it has a dimension; temperatures may be in °C."""
-    if dimension == "temperature" and isinstance(value, str) and value.strip().endswith(("°C", "degC")):
-        try:
-            return float(value.strip().removesuffix("°C").removesuffix("degC")) + 273.15
-        except ValueError:
-            raise TurgorError(f"{value!r} is no temperature; write it as '20 °C' or '293.15 K'.") from None
+    """Read a number, with its unit where it has a dimension."""
     if dimension:
         return parse_quantity(value, dimension)
     if isinstance(value, bool) or not isinstance(value, int | float):

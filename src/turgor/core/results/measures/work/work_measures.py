@@ -13,7 +13,8 @@ from turgor.foundation.errors import TurgorError
 
 def _strain_energy(at: StateFields) -> float:
     state = at.state
-    stored = stored_energy(at.model, state.displacement, state.mean_stress, state.memory, state.points)
+    fields = (state.displacement, state.mean_stress, state.memory, state.points)
+    stored = stored_energy(at.model, *fields, state.load_factor)
     return at.mesh.symmetry_factor * stored
 
 

@@ -1,0 +1,51 @@
+"""Checks of states of bodies: whether they are there before the loads, and whether hardening has a shape."""
+
+from turgor.core.model.history import RAMP
+from turgor.core.model.loads import Load
+from turgor.core.model.model import Model
+from turgor.foundation.finding import Finding, Severity
+
+
+def states_while_loading(model: Model) -> tuple[Finding, ...]:
+    """Say which states of bodies rise together with loads (L11), and which hardening has no stage (L12).
+
+    Parameters
+    ----------
+    model : Model
+        That of a stage, or of the run.
+
+    Returns
+    -------
+    tuple of Finding
+    """
+    states = [load for load in model.loads if load.of_bodies and _rises(load)]
+    loads = [load for load in model.loads if not load.of_bodies and _rises(load)]
+    together = [_together(states[0], loads[0])] if states and loads else []
+    loose = [load for load in model.loads if load.hardens and load.shape is None]
+    return (*together, *(_without_stage(load) for load in loose))
+
+
+def _rises(load: Load) -> bool:
+    return load.history == RAMP
+
+
+def _together(state: Load, load: Load) -> Finding:
+    return Finding(
+        code="L11",
+        severity=Severity.NOTE,
+        message=f"{state.label} rises together with {load.label}: at half of the load factor both have half of their "
+        "value. Only the last state is that of a body in its whole state under the whole load.",
+        advice="State it in a first stage, and the load in the next one; or give it a history that ends early, such as "
+        "[[0, 0], [0.2, 1], [1, 1]], and the load one that begins there.",
+    )
+
+
+def _without_stage(load: Load) -> Finding:
+    return Finding(
+        code="L12",
+        severity=Severity.WARNING,
+        message=f"{load.label} begins in the shape of the mesh, where nothing is deformed: it makes the body stiffer "
+        "from the start, and freezes no deformed shape.",
+        advice="State it in the loads of a later stage, which begins in the deformed shape; or take Stiffness, if the "
+        "body is stiffer from the start.",
+    )
