@@ -33,7 +33,7 @@ class ChosenRows:
     branch : str
         One of `BRANCHES`.
     by : str
-        Column that tells specimens or runs apart, which are averaged; empty for one of them.
+        Column that tells specimens or runs apart, or several with commas; they are averaged. Empty for one of them.
     remove : sequence of str
         Of `REMOVED`: an offset is known only in comparison with a computation, which takes it away; the drift is taken
         away here.
@@ -72,16 +72,20 @@ class ChosenRows:
         if not self.by:
             whole = read_experiment(file, units=self.units, columns=self.columns)
             return self.of(whole, x, y), {}
-        whole_ones = read_experiments(file, self.by, units=self.units, columns=self.columns)
+        names = [each.strip() for each in self.by.split(",")]
+        whole_ones = read_experiments(file, names, units=self.units, columns=self.columns)
         if len(whole_ones) < 2:
             raise TurgorError(f"'{file.name}': the column '{self.by}' holds one value; leave it out, or name another.")
         specimens = {name: self.of(each, x, y) for name, each in whole_ones.items()}
         drive = driving(next(iter(specimens.values())), x)
         for name, each in specimens.items():
             if len(branches(each.column(drive))) > 1:
+                way = "choose a branch, loading or unloading"
+                if self.branch != "both":
+                    way = f"it has several cycles; name their column too, such as by = '{self.by},cycle'"
                 raise TurgorError(
                     f"'{file.name}': '{drive}' of {self.by} '{name}' goes up and down, so that a mean over all has no "
-                    "sense; choose a branch, loading or unloading."
+                    f"sense; {way}."
                 )
         return average_runs(list(specimens.values()), drive), specimens
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.accuracy.laboratory.loops import Loop, computed_at, loop_of
-from turgor.accuracy.laboratory.rest import rest_of
+from turgor.accuracy.laboratory.rest import Rest, rest_of
 from turgor.accuracy.laboratory.runs import SPREAD, branches, interpolated
 from turgor.accuracy.laboratory.settings import LABORATORY
 from turgor.core.results.drive import drive_of
@@ -178,7 +178,7 @@ def compare(computed: Response, measured: Response, y: str | None = None, *, x: 
     rest = rest_of(measured, theirs, other)
     offset = np.nan if rest is None else rest.start - float(interpolated(curve, ours, name, np.array([rest.drive]))[0])
     loop, drift = loop_of(rows[:, 0], rows[:, 1], away), np.nan if rest is None else rest.drift
-    notes += _of_measurement(computed.find(name), reach, loop, (offset, drift))
+    notes += _of_measurement((computed.find(ours), computed.find(name)), reach, loop, rest, offset)
     return Comparison(
         computed=computed, measured=measured, x=ours, y=name, measured_x=theirs, measured_y=other, rows=rows, rms=rms,
         largest=float(away[worst]), largest_at=float(rows[worst, 0]), relative=rms / reach if reach else np.inf,
@@ -186,18 +186,23 @@ def compare(computed: Response, measured: Response, y: str | None = None, *, x: 
     )  # fmt: skip
 
 
-def _of_measurement(y: Column, reach: float, loop: Loop | None, rest: tuple[float, float]) -> tuple[str, ...]:
+def _of_measurement(
+    columns: tuple[Column, Column], reach: float, loop: Loop | None, rest: Rest | None, offset: float
+) -> tuple[str, ...]:
     """Sentences on loading and unloading, offset and drift of a measurement, where they are more than its noise."""
-    notes, least = [], LABORATORY.shown * reach
+    (x, y), notes, least = columns, [], LABORATORY.shown * reach
     if loop is not None:
         notes.append(
             f"Loading differs by {_in(y, loop.loading)} (RMS), unloading by {_in(y, loop.unloading)}; measured "
             f"values are {_in(y, loop.width, signed=True)} in unloading, on average."
         )
-    for what, amount in zip(("At rest the measured value is {} from the computed one", "It drifts by {} until it is at "
-                             "rest again"), rest, strict=True):  # fmt: skip
-        if abs(amount) > least:
-            notes.append(f"{what.format(_in(y, amount, signed=True))}.")
+    if rest is not None and abs(offset) > least:
+        notes.append(
+            f"At {_in(x, rest.drive)}, the lowest {_words(x.name)}, the measured value is "
+            f"{_in(y, offset, signed=True)} from the computed one at the beginning."
+        )
+    if rest is not None and abs(rest.drift) > least:
+        notes.append(f"It drifts by {_in(y, rest.drift, signed=True)} until it is there again.")
     return tuple(notes)
 
 
