@@ -9,7 +9,7 @@ import tomlkit
 
 from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.materials.laws.law_spec import is_dimensionless
-from turgor.core.materials.laws.laws import LAWS
+from turgor.core.materials.laws.laws import LAWS, Hooke
 from turgor.core.materials.library.record_history import history_tables
 from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.mesh_file import MeshFile
@@ -141,12 +141,13 @@ def _material(entry: Material | Sheet) -> dict[str, Any]:
     law = name_in(LAWS, material.law)
     if law is None:
         raise TurgorError(f"job files have no name for the law {type(material.law).__name__} of '{material.name}'.")
-    unit = "GPa" if law == "hooke" else "MPa"
+    elastic = isinstance(material.law, Hooke)
+    unit = "GPa" if elastic else "MPa"
     values: dict[str, Any] = {"name": material.name, "law": law}
     for item in fields(material.law):  # type: ignore[arg-type]
         value = getattr(material.law, item.name)
         values[item.name] = _constants(value, None if is_dimensionless(item) else unit)
-    if law != "hooke":
+    if not elastic:
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
     values |= history_tables(material.viscoelasticity, material.stress_softening)
@@ -159,6 +160,8 @@ def _material(entry: Material | Sheet) -> dict[str, Any]:
         values["form"] = type(entry).__name__.lower()
         if isinstance(entry, Shell) and material.bending_stiffness is not None:
             values["bending_stiffness"] = format_quantity(material.bending_stiffness, "µN m")
+        if entry.warp is not None:
+            values["warp"] = list(entry.warp)
         if entry.wrinkles:
             values["compression"] = entry.compression
     source = material.source

@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.faces import membranes
 from turgor.core.engine.faces.plate_edges import plate_terms
+from turgor.core.engine.faces.sheet_moduli import sheet_moduli
 from turgor.core.engine.faces.tension_field import TensionField, tension_field
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
-from turgor.core.materials.laws.laws import Hooke
 from turgor.core.model.model import Model
 from turgor.core.model.sheets import Shell
 
@@ -29,8 +29,8 @@ class MembraneTerm(Term):
         In-plane gradients of the shape functions at the Gauss points.
     areas : (f, q) array
         Areas of the Gauss points.
-    moduli : (3, 3) array
-        Scaled moduli times thickness.
+    moduli : (3, 3) or (f, q, 3, 3) array
+        Scaled moduli times thickness; those of each Gauss point where the layer is woven.
     field : TensionField or None
         Where the layer wrinkles.
     """
@@ -57,20 +57,20 @@ class MembraneTerm(Term):
         strain = self._linear(position, np.zeros_like(position), np.eye(3))
         if self.field is not None:
             return float((self.areas * self.field.energy(strain)).sum())
-        return 0.5 * float(np.einsum("fq,fqi,ij,fqj->", self.areas, strain, self.moduli, strain))
+        return 0.5 * float((self.areas * (strain * self._times(strain)).sum(axis=-1)).sum())
 
     def stresses(self, position: Array, update: Array) -> Array:
         """Stress times thickness (f, q, 3); where the layer wrinkles, followed by the linearized strain (f, q, 6)."""
-        if self.field is None:
-            return self._linear(position, update, self.moduli)
         strain = self._linear(position, update, np.eye(3))
+        if self.field is None:
+            return self._times(strain)
         return np.concatenate([self.field.stress(strain), strain], axis=-1)
 
     def continued(self, position: Array, update: Array, last: Array) -> Array:
         """Stress and strain of an update; where the layer wrinkles, both are linear in it."""
-        if self.field is None:
-            return self._linear(position, update, self.moduli)
         strain = self._linear(position, update, np.eye(3))
+        if self.field is None:
+            return self._times(strain)
         return np.concatenate([self._expanded(strain, last), strain], axis=-1)
 
     def correction(self, at: Configuration, stresses: Array) -> Array | None:
@@ -101,6 +101,10 @@ class MembraneTerm(Term):
         change = np.einsum("fqij,fqj->fqi", self.field.tangent(about), strain - about)
         return np.asarray(self.field.stress(about) + change)
 
+    def _times(self, strain: Array) -> Array:
+        """Stress (f, q, 3) of a strain that does not wrinkle."""
+        return np.asarray((self.moduli @ strain[..., None])[..., 0])
+
     def _linear(self, position: Array, update: Array, moduli: Array) -> Array:
         """Moduli times the strain linearized for an update, (f, q, 3)."""
         stress = membranes.membrane_stress(position, update, self.nodes, self.gradients, self.areas, moduli)
@@ -111,12 +115,12 @@ def membrane_terms(setting: Setting) -> list[MembraneTerm]:
     """One for each membrane and shell; `plate_terms` makes the bending of shells."""
     model, terms = setting.model, []
     for name, membrane in model.membranes.items():
-        law, scale = membrane.material.law, membrane.thickness / (setting.length * setting.stress)
-        assert isinstance(law, Hooke)
-        moduli = membranes.plane_stress_moduli(law) * scale
-        field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None
         sides = np.ascontiguousarray(model.mesh.face(name))
-        terms.append(MembraneTerm(sides, *membranes.surface_gradients(setting.points, sides), moduli, field))
+        frames = membranes.surface_frames(setting.points, sides)
+        scale = membrane.thickness / (setting.length * setting.stress)
+        moduli = sheet_moduli(membrane, frames.e1, frames.e2) * scale
+        field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None
+        terms.append(MembraneTerm(sides, frames.gradients, frames.areas, moduli, field))
     return terms
 
 
@@ -138,14 +142,13 @@ def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, 
         Area of each point.
     """
     sheet, points = model.membranes[name], model.mesh.points
-    law, sides = sheet.material.law, np.ascontiguousarray(model.mesh.face(name))
-    assert isinstance(law, Hooke)
-    gradients, areas = membranes.surface_gradients(points, sides)
-    moduli = membranes.plane_stress_moduli(law) * sheet.thickness
-    still = np.zeros_like(points)
-    stress = membranes.membrane_stress(points + displacement, still, sides, gradients, areas, moduli)
+    sides = np.ascontiguousarray(model.mesh.face(name))
+    frames = membranes.surface_frames(points, sides)
+    moduli = sheet_moduli(sheet, frames.e1, frames.e2) * sheet.thickness
+    term = MembraneTerm(sides, frames.gradients, frames.areas, moduli)
+    stress = term.stresses(points + displacement, np.zeros_like(points))
     half = 0.5 * (stress[..., 0] - stress[..., 1])
-    return 0.5 * (stress[..., 0] + stress[..., 1]) - np.hypot(half, stress[..., 2]), areas
+    return 0.5 * (stress[..., 0] + stress[..., 1]) - np.hypot(half, stress[..., 2]), frames.areas
 
 
 def bending_energy(model: Model, name: str, displacement: Array) -> float:
@@ -164,7 +167,7 @@ def bending_energy(model: Model, name: str, displacement: Array) -> float:
         If the sheet branches, so that it cannot bend.
     """
     mesh, sheet = model.mesh, model.membranes[name]
-    shell, moved = Shell(sheet.material, sheet.thickness), mesh.points + displacement
+    shell, moved = Shell(sheet.material, sheet.thickness, warp=sheet.warp), mesh.points + displacement
     alone = replace(model, materials={**model.region_materials, name: shell})
     setting = Setting(alone, mesh.points, np.zeros(mesh.points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)
     return sum(term.energy(moved) for term in plate_terms(setting))

@@ -53,6 +53,23 @@ PLATE = PlateSettings()
 
 
 @dataclass(frozen=True, slots=True)
+class WarpSettings:
+    """Settings of woven sheets.
+
+    Parameters
+    ----------
+    least_share : float
+        Least length on the surface of a unit vector that gives the warp: below it, the direction on the surface would
+        be chance.
+    """
+
+    least_share: float = 0.05
+
+
+WARP = WarpSettings()
+
+
+@dataclass(frozen=True, slots=True)
 class TensionFieldSettings:
     """Settings of sheets that wrinkle, tested in `tests/unit/core/engine/test_relaxed_energy.py`.
 
