@@ -69,6 +69,8 @@ def outer_triangles(mesh: Mesh) -> Triangles:
     >>> len(outer_triangles(one))
     4
     """
+    if not len(mesh.cells):
+        return mesh.film_sides
     sides = cell_sides(mesh.cells)
     _, index, count = np.unique(corner_keys(sides, len(mesh.points)), return_index=True, return_counts=True)
     outer = sides[np.sort(index[count == 1])]

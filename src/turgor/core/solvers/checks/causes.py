@@ -116,7 +116,9 @@ def overload(state: State) -> Why | None:
 
 
 def largest_stretch(state: State, region: str | None = None) -> float:
-    """Stretch that 99 % of the volume stay below, of the body or of a region."""
+    """Stretch that 99 % of the volume stay below, of the body or of a region; 1 of films without a solid."""
+    if not len(state.model.mesh.cells):
+        return 1.0
     gradients, weight = deformation_gradients(state.model, state.displacement)
     chosen = slice(None) if region is None else state.model.mesh.regions[region]
     return weighted_percentile(_principal_stretches(gradients[chosen])[:, 0], weight[chosen].ravel())

@@ -145,5 +145,5 @@ def _as_shell(model: Model, name: str, bent: float | None) -> str:
 
 
 def softest(model: Model) -> float:
-    """Return the smallest initial shear modulus of the regions [Pa]."""
-    return min(material.law.shear_modulus for material in model.region_materials.values())
+    """Return the smallest initial shear modulus of the regions [Pa]; 0 of films without a solid."""
+    return min((material.law.shear_modulus for material in model.region_materials.values()), default=0.0)
