@@ -21,6 +21,7 @@ from turgor.core.meshing.middles import middles_of
 from turgor.foundation.display import Shown, listed
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Finding
+from turgor.foundation.round_off import ROUND_OFF
 
 #: Mid-side nodes 4..9 of a ten-node tetrahedron lie on these pairs of its vertices (VTK and Abaqus order).
 TETRAHEDRON_EDGES = TETRAHEDRON.edges
@@ -211,10 +212,16 @@ class Mesh(Shown):
         """Axis along the normal and position [m] of the mirror plane of each of `symmetry_faces`."""
         planes = []
         for name in self.symmetry_faces:
-            on = self.points[self.face_nodes(name)]
-            axis = int(np.ptp(on, axis=0).argmin())
-            planes.append((axis, float(on[:, axis].mean())))
+            axis = self.normal_axis(name)
+            planes.append((axis, float(self.points[self.face_nodes(name)][:, axis].mean())))
         return tuple(planes)
+
+    def normal_axis(self, name: str) -> int:
+        """Axis along the normal of a flat face; an edge of a flat film has two, and ``symmetry_y`` means y."""
+        extent = np.ptp(self.points[self.face_nodes(name)], axis=0)
+        named = "xyz".find(name.removeprefix("symmetry_"))
+        flat = named >= 0 and extent[named] <= ROUND_OFF.mesh_digits * extent.max()
+        return named if flat else int(extent.argmin())
 
     @property
     def radii(self) -> NDArray[np.float64]:

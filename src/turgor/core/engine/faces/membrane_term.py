@@ -119,7 +119,8 @@ def membrane_terms(setting: Setting) -> list[MembraneTerm]:
         frames = membranes.surface_frames(setting.points, sides)
         scale = membrane.thickness / (setting.length * setting.stress)
         moduli = sheet_moduli(membrane, frames.e1, frames.e2) * scale
-        field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None
+        alone = not len(model.mesh.cells)
+        field = tension_field(moduli, membrane.compression, alone=alone) if membrane.wrinkles else None
         terms.append(MembraneTerm(sides, frames.gradients, frames.areas, moduli, field))
     return terms
 

@@ -120,8 +120,13 @@ class TensionField:
         return self.toe * (1 + self._poisson)
 
 
-def tension_field(moduli: Array, compression: float) -> TensionField:
-    """Make the tension field of scaled moduli times thickness, and of the share that works in compression."""
+def tension_field(moduli: Array, compression: float, *, alone: bool = False) -> TensionField:
+    """Make the tension field of scaled moduli times thickness, and of the share that works in compression.
+
+    It is ``alone`` where the mesh has no rubber.
+    """
+    if alone:
+        return TensionField(moduli, max(compression, TENSION_FIELD.film_share), TENSION_FIELD.film_toe)
     stiffness = float(moduli[0, 0])
     share = max(compression, min(TENSION_FIELD.largest_share, TENSION_FIELD.slack_stiffness / stiffness))
     return TensionField(moduli, share, min(TENSION_FIELD.toe_per_stiffness * stiffness, TENSION_FIELD.longest_toe))

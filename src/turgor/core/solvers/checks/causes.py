@@ -86,6 +86,8 @@ def balloon(states: Sequence[State]) -> Why | None:
     """Say that a wall thins faster than its rubber stiffens: the limit point of a balloon."""
     last = states[-1]
     model = last.model
+    if not len(model.mesh.cells):
+        return None  # a film that does not stretch; a flat cavity has no volume at rest
     driven = [name for name, pressure in pressures_of(last).items() if pressure > 0 and name in model.mesh.cavities]
     grown = {name: _growth(last, name) for name in driven}
     stretch = largest_stretch(last)
@@ -116,9 +118,7 @@ def overload(state: State) -> Why | None:
 
 
 def largest_stretch(state: State, region: str | None = None) -> float:
-    """Stretch that 99 % of the volume stay below, of the body or of a region; 1 of films without a solid."""
-    if not len(state.model.mesh.cells):
-        return 1.0
+    """Stretch that 99 % of the volume stay below, of the body or of a region."""
     gradients, weight = deformation_gradients(state.model, state.displacement)
     chosen = slice(None) if region is None else state.model.mesh.regions[region]
     return weighted_percentile(_principal_stretches(gradients[chosen])[:, 0], weight[chosen].ravel())

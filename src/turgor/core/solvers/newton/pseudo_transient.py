@@ -65,7 +65,9 @@ def pseudo_transient(
     motion = _Motion(at, _first_viscosity(system, tangent, at, resistance))
     smallest = PSEUDO_TRANSIENT.faded * motion.viscosity
     rough = replace(settings, tolerance=max(PSEUDO_TRANSIENT.rough_residual, settings.tolerance), mixed_points=False)
-    while motion.iterations < PSEUDO_TRANSIENT.iterations:
+    p, alone = PSEUDO_TRANSIENT, not len(system.cells)
+    most = p.iterations_of_films if alone else p.iterations
+    while motion.iterations < most:
         dragged = replace(constraint, addition=_drag(system, resistance, motion))
         start = Start(motion.at.unknowns, system.stresses(motion.at))
         result = newton(dragged, tangent, start, load_factor, rough, report)
