@@ -4,7 +4,6 @@ from dataclasses import replace
 from math import inf
 
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.geometry.rules import in_mm
 from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.meshing.quality.cell_quality import refuse_inverted
 from turgor.core.meshing.settings import MeshSettings
@@ -69,17 +68,10 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
 
 
 def _of_films(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
-    """Settings of films without a solid, which have quadrilaterals of one size."""
-    if settings.cells not in (None, "quadrilaterals"):
-        raise TurgorError(
-            f"mesh cells is '{settings.cells}', but '{geometry.name}' is a film without a solid, which has "
-            "'quadrilaterals'; leave cells out."
-        )
+    """Settings of films without a solid, which have quadrilaterals of one size whatever cells are stated."""
     size = geometry.extent / SIZING.film_sides * QUALITIES[settings.quality].size
     chosen = replace(settings, size=size if settings.size is None else settings.size, cells="quadrilaterals")
-    if chosen.size is not None and not geometry.extent / SIZING.most_film_sides <= chosen.size <= geometry.extent:
-        low, high = geometry.extent / SIZING.most_film_sides, geometry.extent
-        raise TurgorError(f"mesh size is {in_mm(chosen.size)}; allowed is {in_mm(low)} to {in_mm(high)} (the whole part).")
+    check_settings(geometry, chosen)
     return chosen
 
 

@@ -115,6 +115,8 @@ def check_surface(mesh: Mesh) -> tuple[Finding, ...]:
     -------
     tuple of Finding
     """
+    if not len(mesh.cells):
+        return ()  # both sides of a film are outside
     surface = outer_triangles(mesh)
     rims = {name: rim_edges(mesh.face(name)) for name in mesh.cavities}
     flat = [name for name in cavity_names(mesh.faces) if name not in mesh.cavities]

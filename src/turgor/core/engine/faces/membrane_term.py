@@ -7,14 +7,19 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.faces import membranes
 from turgor.core.engine.faces.plate_edges import plate_terms
+from turgor.core.engine.faces.settings import FILM
 from turgor.core.engine.faces.sheet_moduli import sheet_moduli
 from turgor.core.engine.faces.tension_field import TensionField, tension_field
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
+from turgor.core.meshing.cells import QUADRILATERAL
 from turgor.core.model.model import Model
 from turgor.core.model.sheets import Shell
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
+
+#: What frames have at each point besides its area.
+FRAMES = ("e1", "e2", "normal", "gradients")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,13 +121,28 @@ def membrane_terms(setting: Setting) -> list[MembraneTerm]:
     model, terms = setting.model, []
     for name, membrane in model.membranes.items():
         sides = np.ascontiguousarray(model.mesh.face(name))
-        frames = membranes.surface_frames(setting.points, sides)
+        frames = film_frames(setting.points, sides, alone=not len(model.mesh.cells))
         scale = membrane.thickness / (setting.length * setting.stress)
         moduli = sheet_moduli(membrane, frames.e1, frames.e2) * scale
         alone = not len(model.mesh.cells)
         field = tension_field(moduli, membrane.compression, alone=alone) if membrane.wrinkles else None
         terms.append(MembraneTerm(sides, frames.gradients, frames.areas, moduli, field))
     return terms
+
+
+def film_frames(points: Array, sides: Ints, *, alone: bool) -> membranes.Frames:
+    """Frames at the points where a sheet is integrated.
+
+    Nine-node sides have as many strains at 2 × 2 points as nodes to move, and rubber resists what these strains do not
+    see: that the middles of edges move against the corners. A film ``alone`` gets a share of 3 × 3 points besides.
+    """
+    few = membranes.surface_frames(points, sides)
+    if not alone or sides.shape[1] != QUADRILATERAL.nodes:
+        return few
+    share, many = FILM.full_share, membranes.surface_frames(points, sides, FILM.full_degree)
+    areas = np.concatenate([(1 - share) * few.areas, share * many.areas], axis=1)
+    joined = (np.concatenate([getattr(few, name), getattr(many, name)], axis=1) for name in FRAMES)
+    return membranes.Frames(*joined, areas)
 
 
 def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, Array]:

@@ -41,7 +41,7 @@ class Pouch:
     Examples
     --------
     >>> Pouch(length=40e-3).build().faces
-    ('cavity', 'film', 'fixed', 'symmetry_y', 'symmetry_z', 'tip')
+    ('cavity', 'film', 'fixed', 'seams', 'symmetry_y', 'symmetry_z', 'tip')
     >>> Pouch(seam=0)
     Traceback (most recent call last):
     turgor.TurgorError: seam is 0 mm; allowed is 0.1 mm to 50 mm.
@@ -78,8 +78,8 @@ class Pouch:
         Returns
         -------
         Geometry
-            No region; faces ``film`` (all of it), ``cavity`` (what the pressure acts on), ``fixed`` and ``tip`` (the
-            seams at x = 0 and x = length), ``symmetry_y``, and ``symmetry_z`` (all seams).
+            No region; faces ``film`` (what bulges, also called ``cavity``), ``seams`` (both of them, apart ``fixed``
+            and ``tip``), ``symmetry_y``, and ``symmetry_z`` (the seams and the edge at the side).
         """
         return Geometry(
             name="pouch, quarter",
@@ -87,20 +87,23 @@ class Pouch:
             cavity_volumes=self.cavity_volumes,
             solid_volume=self.solid_volume,
             regions=(),
-            faces=("cavity", "film", "fixed", "symmetry_y", "symmetry_z", "tip"),
+            faces=("cavity", "film", "fixed", "seams", "symmetry_y", "symmetry_z", "tip"),
             shape=FilmShape(patches=tuple(self._patches())),
         )
 
     def _patches(self) -> list[Patch]:
-        """Pieces of the upper film, seen from below: cavity and seams."""
-        xs = (("fixed", -self.seam, 0.0), ("", 0.0, self.length), ("tip", self.length, self.length + self.seam))
-        ys = ((False, 0.0, self.width / 2), (True, self.width / 2, self.width / 2 + self.seam))
-        patches = []
-        for end, left, right in xs:
-            for beside, low, high in ys:
-                sealed = bool(end) or beside
-                names = ("film", *((end,) if end else ()), "symmetry_z" if sealed else "cavity")
-                corners = ((left, low, 0.0), (left, high, 0.0), (right, high, 0.0), (right, low, 0.0))
-                at_mirror = "" if beside else "symmetry_y"
-                patches.append(Patch(corners=corners, faces=names, edges=("", "", "", at_mirror)))
-        return patches
+        """Pieces of the upper film, seen from below: a seam, the cavity and the other seam."""
+        half = self.width / 2
+        pieces = (
+            (-self.seam, 0.0, ("seams", "fixed", "symmetry_z"), ""),
+            (0.0, self.length, ("film", "cavity"), "symmetry_z"),
+            (self.length, self.length + self.seam, ("seams", "tip", "symmetry_z"), ""),
+        )
+        return [
+            Patch(
+                corners=((left, 0.0, 0.0), (left, half, 0.0), (right, half, 0.0), (right, 0.0, 0.0)),
+                faces=names,
+                edges=("", side, "", "symmetry_y"),
+            )
+            for left, right, names, side in pieces
+        ]
