@@ -192,3 +192,36 @@ def bending_energy(model: Model, name: str, displacement: Array) -> float:
     alone = replace(model, materials={**model.region_materials, name: shell})
     setting = Setting(alone, mesh.points, np.zeros(mesh.points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)
     return sum(term.energy(moved) for term in plate_terms(setting))
+
+
+def film_fields(model: Model, displacement: Array) -> tuple[Array, Array]:
+    """Compute Cauchy stress and largest principal stretch of films without a solid, averaged at the nodes.
+
+    Each side gives its mean to its nodes, weighted by area. The thickness counts as that at rest.
+
+    Parameters
+    ----------
+    model : Model
+    displacement : (n, 3) array [m]
+
+    Returns
+    -------
+    stress : (n, 3, 3) array [Pa]
+    stretch : (n,) array
+    """
+    points = model.mesh.points
+    weight, sums = np.zeros(len(points)), np.zeros((len(points), 10))
+    setting = Setting(model, points, np.zeros(points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)
+    for (_, sheet), term in zip(model.membranes.items(), membrane_terms(setting), strict=True):
+        F = np.einsum("fqak,fai->fqik", term.gradients, (points + displacement)[term.nodes])
+        S = term.stresses(points + displacement, np.zeros_like(points))[..., [0, 2, 2, 1]].reshape(*F.shape[:2], 2, 2)
+        right = np.swapaxes(F, -1, -2) @ F
+        grown = np.sqrt(np.maximum(np.linalg.det(right), np.finfo(float).tiny))[..., None, None]
+        cauchy = (F @ S @ np.swapaxes(F, -1, -2) / (grown * sheet.thickness)).reshape(*F.shape[:2], 9)
+        stretch = np.sqrt(np.linalg.eigvalsh(right)[..., -1:])
+        of_sides = np.einsum("fq,fqk->fk", term.areas, np.concatenate([cauchy, stretch], axis=-1))
+        for node in term.nodes.T:
+            np.add.at(sums, node, of_sides)
+            np.add.at(weight, node, term.areas.sum(axis=1))
+    mean = sums / np.maximum(weight, np.finfo(float).tiny)[:, None]
+    return mean[:, :9].reshape(-1, 3, 3), mean[:, 9]
