@@ -127,13 +127,13 @@ def quality(mesh: Mesh) -> MeshQuality:
     >>> round(measured.min_shape, 12), round(measured.min_jacobian_ratio, 12)
     (1.0, 1.0)
     """
-    ratios = jacobian_ratios(mesh)
-    shape = cell_shapes(mesh)
-    ends = np.sort(np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges]), axis=1)
+    ratios, shape = (jacobian_ratios(mesh), cell_shapes(mesh)) if len(mesh.cells) else _film_quality(mesh)
+    kind = mesh.cell_type if len(mesh.cells) else mesh.cell_type.side
+    ends = np.sort(np.concatenate([mesh.pieces[:, e] for e in kind.edges]), axis=1)
     ends = np.unique(ends, axis=0)
     lengths = np.linalg.norm(mesh.points[ends[:, 1]] - mesh.points[ends[:, 0]], axis=1)
     return MeshQuality(
-        cells=len(mesh.cells),
+        cells=len(mesh.pieces),
         points=len(mesh.points),
         vertices=mesh.vertex_count,
         unknowns=mesh.unknown_count,
@@ -145,6 +145,18 @@ def quality(mesh: Mesh) -> MeshQuality:
         mean_edge=float(lengths.mean()),
         max_edge=float(lengths.max()),
     )
+
+
+def _film_quality(mesh: Mesh) -> tuple[Array, Array]:
+    """Jacobian ratio and shape (f,) of the sides of films without a solid, from the areas at their corners.
+
+    The shape is the least of twice the area at a corner over the mean square of both edges there: 1 is a square.
+    """
+    p = mesh.points[mesh.film_sides[:, : mesh.cell_type.side.corners]]
+    ahead, back = np.roll(p, -1, axis=1) - p, np.roll(p, 1, axis=1) - p
+    area = np.linalg.norm(np.cross(ahead, back), axis=2)
+    squares = ((ahead**2).sum(axis=2) + (back**2).sum(axis=2)) / 2
+    return area.min(axis=1) / area.max(axis=1), (area / squares).min(axis=1)
 
 
 def cell_shapes(mesh: Mesh) -> Array:
