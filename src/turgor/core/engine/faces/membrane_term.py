@@ -141,8 +141,8 @@ def film_frames(points: Array, sides: Ints, *, alone: bool) -> membranes.Frames:
         return few
     share, many = FILM.full_share, membranes.surface_frames(points, sides, FILM.full_degree)
     areas = np.concatenate([(1 - share) * few.areas, share * many.areas], axis=1)
-    joined = (np.concatenate([getattr(few, name), getattr(many, name)], axis=1) for name in FRAMES)
-    return membranes.Frames(*joined, areas)
+    joined = {name: np.concatenate([getattr(few, name), getattr(many, name)], axis=1) for name in FRAMES}
+    return membranes.Frames(**joined, areas=areas)
 
 
 def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, Array]:
