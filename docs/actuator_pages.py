@@ -109,8 +109,8 @@ def _summary(family: Any) -> str:
 def _built(built: tg.Geometry) -> list[str]:
     cavities = ", ".join(f"`{name}` {volume * 1e6:.4g} mL" for name, volume in built.cavity_volumes.items())
     return [
-        f"With these the modeled part has {cavities} of cavity and {built.solid_volume * 1e6:.4g} mL of solid; regions "
-        f"{_listed(built.regions)}; faces {_listed(built.faces)}.",
+        f"With these the modeled part has {cavities} of cavity and {built.solid_volume * 1e6:.4g} mL of solid; "
+        f"{f'regions {_listed(built.regions)}' if built.regions else 'no region'}; faces {_listed(built.faces)}.",
     ]
 
 

@@ -13,6 +13,7 @@ from importlib.metadata import version
 from typing import Protocol
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.geometry.shapes.lazy_shape import LateShape
 from turgor.core.meshing.generator_override import INSTEAD
 from turgor.core.meshing.mesh import Mesh
@@ -113,7 +114,7 @@ def save_family(actuator: Family, geometry: Geometry, settings: MeshSettings, me
     mesh : Mesh
         Its mesh with these settings.
     """
-    if INSTEAD.get() is not None:
+    if INSTEAD.get() is not None or isinstance(geometry.shape, FilmShape):  # films are meshed at once
         return
     entries, results = _entries(actuator), check_results(mesh)
     if not isinstance(geometry.shape, LateShape) and not entries.has(*_key(actuator)):

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
         OmnidirectionalActuator as OmnidirectionalActuator,
     )
     from turgor.core.geometry.actuators.parallel_bellows import ParallelBellows as ParallelBellows
+    from turgor.core.geometry.actuators.pouch import Pouch as Pouch
     from turgor.core.geometry.actuators.rectangular_bender import RectangularBender as RectangularBender
     from turgor.core.geometry.actuators.revolute_joint import RevoluteJoint as RevoluteJoint
     from turgor.core.geometry.actuators.semicircular_bender import SemicircularBender as SemicircularBender

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from turgor.core.materials.laws.laws import NeoHooke as NeoHooke
     from turgor.core.materials.laws.laws import Ogden as Ogden
     from turgor.core.materials.laws.laws import Orthotropic as Orthotropic
+    from turgor.core.materials.laws.laws import Woven as Woven
     from turgor.core.materials.laws.laws import Yeoh as Yeoh
     from turgor.core.materials.laws.laws import YeohN as YeohN
     from turgor.core.materials.laws.stability import first_instability as first_instability

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from refused import any_states, refused
-from turgor.core.materials.laws.laws import Hooke, NeoHooke
+from turgor.core.materials.laws.laws import Hooke, NeoHooke, Woven
 from turgor.core.materials.library.records import from_library
 from turgor.core.model.fibers import Fibers, Winding
 from turgor.core.model.model import Model
@@ -280,6 +280,27 @@ def test_a_record_says_what_its_sheet_is(tmp_path):
         assert again(tmp_path, job) == job
 
 
+WOVEN = (
+    'strain_limiting_layer = { law = "woven", E = "400 MPa", nu = 0.2, E_weft = "150 MPa", G = "12 MPa", '
+    'warp = [1, 1, 0], thickness = "0.3 mm", bending_stiffness = "10 µN m" }\n'
+)
+
+
+def test_a_woven_sheet_has_warp_weft_and_shear(tmp_path):
+    job = read(tmp_path, BENDER.replace(LAYER, WOVEN))
+    sheet = job.materials["strain_limiting_layer"]
+    assert sheet.material.law == Woven(E=400e6, nu=0.2, E_weft=150e6, G=12e6)
+    assert (type(sheet), sheet.warp, sheet.bending_stiffness) == (Shell, (1.0, 1.0, 0.0), pytest.approx(1e-5))
+    assert again(tmp_path, job) == job
+
+
+def test_a_shell_that_wrinkles_bends_too(tmp_path):
+    job = read(tmp_path, BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shell", compression = 0'))
+    sheet = job.materials["strain_limiting_layer"]
+    assert (type(sheet), sheet.compression) == (Shell, 0.0)
+    assert again(tmp_path, job) == job
+
+
 def test_combined_constants_go_to_the_base(tmp_path):
     text = re.sub("(?m)^base.*\n", "", BENDER.replace(LAYER, COMBINED))
     job = read(tmp_path, text)
@@ -310,11 +331,17 @@ FORMS = [
     (BENDER.replace('C10 = "0.12 MPa" }', 'C10 = "0.12 MPa", form = "shell" }'),
      [":10: materials.body.form:", "'body'", '"shell"']),
     (BENDER.replace('C10 = "0.12 MPa" }', 'C10 = "0.12 MPa", compression = 0 }'),
-     [":10: materials.body.compression:", "membrane"]),
+     [":10: materials.body.compression:", "sheet on a face"]),
     (BENDER.replace('"0.1 mm"', '"0.1 mm", compression = 2'),
      [":12: materials.strain_limiting_layer.compression:", "2", "0 (it wrinkles)"]),
-    (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shell", compression = 0'),
-     [":12: materials.strain_limiting_layer.compression:", "0", "shell"]),
+    (BENDER.replace('"0.1 mm"', '"0.1 mm", warp = [1, 0, 0]'),
+     [":12: materials.strain_limiting_layer.warp:", "Woven", "same in all directions"]),
+    (BENDER.replace('C10 = "0.12 MPa" }', 'C10 = "0.12 MPa", warp = [1, 0, 0] }'),
+     [":10: materials.body.warp:", "woven sheet on a face"]),
+    (BENDER.replace(LAYER, WOVEN.replace("warp = [1, 1, 0], ", "")),
+     [":12: materials.strain_limiting_layer.warp:", "missing", "(1, 0, 0)"]),
+    (BENDER.replace(LAYER, WOVEN.replace("0.2", "1.9")),
+     [":12: materials.strain_limiting_layer.nu:", "1.9", "0.5"]),
     (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "membrane", bending_stiffness = "10 µN m"'),
      [":12: materials.strain_limiting_layer.bending_stiffness:", "shell"]),
     (BENDER.replace('"0.1 mm"', '"0.1 mm", bending_stiffness = "0 µN m"'),

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent
+from turgor.core.engine.faces.membranes import surface_frames
 from turgor.core.engine.system import System
 from turgor.foundation.symmetric import COLUMNS, ROWS
 
@@ -81,17 +82,23 @@ class StrainRateDamping:
 def gradient_stiffness(system: System) -> Array:
     """Lower triangle (nnz,) of ∫ ∇u · ∇u dV on the pattern of a system's tangent, scaled as for a modulus of 1.
 
+    Films without a solid count as layers of an edge.
+
     It resists short waves most, in which thin cells turn inside out, and a flat film bulges against it as one piece.
 
     Parameters
     ----------
     system : System
     """
-    gradients = np.einsum("qnj,cqji->cqni", system.element.tables.dN, system.Jinv)
-    rows, columns = np.tril_indices(system.cell_size)
+    if len(system.cells):
+        gradients, volumes = np.einsum("qnj,cqji->cqni", system.element.tables.dN, system.Jinv), system.dV
+    else:
+        frames = surface_frames(system.points, system.model.mesh.film_sides)
+        gradients, volumes = frames.gradients, frames.areas
+    rows, columns = np.tril_indices(system.piece_unknowns.shape[1])
     same = (rows % 3 == columns % 3) & (rows < 3 * gradients.shape[2])
     a, b = rows[same] // 3, columns[same] // 3
-    products = np.einsum("cq,cqni,cqmi->cnm", system.dV, gradients, gradients)
+    products = np.einsum("cq,cqni,cqmi->cnm", volumes, gradients, gradients)
     return system.scattered(np.flatnonzero(same), products[:, a, b])
 
 

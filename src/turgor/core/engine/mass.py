@@ -27,6 +27,8 @@ def densities(model: Model) -> Array:
     TurgorError
         If a material has none.
     """
+    if not len(model.mesh.cells):
+        raise TurgorError(f"'{model.mesh.name}' consists of films, which have no mass here; solve it statically.")
     out = np.empty(len(model.mesh.cells))
     for name, material in model.region_materials.items():
         if material.density is None:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.additions import Addition
 from turgor.core.engine.algebra.boundary import prescribed_components
-from turgor.core.engine.algebra.pattern import Pattern, build_pattern
+from turgor.core.engine.algebra.pattern import Pattern, build_pattern, locate, scatter_add
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.internal_variables import History, Memory, friction_of, joined_memory
 from turgor.core.engine.cells.states.body_states import has_states
@@ -31,6 +31,7 @@ from turgor.core.engine.points.motion import PointMotion, carrier_displacement, 
 from turgor.core.engine.points.point_unknowns import with_carrier_points
 from turgor.core.engine.term import Configuration, Setting, displacements
 from turgor.core.engine.terms import Terms
+from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.drive import extremes
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
@@ -84,9 +85,8 @@ class System:
         mesh = model.mesh
         self.model = model
         self.controlled = controlled
-        self.length: float = _mean_edge(mesh.points, mesh.cells) if like is None else like.length
-        stiffest = max(m.law.shear_modulus for m in model.region_materials.values())
-        self.stress_scale: float = stiffest if like is None else like.stress_scale
+        self.length: float = _mean_edge(mesh) if like is None else like.length
+        self.stress_scale: float = _stiffest(model, self.length) if like is None else like.stress_scale
         supports = with_middles(prescribed_components(model), mesh)
         self._supports, self._frames, self._ties = supports, supports.frames, supports.ties
         self.carriers = supports.carriers
@@ -144,7 +144,7 @@ class System:
     @cached_property
     def layout(self) -> Layout:
         """Where the entries of the tangent stand; made at first use, because a residual needs none."""
-        pieces = (self.rubber.unknowns, *self.terms.couplings)
+        pieces = (self.piece_unknowns, *self.terms.couplings)
         tied = [self._ties.extended(rows) for rows in pieces] if len(self._ties.followers) else []
         base = build_pattern(pieces[0], self.size, *pieces[1:], *tied)
         self.rubber.locate(base)
@@ -221,14 +221,25 @@ class System:
         return np.concatenate([components, mean_stress / self.stress_scale])
 
     @property
+    def piece_unknowns(self) -> NDArray[np.int64]:
+        """Unknowns that each cell ties, or each side of films where there are no cells; displacements first."""
+        mesh = self.model.mesh
+        return self.rubber.unknowns if len(mesh.cells) else displacements(mesh.film_sides)
+
+    @property
     def cell_size(self) -> int:
         """Unknowns of a cell, displacements node by node first."""
         return self.rubber.unknowns.shape[1]
 
     def scattered(self, entries: NDArray[np.int64], values: Array) -> Array:
-        """Sum chosen entries (k,) of the lower triangles of cell matrices, values (c, k), into that of the tangent."""
-        data = np.zeros(len(self.layout.base.indices))
-        self.rubber.add_entries(data, entries, values)
+        """Sum chosen entries (k,) of the lower triangles of piece matrices, values (c, k), into that of the tangent."""
+        base = self.layout.base
+        data, (rows, columns) = np.zeros(len(base.indices)), np.tril_indices(self.piece_unknowns.shape[1])
+        if len(self.cells):
+            self.rubber.add_entries(data, entries, values)
+        else:
+            ends = (self.piece_unknowns[:, chosen[entries]].ravel() for chosen in (rows, columns))
+            scatter_add(data, locate(base.indptr, base.indices, *ends), values.ravel())
         self._frames.turn_tangent(self.layout.base, data, self.node_count)
         self.layout.reduce_base(data)
         return data
@@ -413,5 +424,13 @@ class System:
         return matrix
 
 
-def _mean_edge(points: Array, cells: NDArray[np.int64]) -> float:
-    return float(np.linalg.norm(points[cells[:, 0]] - points[cells[:, 1]], axis=1).mean())
+def _mean_edge(mesh: Mesh) -> float:
+    pieces = mesh.pieces
+    return float(np.linalg.norm(mesh.points[pieces[:, 0]] - mesh.points[pieces[:, 1]], axis=1).mean())
+
+
+def _stiffest(model: Model, length: float) -> float:
+    """Largest shear modulus of the rubbers [Pa]; without any, that of a layer of an edge as stiff as the sheets."""
+    rubbers = [material.law.shear_modulus for material in model.region_materials.values()]
+    films = [sheet.material.law.shear_modulus * sheet.thickness / length for sheet in model.membranes.values()]
+    return max(rubbers or films)

@@ -4,6 +4,7 @@ from dataclasses import replace
 from math import inf
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.meshing.quality.cell_quality import refuse_inverted
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.sizing.default_size import default_size
@@ -56,12 +57,22 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     'tetrahedra'
     """
     check_quality(settings.quality)
+    if isinstance(geometry.shape, FilmShape):
+        return _of_films(geometry, settings)
     cells = chosen_cells(geometry, settings)
     size = default_size(geometry, cells, settings.quality) if settings.size is None else settings.size
     check_settings(geometry, replace(settings, size=size, cells=cells))
     check_face_sizes(geometry, settings.face_sizes, float(size))
     check_features(geometry, settings.ignore_features_below, float(size), cells)
     return replace(settings, size=float(size), cells=check_cells(geometry, cells))
+
+
+def _of_films(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
+    """Settings of films without a solid, which have quadrilaterals of one size whatever cells are stated."""
+    size = geometry.extent / SIZING.film_sides * QUALITIES[settings.quality].size
+    chosen = replace(settings, size=size if settings.size is None else settings.size, cells="quadrilaterals")
+    check_settings(geometry, chosen)
+    return chosen
 
 
 def chosen_cells(geometry: Geometry, settings: MeshSettings) -> str:

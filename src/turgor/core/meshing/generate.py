@@ -9,6 +9,7 @@ from typing import Protocol, cast
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.child_process import in_child
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.meshing.bodies.assemble import Raw, assemble
 from turgor.core.meshing.child_meshing import meshing
 from turgor.core.meshing.default_settings import chosen_settings
@@ -34,6 +35,7 @@ from turgor.core.meshing.sizing.small_features import (
 from turgor.core.meshing.sizing.thin_walls import find_thin_walls, section_finer, thin_walls_remain
 from turgor.core.meshing.sizing.wall_refinement import refine_walls
 from turgor.core.meshing.sizing.wall_sizes import fitted_to_walls
+from turgor.core.meshing.sweeping.films import film_mesh
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
 from turgor.core.meshing.tetwild.faceted import faceted, meshed_by_facets
@@ -194,6 +196,8 @@ def _meshed_by_facets(geometry: Geometry, chosen: MeshSettings) -> Mesh:
 def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
     assert chosen.size is not None  # chosen where it was not given
     size, grading = chosen.size, float(chosen.grading)
+    if isinstance(geometry.shape, FilmShape):
+        return film_mesh(geometry, size)
     if chosen.cells in ("hexahedra", "axisymmetric"):
         wide = min(size, max(wall_size(geometry), size_range(geometry)[0]))  # walls of a section bend
         fine = Fineness(

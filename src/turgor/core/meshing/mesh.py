@@ -21,6 +21,7 @@ from turgor.core.meshing.middles import middles_of
 from turgor.foundation.display import Shown, listed
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.finding import Finding
+from turgor.foundation.round_off import ROUND_OFF
 
 #: Mid-side nodes 4..9 of a ten-node tetrahedron lie on these pairs of its vertices (VTK and Abaqus order).
 TETRAHEDRON_EDGES = TETRAHEDRON.edges
@@ -31,6 +32,12 @@ TRIANGLE_EDGES = TRIANGLE.edges
 #: A revolved mesh that reaches its axis has a hole there of this share of its largest radius, so that no cell
 #: collapses. What is missing has 1e-8 of the section, and its wall cannot move away from the axis.
 PINHOLE = 1e-4
+
+
+def has_area(sides: NDArray[np.int64]) -> bool:
+    """Whether the sides of a face have an area: those that stand for edges of films have equal corners."""
+    corners = np.sort(sides[:, : 3 if sides.shape[1] == TRIANGLE.nodes else 4], axis=1)
+    return bool((np.diff(corners, axis=1) > 0).all())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -87,13 +94,14 @@ class Mesh(Shown):
     """Names of the faces that enclose a cavity: those that begin with ``cavity`` and are no open surface."""
 
     def __post_init__(self) -> None:
-        if self.cells.ndim != 2 or self.cells.shape[1] not in (10, 20, 27) or len(self.cells) == 0:
+        if self.cells.ndim != 2 or self.cells.shape[1] not in (10, 20, 27) or not (len(self.cells) or self.faces):
             raise TurgorError(
                 f"mesh '{self.name}': cells have shape {self.cells.shape}; (c, 10), (c, 20) or (c, 27) is needed."
             )
         corners = self.cell_type.corners
-        if self.cells.min() < 0 or self.cells.max() >= len(self.points):
-            cell, place = np.argwhere((self.cells < 0) | (self.cells >= len(self.points)))[0]
+        outside = np.argwhere((self.cells < 0) | (self.cells >= len(self.points)))
+        if len(outside):
+            cell, place = outside[0]
             raise TurgorError(
                 f"mesh '{self.name}': cell {cell} names node {self.cells[cell, place]}, outside "
                 f"0..{len(self.points) - 1}."
@@ -103,9 +111,6 @@ class Mesh(Shown):
             raise TurgorError(
                 f"mesh '{self.name}': node {node} lies at {self.points[node].tolist()}, which is no place."
             )
-        vertices = np.unique(self.cells[:, :corners])
-        if vertices[-1] != len(vertices) - 1 or self.cells[:, corners:].min() < len(vertices):
-            raise TurgorError(f"mesh '{self.name}': vertices must be numbered first and mid-side nodes after them.")
         sides = self.cell_type.side
         for name, face in self.faces.items():
             if face.ndim != 2 or face.shape[1] != sides.nodes:
@@ -113,6 +118,10 @@ class Mesh(Shown):
                     f"mesh '{self.name}': face '{name}' has shape {face.shape}; the sides of a {self.cell_type.name} "
                     f"are {sides.name}s, (f, {sides.nodes})."
                 )
+        pieces, corners = self.pieces, corners if len(self.cells) else sides.corners
+        vertices = np.unique(pieces[:, :corners])
+        if vertices[-1] != len(vertices) - 1 or pieces[:, corners:].min() < len(vertices):
+            raise TurgorError(f"mesh '{self.name}': vertices must be numbered first and mid-side nodes after them.")
         owner = np.zeros(len(self.cells), dtype=np.int64)
         for cells in self.regions.values():
             owner[cells] += 1
@@ -141,7 +150,22 @@ class Mesh(Shown):
     @property
     def counts(self) -> str:
         """Number of cells and nodes in words."""
+        if not len(self.cells):
+            return f"{len(self.film_sides):,} {self.cell_type.side.name}s, {len(self.points):,} nodes"
         return f"{len(self.cells):,} {self.cell_type.name.replace('hedron', 'hedra')}, {len(self.points):,} nodes"
+
+    @property
+    def pieces(self) -> NDArray[np.int64]:
+        """Nodes of what the mesh consists of, a row each: its cells, or the sides of its films where it has none."""
+        return self.cells if len(self.cells) else self.film_sides
+
+    @property
+    def film_sides(self) -> NDArray[np.int64]:
+        """Sides of the films that a mesh without cells consists of, (f, n), each once; edges have no area."""
+        corners = self.cell_type.side.corners
+        every = np.concatenate([sides for sides in self.faces.values() if has_area(sides)])
+        _, first = np.unique(np.sort(every[:, :corners], axis=1), axis=0, return_index=True)
+        return np.asarray(every[np.sort(first)])
 
     def face(self, name: str) -> NDArray[np.int64]:
         """Return the sides of a named face, a row each; unknown names fail with the list of known ones."""
@@ -188,10 +212,16 @@ class Mesh(Shown):
         """Axis along the normal and position [m] of the mirror plane of each of `symmetry_faces`."""
         planes = []
         for name in self.symmetry_faces:
-            on = self.points[self.face_nodes(name)]
-            axis = int(np.ptp(on, axis=0).argmin())
-            planes.append((axis, float(on[:, axis].mean())))
+            axis = self.normal_axis(name)
+            planes.append((axis, float(self.points[self.face_nodes(name)][:, axis].mean())))
         return tuple(planes)
+
+    def normal_axis(self, name: str) -> int:
+        """Axis along the normal of a flat face; an edge of a flat film has two, and ``symmetry_y`` means y."""
+        extent = np.ptp(self.points[self.face_nodes(name)], axis=0)
+        named = "xyz".find(name.removeprefix("symmetry_"))
+        flat = named >= 0 and extent[named] <= ROUND_OFF.mesh_digits * extent.max()
+        return named if flat else int(extent.argmin())
 
     @property
     def radii(self) -> NDArray[np.float64]:

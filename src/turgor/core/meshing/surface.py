@@ -69,6 +69,8 @@ def outer_triangles(mesh: Mesh) -> Triangles:
     >>> len(outer_triangles(one))
     4
     """
+    if not len(mesh.cells):
+        return mesh.film_sides
     sides = cell_sides(mesh.cells)
     _, index, count = np.unique(corner_keys(sides, len(mesh.points)), return_index=True, return_counts=True)
     outer = sides[np.sort(index[count == 1])]
@@ -113,6 +115,8 @@ def check_surface(mesh: Mesh) -> tuple[Finding, ...]:
     -------
     tuple of Finding
     """
+    if not len(mesh.cells):
+        return ()  # both sides of a film are outside
     surface = outer_triangles(mesh)
     rims = {name: rim_edges(mesh.face(name)) for name in mesh.cavities}
     flat = [name for name in cavity_names(mesh.faces) if name not in mesh.cavities]

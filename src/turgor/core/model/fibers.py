@@ -146,7 +146,7 @@ class Fibers:
     def __post_init__(self) -> None:
         self._check_faces()
         law = getattr(self.material, "law", None)
-        if not isinstance(self.material, Material) or not isinstance(law, Hooke):
+        if not isinstance(self.material, Material) or type(law) is not Hooke:
             raise TurgorError(
                 f"fibers on '{self.name}': the law of '{getattr(self.material, 'name', self.material)}' is "
                 f"{type(law).__name__}; fibers need a material with the law Hooke, of which Young's modulus counts."

@@ -2,8 +2,9 @@
 
 from dataclasses import replace
 
-from turgor.core.materials.laws.laws import Hooke, NeoHooke
+from turgor.core.materials.laws.laws import Hooke, NeoHooke, Woven
 from turgor.core.materials.material import Material
+from turgor.foundation.errors import TurgorError
 
 
 def as_solid(material: Material) -> Material:
@@ -30,5 +31,7 @@ def as_solid(material: Material) -> Material:
     law = material.law
     if not isinstance(law, Hooke):
         return material
+    if isinstance(law, Woven):
+        raise TurgorError(f"'{material.name}' is woven, and rubber of the same moduli has no warp; make it a sheet.")
     rubber = NeoHooke(C10=law.shear_modulus / 2)
     return replace(material, law=rubber, bulk_modulus=law.bulk_modulus, bending_stiffness=None)

@@ -11,6 +11,7 @@ from turgor.core.materials.material import Material
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.accepted_forms import given_materials, given_supports
+from turgor.core.model.checks.films import check_films
 from turgor.core.model.checks.named_points import check_points, points_of
 from turgor.core.model.checks.orientations import check_oriented
 from turgor.core.model.checks.symmetry import check_not_cut, check_uncut_shell, check_wedge
@@ -96,6 +97,8 @@ class Model(Saved, Shown):
         object.__setattr__(self, "reinforcements", threads)
         object.__setattr__(self, "contact", one(contact or Contact(), Contact, "contact", "a Contact is needed"))
         self._check_materials()
+        if not len(mesh.cells):
+            check_films(mesh, self.membranes, self.loads, self.reinforcements)
         self._check_faces()
         self._check_formulation()
 

@@ -98,6 +98,7 @@ def _check_extras(model: Model) -> None:
     wrinkling = [name for name, membrane in model.membranes.items() if membrane.wrinkles]
     what = [f"winding of fibers on '{fibers.name}'" for fibers in model.reinforcements]
     what += [f"the sheet on '{name}', which wrinkles," for name in wrinkling]
+    what += [f"the woven sheet on '{name}'" for name, sheet in model.membranes.items() if sheet.warp is not None]
     what += [f"the obstacle '{obstacle.name}'" for obstacle in model.contact.obstacles]
     if what:
         raise TurgorError(f"{what[0]} has no form in .inp files; leave it out to compare the rest.")

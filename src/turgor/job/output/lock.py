@@ -10,7 +10,7 @@ import tomlkit
 from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.materials.failure_tables import failure_tables
 from turgor.core.materials.laws.law_spec import is_dimensionless
-from turgor.core.materials.laws.laws import LAWS
+from turgor.core.materials.laws.laws import LAWS, Hooke
 from turgor.core.materials.library.record_history import history_tables
 from turgor.core.materials.material import Material
 from turgor.core.materials.orientation import orientation_table
@@ -143,12 +143,13 @@ def _material(entry: Material | Sheet) -> dict[str, Any]:
     law = name_in(LAWS, material.law)
     if law is None:
         raise TurgorError(f"job files have no name for the law {type(material.law).__name__} of '{material.name}'.")
-    unit = "GPa" if law == "hooke" else "MPa"
+    elastic = isinstance(material.law, Hooke)
+    unit = "GPa" if elastic else "MPa"
     values: dict[str, Any] = {"name": material.name, "law": law}
     for item in fields(material.law):  # type: ignore[arg-type]
         value = getattr(material.law, item.name)
         values[item.name] = _constants(value, None if is_dimensionless(item) else unit)
-    if law != "hooke" and not material.is_foam:
+    if not elastic and not material.is_foam:
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
     values |= history_tables(material.viscoelasticity, material.stress_softening) | failure_tables(material)
@@ -163,6 +164,8 @@ def _material(entry: Material | Sheet) -> dict[str, Any]:
         values["form"] = type(entry).__name__.lower()
         if isinstance(entry, Shell) and material.bending_stiffness is not None:
             values["bending_stiffness"] = format_quantity(material.bending_stiffness, "µN m")
+        if entry.warp is not None:
+            values["warp"] = list(entry.warp)
         if entry.wrinkles:
             values["compression"] = entry.compression
     source = material.source

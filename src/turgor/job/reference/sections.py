@@ -73,6 +73,7 @@ _NEEDED: Mapping[str, Mapping[str, Any]] = {
     },
     "hooke": {"E": "2 GPa", "nu": 0.3, "thickness": "0.1 mm"},
     "hyperfoam": {"mu": ["5 kPa"], "alpha": [8.0], "nu": [0.0]},
+    "woven": {"E": "1 GPa", "nu": 0.2, "E_weft": "0.5 GPa", "G": "20 MPa", "thickness": "0.3 mm", "warp": [1, 0, 0]},
     "mooney_rivlin": {"C10": "40 kPa", "C01": "10 kPa"},
     "neo_hooke": {"C10": "50 kPa"},
     "ogden": {"mu": ["60 kPa"], "alpha": [2.0]},
@@ -193,7 +194,7 @@ def _materials(shape: Geometry) -> Iterator[JobTable]:
     yield _of(StatedTable, "[materials.NAME], stated by its law", read=layer, base=base)
     law: Any
     for name, law in LAWS.items():
-        model, reader = law_table(law), layer if law is Hooke else body
+        model, reader = law_table(law), layer if issubclass(law, Hooke) else body
         header, words = f'[materials.NAME], law = "{name}"', (getdoc(law) or "").splitlines()[0]
         base = {"law": name, **_NEEDED.get(name, {})}
         source = Source(model=model, described=(law,), read=reader, base=base, without=StatedTable.model_fields)

@@ -73,8 +73,10 @@ class LibraryTable(Table):
         How a strain-limiting layer is modeled: ``"shell"`` (the default), which bends too, ``"membrane"``, ``"solid"``
         or ``"combined"``. Some records of the library have another default.
     compression : float
-        Share of a membrane's stiffness that works in compression: 1 (the default), or 0 for one that wrinkles and bears
-        tension only. It makes the sheet a membrane.
+        Share of the stiffness in the surface that works in compression: 1 (the default), or 0 for a sheet that wrinkles
+        and bears tension only. It makes the sheet a membrane, unless ``form = "shell"`` lets it bend as well.
+    warp : list of three floats
+        Direction of the warp of a woven sheet at rest, as seen on the face; for the law ``woven``, which needs it.
     bending_stiffness : float [N m]
         Moment per width and curvature of a shell that bends more easily than a plate, such as a woven fabric; that of
         the record, or that of a plate of its thickness, by default.
@@ -98,6 +100,7 @@ class LibraryTable(Table):
     thickness: Length | None = None
     form: str | None = Field(default=None, examples=['"shell"'])
     compression: float | None = Field(default=None, examples=["0"])
+    warp: list[float] | None = Field(default=None, examples=["[1, 0, 0]"])
     bending_stiffness: BendingStiffness | None = None
     density: Density | None = None
     viscoelasticity: Viscoelasticity | None = None
@@ -139,8 +142,10 @@ class StatedTable(Table):
         How a strain-limiting layer is modeled: ``"shell"`` (the default), which bends too, ``"membrane"``, ``"solid"``
         or ``"combined"``.
     compression : float
-        Share of a membrane's stiffness that works in compression: 1 (the default), or 0 for one that wrinkles and bears
-        tension only. It makes the sheet a membrane.
+        Share of the stiffness in the surface that works in compression: 1 (the default), or 0 for a sheet that wrinkles
+        and bears tension only. It makes the sheet a membrane, unless ``form = "shell"`` lets it bend as well.
+    warp : list of three floats
+        Direction of the warp of a woven sheet at rest, as seen on the face; for the law ``woven``, which needs it.
     bending_stiffness : float [N m]
         Moment per width and curvature of a shell that bends more easily than a plate, such as a woven fabric; that of a
         plate of its thickness by default.
@@ -172,6 +177,7 @@ class StatedTable(Table):
     thickness: Length | None = None
     form: str | None = Field(default=None, examples=['"shell"'])
     compression: float | None = Field(default=None, examples=["0"])
+    warp: list[float] | None = Field(default=None, examples=["[1, 0, 0]"])
     bending_stiffness: BendingStiffness | None = None
     density: Density | None = None
     stretch_range: list[float] | None = Field(default=None, examples=["[0.8, 2.5]"])
@@ -184,7 +190,7 @@ def law_table(law: type) -> type[Table]:
     keys: dict[str, Any] = {item.name: (_constant_type(item), default_of(item)) for item in fields(law)}
     if hasattr(law, "families"):
         keys |= {"bulk_modulus": (BulkModulus, inf), "orientation": (Directions, ...)}
-    elif law is not Hooke and not hasattr(law, "bulk_modulus"):  # a foam has its own, and no history
+    elif not issubclass(law, Hooke) and not hasattr(law, "bulk_modulus"):  # a foam has its own, and no history
         keys["bulk_modulus"] = (BulkModulus, inf)
         keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
         keys["crack_growth"] = (Growth | None, None)

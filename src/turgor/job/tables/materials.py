@@ -114,12 +114,9 @@ def _without_law(values: Mapping[str, Any]) -> str:
 def _keys_of_sheets_fit(table: Any, form: str | None, key: Key, problems: Problems) -> bool:
     """Whether the keys of sheets are those of its form."""
     if table.compression is not None and (table.thickness is None or form in (SOLID, COMBINED)):
-        problems.add((*key, "compression"), "only a membrane on a face has a compression; leave it out.")
-    elif table.compression is not None and form == SHELL and table.compression < 1:
-        problems.add(
-            (*key, "compression"),
-            f"{table.compression:g}, but a shell bears compression (1) and buckles by itself; leave one of both out.",
-        )
+        problems.add((*key, "compression"), "only a sheet on a face has a compression; leave it out.")
+    elif table.warp is not None and (table.thickness is None or form in (SOLID, COMBINED)):
+        problems.add((*key, "warp"), "only a woven sheet on a face has a warp; leave it out.")
     elif table.bending_stiffness is not None and form != SHELL:
         problems.add((*key, "bending_stiffness"), "only a shell on a face has a bending stiffness; leave it out.")
     else:
@@ -128,11 +125,12 @@ def _keys_of_sheets_fit(table: Any, form: str | None, key: Key, problems: Proble
 
 
 def _sheet(table: Any, form: str | None, material: Material, key: Key, problems: Problems) -> Sheet | None:
-    if form != MEMBRANE:
-        return problems.attempt(key, lambda: Shell(material, table.thickness), fields=("thickness",))
-    free = replace(material, bending_stiffness=None)
+    kind = Membrane if form == MEMBRANE else Shell
+    own = replace(material, bending_stiffness=None) if kind is Membrane else material
     share = 1.0 if table.compression is None else table.compression
-    return problems.attempt(key, lambda: Membrane(free, table.thickness, share), fields=("thickness", "compression"))
+    return problems.attempt(
+        key, lambda: kind(own, table.thickness, share, table.warp), fields=("thickness", "compression", "warp")
+    )
 
 
 def _form_of(entry: Any, key: Key, geometry: Geometry | None, problems: Problems) -> str | None:

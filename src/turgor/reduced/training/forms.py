@@ -93,7 +93,8 @@ def sheet(system: System, term: MembraneTerm, vectors: Array) -> Array:
     strains = np.stack([0.5 * product(0, 0), 0.5 * product(1, 1), product(0, 1)], axis=1)
     strains[:, :2, 0] -= 0.5
     areas = term.areas.ravel()
-    stresses = np.einsum("p,vw,pwn->pvn", areas, term.moduli, strains, optimize=True)
+    moduli = np.broadcast_to(term.moduli, (*term.areas.shape, 3, 3)).reshape(-1, 3, 3)
+    stresses = areas[:, None, None] * (moduli @ strains)
     n = len(i)
     return np.asarray(strains.reshape(-1, n).T @ stresses.reshape(-1, n))
 

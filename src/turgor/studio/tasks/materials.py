@@ -36,7 +36,7 @@ MODES = ("uniaxial", "planar", "equibiaxial")
 CROPPED = ("uniaxial", "equibiaxial", "planar")
 
 #: Keys of a sheet, which stay when its material changes.
-OF_SHEET = ("thickness", "form", "compression", "bending_stiffness")
+OF_SHEET = ("thickness", "form", "compression", "warp", "bending_stiffness")
 
 
 def library_table() -> list[dict[str, Any]]:

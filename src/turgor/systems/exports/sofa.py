@@ -138,7 +138,8 @@ def _sets(model: Model, body: LinearBody, materials: dict[str, SofaLaw]) -> dict
     sheets = {}
     for name, sheet in model.membranes.items():
         law = sheet.material.law
-        assert isinstance(law, Hooke)  # a sheet has no other
+        if type(law) is not Hooke:
+            raise TurgorError(f"the woven sheet on '{name}' has no form in SOFA scenes; leave it out.")
         numbers = {"young": law.E / kPa, "poisson": law.nu, "thickness": sheet.thickness / mm}
         sheets[name] = {"triangles": body.faces[name].tolist(), **numbers}
     weight: NDArray[np.float64] = np.zeros(3)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.quality.cell_quality import cell_shapes
+from turgor.core.meshing.quality.cell_quality import cell_shapes, film_shapes
 from turgor.core.meshing.surface import corner_keys
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.foundation.errors import TurgorError
@@ -99,7 +99,9 @@ def _cell_skin(mesh: Mesh) -> Skin:
 
 
 def _shapes_behind(mesh: Mesh, triangles: NDArray[np.int64]) -> Array:
-    """Shape of the cell behind each outer triangle, (f,)."""
+    """Shape of the cell behind each outer triangle, or of the side of a film that it is a part of, (f,)."""
+    if not len(mesh.cells):
+        return np.repeat(film_shapes(mesh), len(mesh.cell_type.side.triangles))
     sides = mesh.cells[:, np.array(mesh.cell_type.sides)]
     owner = np.repeat(np.arange(len(mesh.cells)), sides.shape[1] * len(mesh.cell_type.side.triangles))
     keys = corner_keys(six_node_triangles(sides.reshape(-1, sides.shape[2])), len(mesh.points))

@@ -142,8 +142,13 @@ def cavity_parts(at: Drawn, skin: Skin) -> NDArray[np.bool_]:
 
 
 def drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
-    """Return the outer triangles that lie in no cut, and the number of the region behind each."""
+    """Return the outer triangles that lie in no cut, and the number of the region behind each.
+
+    Of films without a solid these are all, turned so that their normals point out of the cavity.
+    """
     triangles = six_node_triangles(outer_triangles(mesh))
+    if not len(mesh.cells):
+        return triangles[:, [0, 2, 1, 5, 4, 3]], np.zeros(len(triangles), dtype=np.int64)
     count = len(mesh.points)
     for name in mesh.cut_faces:
         plane = six_node_triangles(mesh.face(name))

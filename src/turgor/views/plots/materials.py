@@ -236,7 +236,7 @@ def _between(low: float, high: float) -> Array:
 
 
 def _stiff(record: Record) -> bool:
-    return record.law == "hooke" and record.constants["E"] > DOUBTS.stiffest_rubber
+    return record.law in ("hooke", "woven") and record.constants["E"] > DOUBTS.stiffest_rubber
 
 
 def _limits(chosen: Sequence[Record], stretch: Array, mode: str, tests: Sequence[MaterialTest]) -> tuple[float, float]:

@@ -179,5 +179,5 @@ class CellTerms:
 
 
 def _unknowns(cells: Integers, mean: Integers, node_count: int) -> Integers:
-    displacement = (3 * cells[:, :, None] + np.arange(3)).reshape(len(cells), -1)
+    displacement = (3 * cells[:, :, None] + np.arange(3)).reshape(len(cells), 3 * cells.shape[1])
     return np.ascontiguousarray(np.hstack([displacement, 3 * node_count + mean]))

@@ -64,7 +64,7 @@ def element_of(model: Model) -> Element:
     mesh = model.mesh
     cells = mesh.carrying_cells
     nodes = cells.shape[1]
-    if model.formulation == DISPLACEMENT:
+    if model.formulation == DISPLACEMENT or not len(mesh.cells):
         none = np.zeros((len(mesh.cells), 0), dtype=np.int64)
         return Element(
             cells,

@@ -50,17 +50,13 @@ class Bodies:
         springs = np.array([o.spring for o in sprung], dtype=np.float64) / (stress * length)
         across = np.zeros(3, dtype=bool)
         for name in model.mesh.symmetry_faces:
-            across[_mirror_axis(model.mesh, name)] = True
+            across[model.mesh.normal_axis(name)] = True
         return Bodies(
             tuple(o.name for o in sprung),
             springs / model.mesh.symmetry_factor,
             tuple(first_unknown + 3 * k for k in range(len(sprung))),
             np.tile(across, len(sprung)),
         )
-
-
-def _mirror_axis(mesh: Mesh, face: str) -> int:
-    return int(np.ptp(mesh.points[mesh.face_nodes(face)], axis=0).argmin())
 
 
 def may_touch(model: Model) -> bool:
@@ -221,7 +217,7 @@ def _around(sides: Ints, corners: int) -> tuple[Ints, Ints]:
 
 def _mirror(mesh: Mesh, name: str, surface: Surface, points: Array) -> list[PairPart | ShapePart]:
     """A rigid plane in a mirror plane: a wall meets its mirror image there, with the stiffness of both."""
-    axis = _mirror_axis(mesh, name)
+    axis = mesh.normal_axis(name)
     level = float(points[mesh.face_nodes(name)][:, axis].mean())
     side = float(np.sign(points[:, axis].mean() - level))
     normal, point = np.zeros(3), np.zeros(3)

@@ -74,6 +74,8 @@ def whole_surface(model: Model, points: Array, volumes: Array, stress: float) ->
         Scale of stresses.
     """
     mesh = model.mesh
+    if not len(mesh.cells):
+        return _films(mesh, points)
     every = cell_sides(mesh.cells)
     _, index, count = np.unique(corner_keys(every, len(points)), return_index=True, return_counts=True)
     outer = np.sort(index[count == 1])
@@ -89,6 +91,16 @@ def whole_surface(model: Model, points: Array, volumes: Array, stress: float) ->
         modulus[mesh.regions[name]] = 3 * material.law.shear_modulus / stress
     spring = PENALTY.stiffness * modulus[owner] / height
     return Surface(sides, r.N, r.dN, weights, spring, height, coupled=not mesh.serendipity)
+
+
+def _films(mesh: Mesh, points: Array) -> Surface:
+    """Films without a solid: a layer of an edge as stiff as the stiffest of them, which is the scale of stresses."""
+    sides = mesh.film_sides
+    r = side_tables(sides.shape[1])
+    _, _, growth = points_of(points, sides, r.N, r.dN)
+    weights = growth * r.weights
+    height = np.sqrt(weights.sum(axis=1))
+    return Surface(sides, r.N, r.dN, weights, 3 * PENALTY.stiffness / height, height, coupled=True)
 
 
 def of_face(mesh: Mesh, surface: Surface, *names: str) -> NDArray[np.bool_]:

@@ -7,14 +7,19 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.faces import membranes
 from turgor.core.engine.faces.plate_edges import plate_terms
+from turgor.core.engine.faces.settings import FILM
+from turgor.core.engine.faces.sheet_moduli import sheet_moduli
 from turgor.core.engine.faces.tension_field import TensionField, tension_field
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
-from turgor.core.materials.laws.laws import Hooke
+from turgor.core.meshing.cells import QUADRILATERAL
 from turgor.core.model.model import Model
 from turgor.core.model.sheets import Shell
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
+
+#: What frames have at each point besides its area.
+FRAMES = ("e1", "e2", "normal", "gradients")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,8 +34,8 @@ class MembraneTerm(Term):
         In-plane gradients of the shape functions at the Gauss points.
     areas : (f, q) array
         Areas of the Gauss points.
-    moduli : (3, 3) array
-        Scaled moduli times thickness.
+    moduli : (3, 3) or (f, q, 3, 3) array
+        Scaled moduli times thickness; those of each Gauss point where the layer is woven.
     field : TensionField or None
         Where the layer wrinkles.
     """
@@ -57,13 +62,13 @@ class MembraneTerm(Term):
         strain = self._linear(position, np.zeros_like(position), np.eye(3))
         if self.field is not None:
             return float((self.areas * self.field.energy(strain)).sum())
-        return 0.5 * float(np.einsum("fq,fqi,ij,fqj->", self.areas, strain, self.moduli, strain))
+        return 0.5 * float((self.areas * (strain * self._times(strain)).sum(axis=-1)).sum())
 
     def stresses(self, position: Array, update: Array) -> Array:
         """Stress times thickness (f, q, 3); where the layer wrinkles, followed by the linearized strain (f, q, 6)."""
-        if self.field is None:
-            return self._linear(position, update, self.moduli)
         strain = self._linear(position, update, np.eye(3))
+        if self.field is None:
+            return self._times(strain)
         return np.concatenate([self.field.stress(strain), strain], axis=-1)
 
     def strains(self, position: Array) -> Array:
@@ -72,9 +77,9 @@ class MembraneTerm(Term):
 
     def continued(self, position: Array, update: Array, last: Array) -> Array:
         """Stress and strain of an update; where the layer wrinkles, both are linear in it."""
-        if self.field is None:
-            return self._linear(position, update, self.moduli)
         strain = self._linear(position, update, np.eye(3))
+        if self.field is None:
+            return self._times(strain)
         return np.concatenate([self._expanded(strain, last), strain], axis=-1)
 
     def correction(self, at: Configuration, stresses: Array) -> Array | None:
@@ -105,6 +110,10 @@ class MembraneTerm(Term):
         change = np.einsum("fqij,fqj->fqi", self.field.tangent(about), strain - about)
         return np.asarray(self.field.stress(about) + change)
 
+    def _times(self, strain: Array) -> Array:
+        """Stress (f, q, 3) of a strain that does not wrinkle."""
+        return np.asarray((self.moduli @ strain[..., None])[..., 0])
+
     def _linear(self, position: Array, update: Array, moduli: Array) -> Array:
         """Moduli times the strain linearized for an update, (f, q, 3)."""
         stress = membranes.membrane_stress(position, update, self.nodes, self.gradients, self.areas, moduli)
@@ -115,13 +124,29 @@ def membrane_terms(setting: Setting) -> list[MembraneTerm]:
     """One for each membrane and shell; `plate_terms` makes the bending of shells."""
     model, terms = setting.model, []
     for name, membrane in model.membranes.items():
-        law, scale = membrane.material.law, membrane.thickness / (setting.length * setting.stress)
-        assert isinstance(law, Hooke)
-        moduli = membranes.plane_stress_moduli(law) * scale
-        field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None
         sides = np.ascontiguousarray(model.mesh.face(name))
-        terms.append(MembraneTerm(sides, *membranes.surface_gradients(setting.points, sides), moduli, field))
+        frames = film_frames(setting.points, sides, alone=not len(model.mesh.cells))
+        scale = membrane.thickness / (setting.length * setting.stress)
+        moduli = sheet_moduli(membrane, frames.e1, frames.e2) * scale
+        alone = not len(model.mesh.cells)
+        field = tension_field(moduli, membrane.compression, alone=alone) if membrane.wrinkles else None
+        terms.append(MembraneTerm(sides, frames.gradients, frames.areas, moduli, field))
     return terms
+
+
+def film_frames(points: Array, sides: Ints, *, alone: bool) -> membranes.Frames:
+    """Frames at the points where a sheet is integrated.
+
+    Nine-node sides have as many strains at 2 × 2 points as nodes to move, and rubber resists what these strains do not
+    see: that the middles of edges move against the corners. A film ``alone`` gets a share of 3 × 3 points besides.
+    """
+    few = membranes.surface_frames(points, sides)
+    if not alone or sides.shape[1] != QUADRILATERAL.nodes:
+        return few
+    share, many = FILM.full_share, membranes.surface_frames(points, sides, FILM.full_degree)
+    areas = np.concatenate([(1 - share) * few.areas, share * many.areas], axis=1)
+    joined = {name: np.concatenate([getattr(few, name), getattr(many, name)], axis=1) for name in FRAMES}
+    return membranes.Frames(**joined, areas=areas)
 
 
 def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, Array]:
@@ -203,7 +228,40 @@ def bending_energy(model: Model, name: str, displacement: Array) -> float:
         If the sheet branches, so that it cannot bend.
     """
     mesh, sheet = model.mesh, model.membranes[name]
-    shell, moved = Shell(sheet.material, sheet.thickness), mesh.points + displacement
+    shell, moved = Shell(sheet.material, sheet.thickness, warp=sheet.warp), mesh.points + displacement
     alone = replace(model, materials={**model.region_materials, name: shell})
     setting = Setting(alone, mesh.points, np.zeros(mesh.points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)
     return sum(term.energy(moved) for term in plate_terms(setting))
+
+
+def film_fields(model: Model, displacement: Array) -> tuple[Array, Array]:
+    """Compute Cauchy stress and largest principal stretch of films without a solid, averaged at the nodes.
+
+    Each side gives its mean to its nodes, weighted by area. The thickness counts as that at rest.
+
+    Parameters
+    ----------
+    model : Model
+    displacement : (n, 3) array [m]
+
+    Returns
+    -------
+    stress : (n, 3, 3) array [Pa]
+    stretch : (n,) array
+    """
+    points = model.mesh.points
+    weight, sums = np.zeros(len(points)), np.zeros((len(points), 10))
+    setting = Setting(model, points, np.zeros(points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)
+    for (_, sheet), term in zip(model.membranes.items(), membrane_terms(setting), strict=True):
+        F = np.einsum("fqak,fai->fqik", term.gradients, (points + displacement)[term.nodes])
+        S = term.stresses(points + displacement, np.zeros_like(points))[..., [0, 2, 2, 1]].reshape(*F.shape[:2], 2, 2)
+        right = np.swapaxes(F, -1, -2) @ F
+        grown = np.sqrt(np.maximum(np.linalg.det(right), np.finfo(float).tiny))[..., None, None]
+        cauchy = (F @ S @ np.swapaxes(F, -1, -2) / (grown * sheet.thickness)).reshape(*F.shape[:2], 9)
+        stretch = np.sqrt(np.linalg.eigvalsh(right)[..., -1:])
+        of_sides = np.einsum("fq,fqk->fk", term.areas, np.concatenate([cauchy, stretch], axis=-1))
+        for node in term.nodes.T:
+            np.add.at(sums, node, of_sides)
+            np.add.at(weight, node, term.areas.sum(axis=1))
+    mean = sums / np.maximum(weight, np.finfo(float).tiny)[:, None]
+    return mean[:, :9].reshape(-1, 3, 3), mean[:, 9]

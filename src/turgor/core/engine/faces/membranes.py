@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.cells.reference import reference_cell
 from turgor.core.engine.compiled import INNER, LOOP
-from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.laws.laws import Hooke, Woven
 from turgor.core.meshing.cells import side_type
 
 #: Three points on triangles, 2 × 2 on quadrilaterals, by corners.
@@ -24,9 +24,12 @@ Array = NDArray[np.float64]
 
 
 def plane_stress_moduli(law: Hooke) -> Array:
-    """Moduli (3, 3) between E₁₁, E₂₂, 2 E₁₂ and the stresses [Pa]."""
-    factor = law.E / (1 - law.nu**2)
-    return factor * np.array([[1, law.nu, 0], [law.nu, 1, 0], [0, 0, (1 - law.nu) / 2]])
+    """Moduli (3, 3) between E₁₁, E₂₂, 2 E₁₂ and the stresses [Pa]; of a woven sheet, 1 is its warp."""
+    weft = law.E_weft / law.E if isinstance(law, Woven) else 1.0
+    stiff = law.E / (1 - law.nu**2 * weft)
+    return np.array(
+        [[stiff, law.nu * weft * stiff, 0], [law.nu * weft * stiff, weft * stiff, 0], [0, 0, law.shear_modulus]]
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

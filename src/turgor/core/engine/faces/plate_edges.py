@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.cells.reference import reference_cell, reference_nodes, tables_at
-from turgor.core.engine.faces.membranes import plane_stress_moduli, surface_frames
+from turgor.core.engine.faces.membranes import surface_frames
 from turgor.core.engine.faces.plate_terms import HingeTerm, PlateTerm
 from turgor.core.engine.faces.plates import curvature_numbers, second_derivatives
 from turgor.core.engine.faces.settings import PLATE
+from turgor.core.engine.faces.sheet_moduli import sheet_moduli
 from turgor.core.engine.term import Setting, Term
-from turgor.core.materials.laws.laws import Hooke
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.points import RIGID
@@ -56,8 +56,7 @@ def _plate(setting: Setting, sides: Ints, sheet: Shell) -> PlateTerm:
     seconds = np.stack([factor * curvature_numbers(tangents, bends, e, f) for e, f, factor in pairs], axis=2)
     rest = np.einsum("fqcm,fmi,fqi->fqc", seconds, setting.points[sides], frames.normal)
     slopes = np.broadcast_to(rule.dN, (len(sides), *rule.dN.shape))
-    assert isinstance(sheet.material.law, Hooke)
-    moduli = plane_stress_moduli(sheet.material.law) * _stiffness(setting, sheet)
+    moduli = sheet_moduli(sheet, frames.e1, frames.e2) * _stiffness(setting, sheet)
     return PlateTerm(sides, slopes, seconds, rest, frames.areas, moduli)
 
 
@@ -155,9 +154,6 @@ def _normals(points: Array, triangles: Ints) -> Array:
 
 def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Shell) -> HingeTerm:
     """Hinges between two sides of a sheet (``whole``), or one and a side of the body that is fixed."""
-    law = sheet.material.law
-    assert isinstance(law, Hooke)
-    D = plane_stress_moduli(law)[0, 0] * _stiffness(setting, sheet)
     corners = side_type(pair[0].nodes.shape[1]).corners
     at, shares = np.tile(EDGE_POINTS[corners], (len(pair[0].place), 1)).T
     first, second = (edges[np.repeat(np.arange(len(edges.place)), len(at) // len(edges.place))] for edges in pair)
@@ -172,8 +168,10 @@ def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Shel
         if k == 0:
             along[rows, places[k]] = here.tangent
         if whole or k == 0:
-            moments[rows, k, places[k]] = D * (0.5 if whole else 1.0) * (here.across + law.nu * here.along)
-            penalty += eta * D * (0.5 if whole else 2.0) / here.height
+            D = sheet_moduli(sheet, here.nu, here.tau) * _stiffness(setting, sheet)
+            moment = np.einsum("...c,...cn->...n", D[..., 0, :], here.seconds)
+            moments[rows, k, places[k]] = (0.5 if whole else 1.0) * moment
+            penalty += eta * D[..., 0, 0] * (0.5 if whole else 2.0) / here.height
     slopes[alike, 1] = slopes[alike, 1, :, ::-1]  # turns the normal of a side that is wound the other way
     lengths = shares * np.linalg.norm(np.einsum("em,emi->ei", along, setting.points[nodes]), axis=1)
     hinge = HingeTerm(nodes, slopes, moments, along, np.zeros((len(nodes), 2)), lengths, penalty)
@@ -202,16 +200,19 @@ class AtEdges:
         Derivatives of the shape functions along the parameters.
     tangent : (e, n) array
         Derivatives along the edge, whose parameter runs from 0 to 1.
-    across, along : (e, n) arrays
-        Numbers of the second derivatives of the position across the edge and along it.
+    nu, tau : (e, 3) arrays
+        Unit vectors in the side, across the edge and along it.
+    seconds : (e, 3, n) array
+        Numbers of the second derivatives of the position across the edge, along it, and twice the mixed one.
     height : (e,) array
         Height of the side over the edge.
     """
 
     slopes: Array
     tangent: Array
-    across: Array
-    along: Array
+    nu: Array
+    tau: Array
+    seconds: Array
     height: Array
 
 
@@ -230,5 +231,7 @@ def _at_edges(points: Array, edges: Edges, share: Array) -> AtEdges:
     nu = np.cross(tau, normal)
     nu /= np.linalg.norm(nu, axis=1)[:, None]
     bends = second_derivatives(nodes, where)
-    across, along = (curvature_numbers(tangents, bends, unit, unit) for unit in (nu, tau))
-    return AtEdges(slopes, np.einsum("ena,ea->en", slopes, way), across, along, np.linalg.norm(normal, axis=1) / length)
+    pairs = ((nu, nu, 1.0), (tau, tau, 1.0), (nu, tau, 2.0))
+    seconds = np.stack([factor * curvature_numbers(tangents, bends, e, f) for e, f, factor in pairs], axis=1)
+    tangent, height = np.einsum("ena,ea->en", slopes, way), np.linalg.norm(normal, axis=1) / length
+    return AtEdges(slopes, tangent, nu, tau, seconds, height)

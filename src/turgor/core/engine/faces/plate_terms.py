@@ -37,8 +37,8 @@ class PlateTerm(Term):
     rest : (f, q, 3) array
         Curvatures at rest.
     areas : (f, q) array
-    moduli : (3, 3) array
-        Scaled bending stiffness.
+    moduli : (3, 3) or (f, q, 3, 3) array
+        Scaled bending stiffness; that of each point where the sheet is woven.
     """
 
     nodes: Ints
@@ -64,13 +64,14 @@ class PlateTerm(Term):
         """Energy of the curvature."""
         _, _, curvature = self._curving(position)
         change = curvature - self.rest
-        return 0.5 * float(np.einsum("fq,fqc,cd,fqd->", self.areas, change, self.moduli, change))
+        moments = (self.moduli @ change[..., None])[..., 0]
+        return 0.5 * float((self.areas * (change * moments).sum(axis=-1)).sum())
 
     def stresses(self, position: Array, update: Array) -> Array:
         """Bending moments (f, q, 3)."""
         surface, curving, curvature = self._curving(position)
         change = np.einsum("fqcm,fmi,fqi->fqc", curving, update[self.nodes], surface.normal, optimize=True)
-        return np.asarray((curvature + change - self.rest) @ self.moduli)
+        return np.asarray((self.moduli @ (curvature + change - self.rest)[..., None])[..., 0])
 
     def tangents(self, at: Configuration, stresses: Array) -> Array:
         """Material part, and the geometric part of the moments."""
@@ -79,7 +80,8 @@ class PlateTerm(Term):
         weighed = self.areas[..., None] * stresses
         pulled = np.einsum("fqc,fqcm->fqm", weighed, curving)
         turned = second_row(surface, -2 * pulled, -(weighed * curvature).sum(axis=-1))
-        scaled = np.einsum("fq,cd,fqdmi->fqcmi", self.areas, self.moduli, bends, optimize=True)
+        flat = (self.areas[..., None, None] * self.moduli) @ bends.reshape(*bends.shape[:3], -1)
+        scaled = flat.reshape(bends.shape)
         return lower(quadratic(np.concatenate([bends, surface.across], 2), np.concatenate([scaled, turned], 2)))
 
     def _curving(self, position: Array) -> tuple[Surface, Array, Array]:

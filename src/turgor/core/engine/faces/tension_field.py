@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.faces.settings import TENSION_FIELD
+from turgor.core.engine.faces.sheet_moduli import strain_turn
 from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
@@ -119,8 +120,13 @@ class TensionField:
         return self.toe * (1 + self._poisson)
 
 
-def tension_field(moduli: Array, compression: float) -> TensionField:
-    """Make the tension field of scaled moduli times thickness, and of the share that works in compression."""
+def tension_field(moduli: Array, compression: float, *, alone: bool = False) -> TensionField:
+    """Make the tension field of scaled moduli times thickness, and of the share that works in compression.
+
+    It is ``alone`` where the mesh has no rubber.
+    """
+    if alone:
+        return TensionField(moduli, max(compression, TENSION_FIELD.film_share), TENSION_FIELD.film_toe)
     stiffness = float(moduli[0, 0])
     share = max(compression, min(TENSION_FIELD.largest_share, TENSION_FIELD.slack_stiffness / stiffness))
     return TensionField(moduli, share, min(TENSION_FIELD.toe_per_stiffness * stiffness, TENSION_FIELD.longest_toe))
@@ -162,7 +168,4 @@ def _principal(strain: Array) -> tuple[Array, Array, Array]:
     mean, half, shear = 0.5 * (strain[..., 0] + strain[..., 1]), 0.5 * (strain[..., 0] - strain[..., 1]), strain[..., 2]
     radius = np.hypot(half, 0.5 * shear)
     angle = 0.5 * np.arctan2(0.5 * shear, half)
-    c, s = np.cos(angle), np.sin(angle)
-    rows = [[c * c, s * s, c * s], [s * s, c * c, -c * s], [-2 * c * s, 2 * c * s, c * c - s * s]]
-    turn = np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-    return mean + radius, mean - radius, turn
+    return mean + radius, mean - radius, strain_turn(np.cos(angle), np.sin(angle))

@@ -134,7 +134,7 @@ def material_toml(material: Material, record: str = "fitted") -> str:
 def _entry(material: Material) -> tomlkit.items.Table:
     """Record of a material, as a table."""
     name = name_in(LAWS, material.law)
-    convention = None if name in (None, "hooke") else saved_convention(name)
+    convention = None if name in (None, "hooke", "woven") else saved_convention(name)
     if name is None or convention is None:
         raise TurgorError(f"files of records have no form for the law {type(material.law).__name__}.")
     entry = tomlkit.table()

@@ -27,7 +27,10 @@ CONVENTIONS: Mapping[str, Mapping[str, Mapping[str, tuple[str, float]]]] = {
     },
     "shear_modulus": {"neo_hooke": {"mu": ("C10", 0.5)}},
     "combined": {"yeoh": {"C_combined": ("C10", 1.0)}},
-    "elastic": {"hooke": {"E": ("E", 1.0), "nu": ("nu", 1.0)}},
+    "elastic": {
+        "hooke": {"E": ("E", 1.0), "nu": ("nu", 1.0)},
+        "woven": {name: (name, 1.0) for name in ("E", "nu", "E_weft", "G")},
+    },
     "canonical": {
         "gent": {"mu": ("mu", 1.0), "Jm": ("Jm", 1.0)},
         "arruda_boyce": {"mu": ("mu", 1.0), "locking_stretch": ("locking_stretch", 1.0)},

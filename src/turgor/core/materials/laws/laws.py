@@ -24,6 +24,7 @@ from turgor.core.materials.laws.energies.mooney_rivlin import MooneyRivlin as Mo
 from turgor.core.materials.laws.energies.neo_hooke import NeoHooke as NeoHooke
 from turgor.core.materials.laws.energies.ogden import Ogden as Ogden
 from turgor.core.materials.laws.energies.orthotropic import Orthotropic as Orthotropic
+from turgor.core.materials.laws.energies.woven import Woven as Woven
 from turgor.core.materials.laws.energies.yeoh import Yeoh as Yeoh
 from turgor.core.materials.laws.energies.yeoh_n import YeohN as YeohN
 from turgor.foundation.registry import Registry, class_of_file

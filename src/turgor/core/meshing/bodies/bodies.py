@@ -27,7 +27,7 @@ class Body:
     Parameters
     ----------
     cells : (c,) int array
-        Its cells.
+        Its cells, or the sides of its films where the mesh has no cells.
     nodes : (n,) int array
         Their nodes, sorted.
     regions : tuple of str
@@ -62,7 +62,7 @@ def find_bodies(mesh: Mesh) -> tuple[Body, ...]:
     >>> [body.regions for body in find_bodies(mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3))]
     [('body', 'base')]
     """
-    corners = mesh.cells[:, : mesh.cell_type.corners]
+    corners = mesh.pieces[:, : mesh.cell_type.corners if len(mesh.cells) else mesh.cell_type.side.corners]
     owner = np.repeat(np.arange(len(corners)), corners.shape[1])
     nodes = len(corners) + corners.ravel()
     label = groups_of(len(corners) + len(mesh.points), owner, nodes)[: len(corners)]
@@ -70,8 +70,8 @@ def find_bodies(mesh: Mesh) -> tuple[Body, ...]:
 
 
 def _body(mesh: Mesh, cells: Ints) -> Body:
-    nodes = np.unique(mesh.cells[cells])
-    here, within = np.zeros(len(mesh.cells), dtype=bool), np.zeros(len(mesh.points), dtype=bool)
+    nodes = np.unique(mesh.pieces[cells])
+    here, within = np.zeros(len(mesh.pieces), dtype=bool), np.zeros(len(mesh.points), dtype=bool)
     here[cells], within[nodes] = True, True
     return Body(
         cells=cells,

@@ -127,13 +127,15 @@ def quality(mesh: Mesh) -> MeshQuality:
     >>> round(measured.min_shape, 12), round(measured.min_jacobian_ratio, 12)
     (1.0, 1.0)
     """
-    ratios = jacobian_ratios(mesh)
-    shape = cell_shapes(mesh)
-    ends = np.sort(np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges]), axis=1)
+    solid = bool(len(mesh.cells))
+    ratios = jacobian_ratios(mesh) if solid else _film_ratios(mesh)
+    shape = cell_shapes(mesh) if solid else film_shapes(mesh)
+    kind = mesh.cell_type if solid else mesh.cell_type.side
+    ends = np.sort(np.concatenate([mesh.pieces[:, e] for e in kind.edges]), axis=1)
     ends = np.unique(ends, axis=0)
     lengths = np.linalg.norm(mesh.points[ends[:, 1]] - mesh.points[ends[:, 0]], axis=1)
     return MeshQuality(
-        cells=len(mesh.cells),
+        cells=len(mesh.pieces),
         points=len(mesh.points),
         vertices=mesh.vertex_count,
         unknowns=mesh.unknown_count,
@@ -145,6 +147,28 @@ def quality(mesh: Mesh) -> MeshQuality:
         mean_edge=float(lengths.mean()),
         max_edge=float(lengths.max()),
     )
+
+
+def film_shapes(mesh: Mesh) -> Array:
+    """Return the shape of each side of films without a solid, (f,): 1 is a square, 0 is flat.
+
+    It is the least of the area at a corner over the mean square of both edges there.
+    """
+    area, squares = _film_corners(mesh)
+    return np.asarray((area / squares).min(axis=1))
+
+
+def _film_ratios(mesh: Mesh) -> Array:
+    """Smallest over largest area at the corners of each side of films without a solid (f,)."""
+    area, _ = _film_corners(mesh)
+    return np.asarray(area.min(axis=1) / area.max(axis=1))
+
+
+def _film_corners(mesh: Mesh) -> tuple[Array, Array]:
+    """Area between both edges at each corner of the sides of films, and the mean square of these edges, (f, k)."""
+    p = mesh.points[mesh.film_sides[:, : mesh.cell_type.side.corners]]
+    ahead, back = np.roll(p, -1, axis=1) - p, np.roll(p, 1, axis=1) - p
+    return np.linalg.norm(np.cross(ahead, back), axis=2), ((ahead**2).sum(axis=2) + (back**2).sum(axis=2)) / 2
 
 
 def cell_shapes(mesh: Mesh) -> Array:

@@ -67,11 +67,12 @@ def region_nodes(mesh: Mesh) -> RegionNodes:
     >>> len(two.points), len(region_nodes(two).node)  # six nodes lie on the triangle between the two cells
     (14, 20)
     """
-    region = np.zeros(len(mesh.cells), dtype=np.int64)
+    pieces = mesh.pieces
+    region = np.zeros(len(pieces), dtype=np.int64)
     for number, cells in enumerate(mesh.regions.values()):
         region[cells] = number
     count = len(mesh.points)
-    keys, place = np.unique((region[:, None] * count + mesh.cells).ravel(), return_inverse=True)
+    keys, place = np.unique((region[:, None] * count + pieces).ravel(), return_inverse=True)
     node = keys % count
     used, first = np.unique(node, return_index=True)
     row = np.full(len(keys), -1)
@@ -81,4 +82,4 @@ def region_nodes(mesh: Mesh) -> RegionNodes:
     all_nodes = np.concatenate([np.arange(count), node[more]])
     all_regions = np.zeros(len(all_nodes), dtype=np.int64)
     all_regions[row] = keys // count
-    return RegionNodes(all_nodes, all_regions, row[place].reshape(mesh.cells.shape))
+    return RegionNodes(all_nodes, all_regions, row[place].reshape(pieces.shape))

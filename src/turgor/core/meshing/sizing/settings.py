@@ -68,6 +68,8 @@ class SizingSettings:
         sizes refines all of a mesh alike.
     folded : float
         Size on the folded walls of bellows, over the mesh size: 0.7 leaves three parallel bellows 3 % off.
+    film_sides, most_film_sides : float
+        Sides of a film without a solid along its longest extent, by default and at most.
     """
 
     cells_per_extent: float = 8.0
@@ -93,6 +95,8 @@ class SizingSettings:
     tube_along: float = 2.0
     curved: float = 0.7
     folded: float = 0.5
+    film_sides: float = 14.0
+    most_film_sides: float = 400.0
 
 
 SIZING = SizingSettings()

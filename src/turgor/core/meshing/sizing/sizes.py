@@ -8,6 +8,7 @@ from typing import Any
 from turgor.core.geometry.cad.surface.shape import SurfaceShape
 from turgor.core.geometry.extrusion import Along
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.geometry.shapes.lazy_shape import LateShape
 from turgor.core.geometry.thin_corners import THIN_CORNERS
 from turgor.core.meshing.settings import MeshSettings
@@ -22,6 +23,8 @@ def size_range(geometry: Geometry) -> tuple[float, float]:
     The smallest makes about 3 million unknowns; the largest is the part itself. Above `wall_size`, thin walls get
     smaller cells than the rest.
     """
+    if isinstance(geometry.shape, FilmShape):
+        return geometry.extent / SIZING.most_film_sides, geometry.extent
     return size_for(geometry, SIZING.most_unknowns), extent_of(geometry)
 
 
@@ -156,7 +159,7 @@ def check_features(geometry: Geometry, limit: object, size: float, cells: str) -
 
 def extent_of(geometry: Geometry) -> float:
     """Longest side [m], the same before and after meshing: a triangulation widens the box around curved faces."""
-    if not isinstance(geometry.shape, SurfaceShape | LateShape):  # the box of a late shape is the wider one
+    if not isinstance(geometry.shape, SurfaceShape | LateShape | FilmShape):  # the box of a late shape is the wider one
         geometry.shape.MakeTriangulation()
     return geometry.extent
 
@@ -177,6 +180,8 @@ def _check_size(geometry: Geometry, size: object) -> None:
     given = f"mesh size is {length / mm:.6g} mm"
     if length <= 0:
         raise TurgorError(f"{given}; allowed is {shown}.")
+    if length < low and isinstance(geometry.shape, FilmShape):
+        raise TurgorError(f"{given}, more than {SIZING.most_film_sides:g} sides along the film; allowed is {shown}.")
     if length < low:
         millions = SIZING.unknowns_per_volume * geometry.solid_volume / length**3 / 1e6
         raise TurgorError(f"{given}, which makes about {millions:.3g} million unknowns; allowed is {shown}.")

@@ -163,7 +163,7 @@ class Support:
 def coordinate_plane(mesh: Mesh, face: str, what: str) -> int:
     """Return the number of the axis along the normal of a face that must be a coordinate plane."""
     extent = np.ptp(mesh.points[mesh.face_nodes(face)], axis=0)
-    axis = int(extent.argmin())
+    axis = mesh.normal_axis(face)
     if extent[axis] > ROUND_OFF.mesh_digits * extent.max():
         raise TurgorError(f"face '{face}' is not a coordinate plane; {what} must be one.")
     return axis

@@ -7,9 +7,10 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.faces.membrane_term import film_fields
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses, discrete_threads
 from turgor.core.engine.fields import CellFields, cell_fields, nodal_average, nodal_mean_stress
-from turgor.core.engine.percentiles import volume_percentile
+from turgor.core.engine.percentiles import PERCENTILE, volume_percentile
 from turgor.core.geometry.cad.symmetry.whole import Image, MirrorPlane, images_of
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.proximity import FacingWalls, find_facing_walls
@@ -138,12 +139,15 @@ class StateFields:
     @cached_property
     def von_mises(self) -> Array:
         """Von Mises stress averaged at the nodes of each region, (d,) [Pa]."""
+        if not len(self.mesh.cells):
+            deviator = self.cauchy_stress - self.mean_stress[:, None, None] * np.eye(3)
+            return np.asarray(np.sqrt(1.5 * (deviator**2).sum(axis=(1, 2))))
         return np.maximum(self._averaged(self.cells.von_mises), 0.0)
 
     @cached_property
     def stretch(self) -> Array:
         """Largest principal stretch averaged at the nodes of each region, (d,)."""
-        return self._averaged(self.cells.stretch)
+        return self._averaged(self.cells.stretch) if len(self.mesh.cells) else self._films[1]
 
     @cached_property
     def contact_pressure(self) -> Array:
@@ -156,7 +160,12 @@ class StateFields:
     @cached_property
     def cauchy_stress(self) -> Array:
         """Cauchy stress averaged at the nodes of each region, (d, 3, 3) [Pa]."""
-        return self._averaged(self.cells.cauchy)
+        return self._averaged(self.cells.cauchy) if len(self.mesh.cells) else self._films[0]
+
+    @cached_property
+    def _films(self) -> tuple[Array, Array]:
+        """Stress and stretch at the nodes of films without a solid."""
+        return film_fields(self.model, self.displacement)
 
     @cached_property
     def mean_stress(self) -> Array:
@@ -164,6 +173,8 @@ class StateFields:
 
         Where there is a foam or no multiplier, that of the points is averaged.
         """
+        if not len(self.mesh.cells):
+            return np.asarray(np.trace(self.cauchy_stress, axis1=1, axis2=2) / 3)
         foams = any(material.is_foam for material in self.model.region_materials.values())
         if foams or self.model.formulation == DISPLACEMENT:
             return self._averaged(self.cells.mean_stress)
@@ -171,12 +182,16 @@ class StateFields:
 
     @cached_property
     def von_mises_p99(self) -> float:
-        """Von Mises stress that 99 % of the volume stay below [Pa]."""
+        """Von Mises stress that 99 % of the volume stay below, of films 99 % of the nodes [Pa]."""
+        if not len(self.mesh.cells):
+            return float(np.percentile(self.von_mises, PERCENTILE))
         return volume_percentile(self.cells, self.cells.von_mises)
 
     @cached_property
     def stretch_p99(self) -> float:
-        """Largest principal stretch that 99 % of the volume stay below."""
+        """Largest principal stretch that 99 % of the volume stay below, of films 99 % of the nodes."""
+        if not len(self.mesh.cells):
+            return float(np.percentile(self.stretch, PERCENTILE))
         return volume_percentile(self.cells, self.cells.stretch)
 
     def settle(self) -> None:

@@ -95,15 +95,16 @@ def grid_text(
     -------
     str
     """
-    region = np.empty(len(mesh.cells), dtype="i4")
+    alone = not len(mesh.cells)
+    region = np.zeros(len(mesh.pieces), dtype="i4")
     for number, chosen in enumerate(mesh.regions.values()):
         region[chosen] = number
-    points, cells = (mesh.points, mesh.cells) if nodes is None else (mesh.points[nodes.node], nodes.cells)
+    points, cells = (mesh.points, mesh.pieces) if nodes is None else (mesh.points[nodes.node], nodes.cells)
     count = len(cells)
     connectivity = [
         VtuArray("connectivity", cells.astype("i4")),
         VtuArray("offsets", (np.arange(count, dtype="i4") + 1) * cells.shape[1]),
-        VtuArray("types", np.full(count, mesh.cell_type.vtk, dtype="u1")),
+        VtuArray("types", np.full(count, mesh.cell_type.side.vtk if alone else mesh.cell_type.vtk, dtype="u1")),
     ]
     lines = [
         *opening("UnstructuredGrid"),

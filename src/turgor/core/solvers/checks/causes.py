@@ -86,6 +86,8 @@ def balloon(states: Sequence[State]) -> Why | None:
     """Say that a wall thins faster than its rubber stiffens: the limit point of a balloon."""
     last = states[-1]
     model = last.model
+    if not len(model.mesh.cells):
+        return None  # a film that does not stretch; a flat cavity has no volume at rest
     driven = [name for name, pressure in pressures_of(last).items() if pressure > 0 and name in model.mesh.cavities]
     grown = {name: _growth(last, name) for name in driven}
     stretch = largest_stretch(last)

@@ -130,7 +130,7 @@ def _as_shell(model: Model, name: str, bent: float | None) -> str:
     solid both halves resist, and μ counts twice.
     """
     sheet, mesh = model.membranes[name], model.mesh
-    D = Shell(sheet.material, sheet.thickness).bending_stiffness
+    D = Shell(sheet.material, sheet.thickness, warp=sheet.warp).bending_stiffness
     count = len(mesh.points)
     inside = not np.isin(corner_keys(mesh.face(name), count), corner_keys(outer_triangles(mesh), count)).any()
     mu = softest(model) * (2 if inside else 1)
@@ -145,5 +145,5 @@ def _as_shell(model: Model, name: str, bent: float | None) -> str:
 
 
 def softest(model: Model) -> float:
-    """Return the smallest initial shear modulus of the regions [Pa]."""
-    return min(material.law.shear_modulus for material in model.region_materials.values())
+    """Return the smallest initial shear modulus of the regions [Pa]; 0 of films without a solid."""
+    return min((material.law.shear_modulus for material in model.region_materials.values()), default=0.0)

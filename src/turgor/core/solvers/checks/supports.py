@@ -132,7 +132,7 @@ def everything_fixed(model: Model) -> tuple[Finding, ...]:
     """Say where the whole surface outside the cavities is fixed, so that nothing can move (B09)."""
     mesh = model.mesh
     fixed = {name for name in mesh.faces for each in model.supports if each == Fixed(name, "xyz")}
-    inner = (*mesh.cavities, *mesh.cut_faces)
+    inner = (*mesh.cavities, *mesh.cut_faces) if len(mesh.cells) else ()  # both sides of a film are its surface
     outside = corner_keys(outer_triangles(mesh), len(mesh.points))
     free = outside[~np.isin(outside, _sides(mesh, (*inner, *fixed)))]
     if not fixed or len(free):

@@ -230,7 +230,8 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
     why = why_rejected(system, run.states, run.history, result) if result.converged else None
     slack = len(run.states) == 1 and system.model.sheets_wrinkle  # folds of a film at rest may be unstable
     folds = slack and why is not None and why.cause is Cause.STABILITY_LOST
-    accepted = result.converged and (why is None or folds)
+    alone = not len(system.cells)  # a film without a solid snaps from fold to fold, and has one shape for each load
+    accepted = result.converged and (why is None or folds or alone)
     how = Reason(Cause.PSEUDO_TRANSIENT) if accepted else result.reason or why
     noted(run, result, (load, perf_counter() - began), Judgment(last if accepted else None, how))
     if not accepted or result.evaluation is None:

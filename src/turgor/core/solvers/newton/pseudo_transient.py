@@ -65,16 +65,19 @@ def pseudo_transient(
     motion = _Motion(at, _first_viscosity(system, tangent, at, resistance))
     smallest = PSEUDO_TRANSIENT.faded * motion.viscosity
     rough = replace(settings, tolerance=max(PSEUDO_TRANSIENT.rough_residual, settings.tolerance), mixed_points=False)
-    while motion.iterations < PSEUDO_TRANSIENT.iterations:
+    p, alone = PSEUDO_TRANSIENT, not len(system.cells)
+    most = p.iterations_of_films if alone else p.iterations
+    fall, rise = (p.after_step_of_films, p.after_failure_of_films) if alone else (p.after_step, p.after_failure)
+    while motion.iterations < most:
         dragged = replace(constraint, addition=_drag(system, resistance, motion))
         start = Start(motion.at.unknowns, system.stresses(motion.at))
         result = newton(dragged, tangent, start, load_factor, rough, report)
         motion.iterations += result.iterations
         if not result.converged or result.evaluation is None:
-            motion.viscosity *= PSEUDO_TRANSIENT.after_failure
+            motion.viscosity *= rise
             continue
         motion.at = result.evaluation
-        motion.viscosity *= PSEUDO_TRANSIENT.after_step
+        motion.viscosity *= fall
         if motion.viscosity > smallest:
             continue
         last = _without(constraint, tangent, motion, settings, report)

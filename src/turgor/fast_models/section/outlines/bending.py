@@ -230,7 +230,7 @@ def _bending(
     edges: Ints, plane: Plane, shell: Shell, stress: float, mirrors: Sequence[tuple[int, float]]
 ) -> list[Plates | Folds]:
     law = shell.material.law
-    assert isinstance(law, Hooke)
+    assert isinstance(law, Hooke)  # `sheets_of` refuses woven ones
     moduli = plane_stress_moduli(law) * shell.second_moment / (stress * plane.length**3)
     D = float(moduli[0, 0])
     terms: list[Plates | Folds] = [Plates(nodes=edges, points=plane.points, moduli=moduli)]

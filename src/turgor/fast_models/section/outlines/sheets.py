@@ -121,7 +121,8 @@ def smeared(fibers: Fibers) -> Fibers:
 
 def _sheet(model: Model, plane: Plane, name: str, membrane: Shell | Membrane, stress: float) -> Sheet:
     law, thickness = membrane.material.law, membrane.thickness / plane.length
-    assert isinstance(law, Hooke)
+    if type(law) is not Hooke:
+        raise TurgorError(f"the sheet on '{name}' is woven; a section knows sheets of the law Hooke only.")
     sides = np.ascontiguousarray(model.mesh.face(name))
     moduli = plane_stress_moduli(law) / stress * thickness
     field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None

@@ -3,6 +3,8 @@
 from collections.abc import Iterator, Mapping
 
 from turgor.core.engine.chamber_volumes import cavity_volume
+from turgor.core.engine.faces.surfaces import area
+from turgor.core.materials.laws.laws import Hooke
 from turgor.core.model.drive import extremes, pressures_at
 from turgor.core.model.loads import Gravity
 from turgor.core.solvers.checks.plausibility.of_materials import RIGID, has_rubber
@@ -75,8 +77,14 @@ def _pressures(question: Question) -> dict[str, list[float]]:
 
 
 def _stiffness(question: Question) -> float:
-    """Young's modulus times volume of the rubber that gives way, of the whole actuator [J]."""
+    """Young's modulus times volume of the rubber that gives way, or of films alone, of the whole actuator [J]."""
     mesh, materials = question.model.mesh, question.model.region_materials
+    if not materials:
+        total = 0.0
+        for name, sheet in question.model.membranes.items():
+            assert isinstance(sheet.material.law, Hooke)
+            total += sheet.material.law.E * sheet.thickness * float(area(mesh.points, mesh.face(name)))
+        return total * mesh.symmetry_factor
     softest = min(material.law.shear_modulus for material in materials.values())
     return sum(
         3 * material.law.shear_modulus * region_volume(mesh, name)

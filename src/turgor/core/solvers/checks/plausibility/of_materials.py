@@ -79,7 +79,7 @@ def materials_of(question: Question) -> tuple[Material, ...]:
 def _solids(question: Question) -> list[tuple[Material, bool]]:
     """Materials of the regions, and whether each is a stiff part rather than a rubber."""
     materials = distinct(question.model.region_materials.values())
-    softest = min(each.law.shear_modulus for each in materials)
+    softest = min((each.law.shear_modulus for each in materials), default=inf)
     return [(each, _is_stiff(each, softest)) for each in materials]
 
 

@@ -23,7 +23,7 @@ def mean_wall(question: Question) -> Iterator[Magnitude]:
     mirrored = [corner_keys(mesh.faces[name], len(mesh.points)) for name in mesh.cut_faces]
     if mirrored:
         surface = surface[~np.isin(corner_keys(surface, len(mesh.points)), np.concatenate(mirrored))]
-    if len(surface):
+    if len(surface) and len(mesh.cells):
         whole = float(area(mesh.points, surface)) * mesh.symmetry_factor
         yield Magnitude("The actuator", 2 * region_volume(mesh) / whole)
 

@@ -212,7 +212,7 @@ def _bound(now: Point, limit: Bounds) -> str | None:
         begun = any(share_at(load.history, 0.0) for load in state.model.loads)
         return "the loads are back at what they were at first" if begun else "the load is back at zero"
     fields = cell_fields(state.model, state.displacement, state.mean_stress, None, state.load_factor)
-    stretch = float(fields.stretch.max())
+    stretch = float(fields.stretch.max(initial=1.0))
     if stretch >= limit.max_stretch:
         return f"the largest stretch has reached {stretch:.3g}"
     if limit.max_displacement is not None:

@@ -1,0 +1,67 @@
+"""Meshes of films without a solid: names, normals, cavities, mirror planes; what a model of them refuses."""
+
+import numpy as np
+import pytest
+
+import turgor as tg
+from refused import refused
+from turgor.core.engine.chamber_volumes import cavity_volume
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.film_shape import FilmShape, Patch
+from turgor.units import GPa, kPa, mm
+
+FILM = tg.Membrane(tg.Material(name="PET", law=tg.laws.Hooke(E=4 * GPa, nu=0.35)), 0.05 * mm, compression=0)
+
+
+@pytest.fixture(scope="module")
+def pouch():
+    return tg.mesh(tg.actuators.Pouch(), size=10 * mm)
+
+
+def test_a_pouch_has_films_seams_and_mirror_planes(pouch):
+    assert (len(pouch.cells), len(pouch.regions), pouch.cavities) == (0, 0, ("cavity",))
+    assert dict(zip(pouch.symmetry_faces, pouch.mirror_planes, strict=True)) == {
+        "symmetry_y": (1, 0.0),
+        "symmetry_z": (2, 0.0),
+    }
+    assert len(pouch.film_sides) == len(pouch.face("film")) + len(pouch.face("seams")) == 35
+    assert "nine-node quadrilaterals" in repr(pouch)
+    assert np.isclose(pouch.points[pouch.face_nodes("tip"), 0].max(), 55 * mm)
+
+
+def test_a_cavity_above_which_the_film_rises_grows(pouch):
+    """Normals point into the cavity."""
+    lifted = np.zeros_like(pouch.points)
+    nodes = np.setdiff1d(pouch.face_nodes("cavity"), pouch.face_nodes("symmetry_z"))
+    lifted[nodes, 2] = 1 * mm
+    assert 0.7 < cavity_volume(pouch, "cavity", lifted) / (2 * mm * 50 * mm * 100 * mm) < 1
+
+
+def test_an_arc_lies_on_its_circle():
+    half = np.sqrt(0.5) * 10 * mm
+    patch = Patch(
+        corners=((5 * mm, 0, 0), (half / 2, half / 2, 0), (half, half, 0), (10 * mm, 0, 0)),
+        faces=("cavity",),
+        edges=("", "", "symmetry_z", ""),
+        arcs=(None, None, (0, 0, 0), None),
+    )
+    part = Geometry(
+        name="sector", smallest_wall=1 * mm, cavity_volumes={"cavity": 0.0}, solid_volume=0.0, regions=(),
+        faces=("cavity", "symmetry_z"), shape=FilmShape(patches=(patch,)),
+    )  # fmt: skip
+    mesh = tg.mesh(part, size=2 * mm)
+    rim = np.linalg.norm(mesh.points[mesh.face_nodes("symmetry_z")], axis=1)
+    assert rim == pytest.approx(10 * mm) and len(rim) == 9
+    with refused("mesh size", "0.001 mm", "400 sides", "7.071 mm"):
+        tg.mesh(part, size=0.001 * mm)
+
+
+def test_what_films_do_not_have_is_refused(pouch):
+    with refused("pouch", "10 of its 35 sides", "no sheet", "seams"):
+        tg.Model(pouch, {"film": FILM}, ["fixed"], [])
+    sheets = {"film": FILM, "seams": FILM}
+    with refused("pouch", "weightless", "gravity"):
+        tg.Model(pouch, sheets, ["fixed"], [tg.Gravity((0, 0, -1))])
+    model = tg.Model(pouch, sheets, ["fixed"], [tg.Pressure("cavity", 1 * kPa)])
+    with refused("pouch", "no mass", "statically"):
+        tg.solve(model, tg.Dynamic(duration=1.0))

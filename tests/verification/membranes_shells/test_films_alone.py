@@ -1,0 +1,143 @@
+"""Films without a solid: the mesh has no cells, the films are the whole body, flat at rest, and bear tension only.
+
+Airbag: a square of 840 mm, E = 588 MPa, ν = 0.4, thickness 0.6 mm, 5 kPa, a case of wrinkled membranes since Contri and
+Schrefler 1988. Published results with wrinkling: its center rises by 217 mm. Tolerance: 2 %; 6
+and 12 sides along a half give 213.1 and 213.7 mm.
+
+Mylar balloon: two discs of radius a of a film that does not stretch. Its radius r is a over K = ∫₀¹ dt/√(1 − t⁴), its
+height 2 r ∫₀¹ t² dt/√(1 − t⁴), its volume ⅔ π a r², exact (Kovalchuk, Pulov and Mladenov 2023, doi
+10.3390/math11122646). Tolerance: 1 %, of the mesh, the stretch of 0.2 % and the toe of the film.
+
+Pouch motor: a strip between mirror planes, whose ends approach to the length l sin θ / θ. Exact for a film that does
+not stretch (Niiyama et al. 2015, Soft Robotics 2, 59): two arcs of the half angle θ that pull with p l w cos θ / θ and
+enclose l² w (θ − sin θ cos θ) / (2 θ²). Tolerance: 1 % of the force at θ = 0, of the stretch and the toe.
+"""
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+import problems
+import turgor as tg
+from meshes import node_at
+from turgor.core.engine.chamber_volumes import cavity_volume
+from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.film_shape import FilmShape, Patch
+from turgor.units import GPa, MPa, kPa, mm
+
+FACES = ("cavity", "symmetry_x", "symmetry_y", "symmetry_z")
+
+
+def _film(young, nu, thickness):
+    return tg.Membrane(tg.Material(name="film", law=tg.laws.Hooke(E=young, nu=nu)), thickness, compression=0.0)
+
+
+def _meshed(patches, faces, size):
+    shape = FilmShape(patches=tuple(patches))
+    part = Geometry(
+        name="film", smallest_wall=size, cavity_volumes={"cavity": 0.0}, solid_volume=0.0, regions=(), faces=faces,
+        shape=shape,
+    )  # fmt: skip
+    return tg.mesh(part, size=size)
+
+
+def _patch(corners, edges, arcs=(None,) * 4, faces=("cavity",)):
+    """A piece of a flat film above its cavity: corners in turn, clockwise from above."""
+    return Patch(corners=tuple((*corner, 0.0) for corner in corners), faces=faces, edges=edges, arcs=arcs)
+
+
+def _inflated(mesh, film, pressure):
+    return problems.solve(tg.Model(mesh, {"cavity": film}, [], [tg.Pressure("cavity", pressure)])).states[-1]
+
+
+def _square(half, cells):
+    corners = ((0, 0), (0, half), (half, half), (half, 0))
+    return _meshed([_patch(corners, ("symmetry_x", "symmetry_z", "symmetry_z", "symmetry_y"))], FACES, half / cells)
+
+
+@pytest.mark.parametrize(("cells", "tolerance"), [(6, 0.02), pytest.param(12, 0.02, marks=pytest.mark.slow)])
+def test_airbag(cells, tolerance, record_verification):
+    mesh = _square(420 * mm, cells)
+    state = _inflated(mesh, _film(588 * MPa, 0.4, 0.6 * mm), 5 * kPa)
+    got = float(state.displacement[node_at(mesh, (0, 0, 0)), 2])
+    record_verification(
+        claim=f"square airbag of films alone, {cells} sides along a half: rise of its center [mm]",
+        source="published, with wrinkling",
+        expected=217,
+        got=got / mm,
+        tolerance=f"{tolerance:.0%}",
+    )
+    assert got == pytest.approx(217 * mm, rel=tolerance)
+
+
+def _disc(radius, size):
+    a, b, c, zero = 0.5 * radius, 0.38 * radius, radius * np.sqrt(0.5), (0.0, 0.0, 0.0)
+    right, upper = ("", "", "symmetry_z", "symmetry_y"), ("symmetry_x", "symmetry_z", "", "")
+    return _meshed(
+        [
+            _patch(((0, 0), (0, a), (b, b), (a, 0)), ("symmetry_x", "", "", "symmetry_y")),
+            _patch(((a, 0), (b, b), (c, c), (radius, 0)), right, (None, None, zero, None)),
+            _patch(((0, a), (0, radius), (c, c), (b, b)), upper, (None, zero, None, None)),
+        ],
+        FACES,
+        size,
+    )  # fmt: skip
+
+
+def test_mylar_balloon(record_verification):
+    disc = 200 * mm
+    K = quad(lambda t: 1 / np.sqrt(1 - t**4), 0, 1)[0]
+    radius = disc / K
+    height = 2 * radius * quad(lambda t: t**2 / np.sqrt(1 - t**4), 0, 1)[0]
+    mesh = _disc(disc, 34 * mm)
+    state = _inflated(mesh, _film(3.5 * GPa, 0.3, 12e-6), 0.5 * kPa)
+    expected = [height / mm, 2 / 3 * np.pi * disc * radius**2 * 1e6]
+    rise = state.displacement[node_at(mesh, (0, 0, 0)), 2]
+    got = [2 * rise / mm, cavity_volume(mesh, "cavity", state.displacement) * 1e6]
+    record_verification(
+        claim="Mylar balloon of two discs of 400 mm, films alone: height [mm], volume [mL]",
+        source="Kovalchuk, Pulov and Mladenov 2023, exact",
+        expected=expected,
+        got=got,
+        tolerance="1 %",
+    )
+    assert got == pytest.approx(expected, rel=0.01)
+
+
+LENGTH, WIDTH, THETA = 50 * mm, 5 * mm, 1.0
+
+
+def _approached(points, factor):
+    return -factor * (1 - np.sin(THETA) / THETA) * points * (1, 0, 0)
+
+
+def _strip(pressure):
+    """A strip along x with its ends in the plane between the films."""
+    corners = ((0, 0), (0, WIDTH), (LENGTH, WIDTH), (LENGTH, 0))
+    faces = ("cavity", "side", "symmetry_y", "symmetry_z")
+    mesh = _meshed([_patch(corners, ("symmetry_z", "side", "symmetry_z", "symmetry_y"))], faces, LENGTH / 20)
+    supports = [tg.Fixed("side", "y"), tg.Displacement("symmetry_z", _approached, "x")]
+    model = tg.Model(mesh, {"cavity": _film(4 * GPa, 0.3, 50e-6)}, supports, [tg.Pressure("cavity", pressure)])
+    return problems.solve(model).states[-1]
+
+
+def test_pouch_motor(record_verification):
+    pressure = 2 * kPa
+    state = _strip(pressure)
+    scale = pressure * LENGTH * WIDTH
+    volume = LENGTH**2 * WIDTH * (THETA - np.sin(THETA) * np.cos(THETA)) / (2 * THETA**2)
+    expected = [scale * np.cos(THETA) / THETA, volume]
+    mesh = state.model.mesh
+    ends = mesh.face_nodes("symmetry_z")
+    far = ends[mesh.points[ends, 0] > LENGTH / 2]
+    pull = 2 * float(state.nodal_force[far, 0].sum())
+    got = [pull, cavity_volume(mesh, "cavity", state.displacement) / 2]  # the plane y = 0 doubles the width
+    record_verification(
+        claim="pouch motor, ends 16 % closer: force [N], volume [mL]",
+        source="Niiyama et al. 2015, exact",
+        expected=[expected[0], expected[1] * 1e6],
+        got=[got[0], got[1] * 1e6],
+        tolerance="1 % of the force at most",
+    )
+    assert got[0] == pytest.approx(expected[0], abs=0.01 * scale)
+    assert got[1] == pytest.approx(expected[1], rel=0.01)
