@@ -14,9 +14,11 @@ from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.reduced.parts.tensions import Tensions
 from turgor.reduced.reduce import Budget, reduce
-from turgor.reduced.settings import TENSIONS
-from turgor.reduced.training.layers import layers_of
-from turgor.reduced.training.tensions import tensions_of, windings
+from turgor.reduced.settings import SAMPLING, TENSIONS
+from turgor.reduced.training.layers import layers_of, windings
+from turgor.reduced.training.modes import Modes
+from turgor.reduced.training.tensions import swinging, tensions_of
+from turgor.reduced.training.trainer import Path as FullPath
 
 JOB = Path(__file__).parents[3] / "examples" / "actuators" / "fiber_reinforced_cylinder.toml"
 
@@ -105,6 +107,29 @@ def test_slack_fibers_are_sampled_and_others_are_not(model: tg.Model) -> None:
     slack = System(wound(0.0))
     assert len(layers_of(slack, vectors)) == 1
     assert not tensions_of(slack, [np.zeros_like(slack.points)], vectors)
+
+
+def test_fibers_resist_swings_that_no_state_has(model: tg.Model) -> None:
+    """With the responses to inertia among the snapshots, forces off the path are those of the full model."""
+    system = System(model)
+    vectors, _ = some_modes(system)
+    size, product = len(vectors), vectors.T @ vectors
+    basis = Modes(vectors, vectors @ np.linalg.inv(product), 0.0)
+    still, swing = np.array([0.3, 0.1, 0.2]), np.array([-0.1, 0.3, 0.1])
+    states = (vectors @ np.array([0.5 * still, still]).T).T.reshape(2, -1, 3)
+    nothing = np.zeros((0, size))
+    path = FullPath(inputs=np.ones((2, 2)), displacements=states, mean_stresses=nothing, derivatives=(nothing, nothing),
+                    rest=np.zeros(2), obstacle_forces=np.zeros((2, 0, 3)), scales=(), reached=True, seconds=0.0,
+                    inertial=((vectors @ swing)[None], nothing))  # fmt: skip
+    (off,) = swinging(basis, [path])
+    way = swing / np.linalg.norm(swing)
+    assert basis.dual.T @ off.ravel() - still == pytest.approx(SAMPLING.swing * np.linalg.norm(still) * way)
+    (term,) = [each for each in system.terms.all if hasattr(each, "pieces")]
+    full = np.zeros_like(system.points)
+    term.add_forces(full, Configuration(system.points + off))
+    (tensions,) = tensions_of(system, [*states, off], vectors)
+    assert tensions.at(basis.dual.T @ off.ravel()).forces() == pytest.approx(vectors.T @ full.ravel(), rel=1e-8)
+    assert not list(swinging(basis, [replace(path, inertial=(nothing, nothing))]))
 
 
 def test_held_out_states_agree(model: tg.Model) -> None:

@@ -16,7 +16,7 @@ from turgor.reduced.training import assembly, near, sampling
 from turgor.reduced.training.layers import sampled
 from turgor.reduced.training.modes import Modes, modes_of, normalized, rest_stiffness, with_more
 from turgor.reduced.training.reference_points import with_points
-from turgor.reduced.training.tensions import tensions_of
+from turgor.reduced.training.tensions import swinging, tensions_of
 from turgor.reduced.training.trainer import Path
 
 Array = NDArray[np.float64]
@@ -90,7 +90,7 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     forces = np.concatenate([np.linalg.norm(path.obstacle_forces, axis=2) for path in paths])
     largest = dict(zip(drive.places, forces.max(axis=0), strict=True))
     obstacles = tuple(replace(each, largest=float(largest[each.name])) for each in obstacles)
-    tensions = tensions_of(system, list(seen), basis.vectors)
+    tensions = tensions_of(system, [*seen, *swinging(basis, paths)], basis.vectors)
     exact = replace(whole.exact, parts=(*whole.exact.parts, *tensions, *touching), obstacles=obstacles)
     whole = replace(whole, exact=exact)
     rest = _at_rest(exact, paths)

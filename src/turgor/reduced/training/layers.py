@@ -1,6 +1,6 @@
 """Layers: fibers and sheets that wrinkle, of which few pieces are chosen as of the rubber."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.faces.membrane_term import MembraneTerm
 from turgor.core.engine.fibers.fiber_kernels import Pieces
+from turgor.core.engine.fibers.fiber_term import FiberTerm
 from turgor.core.engine.system import System
 from turgor.reduced.parts.threads import Threads
 from turgor.reduced.parts.wrinkling import Wrinkling
 from turgor.reduced.settings import SAMPLING
 from turgor.reduced.training import forms, sampling
-from turgor.reduced.training.tensions import windings
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -46,6 +46,13 @@ def layers_of(system: System, vectors: Array) -> tuple[Layer, ...]:
             part = Wrinkling(moved[..., 0], np.ascontiguousarray(moved[..., 1:]), term.areas.ravel(), term.field)
             out.append(Layer(part, np.arange(0, len(moved) + 1, count)))
     return tuple(out)
+
+
+def windings(system: System, slack: bool) -> Iterator[Pieces]:
+    """Pieces of the windings that bear less compression than tension, or of the others."""
+    for term in system.terms.all:
+        if isinstance(term, FiberTerm) and bool((term.pieces.pushed < 1).any()) == slack:
+            yield term.pieces
 
 
 def _threads(p: Pieces, every: Array) -> Layer:

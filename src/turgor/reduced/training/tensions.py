@@ -6,11 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.fibers.fiber_kernels import Pieces
-from turgor.core.engine.fibers.fiber_term import FiberTerm
 from turgor.core.engine.system import System
 from turgor.reduced.parts.tensions import Tensions
-from turgor.reduced.settings import TENSIONS
+from turgor.reduced.settings import SAMPLING, TENSIONS
 from turgor.reduced.training import forms
+from turgor.reduced.training.layers import windings
+from turgor.reduced.training.modes import Modes
+from turgor.reduced.training.trainer import Path
 
 Array = NDArray[np.float64]
 
@@ -29,11 +31,13 @@ def tensions_of(system: System, displacements: Sequence[Array], vectors: Array) 
     return tuple(_tensions(system, pieces, displacements, vectors) for pieces in windings(system, slack=False))
 
 
-def windings(system: System, slack: bool) -> Iterator[Pieces]:
-    """Pieces of the windings that bear less compression than tension, or of the others."""
-    for term in system.terms.all:
-        if isinstance(term, FiberTerm) and bool((term.pieces.pushed < 1).any()) == slack:
-            yield term.pieces
+def swinging(basis: Modes, paths: Sequence[Path]) -> Iterator[Array]:
+    """Displacements (n, 3) on the ways of the responses to inertia: fibers resist these, too."""
+    for path in paths:
+        size = float(np.linalg.norm(path.displacements.reshape(len(path.displacements), -1) @ basis.dual, axis=1).max())
+        for way in path.inertial[0] @ basis.dual if len(path.inertial[0]) else ():
+            moved = basis.vectors @ (SAMPLING.swing * size / np.linalg.norm(way) * way)
+            yield path.displacements[-1] + moved.reshape(-1, 3)[: len(path.displacements[-1])]
 
 
 def _tensions(system: System, p: Pieces, displacements: Sequence[Array], vectors: Array) -> Tensions:
