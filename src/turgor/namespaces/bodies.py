@@ -5,7 +5,9 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.core.geometry.shapes.film_shape import Patch as Patch
     from turgor.core.geometry.solids import Block as Block
+    from turgor.core.geometry.solids import Film as Film
     from turgor.core.geometry.solids import RoundBar as RoundBar
     from turgor.core.meshing.bodies.combine import together as together
     from turgor.core.meshing.bodies.placing import mirrored as mirrored

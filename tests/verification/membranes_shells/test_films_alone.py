@@ -21,29 +21,20 @@ import problems
 import turgor as tg
 from meshes import node_at
 from turgor.core.engine.chamber_volumes import cavity_volume
-from turgor.core.geometry.geometry import Geometry
-from turgor.core.geometry.shapes.film_shape import FilmShape, Patch
 from turgor.units import GPa, MPa, kPa, mm
-
-FACES = ("cavity", "symmetry_x", "symmetry_y", "symmetry_z")
 
 
 def _film(young, nu, thickness):
     return tg.Membrane(tg.Material(name="film", law=tg.laws.Hooke(E=young, nu=nu)), thickness, compression=0.0)
 
 
-def _meshed(patches, faces, size):
-    shape = FilmShape(patches=tuple(patches))
-    part = Geometry(
-        name="film", smallest_wall=size, cavity_volumes={"cavity": 0.0}, solid_volume=0.0, regions=(), faces=faces,
-        shape=shape,
-    )  # fmt: skip
-    return tg.mesh(part, size=size)
+def _meshed(patches, size):
+    return tg.mesh(tg.bodies.Film(patches=tuple(patches)), size=size)
 
 
 def _patch(corners, edges, arcs=(None,) * 4, faces=("cavity",)):
     """A piece of a flat film above its cavity: corners in turn, clockwise from above."""
-    return Patch(corners=tuple((*corner, 0.0) for corner in corners), faces=faces, edges=edges, arcs=arcs)
+    return tg.bodies.Patch(corners=tuple((*corner, 0.0) for corner in corners), faces=faces, edges=edges, arcs=arcs)
 
 
 def _inflated(mesh, film, pressure):
@@ -52,7 +43,7 @@ def _inflated(mesh, film, pressure):
 
 def _square(half, cells):
     corners = ((0, 0), (0, half), (half, half), (half, 0))
-    return _meshed([_patch(corners, ("symmetry_x", "symmetry_z", "symmetry_z", "symmetry_y"))], FACES, half / cells)
+    return _meshed([_patch(corners, ("symmetry_x", "symmetry_z", "symmetry_z", "symmetry_y"))], half / cells)
 
 
 @pytest.mark.parametrize(("cells", "tolerance"), [(6, 0.02), pytest.param(12, 0.02, marks=pytest.mark.slow)])
@@ -79,7 +70,6 @@ def _disc(radius, size):
             _patch(((a, 0), (b, b), (c, c), (radius, 0)), right, (None, None, zero, None)),
             _patch(((0, a), (0, radius), (c, c), (b, b)), upper, (None, zero, None, None)),
         ],
-        FACES,
         size,
     )  # fmt: skip
 
@@ -114,8 +104,7 @@ def _approached(points, factor):
 def _strip(pressure):
     """A strip along x with its ends in the plane between the films."""
     corners = ((0, 0), (0, WIDTH), (LENGTH, WIDTH), (LENGTH, 0))
-    faces = ("cavity", "side", "symmetry_y", "symmetry_z")
-    mesh = _meshed([_patch(corners, ("symmetry_z", "side", "symmetry_z", "symmetry_y"))], faces, LENGTH / 20)
+    mesh = _meshed([_patch(corners, ("symmetry_z", "side", "symmetry_z", "symmetry_y"))], LENGTH / 20)
     supports = [tg.Fixed("side", "y"), tg.Displacement("symmetry_z", _approached, "x")]
     model = tg.Model(mesh, {"cavity": _film(4 * GPa, 0.3, 50e-6)}, supports, [tg.Pressure("cavity", pressure)])
     return problems.solve(model).states[-1]

@@ -2,9 +2,12 @@
 
 from dataclasses import dataclass
 
+from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.extrusion import PlaneName, Sweep, layers_of
 from turgor.core.geometry.geometry import Geometry, check_volume
+from turgor.core.geometry.names import cavity_names
 from turgor.core.geometry.rules import check_length
+from turgor.core.geometry.shapes.film_shape import FilmShape, Patch
 from turgor.core.geometry.shapes.sections import Outline, disc, prism, rectangle
 from turgor.core.geometry.shapes.solids import Range, face_names, name_plane, name_rest, region_names, volume
 from turgor.foundation.errors import TurgorError
@@ -164,3 +167,48 @@ def _built(title: str, section: Outline, length: float, mirrors: str, smallest: 
         shape=shape,
         _sweep=Sweep(layers=layers_of([("body", section, along)]), names=tuple(planes)),
     )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Film:
+    """A film without a solid, of patches that share edges: an airbag, a balloon, the skin of a beam.
+
+    Parameters
+    ----------
+    patches : tuple of Patch
+        Pieces between four edges. Their faces and the names of their edges are the faces of the body; a pressed face
+        is called ``cavity``, and edges in a mirror plane ``symmetry_x``, ``symmetry_y`` or ``symmetry_z``.
+    name : str
+        Title, for reports.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.shapes.film_shape import Patch
+    >>> corners = ((0, 0, 0), (0, 0.1, 0), (0.1, 0.1, 0), (0.1, 0, 0))
+    >>> Film(patches=(Patch(corners=corners, faces=("cavity",), edges=("", "fixed", "", "")),)).build().faces
+    ('cavity', 'fixed')
+    """
+
+    patches: tuple[Patch, ...]
+    name: str = "film"
+
+    def build(self) -> Geometry:
+        """Name its parts.
+
+        Returns
+        -------
+        Geometry
+        """
+        faces = {name for patch in self.patches for name in (*patch.faces, *patch.edges) if name}
+        shape = FilmShape(patches=self.patches)
+        low, high = shape.bounding_box
+        extent = max(b - a for a, b in zip(low, high, strict=True)) * METERS_PER_CAD_UNIT
+        return Geometry(
+            name=self.name,
+            smallest_wall=extent,
+            cavity_volumes=dict.fromkeys(cavity_names(faces), 0.0),
+            solid_volume=0.0,
+            regions=(),
+            faces=tuple(sorted(faces)),
+            shape=shape,
+        )

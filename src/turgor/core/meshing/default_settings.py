@@ -21,6 +21,9 @@ from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import check_cells, is_lattice, swept_mesh
 from turgor.foundation.errors import TurgorError
 
+#: Cells of films without a solid.
+FILM_CELLS = "quadrilaterals"
+
 
 def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     """Fill in what mesh settings leave open, once the geometry allows the rest.
@@ -69,14 +72,16 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
 
 def _of_films(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     """Settings of films without a solid, which have quadrilaterals of one size whatever cells are stated."""
-    size = geometry.extent / SIZING.film_sides * QUALITIES[settings.quality].size
-    chosen = replace(settings, size=size if settings.size is None else settings.size, cells="quadrilaterals")
+    size = default_size(geometry, quality=settings.quality) if settings.size is None else settings.size
+    chosen = replace(settings, size=size, cells=FILM_CELLS)
     check_settings(geometry, chosen)
     return chosen
 
 
 def chosen_cells(geometry: Geometry, settings: MeshSettings) -> str:
     """Return the kind of cells that settings ask for, or the one that suits the geometry; see `chosen_settings`."""
+    if isinstance(geometry.shape, FilmShape):
+        return FILM_CELLS
     if settings.cells is not None:
         return settings.cells
     free = settings.size is None and not settings.face_sizes and settings.ignore_features_below is None

@@ -6,8 +6,6 @@ import pytest
 import turgor as tg
 from refused import refused
 from turgor.core.engine.chamber_volumes import cavity_volume
-from turgor.core.geometry.geometry import Geometry
-from turgor.core.geometry.shapes.film_shape import FilmShape, Patch
 from turgor.units import GPa, kPa, mm
 
 FILM = tg.Membrane(tg.Material(name="PET", law=tg.laws.Hooke(E=4 * GPa, nu=0.35)), 0.05 * mm, compression=0)
@@ -39,16 +37,13 @@ def test_a_cavity_above_which_the_film_rises_grows(pouch):
 
 def test_an_arc_lies_on_its_circle():
     half = np.sqrt(0.5) * 10 * mm
-    patch = Patch(
+    patch = tg.bodies.Patch(
         corners=((5 * mm, 0, 0), (half / 2, half / 2, 0), (half, half, 0), (10 * mm, 0, 0)),
         faces=("cavity",),
         edges=("", "", "symmetry_z", ""),
         arcs=(None, None, (0, 0, 0), None),
     )
-    part = Geometry(
-        name="sector", smallest_wall=1 * mm, cavity_volumes={"cavity": 0.0}, solid_volume=0.0, regions=(),
-        faces=("cavity", "symmetry_z"), shape=FilmShape(patches=(patch,)),
-    )  # fmt: skip
+    part = tg.bodies.Film(patches=(patch,))
     mesh = tg.mesh(part, size=2 * mm)
     rim = np.linalg.norm(mesh.points[mesh.face_nodes("symmetry_z")], axis=1)
     assert rim == pytest.approx(10 * mm) and len(rim) == 9

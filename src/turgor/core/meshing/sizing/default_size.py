@@ -3,6 +3,7 @@
 from math import floor, log10
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.meshing.sizing.settings import QUALITIES, SIZING
 from turgor.core.meshing.sizing.sizes import extent_of, size_for, size_range, wall_size
 from turgor.core.meshing.sweeping.section import Fineness
@@ -39,6 +40,8 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra", quality: str = "
     >>> default_size(finger, quality="draft"), default_size(finger, "hexahedra", quality="fine")
     (0.0025, 0.0015)
     """
+    if isinstance(geometry.shape, FilmShape):
+        return geometry.extent / SIZING.film_sides * QUALITIES[quality].size
     low, high = size_range(geometry)[0], wall_size(geometry)
     if high < low and cells != "axisymmetric":
         high = size_for(geometry, SIZING.default_unknowns)

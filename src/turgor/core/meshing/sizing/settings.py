@@ -95,7 +95,7 @@ class SizingSettings:
     tube_along: float = 2.0
     curved: float = 0.7
     folded: float = 0.5
-    film_sides: float = 14.0
+    film_sides: float = 8.0
     most_film_sides: float = 400.0
 
 
