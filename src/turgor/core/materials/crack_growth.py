@@ -136,8 +136,8 @@ def tearing_energy_of_crack(energy: ArrayLike, stretch: ArrayLike, crack: float)
 
 
 _ORDER = (
-    "order of magnitude, chosen to pass through what is common in publications: {}; measure your own rubber where the "
-    "number counts"
+    "order of magnitude, chosen to pass through what is common in publications that were not at hand ({}); measure your "
+    "own rubber where the number counts"
 )
 
 #: Typical rubbers, for a first estimate.
