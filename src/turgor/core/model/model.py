@@ -101,6 +101,7 @@ class Model(Saved, Shown):
             check_films(mesh, self.membranes, self.loads, self.reinforcements)
         self._check_faces()
         self._check_formulation()
+        self._check_foams()
 
     def __repr__(self) -> str:
         materials = [f"{name}: {used.name}" for name, used in self.region_materials.items()]
@@ -170,6 +171,13 @@ class Model(Saved, Shown):
         outer = corner_keys(outer_triangles(self.mesh), count)
         if not np.isin(corner_keys(self.mesh.face(face), count), outer).any():
             raise TurgorError(f"obstacle '{obstacle}': face '{face}' lies inside the actuator; nothing can touch it.")
+
+    def _check_foams(self) -> None:
+        """Refuse a foam that gets stiffer or softer: its law is split into two parts, and a factor would scale one."""
+        for name in (name for name, material in self.region_materials.items() if material.is_foam):
+            for load in self.states_of(name):
+                if load.hardens or any(load.stiffness(share) != 1 for share in (0.0, 0.5, 1.0)):
+                    raise TurgorError(f"materials.{name} is a foam, whose stiffness stays; leave out {load.label}.")
 
     def _check_formulation(self) -> None:
         if self.formulation not in FORMULATIONS:

@@ -72,11 +72,9 @@ def write_inp(
         raise unknown("program", program, PROGRAMS)
     _check_factors(at)
     _check_extras(model)
-    points = inp_points(model, program)
-    plain = {name: _plain(name) for name in model.mesh.faces}
+    points, plain = inp_points(model, program), {name: _plain(name) for name in model.mesh.faces}
     deck = InpDeck(model.mesh, points, plain, 1 / model.mesh.symmetry_factor)
-    acting = _acting(model, deck)
-    foams = [name for name, material in model.region_materials.items() if material.is_foam]
+    acting, foams = _acting(model, deck), [name for name, each in model.region_materials.items() if each.is_foam]
     lines = [
         f"** {_plain(model.mesh.name)}, written by turgor for {program}",
         "** units: mm, N, MPa, tonne, s; the time is the load factor",
@@ -95,9 +93,8 @@ def write_inp(
 
 def _check_extras(model: Model) -> None:
     bent = [name for name, membrane in model.membranes.items() if isinstance(membrane, Shell)]
-    wrinkling = [name for name, membrane in model.membranes.items() if membrane.wrinkles]
     what = [f"winding of fibers on '{fibers.name}'" for fibers in model.reinforcements]
-    what += [f"the sheet on '{name}', which wrinkles," for name in wrinkling]
+    what += [f"the sheet on '{name}', which wrinkles," for name, sheet in model.membranes.items() if sheet.wrinkles]
     what += [f"the woven sheet on '{name}'" for name, sheet in model.membranes.items() if sheet.warp is not None]
     what += [f"the obstacle '{obstacle.name}'" for obstacle in model.contact.obstacles]
     if what:
@@ -241,9 +238,9 @@ def _material_lines(model: Model, program: str) -> list[str]:
     lines = []
     for name, material in model.region_materials.items():
         lines += [f"** {_plain(material.name)}", *material_lines(_plain(name), material, program)]
-        lines += expansion_lines(model, name)
         axes, directed = orientation_lines(_plain(name), material)
-        lines += [*axes, f"*SOLID SECTION, ELSET={_plain(name)}, MATERIAL={_plain(name)}{directed}"]
+        section = f"*SOLID SECTION, ELSET={_plain(name)}, MATERIAL={_plain(name)}{directed}"
+        lines += [*expansion_lines(model, name), *axes, section]
     for name, membrane in model.membranes.items():
         label = f"membrane_{_plain(name)}"
         lines += [f"** {_plain(membrane.material.name)}", *material_lines(label, membrane.material, program)]
@@ -252,7 +249,7 @@ def _material_lines(model: Model, program: str) -> list[str]:
 
 
 def _support_lines(model: Model, deck: InpDeck) -> list[str]:
-    faces = [support for support in model.supports if support.place not in deck.points]
+    faces = (support for support in model.supports if support.place not in deck.points)
     rows = (row for support in faces for row in support.boundary_rows(deck))
     return ["*BOUNDARY", *fixed_lines(model, deck.points), *rows]
 

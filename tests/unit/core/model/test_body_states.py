@@ -140,3 +140,13 @@ def test_sections_refuse_states():
     job = SimpleNamespace(loads=(Shrinkage("body", 0.01),))
     with refused("Shrinkage(body)", "section"):
         solve_section(job, None, 3)
+
+
+def test_a_foam_keeps_its_stiffness() -> None:
+    foam = tg.Material(name="sponge", law=tg.laws.BlatzKo(mu=30e3))
+    mesh = tg.mesh(tg.actuators.RectangularBender().build(), size=8e-3)
+    for load in (tg.loads.Stiffness("body", 0.5), tg.loads.Hardening("body", 2.0)):
+        with refused("materials.body", "foam", load.label):
+            tg.Model(mesh, foam, ["fixed"], [load])
+    shrunk = tg.Model(mesh, foam, ["fixed"], [tg.loads.Shrinkage("body", 0.01)])
+    assert shrunk.states_of("body")
