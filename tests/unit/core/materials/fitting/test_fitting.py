@@ -155,7 +155,7 @@ def test_laws_that_cannot_be_fitted_are_refused():
     [
         ({"stretch": (2.0, 3.0)}, ("stretch", "2 to 3", "undeformed 1")),
         ({"stretch": (1.0, 1.01)}, ("two points", "1 and 1.01")),
-        ({"weights": "both"}, ("weights 'both'", "absolute, even, relative")),
+        ({"weights": "both"}, ("weights 'both'", "absolute", "even", "relative")),
         ({"starts": 0}, ("starts", 0, "at least 1")),
         ({"law": "rivlin-6"}, ("rivlin-6", "28 different stretches", "have 20")),
         ({"tests": []}, ("test", "least one")),
