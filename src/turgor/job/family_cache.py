@@ -72,6 +72,8 @@ def geometry_on_disk(actuator: Family) -> Geometry | None:
     geometry = _entries(actuator).get(*_key(actuator))
     if not isinstance(geometry, Geometry):
         return None
+    if isinstance(geometry.shape, FilmShape):
+        return geometry
     return replace(geometry, shape=LateShape(build=actuator.build, bounding_box=geometry.shape))
 
 
@@ -114,13 +116,14 @@ def save_family(actuator: Family, geometry: Geometry, settings: MeshSettings, me
     mesh : Mesh
         Its mesh with these settings.
     """
-    if INSTEAD.get() is not None or isinstance(geometry.shape, FilmShape):  # films are meshed at once
+    if INSTEAD.get() is not None:
         return
     entries, results = _entries(actuator), check_results(mesh)
     if not isinstance(geometry.shape, LateShape) and not entries.has(*_key(actuator)):
+        film = isinstance(geometry.shape, FilmShape)
         extent_of(geometry)  # which triangulates the shape: its box is saved as meshing sees it
         low, high = geometry.shape.bounding_box
-        entries.put(replace(geometry, shape=(tuple(low), tuple(high))), *_key(actuator))
+        entries.put(geometry if film else replace(geometry, shape=(tuple(low), tuple(high))), *_key(actuator))
     key = _key(actuator, settings)
     if not entries.has(*key):
         entries.put(mesh, *key)

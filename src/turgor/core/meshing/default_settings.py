@@ -21,8 +21,8 @@ from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import check_cells, is_lattice, swept_mesh
 from turgor.foundation.errors import TurgorError
 
-#: Cells of films without a solid.
-FILM_CELLS = "quadrilaterals"
+#: Cells whose sides are those of films without a solid.
+FILM_CELLS = "hexahedra"
 
 
 def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:

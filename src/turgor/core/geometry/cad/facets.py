@@ -14,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.geometry import occ
+from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.foundation.errors import TurgorError
 
@@ -103,6 +105,8 @@ def named_facets(shape: Any) -> list[tuple[str, Array]]:
 
 def faces_between(shape: Any) -> list[bool]:
     """Return whether each face of a shape lies between two of its bodies, in the order of `round_facets`."""
+    if isinstance(shape, FilmShape):
+        return [False] * len(shape.patches)
     if hasattr(shape, "corners"):  # one body
         return [False] * len(shape.faces)
     owners = Counter(face for solid in shape.solids for face in _unique(solid.faces))
@@ -147,7 +151,12 @@ class RoundFacets:
 
 
 def round_facets(shape: Any) -> RoundFacets:
-    """Return the triangles of the display of a shape, with the normals of the true surface at their corners."""
+    """Return the triangles of the display of a shape, with the normals of the true surface at their corners.
+
+    Of a patch of a film these are the two between its corners.
+    """
+    if isinstance(shape, FilmShape):
+        return _film_facets(shape)
     geometry = occ.OCCGeometry(shape)
     data = geometry._visualizationData()
     return RoundFacets(
@@ -155,6 +164,19 @@ def round_facets(shape: Any) -> RoundFacets:
         normals=data["normals"].reshape(-1, 3, 3).astype(np.float64),
         face=data["indices"].astype(np.int64),
         faces=_unique(geometry.faces),
+    )
+
+
+def _film_facets(shape: FilmShape) -> RoundFacets:
+    quads = np.array([patch.corners for patch in shape.patches]) / METERS_PER_CAD_UNIT
+    corners = quads[:, [[0, 2, 1], [0, 3, 2]]].reshape(-1, 3, 3)  # seen from outside the cavity
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+    return RoundFacets(
+        corners=corners,
+        normals=np.repeat(normal[:, None], 3, axis=1),
+        face=np.repeat(np.arange(len(quads)), 2),
+        faces=list(shape.patches),
     )
 
 

@@ -28,6 +28,11 @@ class Patch:
     edges: tuple[str, str, str, str] = ("", "", "", "")
     arcs: tuple[Point | None, Point | None, Point | None, Point | None] = (None, None, None, None)
 
+    @property
+    def name(self) -> str:
+        """First of its faces, by which pictures call it."""
+        return self.faces[0]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmShape:

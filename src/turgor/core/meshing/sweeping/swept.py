@@ -6,6 +6,7 @@ from math import pi
 
 from turgor.core.geometry.extrusion import Sweep, Turned
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.geometry.shapes.sections import Outline
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.sizing.settings import SIZING
@@ -130,7 +131,7 @@ def check_cells(geometry: Geometry, cells: object) -> str:
     """
     if cells not in KINDS:
         raise unknown("kind of cells", str(cells), KINDS)
-    if cells == "hexahedra":
+    if cells == "hexahedra" and not isinstance(geometry.shape, FilmShape):
         _sweep_of(geometry)
     return str(cells)
 
