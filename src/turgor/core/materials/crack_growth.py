@@ -136,7 +136,7 @@ def tearing_energy_of_crack(energy: ArrayLike, stretch: ArrayLike, crack: float)
 
 
 _ORDER = (
-    "order of magnitude, chosen to pass through what is common in publications that were not at hand ({}); measure your "
+    "order of magnitude, chosen to pass through what is common in publications, not at hand ({}); measure your "
     "own rubber where the number counts"
 )
 
