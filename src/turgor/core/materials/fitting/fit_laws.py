@@ -240,6 +240,7 @@ class _Search:
     def _start(self, random: np.random.Generator) -> Array:
         low, high = self.bounds.T
         if self.spec.sign == "positive":
+            low = np.maximum(low, 1e-6 * high)  # a bound of zero has no logarithm
             return np.asarray(np.exp(random.uniform(np.log(low), np.log(high))))
         sizes = np.exp(random.uniform(np.log(0.5), np.log(10.0), len(low)))
         signs = np.where(random.random(len(low)) < 0.35, -1.0, 1.0)

@@ -138,7 +138,7 @@ def _terms(law: str, symbols: tuple[str, ...], printed: Mapping[str, float]) -> 
     if not count or set(expected) != set(printed):
         shown = ", ".join(printed) or "none"
         needed = ", ".join(f"{symbol}_{i}" for i in (1, 2) for symbol in symbols)
-        raise TurgorError(f"the constants of the law {law} are {needed} and so on, not {shown}.")
+        raise TurgorError(f"the constants of the law {LAWS[law].__name__} are {needed} and so on, not {shown}.")
     return tuple(tuple(printed[f"{symbol}_{i}"] for symbol in symbols) for i in range(1, count + 1))
 
 

@@ -134,7 +134,7 @@ def test_laws_that_cannot_be_fitted_are_refused():
         b: float = field(metadata={"dimension": "number"})
 
     @dataclass(frozen=True, kw_only=True)
-    class TwoShapes(Limited):
+    class Shapeless:
         c: float = field(metadata={"dimension": "number", "bounds": (0.0, 1.0)})
 
     @dataclass(frozen=True, kw_only=True)
@@ -144,8 +144,8 @@ def test_laws_that_cannot_be_fitted_are_refused():
 
     with refused("Boundless", "b", "bounds"):
         law_spec(Boundless)
-    with refused("TwoShapes", "coefficients in Pa"):
-        law_spec(TwoShapes)
+    with refused("Shapeless", "coefficients in Pa"):
+        law_spec(Shapeless)
     with refused("quadratic", "coefficients", "linear"):
         fit(Quadratic, made(YEOH))
 
