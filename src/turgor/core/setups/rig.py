@@ -79,13 +79,16 @@ def _touching(mesh: Mesh, setup: BlockedForce, direction: str, sides: NDArray[np
     middle = mesh.points[tip].mean(axis=0)
     for axis, plane in mesh.mirror_planes:
         middle[axis] = plane
-    points = _surface_points(mesh, sides)
     if setup.sensor_radius is None:
-        reached = float((points @ along).max()) + gap
-        return np.asarray(middle + push * (reached - middle @ along) / (push @ along))
+        reached = float((mesh.points[np.unique(sides)] @ along).max()) + gap
+        axis = "xyz".index(direction[1])
+        others = np.delete(np.arange(3), axis)
+        middle[axis] = (reached - middle[others] @ along[others]) / along[axis]
+        return np.asarray(middle)
     radius = setup.sensor_radius
     middle = middle - (setup.behind_tip or 0.0) * outward(mesh, setup.face)
     middle = middle - push * (push @ middle)
+    points = _surface_points(mesh, sides)
     away = points - middle
     across = np.linalg.norm(away - np.outer(away @ push, push), axis=1)
     over = across < radius
