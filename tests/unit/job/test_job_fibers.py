@@ -341,7 +341,7 @@ FORMS = [
     (BENDER.replace(LAYER, WOVEN.replace("warp = [1, 1, 0], ", "")),
      [":12: materials.strain_limiting_layer.warp:", "missing", "(1, 0, 0)"]),
     (BENDER.replace(LAYER, WOVEN.replace("0.2", "1.9")),
-     [":12: materials.strain_limiting_layer.nu:", "1.9", "0.5"]),
+     [":12: materials.strain_limiting_layer.nu:", "1.9", "1.63"]),
     (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "membrane", bending_stiffness = "10 µN m"'),
      [":12: materials.strain_limiting_layer.bending_stiffness:", "shell"]),
     (BENDER.replace('"0.1 mm"', '"0.1 mm", bending_stiffness = "0 µN m"'),

@@ -173,7 +173,7 @@ class Scene:
     def _open(self, points: Array, normals: Array, reach: float) -> Array:
         """Free share of the sky above points (k, 3) with normals (k, 3), (k,)."""
         tangent = np.cross(normals, np.where(np.abs(normals[:, :1]) < 0.7, [[1.0, 0, 0]], [[0, 1.0, 0]]))
-        tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+        tangent /= np.maximum(np.linalg.norm(tangent, axis=1, keepdims=True), np.finfo(float).tiny)
         second = np.cross(normals, tangent)
         origins = self._scaled(points + 1e-3 * reach * normals)
         limit = np.full(len(points), reach / self._size, dtype=np.float32)

@@ -5,6 +5,9 @@ import results_cases as cases
 
 import turgor as tg
 from refused import refused
+from turgor.core.engine.faces.membrane_term import MembraneTerm
+from turgor.core.engine.faces.plate_terms import PlateTerm
+from turgor.core.engine.system import System
 from turgor.units import GPa, mm
 
 PAPER = tg.from_library("paper", record="hooke-polygerinos-2020")
@@ -36,3 +39,36 @@ def test_a_material_for_a_face_says_that_a_sheet_needs_a_thickness():
     materials = dict.fromkeys(mesh.regions, cases.RUBBER) | {"outside": PAPER}
     with refused("materials.outside", "'outside'", "'Paper'", "thickness"):
         tg.Model(mesh, materials, [tg.Fixed("fixed")], [])
+
+
+def test_a_shell_that_wrinkles_has_a_tension_field_and_its_bending():
+    mesh = cases.body()
+    terms = {}
+    for share in (1.0, 0.0):
+        materials = dict.fromkeys(mesh.regions, cases.RUBBER) | {"outside": tg.Shell(PAPER, 0.1 * mm, share)}
+        terms[share] = System(tg.Model(mesh, materials, [tg.Fixed("fixed")], [])).terms.all
+    for share, made in terms.items():
+        (layer,) = [term for term in made if isinstance(term, MembraneTerm)]
+        assert (layer.field is not None) == (share == 0.0)
+        assert any(isinstance(term, PlateTerm) for term in made)
+
+
+def test_what_no_woven_sheet_can_be_is_refused():
+    law = tg.laws.Woven(E=400e6, E_weft=150e6, G=12e6, nu=0.2)
+    with refused("shell", "woven", "warp", "missing"):
+        tg.Shell(tg.Material(name="woven", law=law), 0.1 * mm)
+    with refused("membrane", "compression", "0", "woven"):
+        tg.Membrane(law, 0.1 * mm, 0.0, (1, 0, 0))
+    with refused("zero vector", "warp"):
+        tg.Membrane(law, 0.1 * mm, warp=(0, 0, 0))
+    with refused("shell", "compression", "2", "0 (it wrinkles) to 1"):
+        tg.Shell(PAPER, 0.1 * mm, 2.0)
+    with refused("G", "-1 Pa", "positive"):
+        tg.laws.Woven(E=400e6, E_weft=150e6, G=-1, nu=0.2)
+    with refused("nu", "0.9", "0.612", "E / E_weft"):
+        tg.laws.Woven(E=150e6, E_weft=400e6, G=1e6, nu=0.9)
+    mesh = cases.body()
+    sheet = tg.Shell(tg.Material(name="cloth", law=law), 0.1 * mm, warp=(0, 0, 1))
+    materials = dict.fromkeys(mesh.regions, cases.RUBBER) | {"outside": sheet}
+    with refused("warp", "cloth", "across"):
+        System(tg.Model(mesh, materials, [tg.Fixed("fixed")], []))

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from math import cos, sin
 from typing import TYPE_CHECKING
 
+from turgor.core.materials.laws.common import make_floats
 from turgor.core.materials.laws.energies.hooke import Hooke
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantity
@@ -21,7 +22,8 @@ class Woven(Hooke):
     E : float [Pa]
         Young's modulus along the warp.
     nu : float [-]
-        Contraction along the weft of a pull along the warp, over the strain along the warp.
+        Contraction along the weft of a pull along the warp, over the strain along the warp; its size is below the root
+        of E / E_weft, so it may be above 0.5.
     E_weft : float [Pa]
         Young's modulus along the weft.
     G : float [Pa]
@@ -31,7 +33,7 @@ class Woven(Hooke):
     --------
     >>> fabric = Woven(E=400e6, E_weft=200e6, G=5e6, nu=0.2)
     >>> round(fabric.modulus_along(0.785398) / 1e6, 1)  # on the bias, shear counts most
-    19.0
+    19.4
     """
 
     E_weft: float
@@ -42,8 +44,8 @@ class Woven(Hooke):
         def __init__(self, *, E: Quantity, nu: float, E_weft: Quantity, G: Quantity) -> None: ...
 
     def __post_init__(self) -> None:
-        Hooke.__post_init__(self)
-        for name, value in (("E_weft", self.E_weft), ("G", self.G)):
+        make_floats(self)
+        for name, value in (("E", self.E), ("E_weft", self.E_weft), ("G", self.G)):
             if not value > 0:
                 raise TurgorError(f"Woven: {name} is {value:g} Pa; it must be positive.")
         if self.nu**2 >= self.E / self.E_weft:
