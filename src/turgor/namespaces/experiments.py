@@ -35,9 +35,9 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.checks import check_stretch_range as check_stretch_range
     from turgor.core.materials.fitting.fit_directions import DirectionsFit as DirectionsFit
     from turgor.core.materials.fitting.fit_directions import fit_directions as fit_directions
-    from turgor.core.materials.fitting.fit_history import fit_history as fit_history
     from turgor.core.materials.fitting.fit_laws import fit as fit
-    from turgor.core.materials.fitting.history_fit import HistoryFit as HistoryFit
+    from turgor.core.materials.fitting.histories.fit_history import fit_history as fit_history
+    from turgor.core.materials.fitting.histories.history_fit import HistoryFit as HistoryFit
     from turgor.core.materials.fitting.library_check import check_library as check_library
     from turgor.core.materials.fitting.ranking import Ranking as Ranking
     from turgor.core.materials.fitting.ranking import rank as rank

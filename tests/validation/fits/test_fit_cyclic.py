@@ -12,9 +12,9 @@ from turgor.core.materials.experiments.cycles import select_cycle
 from turgor.core.materials.experiments.read_tests import read_test
 from turgor.core.materials.experiments.specimen import Specimen
 from turgor.core.materials.experiments.test_edits import rest_below, thin
-from turgor.core.materials.fitting.fit_history import fit_history
 from turgor.core.materials.fitting.fit_laws import fit
-from turgor.core.materials.fitting.history_fit import quality_of
+from turgor.core.materials.fitting.histories.fit_history import fit_history
+from turgor.core.materials.fitting.histories.history_fit import quality_of
 from turgor.core.materials.material import Material
 from turgor.units import N, mm
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from turgor.core.geometry.cad.inspection import Inspection
     from turgor.core.materials.experiments.material_test import MaterialTest
-    from turgor.core.materials.fitting.history_fit import HistoryFit
+    from turgor.core.materials.fitting.histories.history_fit import HistoryFit
     from turgor.core.materials.fitting.ranking import Ranking
     from turgor.core.materials.fitting.result import Fit
 

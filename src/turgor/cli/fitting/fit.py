@@ -24,7 +24,7 @@ from turgor.foundation.errors import TurgorError
 if TYPE_CHECKING:
     from turgor.core.materials.experiments.material_test import MaterialTest
     from turgor.core.materials.experiments.specimen import Specimen
-    from turgor.core.materials.fitting.history_fit import HistoryFit
+    from turgor.core.materials.fitting.histories.history_fit import HistoryFit
     from turgor.core.materials.fitting.ranking import Ranking
 
 #: Laws that are fitted by default, from few to many parameters.
@@ -227,7 +227,7 @@ def _fit_over_time(
     chosen: FitOptions, modes: Sequence[str | None], names: list[str]
 ) -> "tuple[list[MaterialTest], HistoryFit]":
     """Fit relaxation and softening to tests with all their cycles; slack points are at rest."""
-    from turgor.cli.fitting.fit_history import fit_over_time, write_history_fit
+    from turgor.cli.fitting.histories.fit_history import fit_over_time, write_history_fit
     from turgor.core.materials.experiments.test_edits import rest_below
 
     preload, tests = preload_of(chosen.preload), []

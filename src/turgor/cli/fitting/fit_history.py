@@ -10,7 +10,7 @@ from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
     from turgor.core.materials.experiments.material_test import MaterialTest
-    from turgor.core.materials.fitting.history_fit import HistoryFit
+    from turgor.core.materials.fitting.histories.history_fit import HistoryFit
 
 
 def fit_over_time(
@@ -33,7 +33,7 @@ def fit_over_time(
     """
     from dataclasses import replace
 
-    from turgor.core.materials.fitting.fit_history import fit_history
+    from turgor.core.materials.fitting.histories.fit_history import fit_history
     from turgor.core.materials.fitting.ranking import rank
 
     virgin = [_first_loading(test) for test in tests]

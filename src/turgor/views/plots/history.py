@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from turgor.core.materials.experiments.material_test import MaterialTest
-from turgor.core.materials.fitting.history_points import HistoryPart
+from turgor.core.materials.fitting.histories.history_points import HistoryPart
 from turgor.core.materials.fitting.result import FitResidual
 from turgor.core.materials.history.stress_history import stress_history
 from turgor.core.materials.laws.laws import Law

@@ -7,8 +7,8 @@ import pytest
 
 from refused import refused
 from turgor.core.materials.experiments.material_test import MaterialTest
-from turgor.core.materials.fitting.fit_history import fit_history
-from turgor.core.materials.fitting.history_fit import quality_of
+from turgor.core.materials.fitting.histories.fit_history import fit_history
+from turgor.core.materials.fitting.histories.history_fit import quality_of
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.stress_history import stress_history
 from turgor.core.materials.history.viscoelastic import Prony

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from turgor.core.materials.experiments.material_test import MaterialTest
-from turgor.core.materials.fitting.history_points import HistoryPart
+from turgor.core.materials.fitting.histories.history_points import HistoryPart
 from turgor.core.materials.fitting.result import FitResidual
 from turgor.core.materials.fitting.settings import HISTORY_FIT
 from turgor.core.materials.laws.laws import Law

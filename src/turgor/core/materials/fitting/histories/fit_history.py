@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from turgor.core.materials.experiments.material_test import Array, MaterialTest
-from turgor.core.materials.fitting.history_fit import HistoryFit, quality_of
-from turgor.core.materials.fitting.history_points import HistoryPoints
+from turgor.core.materials.fitting.histories.history_fit import HistoryFit, quality_of
+from turgor.core.materials.fitting.histories.history_points import HistoryPoints
 from turgor.core.materials.fitting.settings import DETERMINATION, FIT, HISTORY_FIT
 from turgor.core.materials.history.softening import Mullins, softening
 from turgor.core.materials.history.viscoelastic import Prony

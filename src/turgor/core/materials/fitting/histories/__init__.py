@@ -1,0 +1,1 @@
+"""Fits of relaxation and softening to tests over time."""
