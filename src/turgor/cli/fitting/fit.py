@@ -227,7 +227,7 @@ def _fit_over_time(
     chosen: FitOptions, modes: Sequence[str | None], names: list[str]
 ) -> "tuple[list[MaterialTest], HistoryFit]":
     """Fit relaxation and softening to tests with all their cycles; slack points are at rest."""
-    from turgor.cli.fitting.histories.fit_history import fit_over_time, write_history_fit
+    from turgor.cli.fitting.fit_history import fit_over_time, write_history_fit
     from turgor.core.materials.experiments.test_edits import rest_below
 
     preload, tests = preload_of(chosen.preload), []
