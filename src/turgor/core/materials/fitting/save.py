@@ -192,11 +192,8 @@ def _record(fit: Fit, spread: FitSpread | None) -> tomlkit.items.Table:
 
 def _spread_table(fit: Fit, spread: FitSpread) -> tomlkit.items.Table:
     """Spread of the constants of a fit, with the symbols of its record."""
-    printed = _printed(fit)
-    if set(fit.values) <= set(printed):  # a ratio that was stated is printed, too, and has no spread
-        symbols = {key: key for key in fit.values}
-    else:
-        symbols = dict(zip(fit.values, printed, strict=True))
+    # what a fit was given, such as the ratio of a foam, is printed last, and has no spread
+    symbols = dict(zip(fit.values, _printed(fit), strict=False))
     deviations = tomlkit.inline_table()
     for key, value in spread.deviations.items():
         deviations[symbols[key]] = value if key in fit.spec.shapes else format_quantity(value, "kPa")
