@@ -313,10 +313,10 @@ def format_quantity(value: float, unit: str) -> str:
     >>> format_quantity(0.0015, "mm")
     '1.5 mm'
     """
-    units = next(units for units in UNITS.values() if unit in units)
+    units, zero = next(units for units in UNITS.values() if unit in units), _ZERO.get(unit, 0.0)
     for digits in range(1, 18):
-        number = float(f"{value / units[unit]:.{digits}g}")
-        if number * units[unit] == value:
+        number = float(f"{(value - zero) / units[unit]:.{digits}g}")
+        if number * units[unit] + zero == value:
             return f"{number!r}".removesuffix(".0") + f" {unit}"
     return f"{value!r} {next(iter(units))}"
 
