@@ -50,7 +50,7 @@ class Strength:
     elongation_at_break: float | None = None
     tensile_strength: float | None = None
     tear_strength: float | None = None
-    sources: Mapping[str, str] = field(default_factory=dict)
+    sources: Mapping[str, str] = field(default_factory=dict, hash=False)  # so that a material can be a key
     doubts: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:

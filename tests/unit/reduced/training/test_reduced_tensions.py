@@ -20,7 +20,7 @@ from turgor.reduced.training.modes import Modes
 from turgor.reduced.training.tensions import swinging, tensions_of
 from turgor.reduced.training.trainer import Path as FullPath
 
-JOB = Path(__file__).parents[3] / "examples" / "actuators" / "fiber_reinforced_cylinder.toml"
+JOB = Path(__file__).parents[4] / "examples" / "actuators" / "fiber_reinforced_cylinder.toml"
 
 
 def wound(compression: float) -> tg.Model:
