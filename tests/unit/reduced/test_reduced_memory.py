@@ -35,9 +35,9 @@ def lossy() -> Model:
 
 @cache
 def reduced_lossy() -> Reduced:
-    """Its reduced model, in ten modes of one slow path, and one sudden load and unloading."""
+    """Its reduced model, in twelve modes of one slow path, and one sudden load and unloading."""
     trainer = Trainer(model_variation(lossy(), [KEY]).model, box(), 8, EngineOptions(threads=1))
-    return trained(lossy(), System(lossy()), trainer.path(np.array([12e3])), 10)
+    return trained(lossy(), System(lossy()), trainer.path(np.array([12e3])), 12)
 
 
 def test_history_of_pressure_is_that_of_the_full_model():
