@@ -129,6 +129,7 @@ def test_slider_tip_and_sequence_in_the_page(folder):
         _drag_tip(page, -4000, 0)  # far away, so that a limit is reached
         shown.until("/pressure (low|high)/.test(document.querySelector('.live-far').textContent)")
         assert "mm away" in page.inner_text(".live-far")
+        page.wait_for_timeout(300)  # the last answer is recorded, too
         page.get_by_role("button", name="Stop recording").click()
         entries = page.locator(".live-steps li").all_inner_texts()
         assert [entry.split()[0] for entry in entries] == ["Start", "Move", "Wait", "Move"]
