@@ -1,7 +1,7 @@
 """States of bodies before loading: shrinkage, pre-stretch, temperature, and stiffness that comes and goes.
 
 Problems: a bonded strip of two layers of which one shrinks (Timoshenko 1925, Analysis of bi-metal thermostats, eq. 4,
-with equal layers κ = 3 ε / (2 h)); a bar that was stretched and is held, freed, or frozen in a longer shape and
+with equal layers κ = 3 ε / (2 h)); a bar that was stretched and is fixed, freed, or frozen in a longer shape and
 released; a ring that was stretched around its axis and contracts; a tube that is inflated warm.
 Exact: uniaxial neo-Hooke; the ring by quadrature of its radial equilibrium; the others from the same model at rest.
 Tolerances: Newton's method for homogeneous states; 1 % for Timoshenko, whose strip is thin and bends little.
@@ -70,7 +70,7 @@ def test_bar_that_was_stretched_pulls_at_its_clamps(record_verification):
     exact = 2 * C10 * (1.3**2 - 1 / 1.3) * 1e-4  # true stress on the area of the mesh
     got = problems.reaction(state, "x1")[0]
     record_verification(
-        claim="force of a held bar that was stretched by 1.3", source="uniaxial neo-Hooke", expected=exact, got=got,
+        claim="force of a fixed bar that was stretched by 1.3", source="uniaxial neo-Hooke", expected=exact, got=got,
         tolerance="1e-8",
     )  # fmt: skip
     assert got == pytest.approx(exact, rel=1e-8)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from lattice_cases import KINDS, lattice
+from lattice_cases import KINDS, lattice, refined
 
 import turgor as tg
 from refused import refused
@@ -23,6 +23,15 @@ def test_a_place_has_the_nodes_that_it_says(kind: str) -> None:
     rim = NodesAt("rim", edge=("middle", "patch")).nodes(mesh)
     assert np.array_equal(rim, np.flatnonzero((np.abs(x - 0.5) < 1e-9) & (y < 0.5 + 1e-9)))
     assert len(z) == len(mesh.points)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_place_follows_a_refined_mesh(kind: str) -> None:
+    mesh = lattice((4, 2, 2), KINDS[kind])
+    fine, place = refined(mesh, 1.0).mesh, NodesAt("rim", edge=("middle", "patch"))
+    x, y, _ = fine.points.T
+    assert np.array_equal(place.nodes(fine), np.flatnonzero((np.abs(x - 0.5) < 1e-9) & (y < 0.5 + 1e-9)))
+    assert len(place.nodes(fine)) > len(place.nodes(mesh))
 
 
 def test_middles_that_follow_are_no_nearest_node() -> None:
@@ -61,13 +70,13 @@ def test_a_place_without_nodes_says_where_the_mesh_is() -> None:
 def test_a_box_is_reported_summed_and_exported_as_a_face_is(tmp_path) -> None:
     mesh = lattice((2, 1, 1), KINDS["hex"])
     end = NodesAt("end", box=((0, 0, 0), (0, 1, 1)))
-    held = [[Fixed("x0")], [Fixed(end)]]
+    fixed = [[Fixed("x0")], [Fixed(end)]]
     loads = [tg.loads.Force("x1", (100.0, 0, 0))]
-    runs = [tg.solve(tg.Model(mesh, RUBBER, each, loads)) for each in held]
+    runs = [tg.solve(tg.Model(mesh, RUBBER, each, loads)) for each in fixed]
     reactions = [tg.measure(run, "reaction", mesh_error=False).column("reaction")[-1] for run in runs]
     assert reactions[1] == pytest.approx(100.0, rel=1e-6)
     assert reactions[1] == pytest.approx(reactions[0], rel=1e-9)
-    assert held[1][0].text() == "end (the box from (0, 0, 0) to (0, 1000, 1000) mm) does not move in x, y, z."
+    assert fixed[1][0].text() == "end (the box from (0, 0, 0) to (0, 1000, 1000) mm) does not move in x, y, z."
 
 
 def test_an_inp_file_holds_the_nodes_of_a_place(tmp_path) -> None:
