@@ -127,6 +127,8 @@ class Job:
         Name of this measure; the first one of the output if it is not given.
     mesh_most_unknowns : int
         Largest number of unknowns of a refined mesh.
+    imperfection : tuple of float [m]
+        Largest deviations of the stress-free shape along the first buckling modes; none by default.
     materials : mapping of str to Material, Shell or Membrane
         A material for every region and a sheet for every face that is reinforced.
     supports : tuple of Support
@@ -159,6 +161,7 @@ class Job:
     mesh_target: float | None = None
     mesh_target_measure: str | None = None
     mesh_most_unknowns: int = 200_000
+    imperfection: tuple[float, ...] = ()
     materials: Mapping[str, Material | Sheet]
     supports: tuple[Support, ...] = (Fixed("fixed"),)
     loads: tuple[Load, ...]

@@ -9,6 +9,7 @@ from turgor.core.results.measures.measures import check_measures, find_measure
 from turgor.core.setups.with_setup import with_setup
 from turgor.core.solvers.checks.early_findings import check_before_solve
 from turgor.core.solvers.stage_sequence import questions
+from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, by_weight
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
@@ -69,7 +70,7 @@ def model_of(job: Job, mesh: Mesh) -> Model:
     -------
     Model
     """
-    return Model(
+    model = Model(
         mesh,
         materials=job.materials,
         supports=job.all_supports,
@@ -77,6 +78,14 @@ def model_of(job: Job, mesh: Mesh) -> Model:
         reinforcements=tuple(job.fibers.values()),
         contact=job.contact,
     )
+    if not job.imperfection:
+        return model
+    from turgor.core.solvers.buckling.imperfection import imperfect  # here: few jobs need it
+
+    try:
+        return imperfect(model, job.imperfection)
+    except TurgorError as error:
+        raise TurgorError(f"mesh.imperfection: {error}") from error
 
 
 def silent(_: str) -> None:

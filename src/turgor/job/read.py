@@ -123,7 +123,9 @@ def _given(content: Mapping[str, Any], problems: Problems) -> dict[str, Any]:
             problems.add((key,), f"unknown key '{key}'{near_match(key, SECTIONS) or '.'} Known keys: {known}.")
     given = {key: content.get(key, DEFAULTS.get(key)) for key in SECTIONS}
     if given["actuator"] is None and isinstance(given["mesh"], Mapping) and "file" in given["mesh"]:
-        given["actuator"], given["mesh"] = {"type": MESH_FILE, **given["mesh"]}, {}  # a mesh file replaces both
+        own = {key: value for key, value in given["mesh"].items() if key != "imperfection"}
+        rest = {key: value for key, value in given["mesh"].items() if key not in own}
+        given["actuator"], given["mesh"] = {"type": MESH_FILE, **own}, rest  # a mesh file replaces both
     if STAGES in content and "procedure" in content:
         problems.add(("procedure",), "every stage has a procedure of its own; write it there and leave this one out.")
     if (_alone(given) or _rigged(given["points"])) and given["loads"] is None:
@@ -182,6 +184,7 @@ def _read(
         mesh_target=mesh.target,
         mesh_target_measure=mesh.target_measure,
         mesh_most_unknowns=mesh.most_unknowns,
+        imperfection=mesh.imperfection,
         materials=materials,
         supports=supports,
         fibers=fibers,

@@ -5,6 +5,9 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.core.solvers.buckling.buckling_modes import BucklingModes as BucklingModes
+    from turgor.core.solvers.buckling.buckling_modes import buckling_modes as buckling_modes
+    from turgor.core.solvers.buckling.imperfection import imperfect as imperfect
     from turgor.core.solvers.dynamics.modes import Modes as Modes
     from turgor.core.solvers.energies import Energies as Energies
     from turgor.core.solvers.solution import LimitPoint as LimitPoint

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from turgor.accuracy.laboratory.compare import Comparison
     from turgor.core.meshing.mesh import Mesh
     from turgor.core.results.convergence.study import Convergence
+    from turgor.core.solvers.buckling.buckling_modes import BucklingModes
     from turgor.core.solvers.dynamics.modes import Modes
     from turgor.fast_models.section.solution import SectionSolution
     from turgor.foundation.response import Response
@@ -130,6 +131,25 @@ class ModesResult:
     load_factor: float
     frequencies_Hz: Any
     modal_masses_kg: Any
+    message: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BucklingResult:
+    """``turgor buckling``: loads at which the actuator buckles.
+
+    Parameters
+    ----------
+    load_factor : float
+        Load factor of the state that the modes are computed at; 0 is at rest.
+    load_factors : list of float
+        Load factor of each mode, from the lowest.
+    message : str
+        What is to be known about them.
+    """
+
+    load_factor: float
+    load_factors: Any
     message: str
 
 
@@ -281,6 +301,11 @@ def modes_result(modes: "Modes") -> ModesResult:
         modal_masses_kg=modes.modal_mass,
         message=modes.message,
     )
+
+
+def buckling_result(modes: "BucklingModes") -> BucklingResult:
+    """Make the result on buckling."""
+    return BucklingResult(load_factor=modes.load_factor, load_factors=modes.load_factors, message=modes.message)
 
 
 def compared_result(comparison: "Comparison", files: Sequence[Path]) -> ComparedResult:

@@ -17,8 +17,8 @@ NAMED = 4
 
 #: Advice where a path has branches.
 BEND_IT = (
-    "A real body takes the branch that its imperfections lead to: bend the geometry a little, as it would buckle, "
-    "to follow it."
+    "A real body takes the branch that its imperfections lead to: follow it with branch = 1 of arc_length, or give the "
+    "mesh an imperfection."
 )
 
 

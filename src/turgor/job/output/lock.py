@@ -109,8 +109,9 @@ def dimensions(actuator: Any) -> dict[str, Any]:
 
 
 def _mesh(job: Job) -> dict[str, Any]:
+    sizes = {"imperfection": [format_quantity(size, "mm") for size in job.imperfection]} if job.imperfection else {}
     if isinstance(job.actuator, MeshFile):
-        return {}
+        return sizes
     mesh = job.mesh_settings
     assert mesh.size is not None  # chosen where it was not given
     return {
@@ -122,6 +123,7 @@ def _mesh(job: Job) -> dict[str, Any]:
         **({} if mesh.quality == MeshSettings().quality else {"quality": mesh.quality}),
         **_features(mesh.ignore_features_below),
         **_target(job),
+        **sizes,
     }
 
 

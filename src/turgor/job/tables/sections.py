@@ -52,7 +52,7 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
     if table is None or geometry is None:
         return table
     if isinstance(geometry.shape, MeshedShape):
-        if values:
+        if set(values) - {"imperfection"}:
             problems.add(key, "the actuator is a mesh already; leave the table [mesh] out, or mesh the part again.")
         return table.model_copy(update={"size": geometry.extent})
     cells = chosen_cells(geometry, table.settings)

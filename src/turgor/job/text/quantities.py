@@ -91,6 +91,15 @@ def _share(value: object) -> float:
     return share
 
 
+def _lengths(value: object) -> tuple[float, ...]:
+    """Read one length or a list of them."""
+    return tuple(parse_quantity(each, "length") for each in (value if isinstance(value, list) else [value]))
+
+
+Lengths = Annotated[
+    tuple[float, ...], BeforeValidator(_lengths), Says("a length or a list of lengths", '["0.1 mm", "0.05 mm"]')
+]
+
 Share = Annotated[float, BeforeValidator(_share), Says("share in percent", '"2 %"')]
 
 
@@ -134,6 +143,8 @@ class MeshTable(Table):
         Measure that the target is for; the first one of ``[output]`` by default.
     most_unknowns : int
         Largest number of unknowns of a refined mesh.
+    imperfection : float or list of float [m]
+        Largest deviation of the stress-free shape along the first buckling mode, or along the first modes in turn.
     """
 
     size: Length | None = Field(default=None, examples=['"3 mm"'])
@@ -146,6 +157,7 @@ class MeshTable(Table):
     target: Share | None = None
     target_measure: Annotated[str, AfterValidator(_measure)] | None = None
     most_unknowns: int = 200_000
+    imperfection: Lengths = ()
 
     @property
     def settings(self) -> MeshSettings:

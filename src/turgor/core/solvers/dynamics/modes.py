@@ -61,6 +61,11 @@ class Modes:
         return np.sign(self.eigenvalues) * np.sqrt(np.abs(self.eigenvalues)) / (2 * np.pi)
 
     @property
+    def by_mode(self) -> tuple[tuple[str, Array, str], ...]:
+        """Name, values (k,) and unit of what each mode has."""
+        return ("frequency", self.frequencies, "Hz"), ("modal_mass", self.modal_mass, "kg")
+
+    @property
     def unstable(self) -> int:
         """How many of the modes grow: an equilibrium with such modes is unstable."""
         return int((self.eigenvalues < 0).sum())

@@ -27,6 +27,9 @@ class ArcLength(StepOptions):
         Largest and smallest length of a step.
     at : tuple of float [-]
         Load factors at which a state is made wherever the path crosses them, each in (0, 1].
+    branch : int
+        Branch to take at the first bifurcation: 0 stays on the path, 1 and -1 leave it along the mode that becomes
+        unstable there and against it.
     tolerance, max_iterations
         As those of `VolumeControl`.
     max_steps : int
@@ -43,6 +46,7 @@ class ArcLength(StepOptions):
     max_stretch: float = 10.0
     max_displacement: float | None = field(default=None, metadata={"dimension": "length"})
     max_step: float = 0.5
+    branch: int = 0
 
     def __post_init__(self) -> None:
         make_numbers(self)
@@ -50,10 +54,17 @@ class ArcLength(StepOptions):
             raise TurgorError(f"procedure.max_stretch is {self.max_stretch:g}; a stretch above 1 is needed.")
         if self.max_displacement is not None and not self.max_displacement > 0:
             raise TurgorError(f"procedure.max_displacement is {self.max_displacement:g} m; it must be above 0.")
+        if self.branch not in (-1, 0, 1):
+            raise TurgorError(f"procedure.branch is {self.branch!r}; allowed is -1, 0 or 1.")
         check_steps(self, longest=100.0)
 
     def follow(self, problem: Any) -> Any:
         """Prescribe the length of each step."""
         from turgor.core.solvers.continuation.scalar_control.arc_length import Bounds, follow_arc  # few jobs need it
 
-        return follow_arc(problem, self, Bounds(self.max_stretch, self.max_displacement, self.at))
+        limit = Bounds(self.max_stretch, self.max_displacement, self.at)
+        if not self.branch:
+            return follow_arc(problem, self, limit)
+        from turgor.core.solvers.buckling.branch import follow_branch
+
+        return follow_branch(problem, self, limit, self.branch)

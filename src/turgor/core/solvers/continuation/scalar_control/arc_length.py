@@ -67,22 +67,32 @@ def _check_driven(model: Model) -> None:
 
 def follow_arc(problem: Problem, procedure: StepOptions, limit: "Bounds") -> Outcome:
     """Take the first step under load control, which scales the displacement, then prescribe the arc length."""
+    return _followed(first_arc(problem, procedure, bounds(limit)))
+
+
+def first_arc(problem: Problem, procedure: StepOptions, ends: Finished) -> Run | Outcome:
+    """A run by the arc length from rest on, or why its first step failed."""
     check_proportional(problem.system.model, "ArcLength")
     check_still(problem.system, "ArcLength")
     _check_driven(problem.system.model)
     rest = problem.system.evaluate(start_of(problem), 0.0, history=problem.history)
     assert rest is not None
     problem.states.append(state_of(problem.system, rest, None))
-    return from_rest(
-        problem,
-        procedure,
-        (procedure.first_step, procedure.max_step),
-        bounds(limit),
-    )
+    return _run_from_rest(problem, procedure, (procedure.first_step, procedure.max_step), ends)
+
+
+def _followed(begun: Run | Outcome) -> Outcome:
+    return begun if isinstance(begun, Outcome) else follow(begun)
 
 
 def from_rest(problem: Problem, procedure: StepOptions, lengths: tuple[float, float], ends: Finished) -> Outcome:
     """Take a first step by the load, at most as long as requested, and go on by arcs up to a longest one."""
+    return _followed(_run_from_rest(problem, procedure, lengths, ends))
+
+
+def _run_from_rest(
+    problem: Problem, procedure: StepOptions, lengths: tuple[float, float], ends: Finished
+) -> Run | Outcome:
     system, tangent, settings, (load, longest) = problem.system, problem.tangent, settings_of(procedure), lengths
     problem = slowly(problem, problem.memory)
     rest = start_of(problem)
@@ -106,7 +116,7 @@ def from_rest(problem: Problem, procedure: StepOptions, lengths: tuple[float, fl
         if load < procedure.min_step:
             return stuck(system.model, problem.states, problem.steps, bool(first.unstable_modes))
     assert first.evaluation is not None
-    return follow(arc_run(problem, procedure, (first.evaluation.unknowns, load), (load * 2**0.5, longest), ends))
+    return arc_run(problem, procedure, (first.evaluation.unknowns, load), (load * 2**0.5, longest), ends)
 
 
 def arc_run(

@@ -1,0 +1,1 @@
+"""Buckling: loads at which an actuator leaves its shape, the shapes in which it does, branches, imperfections."""
