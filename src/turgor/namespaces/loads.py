@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from turgor.core.model.loads import Stiffness as Stiffness
     from turgor.core.model.loads import Swelling as Swelling
     from turgor.core.model.loads import Temperature as Temperature
+    from turgor.core.model.loads import Tendon as Tendon
     from turgor.core.model.loads import Traction as Traction
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -48,8 +48,13 @@ STATES = (
     tg.loads.PreStretch("body", 1.2, (0, 0, 1), "around", (0, -5e-3, 0)),
     tg.loads.Stiffness("body", 0.3),
 )
+GUIDES = ((7.5e-5, 5.3e-3, 10e-3), (10.075e-3, 5.3e-3, 10.3e-3), (20.012e-3, 2.3e-3, 11.2e-3))
+PULLED = tg.loads.Tendon(through=GUIDES, tension=5.0)
+DRAWN = tg.loads.Tendon(through=GUIDES, pull=4e-3, stiffness=2e3, friction=0.4)
 NETWORK = (*STATES[:2], tg.loads.Hardening("body", 1.5))
 CASES = {
+    "tendon": (problems.NEO_HOOKE, np.inf, None, (PULLED,)),
+    "tendon with friction, drawn in": (problems.NEO_HOOKE, np.inf, None, (DRAWN,)),
     "neo-Hookean, incompressible": (problems.NEO_HOOKE, np.inf, None, ()),
     "Mooney-Rivlin, compressible": (tg.laws.MooneyRivlin(C10=1e4, C01=9e4), 1e6, None, ()),
     "Yeoh, incompressible": (tg.Yeoh(C10=1e5, C20=2e4, C30=-1e3), np.inf, None, ()),

@@ -34,6 +34,7 @@ LOADS: Registry[type[Load]] = Registry(
 _UNITS: Mapping[str, str] = {"length": "mm", "pressure": "kPa", "mass": "g", "angle": "deg", "share": "%"}
 
 _POINTS = '[["20 °C", 1], ["60 °C", 0.8]]'
+_PLACES = '[["0 mm", 0, "5 mm"], ["80 mm", 0, "5 mm"]]'
 _TWO_FACES = '["tip", "outside"]'
 
 
@@ -189,6 +190,11 @@ def _type_of(item: Field[Any]) -> Any:
     if item.metadata.get("points"):
         read = BeforeValidator(partial(_points, dimension=dimension))
         return Annotated[Any, read, Says("text or list of points", _POINTS)]
+    if item.type == tuple[Vector, ...]:
+        return Annotated[
+            list[Annotated[list[Coordinate], pydantic.Field(min_length=3, max_length=3)]],
+            Says("list of points", _PLACES),
+        ]
     if item.type == Vector and dimension in ("", "length"):
         return list[Coordinate] if dimension else list[float]
     if item.type == Vector:

@@ -21,4 +21,5 @@ from turgor.core.model.loads.shrinkage import Shrinkage as Shrinkage
 from turgor.core.model.loads.stiffness import Stiffness as Stiffness
 from turgor.core.model.loads.swelling import Swelling as Swelling
 from turgor.core.model.loads.temperature import Temperature as Temperature
+from turgor.core.model.loads.tendon import Tendon as Tendon
 from turgor.core.model.loads.traction import Traction as Traction

@@ -1,0 +1,139 @@
+"""Tendon: a cable through guides on the surface, pulled by a motor at its first point."""
+
+from collections.abc import Container, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.history import RAMP, History, checked
+from turgor.core.model.history_text import shares_text
+from turgor.core.model.loads.images import refuse_in_sectors
+from turgor.core.model.loads.load import Load, Vector
+from turgor.foundation.errors import TurgorError
+from turgor.foundation.given import number, vector
+from turgor.units import N, mm
+
+#: Largest coefficient of friction between a cable and its guides.
+MOST_FRICTION = 2.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tendon(Load):
+    """A cable that runs straight from guide to guide, pulled at its first point and fastened at its last.
+
+    Either the tension at the motor is given, or the length of cable that the motor draws in, with the stiffness of the
+    cable. A cable cannot push: it goes slack. At each guide friction takes its share of the tension, exp(−μ θ) for a
+    turn by θ (Euler and Eytelwein), as long as the motor pulls; friction does not change its sign where it lets go.
+
+    Parameters
+    ----------
+    through : sequence of (3,) floats [m]
+        Points of the surface at rest, from the motor to the end, at least two.
+    tension : float, optional [N]
+        Tension at the motor.
+    pull : float, optional [m]
+        Length of cable that is drawn in at a share of one; it needs a ``stiffness``.
+    stiffness : float, optional [N/m]
+        Tension for each meter that the whole cable is stretched: its modulus times its section over its length.
+    friction : float [-]
+        Coefficient of friction at the guides, 0 to 2.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`.
+
+    Raises
+    ------
+    TurgorError
+        If not exactly one of tension and pull is given, there are fewer than two points, two neighbors coincide, or a
+        number is not allowed.
+
+    Examples
+    --------
+    >>> Tendon(through=[(0, 0, 5e-3), (0.08, 0, 5e-3)], tension="2 N").words
+    'Tendon through 2 points with a tension of 2 N'
+    """
+
+    through: tuple[Vector, ...] = field(metadata={"dimension": "length"})
+    tension: float | None = field(default=None, metadata={"dimension": "force"})
+    pull: float | None = field(default=None, metadata={"dimension": "length"})
+    stiffness: float | None = field(default=None, metadata={"dimension": "spring stiffness"})
+    friction: float = 0.0
+    history: History = RAMP
+
+    job_key = "tendons"
+    spread = False
+
+    def __post_init__(self) -> None:
+        points = tuple(vector(point, f"point {i + 1} of a tendon", "length") for i, point in enumerate(self.through))
+        if len(points) < 2:
+            raise TurgorError(f"tendon: through has {len(points)} points; at least two are needed.")
+        for i, (one, two) in enumerate(pairwise(points)):
+            if np.allclose(one, two, rtol=0, atol=1e-9):
+                raise TurgorError(f"tendon: points {i + 1} and {i + 2} of through coincide; leave one out.")
+        object.__setattr__(self, "through", points)
+        if (self.tension is None) == (self.pull is None):
+            raise TurgorError("tendon: give either tension or pull, not both.")
+        if (self.pull is None) != (self.stiffness is None):
+            raise TurgorError("tendon: pull needs the stiffness of the cable, and only pull does.")
+        for key, dimension in (("tension", "force"), ("pull", "length"), ("stiffness", "spring stiffness")):
+            self._positive(key, dimension)
+        friction = number(self.friction, "tendon: friction")
+        if not 0 <= friction <= MOST_FRICTION:
+            raise TurgorError(f"tendon: friction is {friction:g}; allowed is 0 to {MOST_FRICTION:g}.")
+        object.__setattr__(self, "friction", friction)
+        object.__setattr__(self, "history", checked(self.history, "tendon"))
+
+    def _positive(self, key: str, dimension: str) -> None:
+        if getattr(self, key) is None:
+            return
+        value = number(getattr(self, key), f"tendon: {key}", dimension)
+        if not (value > 0 and isfinite(value)):
+            raise TurgorError(f"tendon: {key} is {value:g} in SI units; it must be above 0.")
+        object.__setattr__(self, key, value)
+
+    @property
+    def place(self) -> str:
+        """Its points."""
+        return str(self.through)
+
+    @property
+    def label(self) -> str:
+        """Its class; the points would be long."""
+        return "Tendon"
+
+    @property
+    def words(self) -> str:
+        """Number of points, and the tension or the pull."""
+        drive = (
+            f"a tension of {self.tension / N:g} N"
+            if self.tension is not None
+            else f"{(self.pull or 0) / mm:g} mm drawn in"
+        )
+        rubbing = f", friction {self.friction:g}" if self.friction else ""
+        return f"Tendon through {len(self.through)} points with {drive}{rubbing}"
+
+    def text(self) -> str:
+        """Return the sentence of a report."""
+        return f"{self.words}{shares_text(self.history)}."
+
+    def turned(self, axis: int) -> bool:
+        """A cable is elsewhere after a turn."""
+        return False
+
+    def check(self, mesh: Mesh, points: Container[str]) -> None:
+        """Refuse sectors of a wedge; whether the points are on the surface is checked by the equations."""
+        refuse_in_sectors(mesh, "a tendon")
+
+    @property
+    def outside(self) -> bool:
+        """The work of the motor is not that of a dead force."""
+        return False
+
+    def terms(self, setting: Any) -> Sequence[Any]:
+        """Return the term of the cable."""
+        from turgor.core.engine.faces.tendon_term import tendon_term  # here: it loads the engine
+
+        return (tendon_term(setting, self),)

@@ -1,0 +1,140 @@
+"""Tendons: a bar with a cable along one side bends to a constant curvature; friction; a cable that is drawn in.
+
+Problem: a bar of 100 × 4 × 4 mm, clamped, with 10 guides along the middle of its upper side, 2 mm from the axis.
+Exact for a cable that touches the side everywhere: the bar carries −T along its axis and T e as a moment at every
+section, however far it bends, so that the angle is φ = T e L / EI; with friction the tension falls with the turn, and
+the angle is ln(1 + μ φ) / μ (thin bar, no stretch of the axis). Between guides at a distance d the cable is a chord of
+the inner arc, on average d² / 12R farther from the axis: φ = T e L / (EI − T d² / 12). The angle is read at 75 mm,
+between two guides, because the rubber gives way where the cable presses and ends.
+Tolerance: 2 %: the axis is 1 % shorter. A cable that is drawn in and one with the same tension: 1e-5; a half model and
+the whole: 1e-6.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+import pytest
+
+import meshes
+import problems
+import turgor as tg
+from turgor.core.meshing.cells import HEXAHEDRON
+
+MM = problems.MM
+LENGTH, SIDE = 100 * MM, 4 * MM
+STIFFNESS = 0.72 * problems.MPA * SIDE**4 / 12
+TENSION = 1.4 * STIFFNESS / (LENGTH * SIDE / 2)  # 1.4 rad, 80 degrees
+CELLS = 10
+GUIDES = tuple((x, 0.0, SIDE / 2) for x in np.linspace(0, LENGTH, CELLS + 1))
+
+
+def bar(half=True, **cable):
+    """The bar along x; its middle plane y = 0 is a mirror plane of the half."""
+    width = SIDE / 2 if half else SIDE
+
+    def place(points):
+        return points - np.array([0, 0 if half else SIDE / 2, SIDE / 2])
+
+    mesh = meshes.box((LENGTH, width, SIDE), (CELLS, 1 if half else 2, 2), place, kind=HEXAHEDRON)
+    if half:
+        faces = {("symmetry_y" if name == "y0" else name): sides for name, sides in mesh.faces.items()}
+        mesh = tg.Mesh(points=mesh.points, cells=mesh.cells, regions=mesh.regions, faces=faces)
+    loads = [tg.loads.Tendon(through=GUIDES, **cable)]
+    return problems.one_material(mesh, problems.NEO_HOOKE, supports=[tg.Fixed("x0")], loads=loads)
+
+
+@lru_cache
+def state_with(half=True, **cable):
+    return problems.solve(bar(half, **cable)).states[-1]
+
+
+def angle(state):
+    """By which the section at 75 mm has turned [rad]."""
+    points = problems.current(state)
+    top, low = (points[meshes.node_at(state.model.mesh, (0.75 * LENGTH, 0, z))] for z in (SIDE / 2, -SIDE / 2))
+    return float(np.arctan2(*(low - top)[[0, 2]] * [1, -1]))
+
+
+def cable_length(state):
+    nodes = [meshes.node_at(state.model.mesh, point) for point in GUIDES]
+    return float(np.linalg.norm(np.diff(problems.current(state)[nodes], axis=0), axis=1).sum())
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+def test_a_bar_bends_as_its_tendon_pulls(friction, record_verification):
+    straight = TENSION * SIDE / 2 * 0.75 * LENGTH / (STIFFNESS - TENSION * (LENGTH / CELLS) ** 2 / 12)
+    expected = np.log(1 + friction * straight) / friction if friction else straight
+    got = angle(state_with(tension=TENSION, friction=friction))
+    record_verification(
+        claim=f"bar with a tendon, friction {friction:g}: angle at 75 mm [rad]",
+        source="exact, thin bar",
+        expected=expected,
+        got=got,
+        tolerance="2 %",
+    )
+    assert got == pytest.approx(expected, rel=0.02)
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+def test_a_cable_that_is_drawn_in_has_the_tension_of_its_stretch(friction):
+    pulled, stiffness = state_with(tension=TENSION, friction=friction), 1e3
+    state = state_with(tension=TENSION, friction=friction)
+    nodes = [meshes.node_at(state.model.mesh, point) for point in GUIDES]
+    chords = np.diff(problems.current(state)[nodes], axis=0)
+    directions = chords / np.linalg.norm(chords, axis=1)[:, None]
+    turns = np.arccos(np.clip((directions[1:] * directions[:-1]).sum(axis=1), -1, 1))
+    left = np.exp(-friction * np.append(0, np.cumsum(turns)))
+    stretch = TENSION * left.mean() / stiffness
+    drawn = state_with(pull=LENGTH - cable_length(pulled) + stretch, stiffness=stiffness, friction=friction)
+    assert angle(drawn) == pytest.approx(angle(pulled), rel=1e-5)
+
+
+def test_a_half_model_carries_half_of_the_cable():
+    small = {"tension": 0.2 * TENSION}
+    assert angle(state_with(half=False, **small)) == pytest.approx(angle(state_with(**small)), rel=1e-6)
+
+
+def test_a_cable_does_not_push():
+    model = bar(tension=TENSION)
+    force = tg.Traction("x1", (-100.0, 0, 0))  # the bar becomes 14 µm shorter
+    slack = tg.loads.Tendon(through=GUIDES, pull=5e-6, stiffness=1e3)
+    tight = tg.loads.Tendon(through=GUIDES, pull=50e-6, stiffness=1e3)
+    moved = [
+        problems.solve(tg.Model(model.mesh, model.materials, ["x0"], [force, *more])).states[-1].displacement
+        for more in ([], [slack], [tight])
+    ]
+    assert moved[1] == pytest.approx(moved[0], abs=1e-10)
+    assert np.abs(moved[2] - moved[0]).max() > 1e-4
+
+
+@pytest.mark.parametrize(
+    ("cable", "facts"),
+    [
+        ({"tension": 1.0, "pull": 1e-3}, ["either tension or pull"]),
+        ({}, ["either tension or pull"]),
+        ({"pull": 1e-3}, ["stiffness"]),
+        ({"tension": -1.0}, ["tension is -1", "above 0"]),
+        ({"tension": 1.0, "friction": 3.0}, ["friction is 3", "0 to 2"]),
+        ({"tension": 1.0, "through": ((0, 0, 0.002),)}, ["1 points", "two"]),
+        ({"tension": 1.0, "through": ((0, 0, 0.002), (0, 0, 0.002))}, ["points 1 and 2", "coincide"]),
+        ({"tension": 1.0, "through": ((0, 0, 0.002), (0.05, 0, 0.01))}, ["point 2", "8 mm away"]),
+    ],
+)
+def test_what_is_no_cable_is_refused(cable, facts):
+    mesh = bar(tension=1.0).mesh
+
+    def pulled():
+        load = tg.loads.Tendon(**{"through": GUIDES, **cable})
+        problems.solve(problems.one_material(mesh, problems.NEO_HOOKE, supports=["x0"], loads=[load]))
+
+    with pytest.raises(tg.TurgorError) as error:
+        pulled()
+    for fact in facts:
+        assert fact in str(error.value)
+
+
+def test_a_cable_that_leaves_a_mirror_plane_is_refused():
+    load = tg.loads.Tendon(through=((0, 0, SIDE / 2), (LENGTH, SIDE / 4, SIDE / 2)), tension=1.0)
+    model = bar(half=True, tension=1.0)
+    with pytest.raises(tg.TurgorError, match="leaves the mirror plane normal to y at point 2"):
+        problems.solve(tg.Model(model.mesh, model.materials, ["x0"], [load]))
