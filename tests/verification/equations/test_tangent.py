@@ -50,7 +50,7 @@ STATES = (
 )
 GUIDES = ((7.5e-5, 5.3e-3, 10e-3), (10.075e-3, 5.3e-3, 10.3e-3), (20.012e-3, 2.3e-3, 11.2e-3))
 PULLED = tg.loads.Tendon(through=GUIDES, tension=5.0)
-DRAWN = tg.loads.Tendon(through=GUIDES, pull=4e-3, stiffness=2e3, friction=0.4)
+DRAWN = tg.loads.Tendon(through=GUIDES, pull=4e-3, cable_stiffness=2e3, friction=0.4)
 NETWORK = (*STATES[:2], tg.loads.Hardening("body", 1.5))
 CASES = {
     "tendon": (problems.NEO_HOOKE, np.inf, None, (PULLED,)),

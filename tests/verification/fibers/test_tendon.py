@@ -85,7 +85,7 @@ def test_a_cable_that_is_drawn_in_has_the_tension_of_its_stretch(friction):
     turns = np.arccos(np.clip((directions[1:] * directions[:-1]).sum(axis=1), -1, 1))
     left = np.exp(-friction * np.append(0, np.cumsum(turns)))
     stretch = TENSION * left.mean() / stiffness
-    drawn = state_with(pull=LENGTH - cable_length(pulled) + stretch, stiffness=stiffness, friction=friction)
+    drawn = state_with(pull=LENGTH - cable_length(pulled) + stretch, cable_stiffness=stiffness, friction=friction)
     assert angle(drawn) == pytest.approx(angle(pulled), rel=1e-5)
 
 
@@ -97,8 +97,8 @@ def test_a_half_model_carries_half_of_the_cable():
 def test_a_cable_does_not_push():
     model = bar(tension=TENSION)
     force = tg.Traction("x1", (-100.0, 0, 0))  # the bar becomes 14 µm shorter
-    slack = tg.loads.Tendon(through=GUIDES, pull=5e-6, stiffness=1e3)
-    tight = tg.loads.Tendon(through=GUIDES, pull=50e-6, stiffness=1e3)
+    slack = tg.loads.Tendon(through=GUIDES, pull=5e-6, cable_stiffness=1e3)
+    tight = tg.loads.Tendon(through=GUIDES, pull=50e-6, cable_stiffness=1e3)
     moved = [
         problems.solve(tg.Model(model.mesh, model.materials, ["x0"], [force, *more])).states[-1].displacement
         for more in ([], [slack], [tight])
@@ -136,5 +136,7 @@ def test_what_is_no_cable_is_refused(cable, facts):
 def test_a_cable_that_leaves_a_mirror_plane_is_refused():
     load = tg.loads.Tendon(through=((0, 0, SIDE / 2), (LENGTH, SIDE / 4, SIDE / 2)), tension=1.0)
     model = bar(half=True, tension=1.0)
-    with pytest.raises(tg.TurgorError, match="leaves the mirror plane normal to y at point 2"):
+    with pytest.raises(tg.TurgorError) as error:
         problems.solve(tg.Model(model.mesh, model.materials, ["x0"], [load]))
+    for fact in ("normal to y", "point 2"):
+        assert fact in str(error.value)

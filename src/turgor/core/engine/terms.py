@@ -13,6 +13,7 @@ from turgor.core.engine.faces.plate_edges import plate_terms
 from turgor.core.engine.faces.pressure_term import PressureTerm, pressure_terms
 from turgor.core.engine.faces.thrust_term import ThrustTerm, thrust_terms
 from turgor.core.engine.fibers.fiber_term import fiber_terms
+from turgor.core.engine.fibers.tendon_term import tendon_terms
 from turgor.core.engine.points.average_term import average_terms
 from turgor.core.engine.points.bearing_term import bearing_terms
 from turgor.core.engine.points.rigid_term import rigid_terms
@@ -31,6 +32,7 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     membrane_terms,
     plate_terms,
     fiber_terms,
+    tendon_terms,
     dead_terms,
     rigid_terms,
     average_terms,

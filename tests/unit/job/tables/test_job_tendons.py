@@ -26,7 +26,7 @@ base = { law = "neo_hooke", C10 = "50 kPa" }
 [[loads.tendons]]
 through = [["0 mm", 0, "2 mm"], ["10 mm", 0, "2 mm"]]
 pull = "3 mm"
-stiffness = "2 N/mm"
+cable_stiffness = "2 N/mm"
 friction = 0.2
 """
 
@@ -39,7 +39,7 @@ def read(folder: Path, text: str):
 def test_a_tendon_is_read_and_written(tmp_path: Path) -> None:
     job = read(tmp_path, JOB)
     (load,) = job.loads
-    assert load == Tendon(through=((0, 0, 2e-3), (10e-3, 0, 2e-3)), pull=3e-3, stiffness=2e3, friction=0.2)
+    assert load == Tendon(through=((0, 0, 2e-3), (10e-3, 0, 2e-3)), pull=3e-3, cable_stiffness=2e3, friction=0.2)
     assert read(tmp_path, lock_text(job, {})).loads == job.loads
     assert load.text().startswith("Tendon through 2 points with 3 mm drawn in, friction 0.2")
 
@@ -48,7 +48,7 @@ def test_a_tendon_is_read_and_written(tmp_path: Path) -> None:
     ("before", "after", "facts"),
     [
         ('pull = "3 mm"', 'tension = "3 mm"', ["loads.tendons.tension:", "3 mm"]),
-        ('stiffness = "2 N/mm"\n', "", ["pull needs the stiffness"]),
+        ('cable_stiffness = "2 N/mm"\n', "", ["pull needs the cable_stiffness"]),
         ('["10 mm", 0, "2 mm"]', '["10 mm", 0]', ["loads.tendons.through:", "at least 3"]),
         ("friction", "fricton", ["fricton", "friction"]),
         ("tendons", "tendon", ["tendon", "tendons"]),

@@ -255,6 +255,11 @@ class Load:
         """The moment or follower force on a reference point; None of other loads."""
         return None
 
+    @property
+    def cable(self) -> "Load | None":
+        """The load, if it is a cable through guides; None of other loads."""
+        return None
+
     def terms(self, setting: Any) -> Sequence[Any]:
         """Return terms of its own, where its forces change with the deformation: see `turgor.core.engine.term`."""
         return ()

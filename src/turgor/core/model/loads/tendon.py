@@ -4,7 +4,7 @@ from collections.abc import Container, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from math import isfinite
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from turgor.core.model.history_text import shares_text
 from turgor.core.model.loads.images import refuse_in_sectors
 from turgor.core.model.loads.load import Load, Vector
 from turgor.foundation.errors import TurgorError
-from turgor.foundation.given import number, vector
+from turgor.foundation.given import Quantities, Quantity, number, vector
 from turgor.units import N, mm
 
 #: Largest coefficient of friction between a cable and its guides.
@@ -36,8 +36,8 @@ class Tendon(Load):
     tension : float, optional [N]
         Tension at the motor.
     pull : float, optional [m]
-        Length of cable that is drawn in at a share of one; it needs a ``stiffness``.
-    stiffness : float, optional [N/m]
+        Length of cable that is drawn in at a share of one; it needs a ``cable_stiffness``.
+    cable_stiffness : float, optional [N/m]
         Tension for each meter that the whole cable is stretched: its modulus times its section over its length.
     friction : float [-]
         Coefficient of friction at the guides, 0 to 2.
@@ -59,12 +59,25 @@ class Tendon(Load):
     through: tuple[Vector, ...] = field(metadata={"dimension": "length"})
     tension: float | None = field(default=None, metadata={"dimension": "force"})
     pull: float | None = field(default=None, metadata={"dimension": "length"})
-    stiffness: float | None = field(default=None, metadata={"dimension": "spring stiffness"})
+    cable_stiffness: float | None = field(default=None, metadata={"dimension": "spring stiffness"})
     friction: float = 0.0
     history: History = RAMP
 
     job_key = "tendons"
     spread = False
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            through: Sequence[Quantities],
+            tension: Quantity | None = None,
+            pull: Quantity | None = None,
+            cable_stiffness: Quantity | None = None,
+            friction: float = 0.0,
+            history: History = RAMP,
+        ) -> None: ...
 
     def __post_init__(self) -> None:
         points = tuple(vector(point, f"point {i + 1} of a tendon", "length") for i, point in enumerate(self.through))
@@ -76,9 +89,9 @@ class Tendon(Load):
         object.__setattr__(self, "through", points)
         if (self.tension is None) == (self.pull is None):
             raise TurgorError("tendon: give either tension or pull, not both.")
-        if (self.pull is None) != (self.stiffness is None):
-            raise TurgorError("tendon: pull needs the stiffness of the cable, and only pull does.")
-        for key, dimension in (("tension", "force"), ("pull", "length"), ("stiffness", "spring stiffness")):
+        if (self.pull is None) != (self.cable_stiffness is None):
+            raise TurgorError("tendon: pull needs the cable_stiffness, and only pull does.")
+        for key, dimension in (("tension", "force"), ("pull", "length"), ("cable_stiffness", "spring stiffness")):
             self._positive(key, dimension)
         friction = number(self.friction, "tendon: friction")
         if not 0 <= friction <= MOST_FRICTION:
@@ -132,8 +145,7 @@ class Tendon(Load):
         """The work of the motor is not that of a dead force."""
         return False
 
-    def terms(self, setting: Any) -> Sequence[Any]:
-        """Return the term of the cable."""
-        from turgor.core.engine.faces.tendon_term import tendon_term  # here: it loads the engine
-
-        return (tendon_term(setting, self),)
+    @property
+    def cable(self) -> "Tendon":
+        """Itself."""
+        return self

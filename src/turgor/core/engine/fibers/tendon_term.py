@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import scipy.sparse as sp
@@ -163,7 +164,12 @@ def _of_length(directions: Array) -> Array:
     return np.vstack([np.zeros(3), directions]) - np.vstack([directions, np.zeros(3)])
 
 
-def tendon_term(setting: Setting, load: Tendon) -> TendonTerm:
+def tendon_terms(setting: Setting) -> list[TendonTerm]:
+    """One for each cable."""
+    return [_tendon_term(setting, load.cable) for load in setting.model.loads if load.cable is not None]
+
+
+def _tendon_term(setting: Setting, load: Any) -> TendonTerm:
     """The term of a tendon; refuses points that are not on the surface, or on both sides of a mirror plane."""
     mesh = setting.model.mesh
     if mesh.revolved:
@@ -182,7 +188,7 @@ def tendon_term(setting: Setting, load: Tendon) -> TendonTerm:
         rest=np.array(load.through) / setting.length,
         points=setting.points[nodes],
         tension=part * (load.tension or 0.0) / force,
-        stiffness=part * (load.stiffness or 0.0) * setting.length / force,
+        stiffness=part * (load.cable_stiffness or 0.0) * setting.length / force,
         pull=(load.pull or 0.0) / setting.length,
     )
 
