@@ -11,6 +11,8 @@ from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sizing.settings import QUALITIES
+from turgor.core.meshing.sweeping.section import Fineness
+from turgor.core.meshing.sweeping.swept import is_grid_row
 from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.solution import Solution
@@ -51,6 +53,8 @@ class ExpectedSettings:
         Bytes of an unknown of hexahedra over those of tetrahedra.
     draft : float
         Unknowns of tetrahedra over those of hexahedra of the same size: 0.14 to 0.46 in nine families.
+    row : float
+        Those of hexahedra of chambers in a row fall with the size to this power: to 0.5 and 0.65 for twice the size.
     thinning : float
         Unknowns fall with the size to this power, where walls are one cell thick.
     """
@@ -73,6 +77,7 @@ class ExpectedSettings:
     estimated: float = 8e3
     dense: float = 1.5
     draft: float = 0.33
+    row: float = 0.8
     thinning: float = 1.5
 
 
@@ -198,6 +203,8 @@ def _draft_share(job: Job, model: Model) -> float:
     if job.mesh.quality == "draft" or job.mesh.cells == "axisymmetric" or isinstance(job.actuator, MeshFile):
         return 1.0
     hexahedra = model.mesh.cell_type is not TETRAHEDRON
+    if hexahedra and is_grid_row(geometry := job.geometry(), Fineness(size=job.mesh_size)):
+        return (job.mesh_size / default_size(geometry, "hexahedra", "draft")) ** EXPECTED.row
     if hexahedra and model.mesh.unknown_count <= QUALITIES["draft"].hexahedra:
         return 1.0  # a draft has hexahedra, too, and hardly fewer
     size = default_size(job.geometry(), "tetrahedra", "draft")

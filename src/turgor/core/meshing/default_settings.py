@@ -18,7 +18,7 @@ from turgor.core.meshing.sizing.sizes import (
     wall_size,
 )
 from turgor.core.meshing.sweeping.section import Fineness
-from turgor.core.meshing.sweeping.swept import check_cells, is_lattice, swept_mesh
+from turgor.core.meshing.sweeping.swept import check_cells, is_grid_row, is_lattice, swept_mesh
 from turgor.foundation.errors import TurgorError
 
 #: Cells whose sides are those of films without a solid.
@@ -31,7 +31,8 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     Where neither size nor cells nor sizes of faces are given, a geometry that is a swept section gets hexahedra. On the
     truth set (docs/truth.md) their default size is within 1.4 % of the references, that of tetrahedra up to 7 % off. A
     size alone means tetrahedra, as it always did, so that files with a size keep their mesh. So does a draft
-    unless hexahedra have few unknowns: coarse ones have hardly fewer than those of the default size.
+    unless hexahedra have few unknowns or fill chambers in a row: elsewhere coarse ones have hardly fewer than those of
+    the default size.
 
     Parameters
     ----------
@@ -103,6 +104,6 @@ def _fillable(geometry: Geometry, most: float) -> bool:
         count, hinges = mesh.unknown_count, bool(geometry._sweep.hinges)
         few = count <= SIZING.unknowns_of_pairs or hinges or is_lattice(geometry, fine)
         small = count <= most and not (mesh.serendipity and most < inf)  # a large mesh is no draft
-        return few and small
+        return few and (small or is_grid_row(geometry, fine))
     except TurgorError:
         return False

@@ -24,7 +24,7 @@ from turgor.core.meshing.revolved.meridian import is_revolved
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sizing.local_sizes import local_sizes
-from turgor.core.meshing.sizing.settings import FEATURES, SIZING
+from turgor.core.meshing.sizing.settings import FEATURES, QUALITIES, SIZING
 from turgor.core.meshing.sizing.sizes import is_tube, size_range, wall_size
 from turgor.core.meshing.sizing.small_features import (
     coarse_edges,
@@ -37,7 +37,7 @@ from turgor.core.meshing.sizing.wall_refinement import refine_walls
 from turgor.core.meshing.sizing.wall_sizes import fitted_to_walls
 from turgor.core.meshing.sweeping.films import film_mesh
 from turgor.core.meshing.sweeping.section import Fineness
-from turgor.core.meshing.sweeping.swept import swept_mesh
+from turgor.core.meshing.sweeping.swept import is_grid_row, swept_mesh
 from turgor.core.meshing.tetwild.faceted import faceted, meshed_by_facets
 from turgor.core.meshing.tetwild.tetrahedra import enveloped_cells
 from turgor.core.meshing.wedge import with_wedge
@@ -102,7 +102,7 @@ def mesh(
         ``"tetrahedra"`` of ten nodes, for any geometry; ``"hexahedra"`` of 27 nodes, for families that are a section
         moved along a line or turned about an axis; ``"axisymmetric"``, for a quarter of a body of revolution whose
         loads are the same all around. By default hexahedra where they fit, no ``size`` or ``face_sizes`` is given and
-        the quality is no draft.
+        the quality is no draft, but for chambers in a row.
     ignore_features_below : float [m], optional
         Fillets and other rounds of a smaller radius make cells no smaller. 0 follows all of them. By default half the
         size for parts of CAD files whose rounds would make more unknowns than all the rest; G11 says which these are.
@@ -199,9 +199,11 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
     if isinstance(geometry.shape, FilmShape):
         return film_mesh(geometry, size)
     if chosen.cells in ("hexahedra", "axisymmetric"):
-        wide = min(size, max(wall_size(geometry), size_range(geometry)[0]))  # walls of a section bend
+        row = QUALITIES[chosen.quality].row if is_grid_row(geometry, Fineness(size=size)) else 1.0
+        wide = min(size, max(row * wall_size(geometry), size_range(geometry)[0]))  # walls of a section bend
+        walls, curvature = chosen.wall_cells, SIZING.cells_per_radius
         fine = Fineness(
-            size=wide, along=size, wall_cells=chosen.wall_cells, curvature=SIZING.cells_per_radius, grading=grading
+            size=wide, along=size, wall_cells=walls, curvature=curvature, grading=grading, row=SIZING.row / row**2
         )
         make = swept_mesh if chosen.cells == "hexahedra" else axisymmetric_mesh
         result = with_face_sizes(make(geometry, fine), chosen.face_sizes)

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.faces.plates import Surface, covariant, quadratic, rows, surface_at
+from turgor.core.engine.faces.plates import Surface, covariant, cross, quadratic, rows, surface_at
 from turgor.core.engine.term import Configuration, Term, add_at_nodes, displacements, lower
 
 Array = NDArray[np.float64]
@@ -55,23 +55,25 @@ class PlateTerm(Term):
 
     def add_forces(self, out: Array, at: Configuration) -> None:
         """Add the forces of the bending moments."""
-        surface, curving, _ = self._curving(at.position)
-        moments = self.areas[..., None] * self.stresses(at.position, np.zeros_like(at.position))
-        local = np.einsum("fqc,fqcm,fqi->fmi", moments, curving, surface.normal, optimize=True)
-        add_at_nodes(out, self.nodes, local)
+        surface, curving, curvature = self._curving(at.position)
+        moments = self.areas[..., None] * self._moments(curvature)
+        numbers = (moments[..., None, :] @ curving)[..., 0, :]
+        add_at_nodes(out, self.nodes, np.swapaxes(numbers, 1, 2) @ surface.normal)
 
     def energy(self, position: Array) -> float:
         """Energy of the curvature."""
         _, _, curvature = self._curving(position)
-        change = curvature - self.rest
-        moments = (self.moduli @ change[..., None])[..., 0]
-        return 0.5 * float((self.areas * (change * moments).sum(axis=-1)).sum())
+        return 0.5 * float((self.areas * ((curvature - self.rest) * self._moments(curvature)).sum(axis=-1)).sum())
 
     def stresses(self, position: Array, update: Array) -> Array:
         """Bending moments (f, q, 3)."""
         surface, curving, curvature = self._curving(position)
-        change = np.einsum("fqcm,fmi,fqi->fqc", curving, update[self.nodes], surface.normal, optimize=True)
-        return np.asarray((self.moduli @ (curvature + change - self.rest)[..., None])[..., 0])
+        away = surface.normal @ np.swapaxes(update[self.nodes], 1, 2)
+        return self._moments(curvature + (curving @ away[..., None])[..., 0])
+
+    def _moments(self, curvature: Array) -> Array:
+        """Bending moments (f, q, 3) of curvatures."""
+        return np.asarray((self.moduli @ (curvature - self.rest)[..., None])[..., 0])
 
     def tangents(self, at: Configuration, stresses: Array) -> Array:
         """Material part, and the geometric part of the moments."""
@@ -170,13 +172,13 @@ class HingeTerm(Term):
         tangent = (self.along[:, None] @ corners[:, 0])[:, 0]
         stretch = np.linalg.norm(tangent, axis=1)
         unit = tangent / stretch[:, None]
-        conormal = np.cross(unit[:, None], surface.normal)
+        conormal = cross(unit[:, None], surface.normal)
         z = self.moments[:, :, None] @ corners
         curving = covariant(surface, self.slopes, self.moments[:, :, None], z)[:, :, 0]
         curvature = (z[:, :, 0] * surface.normal).sum(axis=2)
         turning = (self.slopes @ (surface.dual @ conormal[..., None]))[..., 0]
         first, second = surface.normal[:, 0], surface.normal[:, 1]
-        angle = np.arctan2((unit * np.cross(first, second)).sum(axis=1), (first * second).sum(axis=1))
+        angle = np.arctan2((unit * cross(first, second)).sum(axis=1), (first * second).sum(axis=1))
         values = np.stack([curvature.sum(axis=1), angle], axis=1) - self.rest
         values[:, 1] -= 2 * np.pi * np.round(values[:, 1] / (2 * np.pi))
         by_moment, by_angle = rows(curving, surface.normal).sum(axis=1), rows(turning, surface.normal)
@@ -226,5 +228,6 @@ def second_row(at: Surface, numbers: Array, curvature: Array) -> Array:
 
     ``numbers`` (..., m) stand before (n·δx,ᵧ)(aᵞ·…), ``curvature`` (...) before aᵞᵟ (n·δx,ᵧ)(n·δx,ᵟ).
     """
-    mixed = np.einsum("...cd,...dmi->...cmi", at.inverse, at.across) * curvature[..., None, None, None]
-    return np.asarray(rows(numbers[..., None, :], at.dual) + mixed)
+    across = at.across
+    mixed = (at.inverse @ across.reshape(*across.shape[:-2], -1)).reshape(across.shape)
+    return np.asarray(rows(numbers[..., None, :], at.dual) + mixed * curvature[..., None, None, None])

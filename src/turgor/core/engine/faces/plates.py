@@ -38,14 +38,19 @@ class Surface:
         Dual tangents aᵞ.
     inverse : (..., 2, 2) array
         Their products aᵞ·aᵟ.
-    across : (..., 2, m, 3) array
-        Rows n·δx,ᵧ.
+    slopes : (..., m, 2) array
+        Derivatives of the shape functions along two parameters.
     """
 
     normal: Array
     dual: Array
     inverse: Array
-    across: Array
+    slopes: Array
+
+    @property
+    def across(self) -> Array:
+        """Rows n·δx,ᵧ, (..., 2, m, 3): a property, because forces do without them."""
+        return rows(np.swapaxes(self.slopes, -1, -2), self.normal[..., None, :])
 
 
 def surface_at(corners: Array, slopes: Array) -> Surface:
@@ -59,10 +64,27 @@ def surface_at(corners: Array, slopes: Array) -> Surface:
         Derivatives of the shape functions along two parameters.
     """
     tangents = np.swapaxes(slopes, -1, -2) @ corners
-    normal = np.cross(tangents[..., 0, :], tangents[..., 1, :])
+    normal = cross(tangents[..., 0, :], tangents[..., 1, :])
     normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
-    inverse = np.asarray(np.linalg.inv(tangents @ np.swapaxes(tangents, -1, -2)), dtype=np.float64)
-    return Surface(normal, inverse @ tangents, inverse, rows(np.swapaxes(slopes, -1, -2), normal[..., None, :]))
+    inverse = _inverse(tangents @ np.swapaxes(tangents, -1, -2))
+    return Surface(normal, inverse @ tangents, inverse, slopes)
+
+
+def cross(a: Array, b: Array) -> Array:
+    """Cross products (..., 3), in half the time of `numpy.cross`."""
+    out = np.empty(np.broadcast_shapes(a.shape, b.shape))
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        out[..., i] = a[..., j] * b[..., k] - a[..., k] * b[..., j]
+    return out
+
+
+def _inverse(metric: Array) -> Array:
+    """Inverses of symmetric matrices (..., 2, 2), in closed form."""
+    a, b, d = metric[..., 0, 0], metric[..., 0, 1], metric[..., 1, 1]
+    out = np.empty(metric.shape)
+    out[..., 0, 0], out[..., 1, 1] = d, a
+    out[..., 0, 1] = out[..., 1, 0] = -b
+    return out / (a * d - b * b)[..., None, None]
 
 
 def rows(numbers: Array, vectors: Array) -> Array:

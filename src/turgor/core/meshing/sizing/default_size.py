@@ -7,7 +7,7 @@ from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.meshing.sizing.settings import QUALITIES, SIZING
 from turgor.core.meshing.sizing.sizes import extent_of, size_for, size_range, wall_size
 from turgor.core.meshing.sweeping.section import Fineness
-from turgor.core.meshing.sweeping.swept import swept_mesh
+from turgor.core.meshing.sweeping.swept import is_grid_row, swept_mesh
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
@@ -17,7 +17,8 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra", quality: str = "
 
     It is larger where this would make more than about 150,000 unknowns, up to four times the wall, and never more
     than an eighth of the part. Where four times the wall would make more unknowns than can be solved for, it is larger
-    still, and only thin walls get smaller cells. A draft is 1.25 times as coarse, a fine mesh half as coarse.
+    still, and only thin walls get smaller cells. A draft is 1.25 times as coarse, with hexahedra of chambers in a row
+    twice, a fine mesh half as coarse.
 
     Parameters
     ----------
@@ -39,6 +40,8 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra", quality: str = "
     (0.002, 0.003)
     >>> default_size(finger, quality="draft"), default_size(finger, "hexahedra", quality="fine")
     (0.0025, 0.0015)
+    >>> default_size(finger, "hexahedra", quality="draft")
+    0.006
     """
     if isinstance(geometry.shape, FilmShape):
         return geometry.extent / SIZING.film_sides * QUALITIES[quality].size
@@ -55,6 +58,8 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra", quality: str = "
     elif cells != "axisymmetric":  # few unknowns whatever the size
         size = max(size, size_for(geometry, unknowns))
     size = min(size, high)
+    if cells == "hexahedra" and is_grid_row(geometry, Fineness(size=size)):
+        size *= chosen.row
     digits = 1 - floor(log10(size / mm))
     rounded = floor(round(size / mm * 10**digits, 6)) / 10**digits * mm
     return rounded if rounded >= low else low

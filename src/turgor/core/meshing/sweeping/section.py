@@ -51,6 +51,8 @@ class Fineness:
         Longest edge along a straight path, if it is larger than the size: cells grow to it from a third of the size.
     corners : tuple of (2,) floats [m]
         Places in the section about which cells are as short as ``edge``.
+    row : float
+        Unknowns of chambers in a row beyond which middles follow and fewer cells are short, see `swept_mesh`.
     """
 
     size: float
@@ -62,6 +64,7 @@ class Fineness:
     quarter_cells: int | None = None
     along: float | None = None
     corners: tuple[Point, ...] = ()
+    row: float = SIZING.row
 
     @property
     def of_path(self) -> "Fineness":

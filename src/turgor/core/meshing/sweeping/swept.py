@@ -58,8 +58,8 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     """
     fine = short_at_edges(geometry, fine)
     mesh = _all_nodes(geometry, fine)
-    if is_row(geometry) and grid_section(_sweep_of(geometry).outlines, fine) is not None:
-        free_middles, short_cells, first = SIZING.row, SIZING.row, "outer"
+    if is_grid_row(geometry, fine):
+        free_middles, short_cells, first = fine.row, fine.row, "outer"
     else:
         free_middles, short_cells, first = SIZING.free_middles, SIZING.short_cells, "all"
     for lines in (first, "none"):
@@ -145,6 +145,19 @@ def _sweep_of(geometry: Geometry) -> Sweep:
         )
     sweep: Sweep = geometry._sweep
     return sweep
+
+
+def is_grid_row(geometry: Geometry, fine: Fineness) -> bool:
+    """Whether chambers stand in a row and their section is a grid.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> from turgor.core.geometry.actuators.rectangular_bender import RectangularBender
+    >>> [is_grid_row(kind().build(), Fineness(size=3e-3)) for kind in (FastPneuNet, RectangularBender)]
+    [True, False]
+    """
+    return is_row(geometry) and grid_section(_sweep_of(geometry).outlines, fine) is not None
 
 
 def is_lattice(geometry: Geometry, fine: Fineness) -> bool:

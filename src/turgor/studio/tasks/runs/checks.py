@@ -69,10 +69,12 @@ def _checked(job: "Job", content: dict[str, Any]) -> dict[str, Any]:
 def coarse_changes(job: "Job", content: dict[str, Any]) -> list[str]:
     """Return the changes of a job for a coarse answer, as ``--set`` takes them: fewer cells, and numbers alone.
 
-    Where walls decide the size, tetrahedra need fewer unknowns than hexahedra.
+    Where walls decide the size, tetrahedra need fewer unknowns than hexahedra, but for chambers in a row.
     """
     from turgor.core.meshing.exchange.mesh_file import MeshFile
     from turgor.core.meshing.sizing.default_size import default_size
+    from turgor.core.meshing.sweeping.section import Fineness
+    from turgor.core.meshing.sweeping.swept import is_grid_row
 
     changes = [f"output.{key}=false" for key in ("pictures", "report", "fields", "mesh_error")]
     if isinstance(job.actuator, MeshFile):
@@ -82,7 +84,8 @@ def coarse_changes(job: "Job", content: dict[str, Any]) -> list[str]:
         changes.append("mesh.wall_cells=1")
     if job.mesh_target is not None:
         changes.append("mesh.most_unknowns=1")
-    kind = "axisymmetric" if job.mesh.cells == "axisymmetric" else "tetrahedra"
+    row = job.mesh.cells != "axisymmetric" and is_grid_row(job.geometry(), Fineness(size=job.mesh_size))
+    kind = "axisymmetric" if job.mesh.cells == "axisymmetric" else "hexahedra" if row else "tetrahedra"
     changes.append(f"mesh.cells={kind}")
     mesh = content.get("mesh")
     if isinstance(mesh, dict) and "size" in mesh:

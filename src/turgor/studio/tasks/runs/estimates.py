@@ -63,7 +63,8 @@ def _of_section(job: "Job") -> "Response":
 def _of_two_chambers(file: Path, finger: "FastPneuNet") -> "Response":
     """Bending of a finger with two chambers for each gap, times the gaps: every gap bends alike.
 
-    For the demo finger with 11 chambers, both as drafts, it is 6 to 10 % more than that of the whole one up to 18 kPa.
+    For the demo finger with 11 chambers, both of draft tetrahedra, it is 6 to 10 % more than that of the whole one up
+    to 18 kPa.
     """
     from turgor.core.results.measures.measures import find_measure, measure
     from turgor.core.solvers.solve import solve

@@ -5,6 +5,7 @@ import pytest
 import turgor as tg
 from refused import refused
 from turgor.core.meshing.default_settings import chosen_settings
+from turgor.core.meshing.generate import mesh_with
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sizing.settings import QUALITIES
@@ -57,6 +58,16 @@ def test_a_draft_has_tetrahedra_where_hexahedra_are_many(finger, joint):
     assert cells == {"draft": "tetrahedra", "normal": "hexahedra", "fine": "hexahedra"}
     assert chosen_settings(finger, MeshSettings(quality="draft")).cells == "hexahedra"
     assert tg.mesh(joint, quality="draft").unknown_count < 20_000
+
+
+def test_a_draft_of_chambers_in_a_row_has_hexahedra_of_twice_the_size():
+    finger = tg.FastPneuNet(chambers=5, length=50 * mm, wall=1 * mm, gap=1 * mm).build()
+    draft, normal = (chosen_settings(finger, MeshSettings(quality=name)) for name in ("draft", "normal"))
+    assert (draft.cells, draft.size) == ("hexahedra", pytest.approx(2 * normal.size))
+    made = mesh_with(finger, draft)  # as a lock file states it
+    assert made.unknown_count == tg.mesh(finger, quality="draft").unknown_count
+    assert made.unknown_count < 0.6 * mesh_with(finger, normal).unknown_count
+    assert not made.findings
 
 
 @pytest.mark.parametrize("cells", ["tetrahedra", "hexahedra"])
