@@ -1,7 +1,7 @@
 """Dimensions of a specimen that the header of a table states, such as ``# Length = 11mm``."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from turgor.core.materials.experiments.columns import FACTORS
@@ -86,6 +86,23 @@ def sizes_of(file: str, notes: Sequence[str], specimen: Specimen | None) -> Size
     sizes = Sizes(length=values.get("length"), section=section, header=header)
     _check(file, dimensions, specimen, sizes)
     return sizes
+
+
+def known_specimen(sizes: Callable[[], Sizes]) -> Specimen | None:
+    """Return the dimensions where length and section are known; None where they are not, which most tests permit.
+
+    Parameters
+    ----------
+    sizes : callable
+        ``sizes()`` gives the dimensions, or raises an error for a header that cannot be understood.
+    """
+    try:
+        stated = sizes()
+    except TurgorError:
+        return None
+    if stated.length is None or stated.section is None:
+        return None
+    return Specimen(length=stated.length, area=stated.section)
 
 
 def _statements(file: str, note: str, *, needed: bool) -> list[tuple[str, float, str]]:

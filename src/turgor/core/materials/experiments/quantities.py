@@ -123,6 +123,25 @@ def second_stress(file: str, columns: Columns, measure: str | None, first: Quant
     return None
 
 
+def crosshead_quantity(columns: Columns, along: str, length: float) -> Quantity | None:
+    """Return the stretch by the crosshead of a table whose stretch comes from another column; None if there is none.
+
+    Parameters
+    ----------
+    columns : mapping of str to Column
+        Columns by role.
+    along : str
+        Role of the column that gives the stretch.
+    length : float [m]
+        Initial length of the specimen.
+    """
+    role = next((each for each in ("extension", "length") if each in columns and each != along), None)
+    if role is None or along in ("extension", "length"):
+        return None
+    ahead = length if role == "extension" else 0.0
+    return Quantity(role=role, text="", convert=lambda values, _: (values + ahead) / length)
+
+
 def _from_length(file: str, columns: Columns, sizes: Callable[[], Sizes]) -> Quantity:
     role = "length" if "length" in columns else "extension"
     if role not in columns:

@@ -10,9 +10,14 @@ from numpy.typing import NDArray
 
 from turgor.core.materials.experiments.columns import Column, find_columns, role_of, split_unit
 from turgor.core.materials.experiments.cycles import without_way_back
-from turgor.core.materials.experiments.header_sizes import Sizes, sizes_of
+from turgor.core.materials.experiments.header_sizes import Sizes, known_specimen, sizes_of
 from turgor.core.materials.experiments.material_test import MODES, Array, Edit, MaterialTest
-from turgor.core.materials.experiments.quantities import second_stress, stress_quantity, stretch_quantity
+from turgor.core.materials.experiments.quantities import (
+    crosshead_quantity,
+    second_stress,
+    stress_quantity,
+    stretch_quantity,
+)
 from turgor.core.materials.experiments.specimen import Specimen
 from turgor.core.materials.experiments.table_text import Table, read_table
 from turgor.foundation.errors import TurgorError, unknown
@@ -227,7 +232,9 @@ def _test(
     second = second_stress(table.file, columns, measure, pull) if biaxial else None
     across = ("stretch_2",) if biaxial and "stretch_2" in columns else ()
     sided = ("component",) if biaxial and "component" in columns else ()
-    roles = (along.role, pull.role, *across, *((second.role,) if second else ()))
+    size = known_specimen(sizes)
+    way = None if biaxial or size is None else crosshead_quantity(columns, along.role, size.length)
+    roles = (along.role, pull.role, *((way.role,) if way else ()), *across, *((second.role,) if second else ()))
     if sided and not across:
         raise TurgorError(f"'{table.file}' names components of the stress, but has no column of a second stretch.")
     table, remark = table.complete(columns[role].index for role in roles)
@@ -251,6 +258,8 @@ def _test(
         nominal_stress_2=second.convert(values[second.role], across_it) if second else None,
         cauchy_difference=difference,
         time=time,
+        crosshead=way.convert(values[way.role], None) if way else None,
+        specimen=size,
         edits=(Edit(text=f"Read {len(stretch)} rows; {how}{clock}{remark}."),),
     )
 

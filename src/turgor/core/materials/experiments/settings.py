@@ -99,3 +99,30 @@ class SlipSettings:
 
 
 SLIP = SlipSettings()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MachineSettings:
+    """When the way of a crosshead shows how far the testing machine gives way.
+
+    Parameters
+    ----------
+    settled : float
+        Share of the largest force of a reference run below which couplings and grips settle.
+    points : int
+        Fewest points of a reference run above it.
+    straight : float
+        Largest deviation from a straight line over the force, root mean square over the range: a step of slip that
+        is a quarter of the range makes 7 %, the backlash of a load cell 1 %.
+    excess : float
+        Share of the way of the crosshead up to which it agrees with the strain of the specimen: a video
+        extensometer is no better.
+    """
+
+    settled: float = 0.1
+    points: int = 5
+    straight: float = 0.05
+    excess: float = 0.01
+
+
+MACHINE = MachineSettings()

@@ -177,7 +177,8 @@ def check_slip(tests: Sequence[MaterialTest]) -> tuple[Finding, ...]:
                     code="P13",
                     severity=Severity.WARNING,
                     message=f"The stress of {test.name} falls by up to {100 * worst:.2g} % and rises again, at "
-                    f"stretch {at}: the specimen slipped in its grips, or tore a little.",
+                    f"stretch {at}: the specimen slipped in its grips, or tore a little. A compliant machine gives way "
+                    "in proportion to the force, without such steps.",
                     advice="Use the curve up to there only, with crop or --range, or measure the stretch on the "
                     "specimen.",
                 )
