@@ -86,8 +86,8 @@ def read_machine(path: str | Path) -> Machine:
     >>> from tempfile import TemporaryDirectory
     >>> with TemporaryDirectory() as folder:
     ...     file = Path(folder) / "steel.csv"
-    ...     rows = "".join(f"{force},{0.1 + 0.02 * force}\\n" for force in range(0, 50, 5))
-    ...     _ = file.write_text("force (N),extension (mm)\\n" + rows)
+    ...     rows = "".join(f"{force},{0.1 + 0.02 * force}\n" for force in range(0, 50, 5))
+    ...     _ = file.write_text("force (N),extension (mm)\n" + rows)
     ...     round(read_machine(file).compliance * 1e3, 6)  # mm/N
     0.02
     """
