@@ -165,6 +165,8 @@ def _lines(record: Record) -> Iterator[str]:
         yield f"{what}: {text}"
     if record.density is not None:
         yield f"density: {record.density:g} kg/m³"
+    if record.expansion is not None:
+        yield f"thermal expansion: {record.expansion * 1e6:.4g} ppm/K ({record.expansion_source})"
     if record.diameter is not None:
         yield f"diameter: {record.diameter * 1e3:.4g} mm"
     if record.form:
