@@ -132,6 +132,8 @@ def _heading(record: Record) -> Iterator[str]:
         yield from supplier.doubts
     if record.strength is not None:
         yield from _strength_lines(record.strength)
+    if record.expansion is not None:
+        yield f"thermal expansion: {record.expansion * 1e6:.4g} ppm/K ({record.expansion_source})"
     if record.kind == "rubber":
         try:
             yield f"spread: {str(spread_of(record.library)).partition(': ')[2]}"
@@ -165,8 +167,6 @@ def _lines(record: Record) -> Iterator[str]:
         yield f"{what}: {text}"
     if record.density is not None:
         yield f"density: {record.density:g} kg/m³"
-    if record.expansion is not None:
-        yield f"thermal expansion: {record.expansion * 1e6:.4g} ppm/K ({record.expansion_source})"
     if record.diameter is not None:
         yield f"diameter: {record.diameter * 1e3:.4g} mm"
     if record.form:
