@@ -22,12 +22,15 @@ class ExperimentSettings:
         Points of the shortest series that may be a copy of another: fewer may be equal by chance.
     half_cycle : float
         Smallest range of a half cycle, as a share of the whole range of stretch.
+    plain_strain : float
+        Largest strain whose column may have no unit: the softest silicones break at 17; more is percent.
     """
 
     longest_header: int = 5000
     precision: float = 0.01
     shortest_series: int = 4
     half_cycle: float = 0.2
+    plain_strain: float = 20.0
 
 
 EXPERIMENTS = ExperimentSettings()
