@@ -73,7 +73,7 @@ def sizes_of(file: str, notes: Sequence[str], specimen: Specimen | None) -> Size
     Examples
     --------
     >>> sizes_of("a.csv", ["Strip 7", "Length = 50mm", "Cross-section (cm^2);0.18"], None)
-    Sizes(length=0.05, section=1.8e-05, header={'length': 'Length = 50mm', 'area': 'Cross-section (cm^2);0.18'})
+    Sizes(length=0.05, section=1.8e-05, header={'length': 'Length = 50mm', 'area': 'Cross-section (cm^2) 0.18'})
     """
     dimensions: dict[str, tuple[float, str]] = {}
     for note in notes:
