@@ -120,8 +120,7 @@ def _write(folder: Path, name: str, laws: Sequence[str], fits: "Sequence[Directi
     import tomlkit
 
     from turgor.core.materials.fitting.save import job_table
-    from turgor.views.plots.directions import directions_figure
-    from turgor.views.plots.fits import write_fit_plot
+    from turgor.views.plots.fits import directions_figure, write_fit_plot
 
     folder.mkdir(parents=True, exist_ok=True)
     for law, result in zip(laws, fits, strict=True):
