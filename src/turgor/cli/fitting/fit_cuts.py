@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import typer
 
 from turgor.cli.fitting.fit_options import DEFAULT_LAWS, FitOptions
-from turgor.cli.fitting.fit_texts import CUTS, common_name, cuts_of, fixed_of, names_cuts
-from turgor.foundation.errors import TurgorError, near_match
+from turgor.cli.fitting.fit_texts import common_name, cuts_of, fixed_of, names_cuts
+from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
     from turgor.core.materials.experiments.material_test import MaterialTest
@@ -77,15 +77,7 @@ def _cuts(chosen: FitOptions, tests: "Sequence[MaterialTest]") -> list[str]:
     """Direction of each test."""
     if names_cuts(chosen.directions):
         return cuts_of(chosen.directions)
-    cuts = [test.batch.strip().lower() for test in tests]
-    wrong = next((cut for cut in cuts if cut not in CUTS), None)
-    if wrong is not None:
-        hint = near_match(wrong, CUTS) or "."
-        raise TurgorError(
-            f"--directions: the column '{chosen.directions}' has '{wrong}'{hint} It says along (the strands), across "
-            "(in the layer) or through (the layers)."
-        )
-    return cuts
+    return [test.batch.strip().lower() for test in tests]
 
 
 def _tell(law: str, result: "DirectionsFit") -> None:
