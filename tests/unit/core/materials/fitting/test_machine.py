@@ -96,8 +96,8 @@ def test_what_is_no_reference_run_is_refused(tmp_path):
 
 def test_a_compliance_that_cannot_be_is_refused(tmp_path):
     test = read_test(strip(tmp_path))
-    with refused("0.11 mm/N", "strip_uniaxial", "N"):
-        remove_compliance(test, Machine(compliance="0.11 mm/N"))
+    with refused("0.16 mm/N", "strip_uniaxial", "N"):
+        remove_compliance(test, Machine(compliance="0.16 mm/N"))
     with refused("compliance", "0 mm/N"):
         Machine(compliance=0.0)
     plain = tmp_path / "plain_uniaxial.csv"
