@@ -90,7 +90,10 @@ def _tell(law: str, result: "DirectionsFit") -> None:
     for cut, test in result.tests:
         low, high = test.range
         typer.echo(f"  {cut}, {test.name}: {100 * result.off(cut, test):.2g} % off, stretch {low:.3g} to {high:.3g}")
-    loose = [name for name, value in result.values.items() if result.errors[name] > 0.5 * abs(value)]
+    zero = [name for name, value in result.values.items() if value == 0]
+    if zero:
+        typer.echo(f"  {', '.join(zero)} {'is' if len(zero) == 1 else 'are'} 0, the least value: not needed.")
+    loose = [name for name, value in result.values.items() if value and result.errors[name] > 0.5 * abs(value)]
     if loose:
         typer.echo(f"  The tests hardly determine {', '.join(loose)}: state it with --fixed, or add a test.")
     if "angle" in result.values:

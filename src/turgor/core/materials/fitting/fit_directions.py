@@ -212,6 +212,7 @@ class _Search:
 
     def result(self, x: Array, jacobian: Array) -> DirectionsFit:
         """The fit at the best parameters."""
+        x = np.where(x < FIT.least_share**2, 0.0, x)  # a bound is met to round-off only
         residual, (law, angle) = self.residual(x), self.law(x)
         idle = [name for name, column in zip(self.names, jacobian.T, strict=True) if not np.abs(column).max() > 1e-9]
         if idle:
