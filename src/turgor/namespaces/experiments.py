@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from turgor.accuracy.laboratory.runs import unloading as unloading
     from turgor.accuracy.laboratory.runs import within_ranges as within_ranges
     from turgor.core.materials.experiments.cycles import select_cycle as select_cycle
+    from turgor.core.materials.experiments.machine import Machine as Machine
+    from turgor.core.materials.experiments.machine import read_machine as read_machine
+    from turgor.core.materials.experiments.machine import remove_compliance as remove_compliance
     from turgor.core.materials.experiments.material_test import Edit as Edit
     from turgor.core.materials.experiments.material_test import MaterialTest as MaterialTest
     from turgor.core.materials.experiments.read_tests import read_tests as read_tests

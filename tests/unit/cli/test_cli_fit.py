@@ -81,7 +81,7 @@ def test_replicates_are_averaged(run, tmp_path):
     assert "scatter by up to 20 % of the largest stress" in result.output
     both = tmp_path / "both_uniaxial.csv"
     both.write_text("specimen,stretch,nominal_stress_Pa\nA,1,0\nA,2,140e3\nB,1,0\nB,2,210e3\n".replace("e3", "000"))
-    assert "average them with --average" in run(both).output
+    assert states(run(both).output, "--average", "--by 'specimen'")
     assert "mean of 2 uniaxial [%]" in run(both, "--average", "--laws", "neo-hooke", "--points", 0).output
 
 

@@ -114,3 +114,10 @@ def test_the_plot_of_a_constant_stress_has_no_r2():
         mode="planar", stretch=0 * time + 1.5, nominal_stress=0 * time + 2e4, time=time, name="a held sheet"
     )
     assert history_figure(RUBBER, [test]).axes[0].get_title(loc="left") == "a held sheet: planar (pure shear), R² = nan"
+
+
+@pytest.mark.parametrize(("law", "facts"), [("blatz-ko", ("BlatzKo", "foam")), ("orthotropic", ("--directions",))])
+def test_foams_and_laws_with_directions_do_not_relax(run, strip, law, facts):
+    result = run(strip, "--laws", law, "--relaxation", 1)
+    assert result.exit_code == 1
+    assert states(result.output, *facts)

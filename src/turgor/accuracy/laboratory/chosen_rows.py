@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from turgor.accuracy.laboratory.headers import spelled_column
 from turgor.accuracy.laboratory.read_experiment import read_experiment, read_experiments
 from turgor.accuracy.laboratory.rest import remove_drift
 from turgor.accuracy.laboratory.runs import average_runs, branches, loading, unloading, within_ranges
@@ -93,7 +94,7 @@ class ChosenRows:
         """Return the chosen rows of a measurement."""
         drive = driving(whole, x)
         if "drift" in self.remove:
-            named = (y or "").rpartition("=")[2].strip()
+            named = spelled_column((y or "").rpartition("=")[2].strip(), whole.names)
             drifting = [named] if named else [name for name in whole.names if name not in (drive, "time")]
             for name in drifting:
                 whole = remove_drift(whole, name, drive)
@@ -114,7 +115,7 @@ def driving(response: Response, x: str | None) -> str:
     x : str or None
         ``NAME``, or ``NAME THERE=NAME``.
     """
-    stated = (x or "").rpartition("=")[2].strip()
+    stated = spelled_column((x or "").rpartition("=")[2].strip(), response.names)
     if stated in response:
         return stated
     return "pressure" if "pressure" in response else drive_of(response)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.accuracy.laboratory.headers import spelled_column
 from turgor.accuracy.laboratory.loops import Loop, computed_at, loop_of
 from turgor.accuracy.laboratory.rest import Rest, rest_of
 from turgor.accuracy.laboratory.runs import SPREAD, branches, interpolated
@@ -278,6 +279,7 @@ def _columns(
     """Names of the column of each response that are compared with each other."""
     if requested is not None:
         ours, _, theirs = (part.strip() for part in requested.partition("="))
+        theirs = spelled_column(theirs, measured.names)
         return _of_one_kind(computed, ours, measured, theirs or _same(computed, ours, measured, besides[1]))
     if driving:
         drives = (drive_of(computed), drive_of(measured), "pressure", "time")

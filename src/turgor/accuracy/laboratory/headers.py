@@ -1,6 +1,7 @@
 """Headers of laboratory tables: the name and the unit of a column, however its author wrote them."""
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
 
@@ -32,8 +33,11 @@ _WORDS = (
     ("flow", "flow rate"),
 )  # fmt: skip
 
-#: Short names that everybody uses.
-_SHORT = {"p": "pressure", "t": "time", "f": "force"}
+#: Short names that everybody uses, and German ones.
+_SHORT = {
+    **{"p": "pressure", "t": "time", "f": "force"},
+    **{"druck": "pressure", "zeit": "time", "kraft": "force", "biegewinkel": "bending_angle", "volumen": "volume"},
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -164,6 +168,24 @@ def column_name(words: str) -> str:
     """
     name = re.sub(r"[^0-9a-z]+", "_", words.lower()).strip("_")
     return _SHORT.get(name, name) or "column"
+
+
+def spelled_column(text: str, names: Iterable[str]) -> str:
+    """Return the name of a column that a text means, spelled as in the response or as in the file.
+
+    Parameters
+    ----------
+    text : str
+    names : iterable of str
+        Names of the response.
+
+    Examples
+    --------
+    >>> spelled_column("Druck (bar)", ["pressure", "angle"]), spelled_column("force", ["pressure"])
+    ('pressure', 'force')
+    """
+    name = column_name(split_header_unit(text)[0])
+    return name if text not in (known := tuple(names)) and name in known else text
 
 
 def _units() -> dict[str, tuple[str, float]]:

@@ -7,9 +7,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.accuracy.laboratory.headers import DIMENSIONS, spelled_column
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import COLUMN_UNITS, Column, Response
 from turgor.foundation.source import Source
+from turgor.units import UNITS
 
 Array = NDArray[np.float64]
 
@@ -84,6 +86,7 @@ def within_ranges(response: Response, ranges: Sequence[str]) -> Response:
         first, dots, last = (part.strip() for part in span.partition(".."))
         if not (equals and dots and name):
             raise TurgorError(f"the range '{text}' cannot be read; write NAME=FROM..TO, such as 'pressure=0..30 kPa'.")
+        name = spelled_column(name, response.names)
         if name not in response:
             raise unknown(f"column of {response.source}", name, response.names)
         column = response.find(name)
@@ -107,10 +110,12 @@ def _number(text: str, column: Column, unit: str) -> tuple[float, str]:
         value = float(number)
     except ValueError:
         raise TurgorError(f"'{text}' in the range of '{column.name}' is no number with a unit.") from None
-    if unit not in column.units:
-        known = ", ".join(each for each in column.units if each) or "none"
+    units = {each: COLUMN_UNITS[each] for each in column.units}
+    units |= next((dict(UNITS[kind]) for kind in DIMENSIONS if column.unit in UNITS[kind]), {})
+    if unit not in units:
+        known = ", ".join(filter(None, units)) or "none"
         raise TurgorError(f"'{text}' in the range of '{column.name}' has the unit '{unit}'; allowed: {known}.")
-    return value * COLUMN_UNITS[unit], unit
+    return value * units[unit], unit
 
 
 def branches(values: Array, turn: float = TURN) -> list[tuple[int, int]]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from turgor.core.geometry.cad.inspection import Inspection
     from turgor.core.materials.experiments.material_test import MaterialTest
+    from turgor.core.materials.fitting.fit_directions import DirectionsFit
     from turgor.core.materials.fitting.histories.history_fit import HistoryFit
     from turgor.core.materials.fitting.ranking import Ranking
     from turgor.core.materials.fitting.result import Fit
@@ -61,12 +62,15 @@ class FitResult:
         Relaxation and softening, if they were requested: ``parameters`` and ``errors``.
     folder : str or null
         Folder of plots and constants.
+    directions : list of tables
+        Laws with directions, if they were requested: ``law``, ``parameters``, ``errors`` and ``relative_error``.
     """
 
     tests: Sequence[dict[str, Any]]
     materials: Sequence[dict[str, Any]]
     history: dict[str, Any] | None
     folder: Path | None
+    directions: Sequence[dict[str, Any]] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -124,6 +128,7 @@ def fit_result(
     rankings: "Iterable[tuple[str, Ranking]]",
     history: "HistoryFit | None" = None,
     folder: Path | None = None,
+    directions: "Iterable[DirectionsFit]" = (),
 ) -> FitResult:
     """Make the result of a fit."""
     return FitResult(
@@ -143,6 +148,15 @@ def fit_result(
         ],
         history=None if history is None else {"parameters": history.values, "errors": history.errors},
         folder=folder,
+        directions=[
+            {
+                "law": type(each.law).__name__,
+                "parameters": each.values,
+                "errors": each.errors,
+                "relative_error": each.relative,
+            }
+            for each in directions
+        ],
     )
 
 

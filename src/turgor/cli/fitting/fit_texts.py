@@ -7,7 +7,11 @@ from typing import TYPE_CHECKING
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
+    from turgor.core.materials.experiments.machine import Machine
     from turgor.core.materials.experiments.specimen import Specimen
+
+#: Directions that specimens are cut along; a test compares them with those of `fit_directions`.
+CUTS = ("along", "across", "through")
 
 #: What `--zero` estimates.
 AUTO = "auto"
@@ -135,6 +139,74 @@ def zero_of(text: str) -> float | str | None:
         raise TurgorError(
             f"--zero is '{text}'; write auto, or the stretch at which the stress is zero, such as 1.034."
         ) from None
+
+
+def machine_of(text: str) -> "Machine | None":
+    """Return the machine of ``--compliance``: a number with its unit, or the file of a reference run.
+
+    Examples
+    --------
+    >>> machine_of("0.02 mm/N").text, machine_of("")
+    ('0.02 mm/N', None)
+    """
+    from turgor.core.materials.experiments.machine import Machine, read_machine
+
+    if not text:
+        return None
+    if Path(text).is_file():
+        return read_machine(text)
+    if not text[:1].isdigit() and text[:1] not in "+-.":
+        raise TurgorError(
+            f"--compliance is '{text}'; write a number such as '0.02 mm/N', or the file of a pull on a stiff specimen; "
+            "no file has this name."
+        )
+    return Machine(compliance=text)
+
+
+def names_cuts(text: str) -> bool:
+    """Return whether ``--directions`` names the direction of each file, and no column.
+
+    Examples
+    --------
+    >>> names_cuts("along,across"), names_cuts("print direction"), names_cuts("")
+    (True, False, False)
+    """
+    return bool(text) and all(cut in CUTS for cut in cuts_of(text))
+
+
+def cuts_of(text: str) -> list[str]:
+    """Return the directions that ``--directions`` names, in the order of the files.
+
+    Examples
+    --------
+    >>> cuts_of("along, across")
+    ['along', 'across']
+    """
+    return [part.strip().lower() for part in text.split(",")]
+
+
+def fixed_of(text: str) -> dict[str, float]:
+    """Return the known parameters of ``--fixed``, in SI units.
+
+    Examples
+    --------
+    >>> fixed_of("a3=0, C20=1 kPa, kappa=0.1, angle=30 deg")
+    {'a3': 0.0, 'C20': 1000.0, 'kappa': 0.1, 'angle': 0.5235987755982988}
+    """
+    from turgor.core.materials.laws.conventions import has_no_unit
+    from turgor.units import parse_quantity
+
+    fixed: dict[str, float] = {}
+    for part in filter(None, map(str.strip, text.split(","))):
+        name, equals, value = (each.strip() for each in part.partition("="))
+        if not equals:
+            raise TurgorError(f"--fixed is '{text}'; write names and values, for example 'a3=0 kPa, C30=0 kPa'.")
+        plain = has_no_unit(name) or value == "0"
+        try:
+            fixed[name] = float(value) if plain else parse_quantity(value, "angle" if name == "angle" else "pressure")
+        except ValueError as error:
+            raise TurgorError(f"--fixed: {name} is '{value}'; {error}") from None
+    return fixed
 
 
 def common_name(files: Sequence[Path]) -> str:

@@ -37,6 +37,8 @@ class Material(Shown):
         foam, such as `Hyperfoam`, has its own, which is stated here.
     density : float or None [kg/m³]
         Mass per reference volume; needed for gravity only.
+    expansion : float or None [1/K]
+        Linear thermal expansion, when known; a `Temperature` of a body takes it by default.
     stretch_range : (float, float) or None [-]
         Smallest and largest stretch of the tests that the law was fitted to, when known.
     source : Source
@@ -68,6 +70,7 @@ class Material(Shown):
     law: Law | FiberLaw | Hooke
     bulk_modulus: float = inf
     density: float | None = None
+    expansion: float | None = None
     stretch_range: tuple[float, float] | None = None
     source: Source = field(default=UNSTATED)
     viscoelasticity: Prony | None = None
@@ -86,6 +89,7 @@ class Material(Shown):
             law: Law | FiberLaw | Hooke,
             bulk_modulus: Quantity = inf,
             density: Quantity | None = None,
+            expansion: Quantity | None = None,
             bending_stiffness: Quantity | None = None,
             stretch_range: tuple[float, float] | None = None,
             source: Source = UNSTATED,
@@ -109,6 +113,8 @@ class Material(Shown):
         object.__setattr__(self, "bulk_modulus", bulk)
         if self.density is not None:
             object.__setattr__(self, "density", number(self.density, f"{subject}: density", "density"))
+        if self.expansion is not None:
+            object.__setattr__(self, "expansion", number(self.expansion, f"{subject}: expansion", "expansion"))
         if not self.bulk_modulus > 0:
             raise TurgorError(f"material '{self.name}': bulk_modulus is {self.bulk_modulus:g} Pa; it must be positive.")
         if self.density is not None and not self.density > 0:

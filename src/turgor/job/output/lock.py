@@ -159,6 +159,8 @@ def _material(entry: Material | Sheet) -> dict[str, Any]:
         values["orientation"] = orientation_table(material.orientation)
     if material.density is not None:
         values["density"] = format_quantity(material.density, "kg/m³")
+    if material.expansion is not None:
+        values["expansion"] = format_quantity(material.expansion, "1/K")
     if material.stretch_range is not None:
         values["stretch_range"] = list(material.stretch_range)
     if isinstance(entry, Sheet):

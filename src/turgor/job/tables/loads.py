@@ -60,6 +60,7 @@ def read_loads(
     loads += on_faces(pulled, geometry, table.gravity, duration, problems)
     loads += read_listed(table, geometry, duration, problems)
     _check_densities(loads, materials, problems)
+    loads = [_of_materials(load, materials, problems) for load in loads]
     if needed and not (own or pulled or any(getattr(table, name) for name in type(table).model_fields)):
         problems.add(key, "nothing drives the actuator; give pressure, gravity or both.")
     return tuple(loads)
@@ -136,6 +137,11 @@ def _check_densities(loads: Iterable[Load], materials: Mapping[str, Material | S
             problems.whole.add(
                 ("materials", name), f"has no density, and {heavy} needs it; add density, such as '1100 kg/m³'."
             )
+
+
+def _of_materials(load: Load, materials: Mapping[str, Material | Sheet], problems: Problems) -> Load:
+    """The load with what it takes from the materials, such as a temperature the expansion."""
+    return problems.attempt(("loads", load.job_key), partial(load.of_materials, materials)) or load
 
 
 def only_pressure(loads: tuple[Load, ...]) -> float | None:

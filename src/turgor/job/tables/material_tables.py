@@ -12,7 +12,7 @@ from turgor.core.materials.laws.law_spec import is_dimensionless
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.core.materials.orientation import read_orientation
-from turgor.job.text.quantities import BendingStiffness, Density, Length, Pressure, Says, Table, default_of
+from turgor.job.text.quantities import BendingStiffness, Density, Expansion, Length, Pressure, Says, Table, default_of
 from turgor.units import parse_quantity
 
 #: Text for a bulk modulus without bound.
@@ -82,6 +82,8 @@ class LibraryTable(Table):
         the record, or that of a plate of its thickness, by default.
     density : float [kg/m³]
         Density, for weight and dynamics; that of the record by default.
+    expansion : float [1/K]
+        Linear thermal expansion, which a temperature of a body takes; that of the record by default.
     viscoelasticity : table
         Prony series: shares ``g``, times ``tau``, and whether the constants are the ``"long_term"`` or
         ``"instantaneous"`` ones; that of the record by default.
@@ -103,6 +105,7 @@ class LibraryTable(Table):
     warp: list[float] | None = Field(default=None, examples=["[1, 0, 0]"])
     bending_stiffness: BendingStiffness | None = None
     density: Density | None = None
+    expansion: Expansion | None = None
     viscoelasticity: Viscoelasticity | None = None
     stress_softening: Softening | None = None
     strength: Strengths | None = None
@@ -151,6 +154,8 @@ class StatedTable(Table):
         plate of its thickness by default.
     density : float [kg/m³]
         Density, for weight and dynamics.
+    expansion : float [1/K]
+        Linear thermal expansion, which a temperature of a body takes.
     stretch_range : list of two floats
         Smallest and largest stretch for which the constants are valid; beyond it the report warns.
     source : table
@@ -180,6 +185,7 @@ class StatedTable(Table):
     warp: list[float] | None = Field(default=None, examples=["[1, 0, 0]"])
     bending_stiffness: BendingStiffness | None = None
     density: Density | None = None
+    expansion: Expansion | None = None
     stretch_range: list[float] | None = Field(default=None, examples=["[0.8, 2.5]"])
     source: SourceTable | None = Field(default=None, examples=['{ text = "own tests of 2026" }'])
     strength: Strengths | None = None

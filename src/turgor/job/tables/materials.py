@@ -28,7 +28,7 @@ SHELL, MEMBRANE, SOLID, COMBINED = FORMS = ("shell", "membrane", "solid", "combi
 HISTORY = ("viscoelasticity", "stress_softening")
 
 #: Keys that a job may state where a record has them, too.
-OWN = (*HISTORY, "bending_stiffness", "strength", "crack_growth")
+OWN = (*HISTORY, "bending_stiffness", "expansion", "strength", "crack_growth")
 
 #: Region that combined constants apply to.
 BASE = "base"

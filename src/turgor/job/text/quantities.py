@@ -46,6 +46,7 @@ Length = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="len
 Angle = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="angle"))]
 Pressure = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="pressure"))]
 Density = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="density"))]
+Expansion = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="expansion"))]
 BendingStiffness = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="bending stiffness"))]
 Acceleration = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="acceleration"))]
 

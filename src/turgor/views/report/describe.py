@@ -149,6 +149,8 @@ def material(names: list[str], used: Material | Sheet) -> MaterialText:
         values.append(("directions", repr(material.orientation).removeprefix("Orientation")))
     if material.density is not None:
         values.append(("density", f"{material.density:g} kg/m³"))
+    if material.expansion is not None:
+        values.append(("thermal expansion", f"{material.expansion * 1e6:.4g} ppm/K"))
     if material.stretch_range is not None:
         values.append(("fitted to stretches", f"{material.stretch_range[0]:g} to {material.stretch_range[1]:g}"))
     values += describe_history(material.viscoelasticity, material.stress_softening)

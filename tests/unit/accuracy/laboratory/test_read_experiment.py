@@ -4,8 +4,12 @@ import numpy as np
 import pytest
 
 from refused import refused
+from turgor.accuracy.laboratory.chosen_rows import ChosenRows
+from turgor.accuracy.laboratory.compare import compare
 from turgor.accuracy.laboratory.headers import read_header
 from turgor.accuracy.laboratory.read_experiment import read_experiment, read_experiments
+from turgor.foundation.response import Column, Response
+from turgor.foundation.source import Source
 
 
 @pytest.mark.parametrize(
@@ -92,3 +96,19 @@ def test_runs_told_apart_by_columns(tmp_path) -> None:
     assert list(runs) == ["1.5, 1", "1.5, 2", "2.5, 1"]
     np.testing.assert_allclose(runs["2.5, 1"]["pressure"], [0.0, 9e3])
     assert runs["1.5, 1"].names == ("pressure",)
+
+
+def test_german_headers_and_the_names_of_the_file(tmp_path) -> None:
+    """Druck, Zeit and Kraft drive as pressure, time and force do; a range names a column as the file does."""
+    file = tmp_path / "finger.csv"
+    file.write_text("Zeit (s);Druck (bar);Winkel (°)\n0;0;0\n0,1;0,1;5\n0,2;0,2;11\n", encoding="utf-8")
+    result = read_experiment(file)
+    assert result.names == ("time", "pressure", "winkel")
+    rows = ChosenRows(ranges=["Druck (bar)=50..250 mbar"]).read(file, "Druck", None)[0]
+    np.testing.assert_allclose(rows.column("pressure"), [10e3, 20e3])
+    computed = Response(
+        columns=(Column("pressure", "kPa", [0, 20e3]), Column("bending_angle", "deg", [0, 0.2])),
+        source=Source(text="a run"),
+    )
+    comparison = compare(computed, result, y="bending_angle=Winkel", x="pressure=Druck (bar)")
+    assert (comparison.measured_x, comparison.measured_y) == ("pressure", "winkel")

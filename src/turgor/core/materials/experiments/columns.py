@@ -44,16 +44,18 @@ WORDS = ("batch", "specimen", "component")
 
 #: Patterns and roles. The first pattern that matches the name, in lower case and without its unit, gives the role.
 _PATTERNS: tuple[tuple[str, str], ...] = (
-    (r"^(test |elapsed |total )?time$|^t$", "time"),
-    (r"time|cycle|resistance|temperature|width|thickness|area|speed|load factor", ""),
+    (r"^(test |elapsed |total )?time$|^t$|^(prüf|mess|versuchs)?zeit$", "time"),
+    (r"time|cycle|resistance|temperatur|width|thickness|area|speed|load factor", ""),
+    (r"zeit|zyklus|breite|dicke|fläche|geschwindigkeit", ""),
     (r"batch|\blot\b", "batch"),
     (r"specimen|sample|replicate|^id$|probe", "specimen"),
     (r"^(stress )?(component|direction|axis)$", "component"),
     (r"cauchy.*difference|difference.*cauchy|stress difference", "cauchy_difference"),
     (r"(engineering|nominal|^eng\.?|piola|pk1).*stress.*(?<!\d)2$", "nominal_stress_2"),
     (r"(engineering|nominal|^eng\.?|piola|pk1).*stress", "nominal_stress"),
+    (r"(nenn|technische |ingenieur).*spannung", "nominal_stress"),
     (r"(true|cauchy).*stress.*(?<!\d)2$", "cauchy_stress_2"),
-    (r"(true|cauchy).*stress", "cauchy_stress"),
+    (r"(true|cauchy).*stress|wahre.*spannung", "cauchy_stress"),
     (r"(stress|spannung|sigma|σ).*(?<!\d)2$", "stress_2"),
     (r"stress|spannung|sigma|σ", "stress"),
     (r"(true|log\w*|hencky).*strain", "true_strain"),

@@ -1,7 +1,7 @@
 """Dimensions of a specimen that the header of a table states, such as ``# Length = 11mm``."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from turgor.core.materials.experiments.columns import FACTORS
@@ -9,14 +9,15 @@ from turgor.core.materials.experiments.settings import EXPERIMENTS
 from turgor.core.materials.experiments.specimen import Specimen
 from turgor.foundation.errors import TurgorError
 
-#: A name, perhaps its unit in brackets, a sign or separator, a number, and perhaps its unit.
+#: A name, perhaps its unit in brackets, a sign or separator, a number, and perhaps its unit, also in a cell of its own.
 _STATED = re.compile(
-    r"([A-Za-z][\w \-]{0,40})(?:[(\[]([^)\]]{0,10})[)\]])?\s*[=:;,\t][=:;,\t\s\"]*"
-    r"(\d{1,9}(?:[.,]\d{1,12})?(?:[eE][+-]?\d{1,2})?)\"?\s?([A-Za-zµ]{1,4}[²2^]{0,2})?(?=[\s,;\".)\]]|$)"
+    r"([^\W\d_][\w \-]{0,40})\"?\s?(?:[(\[]([^)\]]{0,10})[)\]])?\s*[=:;,\t][=:;,\t\s\"]*"
+    r"(\d{1,9}(?:[.,]\d{1,12})?(?:[eE][+-]?\d{1,2})?)\"?(?:[;,\t]\"?([cmµu]?m[²2]?)\"?"
+    r"|\s?([A-Za-zµ]{1,4}[²2^]{0,2})?)(?=[\s,;\".)\]]|$)"
 )
 
 #: Words next to the name of a dimension that do not change its meaning.
-_QUALIFIERS = re.compile(r"\b(specimen|sample|strip|initial|original|gauge|gage|free|of|the|l0|w0|t0|a0)\b")
+_QUALIFIERS = re.compile(r"\b(specimen|sample|strip|initial|original|gauge|gage|free|of|the|l0|w0|b0|t0|d0|a0)\b")
 
 #: Dimension by its name, and by its symbol.
 _NAMES = {
@@ -28,6 +29,9 @@ _NAMES = {
     "cross sectional area": "area",
     "cross section area": "area",
     "section": "area",
+    **dict.fromkeys(("länge", "messlänge", "einspannlänge", "anfangslänge", "probenlänge"), "length"),
+    **{"breite": "width", "probenbreite": "width", "dicke": "thickness", "probendicke": "thickness"},
+    **dict.fromkeys(("querschnitt", "querschnittsfläche", "probenquerschnitt"), "area"),
 }
 _SYMBOLS = {"l0": "length", "w0": "width", "t0": "thickness", "a0": "area"}
 
@@ -69,7 +73,7 @@ def sizes_of(file: str, notes: Sequence[str], specimen: Specimen | None) -> Size
     Examples
     --------
     >>> sizes_of("a.csv", ["Strip 7", "Length = 50mm", "Cross-section (cm^2);0.18"], None)
-    Sizes(length=0.05, section=1.8e-05, header={'length': 'Length = 50mm', 'area': 'Cross-section (cm^2);0.18'})
+    Sizes(length=0.05, section=1.8e-05, header={'length': 'Length = 50mm', 'area': 'Cross-section (cm^2) 0.18'})
     """
     dimensions: dict[str, tuple[float, str]] = {}
     for note in notes:
@@ -88,6 +92,23 @@ def sizes_of(file: str, notes: Sequence[str], specimen: Specimen | None) -> Size
     return sizes
 
 
+def known_specimen(sizes: Callable[[], Sizes]) -> Specimen | None:
+    """Return the dimensions where length and section are known; None where they are not, which most tests permit.
+
+    Parameters
+    ----------
+    sizes : callable
+        ``sizes()`` gives the dimensions, or raises an error for a header that cannot be understood.
+    """
+    try:
+        stated = sizes()
+    except TurgorError:
+        return None
+    if stated.length is None or stated.section is None:
+        return None
+    return Specimen(length=stated.length, area=stated.section)
+
+
 def _statements(file: str, note: str, *, needed: bool) -> list[tuple[str, float, str]]:
     """Dimensions in one line of a header: name, value in SI, and its words."""
     dimensions = []
@@ -95,9 +116,9 @@ def _statements(file: str, note: str, *, needed: bool) -> list[tuple[str, float,
         name = _dimension(match[1])
         if name is None:
             continue
-        unit = match[4] or match[2]
+        unit = match[4] or match[5] or match[2]
         factors = _AREAS if name == "area" else FACTORS["length"]
-        text = match[0].strip(' \t;,"')
+        text = " ".join(re.split(r'[";\t\s]+', match[0].strip(' \t;,"')))
         if unit is None or unit.strip() not in factors:
             if not needed:
                 continue

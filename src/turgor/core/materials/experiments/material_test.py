@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from turgor.core.materials.experiments.settings import EXPERIMENTS
+from turgor.core.materials.experiments.specimen import Specimen
 from turgor.core.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.core.materials.material import UNSTATED
 from turgor.foundation.display import Shown, brief
@@ -18,6 +19,9 @@ Array = NDArray[np.float64]
 
 #: Modes of a test on a rubber; pure shear is another name for planar tension.
 MODES = ("uniaxial", "equibiaxial", "planar", "simple_shear", "biaxial")
+
+#: Arrays of a test that may be missing.
+_OPTIONAL = ("stretch_2", "nominal_stress_2", "spread", "time", "crosshead")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -68,8 +72,12 @@ class MaterialTest(Shown):
         Standard deviation of the replicates that were averaged.
     time : (n,) array [s], optional
         Time of every point, not decreasing; needed for relaxation, hysteresis and softening.
+    crosshead : (n,) array [-], optional
+        Stretch by the crosshead, where the file has a strain that was measured on the specimen besides.
     batch : str
         Batch that the specimen is of, where the file says so.
+    specimen : Specimen, optional
+        Dimensions of the specimen, where they are known.
     raw : MaterialTest, optional
         The test as it was read, before all edits.
     edits : tuple of Edit
@@ -92,14 +100,16 @@ class MaterialTest(Shown):
     cauchy_difference: bool = False
     spread: Array | None = None
     time: Array | None = None
+    crosshead: Array | None = None
     batch: str = ""
+    specimen: Specimen | None = None
     raw: "MaterialTest | None" = None
     edits: tuple[Edit, ...] = ()
 
     def __post_init__(self) -> None:
         if self.mode not in MODES:
             raise unknown("mode", self.mode, MODES)
-        for key in ("stretch", "nominal_stress", "stretch_2", "nominal_stress_2", "spread", "time"):
+        for key in ("stretch", "nominal_stress", *_OPTIONAL):
             if getattr(self, key) is not None:
                 object.__setattr__(self, key, self._checked(key, getattr(self, key)))
         if len(self.stretch) < 2:
@@ -203,8 +213,7 @@ class MaterialTest(Shown):
             stretch=self.stretch[removed],
             nominal_stress=self.nominal_stress[removed],
         )
-        optional = ("stretch_2", "nominal_stress_2", "spread", "time")
-        values = {key: None if getattr(self, key) is None else getattr(self, key)[keep] for key in optional}
+        values = {key: None if getattr(self, key) is None else getattr(self, key)[keep] for key in _OPTIONAL}
         values |= {"stretch": self.stretch[keep], "nominal_stress": self.nominal_stress[keep]}
         return self.changed(edit, values)
 

@@ -2,13 +2,15 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.materials.experiments.columns import Column
+from turgor.core.materials.experiments.columns import Column, split_unit
 from turgor.core.materials.experiments.header_sizes import Sizes
+from turgor.core.materials.experiments.settings import EXPERIMENTS
 from turgor.foundation.errors import TurgorError
 
 Array: TypeAlias = NDArray[np.float64]
@@ -58,7 +60,9 @@ def stretch_quantity(file: str, columns: Columns, mode: str, sizes: Callable[[],
         return Quantity(role="stretch", text=f"stretch from '{columns['stretch'].name}'", convert=_as_it_is)
     if "nominal_strain" in columns:
         text = f"stretch = 1 + '{columns['nominal_strain'].name}'"
-        return Quantity(role="nominal_strain", text=text, convert=lambda strain, _: 1 + strain)
+        return Quantity(
+            role="nominal_strain", text=text, convert=partial(_from_strain, file, columns["nominal_strain"])
+        )
     if "true_strain" in columns:
         text = f"stretch = exp('{columns['true_strain'].name}')"
         return Quantity(role="true_strain", text=text, convert=_exponential)
@@ -123,6 +127,25 @@ def second_stress(file: str, columns: Columns, measure: str | None, first: Quant
     return None
 
 
+def crosshead_quantity(columns: Columns, along: str, length: float) -> Quantity | None:
+    """Return the stretch by the crosshead of a table whose stretch comes from another column; None if there is none.
+
+    Parameters
+    ----------
+    columns : mapping of str to Column
+        Columns by role.
+    along : str
+        Role of the column that gives the stretch.
+    length : float [m]
+        Initial length of the specimen.
+    """
+    role = next((each for each in ("extension", "length") if each in columns and each != along), None)
+    if role is None or along in ("extension", "length"):
+        return None
+    ahead = length if role == "extension" else 0.0
+    return Quantity(role=role, text="", convert=lambda values, _: (values + ahead) / length)
+
+
 def _from_length(file: str, columns: Columns, sizes: Callable[[], Sizes]) -> Quantity:
     role = "length" if "length" in columns else "extension"
     if role not in columns:
@@ -176,6 +199,17 @@ def _of_measure(role: str, measure: str, columns: Columns, mode: str) -> Quantit
         return Quantity(role=role, text=f"nominal stress from '{name}'", convert=_as_it_is)
     convert = _as_it_is if mode == "simple_shear" else _over_stretch
     return Quantity(role=role, text=f"nominal stress = Cauchy stress '{name}' / stretch", convert=convert)
+
+
+def _from_strain(file: str, column: Column, strain: Array, _: Array | None) -> Array:
+    """Stretch of a nominal strain, which may be percent where its column says nothing."""
+    most = float(np.abs(strain).max())
+    if split_unit(column.name)[1] is None and most > EXPERIMENTS.plain_strain:
+        raise TurgorError(
+            f"'{file}': column '{column.name}' states no unit and goes to {most:g}, which would be a stretch of "
+            f"{1 + most:g}; if it is percent, write '{column.name} (%)' into the header, else '{column.name} (-)'."
+        )
+    return np.asarray(1 + strain)
 
 
 def _as_it_is(values: Array, stretch: Array | None) -> Array:

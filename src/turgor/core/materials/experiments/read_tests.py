@@ -6,13 +6,18 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from turgor.core.materials.experiments.columns import Column, find_columns, role_of, split_unit
 from turgor.core.materials.experiments.cycles import without_way_back
-from turgor.core.materials.experiments.header_sizes import Sizes, sizes_of
-from turgor.core.materials.experiments.material_test import MODES, Array, Edit, MaterialTest
-from turgor.core.materials.experiments.quantities import second_stress, stress_quantity, stretch_quantity
+from turgor.core.materials.experiments.header_sizes import Sizes, known_specimen, sizes_of
+from turgor.core.materials.experiments.material_test import MODES, Edit, MaterialTest
+from turgor.core.materials.experiments.quantities import (
+    crosshead_quantity,
+    second_stress,
+    stress_quantity,
+    stretch_quantity,
+)
+from turgor.core.materials.experiments.row_values import along_second, time_of
 from turgor.core.materials.experiments.specimen import Specimen
 from turgor.core.materials.experiments.table_text import Table, read_table
 from turgor.foundation.errors import TurgorError, unknown
@@ -80,10 +85,12 @@ def read_test(
     )
     if len(tests) > 1:
         names = ", ".join(test.name for test in tests)
+        column = _label(read_table(path))
+        each = f"fit all of them, and each, with --by '{column}'" if column else "name them in a column 'specimen'"
         raise TurgorError(
             f"'{Path(path).name}' holds {len(tests)} specimens ({names}).",
             python="Read them with read_tests, and average them if they are replicates.",
-            command="If they are replicates, average them with --average; if batches, fit and compare them with --by.",
+            command=f"Fit the mean with --average; or {each}.",
         )
     return tests[0]
 
@@ -203,6 +210,11 @@ def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, str, 
     return [(f"{stem} {i + 1}", "", _trimmed(table, group), group | clocks[i]) for i, group in enumerate(groups)]
 
 
+def _label(table: Table) -> str:
+    """Name of the column that tells specimens apart; empty where they stand side by side."""
+    return next((name for name in table.names if role_of(split_unit(name)[0]) in _LABELS), "")
+
+
 def _trimmed(table: Table, group: Mapping[str, Column]) -> Table:
     """Cut a table where a group of columns ends, because replicates side by side end at different rows."""
     last = [n for n, row in enumerate(table.rows) if any("".join(row[c.index : c.index + 1]) for c in group.values())]
@@ -227,20 +239,22 @@ def _test(
     second = second_stress(table.file, columns, measure, pull) if biaxial else None
     across = ("stretch_2",) if biaxial and "stretch_2" in columns else ()
     sided = ("component",) if biaxial and "component" in columns else ()
-    roles = (along.role, pull.role, *across, *((second.role,) if second else ()))
+    size = known_specimen(sizes)
+    way = None if biaxial or size is None else crosshead_quantity(columns, along.role, size.length)
+    roles = (along.role, pull.role, *((way.role,) if way else ()), *across, *((second.role,) if second else ()))
     if sided and not across:
         raise TurgorError(f"'{table.file}' names components of the stress, but has no column of a second stretch.")
     table, remark = table.complete(columns[role].index for role in roles)
     values = {role: table.column(columns[role].index) * columns[role].factor for role in roles}
     stretch, across_it = along.convert(values[along.role], None), values.get("stretch_2")
     if sided and across_it is not None:
-        turned = _along_second(table, columns["component"])  # the rubber is the same along both axes
+        turned = along_second(table, columns["component"])  # the rubber is the same along both axes
         stretch, across_it = np.where(turned, across_it, stretch), np.where(turned, stretch, across_it)
     difference = pull.role == "cauchy_difference"
     alone = " along the first axis" if biaxial and second is None and not difference else ""
     alone = f" along the axis that '{columns['component'].name}' names" if sided else alone
     how = f"{along.text}; {pull.text}{alone}" + (f"; {second.text}" if second else "")
-    time, clock = _time(table, columns.get("time"))
+    time, clock = time_of(table, columns.get("time"))
     return MaterialTest(
         mode=mode,
         stretch=stretch,
@@ -251,33 +265,7 @@ def _test(
         nominal_stress_2=second.convert(values[second.role], across_it) if second else None,
         cauchy_difference=difference,
         time=time,
+        crosshead=way.convert(values[way.role], None) if way else None,
+        specimen=size,
         edits=(Edit(text=f"Read {len(stretch)} rows; {how}{clock}{remark}."),),
     )
-
-
-def _along_second(table: Table, column: Column) -> NDArray[np.bool_]:
-    """Whether the stress of each row acts along the second axis, by words such as ``2``, ``sigma_22`` or ``y``."""
-    second = []
-    for line, row in zip(table.lines, table.rows, strict=True):
-        word = row[column.index].strip().lower() if column.index < len(row) else ""
-        match = re.fullmatch(r".*?(1|2|x|y|first|second)", word)
-        if match is None:
-            raise TurgorError(
-                f"'{table.file}', line {line}: '{word}' in column '{column.name}' is no axis; write 1 or 2."
-            )
-        second.append(match[1] in ("2", "y", "second"))
-    return np.array(second)
-
-
-def _time(table: Table, column: Column | None) -> tuple[Array | None, str]:
-    """Time since the first row, and a remark about its column; None where there is no usable time."""
-    if column is None:
-        return None, ""
-    time = table.seconds(column.index)
-    if time is None:
-        return None, f"; '{column.name}' left out, because it does not hold times only"
-    time = time * column.factor
-    back = np.flatnonzero(np.diff(time) < 0)
-    if len(back):
-        return None, f"; '{column.name}' left out, because it runs backwards at line {table.lines[int(back[0]) + 1]}"
-    return time - time[0], f"; time from '{column.name}'"

@@ -22,12 +22,15 @@ class ExperimentSettings:
         Points of the shortest series that may be a copy of another: fewer may be equal by chance.
     half_cycle : float
         Smallest range of a half cycle, as a share of the whole range of stretch.
+    plain_strain : float
+        Largest strain whose column may have no unit: the softest silicones break at 17; more is percent.
     """
 
     longest_header: int = 5000
     precision: float = 0.01
     shortest_series: int = 4
     half_cycle: float = 0.2
+    plain_strain: float = 20.0
 
 
 EXPERIMENTS = ExperimentSettings()
@@ -99,3 +102,30 @@ class SlipSettings:
 
 
 SLIP = SlipSettings()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MachineSettings:
+    """When the way of a crosshead shows how far the testing machine gives way.
+
+    Parameters
+    ----------
+    settled : float
+        Share of the largest force of a reference run below which couplings and grips settle.
+    points : int
+        Fewest points of a reference run above it.
+    straight : float
+        Largest deviation from a straight line over the force, root mean square over the range: a step of slip that
+        is a quarter of the range makes 7 %, the backlash of a load cell 1 %.
+    excess : float
+        Share of the way of the crosshead up to which it agrees with the strain of the specimen: a video
+        extensometer is no better.
+    """
+
+    settled: float = 0.1
+    points: int = 5
+    straight: float = 0.05
+    excess: float = 0.01
+
+
+MACHINE = MachineSettings()

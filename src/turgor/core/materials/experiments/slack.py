@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from turgor.core.materials.experiments.material_test import Array, MaterialTest
 from turgor.core.materials.experiments.settings import SLACK, SLIP
 from turgor.core.materials.experiments.test_edits import set_zero_length, thin
+from turgor.foundation.display import listed
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 
@@ -108,17 +109,23 @@ def check_slack(tests: Sequence[MaterialTest]) -> tuple[Finding, ...]:
     tests : sequence of MaterialTest
         As they are fitted.
     """
-    slack = [(test, zero) for test in tests if (zero := zero_stretch(test)) is not None and zero > SLACK.least]
-    return tuple(
+    slack = {
+        test.name: f"{test.name} ({zero:.3f})"
+        for test in tests
+        if (zero := zero_stretch(test)) is not None and zero > SLACK.least
+    }
+    if not slack:
+        return ()
+    each = "" if len(slack) == 1 else " each"
+    return (
         Finding(
             code="P10",
             severity=Severity.WARNING,
-            message=f"{test.name} meets zero stress at a stretch of about {zero:.3f}: the specimen hung loose, or "
-            "slipped. Fitted laws are too soft at small stretches.",
-            advice="Count the stretch from there: count_from_zero in Python, --zero auto on the command line; or from "
-            "a small stress, with remove_slack or --preload.",
-        )
-        for test, zero in slack
+            message=f"{listed(slack.values())} meet{'s' * (len(slack) == 1)} zero stress at a stretch above 1: the "
+            f"specimen{'s' * (len(slack) > 1)} hung loose, or slipped. Fitted laws are too soft at small stretches.",
+            advice=f"Count the stretch from there{each}: count_from_zero in Python, --zero auto on the command line; "
+            "or from a small stress, with remove_slack or --preload.",
+        ),
     )
 
 
@@ -177,7 +184,8 @@ def check_slip(tests: Sequence[MaterialTest]) -> tuple[Finding, ...]:
                     code="P13",
                     severity=Severity.WARNING,
                     message=f"The stress of {test.name} falls by up to {100 * worst:.2g} % and rises again, at "
-                    f"stretch {at}: the specimen slipped in its grips, or tore a little.",
+                    f"stretch {at}: the specimen slipped in its grips, or tore a little. A compliant machine gives way "
+                    "in proportion to the force, without such steps.",
                     advice="Use the curve up to there only, with crop or --range, or measure the stretch on the "
                     "specimen.",
                 )

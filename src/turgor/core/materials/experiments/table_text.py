@@ -24,6 +24,8 @@ _COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?")
 _POINT = re.compile(r"[+-]?\d*\.\d+([eE][+-]?\d+)?")
 _BRACKETS = re.compile(r"[(\[][^)\]]*[)\]]")
 _CLOCK = re.compile(r"\d+:\d\d(:\d\d)?([.,]\d+)?")
+#: A number with a decimal comma and points between its thousands.
+_THOUSANDS = re.compile(r"[+-]?\d{1,3}(\.\d{3})+,\d*")
 _QUOTED = re.compile(r'"[^"]*"')
 
 #: What testing machines write for a missing number.
@@ -242,6 +244,12 @@ def _checked_rows(
     width = max((n + 1 for n, name in enumerate(names) if name), default=usual)
     for row, line in zip(rows, lines, strict=True):
         end = next((n for n in range(len(row), width, -1) if row[n - 1]), min(len(row), width))
+        words = [cell for cell in row if cell.lower() not in _MISSING]
+        if len(words) > 1 and not any(map(_NUMBER.fullmatch, words)):
+            raise TurgorError(
+                f"'{file}', line {line}: a second table begins there ('{words[0]}'). Put each specimen into a file of "
+                "its own, or all rows below one header, with a column 'specimen'."
+            )
         if end != width:
             against = f"the header names {width} columns" if names else f"other lines have {width}"
             cells = "1 cell" if end == 1 else f"{end} cells"
@@ -254,6 +262,11 @@ def _checked_rows(
 
 def _with_decimal_points(table: Table) -> Table:
     """Return the table with decimal points instead of commas; an error if its numbers have both."""
+    if _first_match(table, _THOUSANDS) is not None:
+        table = replace(
+            table,
+            rows=tuple(tuple(c.replace(".", "") if _THOUSANDS.fullmatch(c) else c for c in row) for row in table.rows),
+        )
     comma = _first_match(table, _COMMA)
     if comma is None:
         return table

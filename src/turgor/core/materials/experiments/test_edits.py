@@ -1,6 +1,7 @@
 """Preparation of tests: each function returns a new test with a record of the edit."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -39,7 +40,7 @@ def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> M
     keep = np.arange(len(test.stretch)) >= start
     taut = test.keeping(keep, f"Slack below a preload of {stress:g} Pa")
     rest = f", less the stress {offset:g} Pa there" if shift else ""
-    values = {"stretch": taut.stretch / zero, "nominal_stress": taut.nominal_stress - offset}
+    values = {**_counted_from(taut, zero), "nominal_stress": taut.nominal_stress - offset}
     return taut.changed(Edit(text=f"Stretch counted from the length at {zero:.5g}{rest}."), values)
 
 
@@ -104,7 +105,15 @@ def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
     if not stretch > 0:
         raise TurgorError(f"stretch is {stretch:g}; the new zero of length must be more than 0.")
     edit = Edit(text=f"Stretch counted from the length at {stretch:.5g}.")
-    return test.changed(edit, {"stretch": test.stretch / stretch})
+    return test.changed(edit, _counted_from(test, stretch))
+
+
+def _counted_from(test: MaterialTest, zero: float) -> dict[str, object]:
+    """Values of a test whose specimen had its length at another stretch."""
+    old = test.specimen
+    longer = None if old is None else replace(old, length=old.length * zero)
+    crosshead = None if test.crosshead is None else test.crosshead / zero
+    return {"stretch": test.stretch / zero, "crosshead": crosshead, "specimen": longer}
 
 
 def remove_tail(test: MaterialTest, *, drop: float = 0.2) -> MaterialTest:
@@ -181,6 +190,7 @@ def thin(test: MaterialTest, points: int = 60) -> MaterialTest:
         "nominal_stress": mean(test.nominal_stress),
         "spread": spread,
         "time": None,
+        "crosshead": None if test.crosshead is None else mean(test.crosshead),
     }
     return test.changed(edit, values)
 

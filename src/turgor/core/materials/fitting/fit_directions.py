@@ -1,9 +1,9 @@
 """Fit of a law with directions to tension tests of specimens that were cut along the directions of a material."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from math import pi
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,9 @@ from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError, unknown
 
 Array = NDArray[np.float64]
+
+#: Tests with the direction that each specimen was cut along.
+Cuts: TypeAlias = tuple[tuple[str, MaterialTest], ...]
 
 #: How the material lies in a specimen that is pulled along x, by the direction it was cut along.
 CUTS: Mapping[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
@@ -50,6 +53,8 @@ class DirectionsFit:
         Parameters that were fitted, in SI units, and their standard errors.
     relative : float [-]
         Root mean square of the deviations over the stresses.
+    tests : tuple of (str, MaterialTest)
+        What it was fitted to, with the direction of each specimen.
     """
 
     law: Any
@@ -57,13 +62,35 @@ class DirectionsFit:
     values: Mapping[str, float]
     errors: Mapping[str, float]
     relative: float
+    tests: Cuts = ()
 
     __repr__ = brief
+
+    def material(self, cut: str = "along") -> Material:
+        """Return the material, with its directions in a specimen that is pulled along x.
+
+        Parameters
+        ----------
+        cut : str
+            Direction that the specimen was cut along.
+        """
+        return _lying(self.law, self.angle, cut)
+
+    def off(self, cut: str, test: MaterialTest) -> float:
+        """Return the root mean square of the deviations from a test, over its stresses.
+
+        Parameters
+        ----------
+        cut : str
+            Direction that its specimen was cut along.
+        test : MaterialTest
+        """
+        return float(np.sqrt(np.mean(_deviations(self.material(cut), test) ** 2)))
 
 
 def fit_directions(
     law: str,
-    tests: Mapping[str, MaterialTest],
+    tests: Mapping[str, MaterialTest | Sequence[MaterialTest]],
     *,
     fixed: Mapping[str, float] | None = None,
     starts: int = 4,
@@ -75,7 +102,7 @@ def fit_directions(
     ----------
     law : str
         ``"orthotropic"`` or ``"holzapfel_gasser_ogden"``, whose angle of fibers is fitted, too.
-    tests : mapping of str to MaterialTest
+    tests : mapping of str to MaterialTest, or to several
         Uniaxial tests by the direction of the specimen: ``"along"`` the first one, ``"across"``, the second one, or
         ``"through"``, the third one. Each specimen contracts as its free directions like.
     fixed : mapping of str to float, optional
@@ -103,8 +130,11 @@ def fit_directions(
     kind: Any = LAWS[law_name(law)]
     if not hasattr(kind, "families"):
         raise TurgorError(f"{kind.__name__} has no directions; fit it with fit.")
-    _check(tests)
-    search = _Search.of(kind, tests, dict(fixed or {}))
+    known = tuple(
+        (cut, each) for cut, some in tests.items() for each in ([some] if isinstance(some, MaterialTest) else some)
+    )
+    _check(known)
+    search = _Search.of(kind, known, dict(fixed or {}))
     random = np.random.default_rng(seed)
     ends = [search.descend(random.uniform(0.02, 1.0, len(search.names))) for _ in range(starts)]
     best = min(ends, key=lambda end: float(end.cost))
@@ -146,13 +176,13 @@ class _Search:
     """Parameters that are searched for, each over its size, and what they are compared with."""
 
     kind: Any
-    tests: Mapping[str, MaterialTest]
+    tests: Cuts
     fixed: Mapping[str, float]
     names: tuple[str, ...]
     sizes: Array
 
     @staticmethod
-    def of(kind: Any, tests: Mapping[str, MaterialTest], fixed: Mapping[str, float]) -> "_Search":
+    def of(kind: Any, tests: Cuts, fixed: Mapping[str, float]) -> "_Search":
         pressures = [item.name for item in fields(kind) if not is_dimensionless(item)]
         angle = ("angle",) if "k1" in pressures else ()
         every = (*(item.name for item in fields(kind)), *angle)
@@ -160,7 +190,7 @@ class _Search:
             if name not in every:
                 raise unknown("parameter", name, every)
         names = tuple(name for name in every if name not in fixed)
-        slope = max(float(np.abs(t.nominal_stress / (t.stretch - t.stretch**-2)).max()) for t in tests.values())
+        slope = max(_slope(test) for _, test in tests)
         return _Search(kind, tests, fixed, names, np.array([_LIMITS.get(name, slope) for name in names]))
 
     def law(self, x: Array) -> tuple[Any, float]:
@@ -172,15 +202,7 @@ class _Search:
     def residual(self, x: Array) -> Array:
         """Deviations over the stresses, at least a share of the largest one."""
         law, angle = self.law(x)
-        rows = []
-        for cut, test in self.tests.items():
-            first, second = CUTS[cut]
-            lies = Orientation(along=first, across=second, angle=angle)
-            material = Material(name=test.name, law=law, orientation=lies)
-            measured = test.nominal_stress
-            scale = np.maximum(np.abs(measured), FIT.weight_floor * np.abs(measured).max())
-            rows.append((specimen_stress(material, test.stretch) - measured) / scale)
-        return np.concatenate(rows)
+        return np.concatenate([_deviations(_lying(law, angle, cut), test) for cut, test in self.tests])
 
     def descend(self, start: Array) -> Any:
         """Search from a start within the bounds; the first coefficient stays positive."""
@@ -190,6 +212,7 @@ class _Search:
 
     def result(self, x: Array, jacobian: Array) -> DirectionsFit:
         """The fit at the best parameters."""
+        x = np.where(x < FIT.least_share**2, 0.0, x)  # a bound is met to round-off only
         residual, (law, angle) = self.residual(x), self.law(x)
         idle = [name for name, column in zip(self.names, jacobian.T, strict=True) if not np.abs(column).max() > 1e-9]
         if idle:
@@ -202,15 +225,38 @@ class _Search:
             values=dict(zip(self.names, map(float, x * self.sizes), strict=True)),
             errors=dict(zip(self.names, map(float, np.sqrt(variance) * self.sizes), strict=True)),
             relative=float(np.sqrt(np.mean(residual**2))),
+            tests=self.tests,
         )
 
 
-def _check(tests: Mapping[str, MaterialTest]) -> None:
+def _slope(test: MaterialTest) -> float:
+    """Neo-Hookean modulus of a test, 2 C10 [Pa]: the size of its parameters."""
+    shape = test.stretch - test.stretch**-2
+    slope = float(shape @ test.nominal_stress) / max(float(shape @ shape), 1e-300)
+    if not slope > 0:
+        raise TurgorError(f"the stress of test '{test.name}' does not rise with the stretch; check its sign.")
+    return slope
+
+
+def _lying(law: Any, angle: float, cut: str) -> Material:
+    """The material as it lies in a specimen."""
+    first, second = CUTS[cut]
+    return Material(name=cut, law=law, orientation=Orientation(along=first, across=second, angle=angle))
+
+
+def _deviations(material: Material, test: MaterialTest) -> Array:
+    """Deviations from a test over its stresses, at least a share of the largest one."""
+    measured = test.nominal_stress
+    scale = np.maximum(np.abs(measured), FIT.weight_floor * np.abs(measured).max())
+    return np.asarray((specimen_stress(material, test.stretch) - measured) / scale)
+
+
+def _check(tests: Cuts) -> None:
     if not tests:
         raise TurgorError(
             "no test was given; a law with directions needs one along each direction that is to be known."
         )
-    for cut, test in tests.items():
+    for cut, test in tests:
         if cut not in CUTS:
             raise unknown("direction of a specimen", cut, CUTS)
         if test.mode != "uniaxial":

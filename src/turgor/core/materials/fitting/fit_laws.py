@@ -8,6 +8,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from turgor.core.materials.experiments.copies import check_copies
+from turgor.core.materials.experiments.machine import check_machine
 from turgor.core.materials.experiments.material_test import Array, MaterialTest
 from turgor.core.materials.experiments.slack import check_preload, check_slack, check_slip
 from turgor.core.materials.fitting.checks import check_working_range, covered_range, fit_findings
@@ -105,7 +106,8 @@ def fit(
 def check_tests(given: Sequence[MaterialTest], used: Sequence[MaterialTest], weights: str = "") -> tuple[Finding, ...]:
     """Return the findings about tests, whole and as they are fitted: copies, slack, preload, slip, and their range."""
     chosen = () if weights == "even" else check_working_range(used)  # even weights are those of a range that was chosen
-    return (*check_copies(given), *check_slack(used), *check_preload(given), *check_slip(given), *chosen)
+    measured = (*check_preload(given), *check_slip(given), *check_machine(given))
+    return (*check_copies(given), *check_slack(used), *measured, *chosen)
 
 
 def _used(

@@ -42,6 +42,12 @@ def law_spec(law: str | type[Any] | LawSpec) -> LawSpec:
     kind = spelled(words, series)
     if kind is not None:
         return _with_ratio(series[kind], _of_series(series[kind], before, order), ratio)
+    oriented = spelled(law, [name for name, each in LAWS.items() if hasattr(each, "families")])
+    if oriented is not None:
+        raise TurgorError(
+            f"{LAWS[oriented].__name__} has directions and needs specimens that were cut along them: fit it with "
+            "fit_directions in Python, --directions on the command line, without relaxation."
+        )
     known = [*single, *(f"{each.series}-N" for each in dict.fromkeys(series.values()))]
     hint = near_match(re.sub(r"[\s_]+", "-", law.strip().lower()), [*single, *(f"{name}-3" for name in series)]) or "."
     raise TurgorError(f"unknown law '{law}'{hint} Known: {', '.join(sorted(known))}.")

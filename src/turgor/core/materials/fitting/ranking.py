@@ -21,7 +21,7 @@ _FAILS: Mapping[Criterion, str] = {
 
 
 #: Findings that concern the tests, not a law.
-OF_TESTS = ("P08", "P10", "P11", "P12", "P13")
+OF_TESTS = ("P08", "P10", "P11", "P12", "P13", "P14")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

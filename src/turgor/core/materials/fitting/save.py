@@ -15,6 +15,7 @@ from turgor.core.materials.laws.laws import LAWS
 from turgor.core.materials.library.fit_spread import FitSpread
 from turgor.core.materials.library.record_history import history_tables
 from turgor.core.materials.material import Material
+from turgor.core.materials.orientation import orientation_table
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.registry import name_in
 from turgor.units import format_quantity
@@ -129,6 +130,30 @@ def material_toml(material: Material, record: str = "fitted") -> str:
         document["density"] = format_quantity(material.density, "kg/m³")
     document["records"] = records
     return tomlkit.dumps(document)
+
+
+def job_table(material: Material) -> dict[str, Any]:
+    """Return the table of a job that states a material with directions, which files of records have no form for.
+
+    Parameters
+    ----------
+    material : Material
+        With a law of plain constants and an orientation.
+
+    Examples
+    --------
+    >>> from turgor.core.materials.laws.laws import Orthotropic
+    >>> from turgor.core.materials.orientation import Orientation
+    >>> lies = Orientation(along=(1, 0, 0), across=(0, 1, 0))
+    >>> job_table(Material(name="a print", law=Orthotropic(C10=1e6, a1=4e5), orientation=lies))["a1"]
+    '400 kPa'
+    """
+    values: dict[str, Any] = {"law": name_in(LAWS, material.law)}
+    for symbol, value in _symbols(material.law):
+        values[symbol] = value if has_no_unit(symbol) else format_quantity(float(f"{value:.6g}"), "kPa")
+    if material.orientation is not None:
+        values["orientation"] = orientation_table(material.orientation)
+    return values
 
 
 def _entry(material: Material) -> tomlkit.items.Table:

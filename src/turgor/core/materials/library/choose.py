@@ -103,7 +103,11 @@ def choose(
     ['dragon-skin-10', 'platsil-gel-10']
     """
     if modulus is None and not hardness:
-        raise TurgorError("what is wanted is not stated; give a modulus or a hardness.")
+        raise TurgorError(
+            "what is wanted is not stated.",
+            python="Give a modulus [Pa] or a hardness such as '10 A'.",
+            command="Give --modulus '100 kPa', or --hardness '10 A'.",
+        )
     if modulus is not None and not modulus > 0:
         raise TurgorError(f"modulus is {modulus:g} Pa; allowed is above 0.")
     for what, value in (("stretch", stretch), ("reach", reach)):
@@ -185,7 +189,7 @@ def _points_off(row: MaterialRow, wanted: tuple[str, float] | None) -> float | N
 
 def _shore(text: str, what: str) -> tuple[str, float]:
     """Return scale and points of a Shore hardness."""
-    match = _SHORE.fullmatch(text.strip())
+    match = _SHORE.fullmatch(text.strip().removeprefix("Shore").strip())
     if match is None:
         raise TurgorError(f"{what} is '{text}'; write a Shore hardness with its scale, such as '10 A' or '00-30'.")
     return ("00", float(match[2])) if match[1] else (match[4].upper(), float(match[3]))

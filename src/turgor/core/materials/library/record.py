@@ -29,7 +29,7 @@ KINDS = ("rubber", "fiber", "sheet", "composite")
 #: What a sheet is modeled as; "combined" constants are those of the rubber below it and the sheet together.
 FORMS = ("shell", "membrane", "combined")
 
-FILE_KEYS = ("name", "kind", "shore_hardness", "density", "supplier", "strength", "recommended", "records")
+FILE_KEYS = ("name", "kind", "shore_hardness", "density", "expansion", "supplier", "strength", "recommended", "records")
 RECORD_KEYS = (
     *("law", "parameters", "convention", "convention_reason", "assumed", "compressibility", "stretch_range"),
     *("viscoelasticity", "stress_softening", "form", "bending_stiffness", "fitted", "spread"),
@@ -69,6 +69,10 @@ class Record:
         Smallest and largest stretch of the tests behind the fit, when known.
     density : float or None [kg/m³]
         Mass per reference volume.
+    expansion : float or None [1/K]
+        Linear thermal expansion.
+    expansion_source : str
+        Where it is stated.
     diameter : float or None [m]
         Diameter of a fiber.
     shore_hardness : str
@@ -120,6 +124,8 @@ class Record:
     bulk_modulus: float = inf
     stretch_range: tuple[float, float] | None = None
     density: float | None = None
+    expansion: float | None = None
+    expansion_source: str = ""
     diameter: float | None = None
     shore_hardness: str = ""
     software: str | None = None
@@ -181,6 +187,7 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         raise TurgorError(f"{where}: 'source' is missing; say where the constants came from.")
     parameters = table(entry["parameters"], f"{where}.parameters")
     density = read.density(entry.get("density", content.get("density")), where)
+    expansion = read.expansion(content.get("expansion"), library)
     return Record(
         library=library,
         name=name,
@@ -196,6 +203,8 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         bulk_modulus=read.bulk_modulus(entry.get("compressibility"), where),
         stretch_range=read.stretch_range(entry.get("stretch_range"), where),
         density=density[0],
+        expansion=expansion[0],
+        expansion_source=expansion[1],
         diameter=_optional(entry, "diameter", "length", where),
         shore_hardness=read.text(content, "shore_hardness", library) if "shore_hardness" in content else "",
         software=entry.get("software"),

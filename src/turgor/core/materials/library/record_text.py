@@ -132,6 +132,8 @@ def _heading(record: Record) -> Iterator[str]:
         yield from supplier.doubts
     if record.strength is not None:
         yield from _strength_lines(record.strength)
+    if record.expansion is not None:
+        yield f"thermal expansion: {record.expansion * 1e6:.4g} ppm/K ({record.expansion_source})"
     if record.kind == "rubber":
         try:
             yield f"spread: {str(spread_of(record.library)).partition(': ')[2]}"

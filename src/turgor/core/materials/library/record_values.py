@@ -121,6 +121,15 @@ def density(values: Any, where: str) -> tuple[float | None, tuple[str, ...]]:
     return quantity(given["value"], "density", place), texts(given, "doubts", place)
 
 
+def expansion(values: Any, where: str) -> tuple[float | None, str]:
+    """Return a linear thermal expansion [1/K] and its source."""
+    if values is None:
+        return None, ""
+    place = f"{where}: expansion"
+    given = table(values, place, ("value", "source"), ("value", "source"))
+    return quantity(given["value"], "expansion", place), text(given, "source", place)
+
+
 def strength(values: Any, where: str) -> Strength | None:
     """Return what a material bears: each number in a table of its own with the source, or all with one source."""
     if values is None:

@@ -131,6 +131,7 @@ def material_of(record: Record) -> Material:
         law=law,
         bulk_modulus=record.bulk_modulus,
         density=record.density,
+        expansion=record.expansion,
         stretch_range=record.stretch_range,
         viscoelasticity=record.viscoelasticity,
         stress_softening=record.stress_softening,

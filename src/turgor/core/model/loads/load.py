@@ -242,6 +242,10 @@ class Load:
         """Return the stiffness over that of the law of a network that it adds to its body."""
         return 0.0
 
+    def of_materials(self, materials: Mapping[str, Any]) -> "Load":
+        """Return the load with what it takes from the materials of a model by default; most take nothing."""
+        return self
+
     def begun(self, displacement: Array) -> "Load":
         """Return the load of a stage that begins at a displacement (n, 3) [m]; most do not depend on it."""
         return self

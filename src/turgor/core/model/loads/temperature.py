@@ -1,7 +1,7 @@
 """Temperature: a body expands when it is warmed, and its stiffness may change."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from math import log1p
 from typing import TYPE_CHECKING, Any
@@ -33,8 +33,8 @@ class Temperature(Load):
         What it becomes; ``"60 °C"`` is understood, too.
     rest : float [K]
         Where the body has the shape of the mesh and the stiffness of its law; 20 °C by default.
-    expansion : float [1/K]
-        Linear thermal expansion; silicone rubbers have about 3e-4.
+    expansion : float, optional [1/K]
+        Linear thermal expansion; by default that of the material, which many of the library state.
     modulus : str or sequence of (float [K], float)
         ``"constant"``; ``"rubber"`` for a shear stiffness in proportion to the absolute temperature, as the entropy
         elasticity of a rubber network has it; or points (temperature, factor on the stiffness) with straight lines
@@ -54,7 +54,7 @@ class Temperature(Load):
     body: str
     temperature: float = field(metadata={"dimension": "temperature"})
     rest: float = field(default=ROOM, metadata={"dimension": "temperature"})
-    expansion: float = field(default=0.0, metadata={"dimension": "expansion"})
+    expansion: float | None = field(default=None, metadata={"dimension": "expansion"})
     modulus: str | Table = field(default="constant", metadata={"dimension": "temperature", "points": True})
     history: History = RAMP
 
@@ -64,7 +64,7 @@ class Temperature(Load):
     if TYPE_CHECKING:
 
         def __init__(
-            self, body: str, temperature: Quantity, rest: Quantity = ROOM, expansion: Quantity = 0.0,
+            self, body: str, temperature: Quantity, rest: Quantity = ROOM, expansion: Quantity | None = None,
             modulus: str | Sequence[Sequence[float | str]] = "constant", history: History = RAMP,
         ) -> None: ...  # fmt: skip
 
@@ -75,16 +75,41 @@ class Temperature(Load):
             object.__setattr__(self, key, value)
             if not value > 0:
                 raise TurgorError(f"{subject}: {key} is {value:g} K; it must be more than 0 K.")
-        object.__setattr__(self, "expansion", number(self.expansion, f"{subject}: expansion", "expansion"))
+        if self.expansion is not None:
+            object.__setattr__(self, "expansion", number(self.expansion, f"{subject}: expansion", "expansion"))
         object.__setattr__(self, "modulus", _modulus(self.modulus, f"{subject}: modulus"))
         object.__setattr__(self, "history", checked(self.history, subject))
-        strain = self.expansion * (self.temperature - self.rest)
+        strain = self._expansion * (self.temperature - self.rest)
         if not -0.5 <= strain <= 1:
             raise TurgorError(
-                f"{subject}: expansion is {self.expansion:g} 1/K, which makes a strain of {strain:.3g}; allowed is "
+                f"{subject}: expansion is {self._expansion:g} 1/K, which makes a strain of {strain:.3g}; allowed is "
                 "-0.5 to 1. Rubbers have 1e-4 to 4e-4 1/K."
             )
         self._check_range(subject)
+
+    def of_materials(self, materials: Mapping[str, Any]) -> Load:
+        """Return the temperature with the expansion of the body's material, where it states none itself.
+
+        Raises
+        ------
+        TurgorError
+            If neither states one, and nothing else changes with the temperature.
+        """
+        entry = materials.get(self.body)
+        material = getattr(entry, "material", entry)
+        if self.expansion is not None or material is None:
+            return self
+        if material.expansion is None and self.modulus == "constant":
+            raise TurgorError(
+                f"temperature of '{self.body}': its material '{material.name}' states no thermal expansion; state "
+                "expansion, such as 3e-4 1/K, here or in the material, or a modulus that changes."
+            )
+        return self if material.expansion is None else replace(self, expansion=material.expansion)
+
+    @property
+    def _expansion(self) -> float:
+        """The expansion, 0 as long as it is not known [1/K]."""
+        return self.expansion or 0.0
 
     def _check_range(self, subject: str) -> None:
         if isinstance(self.modulus, str):
@@ -114,11 +139,11 @@ class Temperature(Load):
     @property
     def growth(self) -> float | None:
         """The expansion; None where the stiffness changes, too."""
-        return self.expansion * (self.temperature - self.rest) if self.modulus == "constant" else None
+        return self._expansion * (self.temperature - self.rest) if self.modulus == "constant" else None
 
     def log_stretch(self, points: Array, load_factor: float) -> Array:
         """Return the same in all directions."""
-        return np.asarray(log1p(self.expansion * (self.at(load_factor) - self.rest)) * np.eye(3))
+        return np.asarray(log1p(self._expansion * (self.at(load_factor) - self.rest)) * np.eye(3))
 
     def stiffness(self, load_factor: float) -> float:
         """Return the stiffness at the temperature over that at rest."""

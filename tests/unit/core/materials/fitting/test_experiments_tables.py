@@ -197,3 +197,43 @@ def test_numbered_columns_of_other_modes_are_replicates(file):
     text = "stretch 1;nominal stress 1 (MPa);stretch 2;nominal stress 2 (MPa)\n1;0;1;0\n2;0,2;2;0,3\n"
     tests = read_tests(file(text))
     assert [test.nominal_stress[1] for test in tests] == pytest.approx([0.2e6, 0.3e6])
+
+
+GERMAN = (
+    '"Prüfer:";"M. Mustermann"\n"Einspannlänge";25,0;mm\n"Probenbreite b0";6,0;mm\n"Probendicke a0";2,0;mm\n'
+    '"Prüfgeschwindigkeit";500;mm/min\n\n"Probe";"Prüfzeit";"Standardweg";"Standardkraft"\n"";"s";"mm";"kN"\n'
+    "1;0,0;0,0;0,0\n1;0,1;12,5;0,0012\n1;0,2;25,0;0,0024\n\n2;0,0;0,0;0,0\n2;0,1;12,5;0,0013\n2;0,2;25,0;0,0026\n"
+)
+
+
+def test_a_german_file_of_force_and_way_in_kn_and_mm(file):
+    """Sizes with their unit in a cell of its own, decimal commas, units in a line of their own, two specimens."""
+    first, second = read_tests(file(GERMAN.encode("latin-1")))
+    assert first.stretch == pytest.approx([1.0, 1.5, 2.0])
+    assert first.nominal_stress == pytest.approx([0.0, 0.1e6, 0.2e6])
+    assert second.nominal_stress[-1] == pytest.approx(2.6 / 12e-6)
+    assert first.time == pytest.approx([0.0, 0.1, 0.2])
+    assert first.specimen == Specimen(length=25 * mm, area=12e-6)
+    with refused("2 specimens", "read_tests"):
+        read_test(file(GERMAN))
+
+
+@pytest.mark.parametrize(
+    ("words", "measure"), [("Nennspannung", 1.0), ("technische Spannung", 1.0), ("wahre Spannung", 2.0)]
+)
+def test_german_stresses_say_what_they_are(file, words, measure):
+    test = read_test(file(f"Dehnung (%);{words} (MPa);Breite (mm);Temperatur (°C)\n0;0;6;21\n100;0,2;6;21\n"))
+    assert test.nominal_stress[-1] == pytest.approx(0.2e6 / measure)
+
+
+def test_thousands_with_points_are_read(file):
+    text = "Dehnung (%);Nennspannung (kPa)\n0;0\n50;650,5\n100;1.234,5\n"
+    assert read_test(file(text)).nominal_stress == pytest.approx([0.0, 650.5e3, 1234.5e3])
+
+
+def test_a_strain_that_must_be_percent_and_a_second_table_are_named(file):
+    with refused("Strain", 200, "Strain (%)", "Strain (-)"):
+        read_test(file("Strain,nominal stress (MPa)\n0,0\n100,0.1\n200,0.2\n"))
+    block = '"Specimen","A"\n"Strain (-)","nominal stress (MPa)"\n0,0\n1,0.1\n'
+    with refused("line 5", "'Specimen'", "'specimen'"):
+        read_test(file(block + block.replace("A", "B")))

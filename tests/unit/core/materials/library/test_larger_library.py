@@ -152,3 +152,9 @@ def test_reinforcements_are_stiff_and_mostly_know_their_strength() -> None:
     for name, given in strong.items():
         law = recommended(name).build_law()
         assert given.tensile_strength < 0.2 * law.E, name
+
+
+def test_a_hardness_may_begin_with_shore_and_something_must_be_wanted() -> None:
+    assert [row.name for row, _ in choose(hardness="Shore 10 A")] == [row.name for row, _ in choose(hardness="10 A")]
+    with refused("modulus", "hardness", "'10 A'"):
+        choose()

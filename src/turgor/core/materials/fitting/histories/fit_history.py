@@ -14,7 +14,7 @@ from turgor.core.materials.fitting.settings import DETERMINATION, FIT, HISTORY_F
 from turgor.core.materials.history.softening import Mullins, softening
 from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.materials.laws.conventions import scaled_law
-from turgor.core.materials.laws.laws import Law
+from turgor.core.materials.laws.laws import FiberLaw, FoamLaw, Law
 from turgor.core.materials.material import Material
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.source import Source
@@ -88,7 +88,7 @@ def fit_history(
     Raises
     ------
     TurgorError
-        If nothing is to be fitted, or a test has no time or another mode.
+        If nothing is to be fitted, a test has no time or another mode, or the law is that of a foam or has directions.
 
     Examples
     --------
@@ -101,6 +101,7 @@ def fit_history(
     4.0
     """
     tests = [tests] if isinstance(tests, MaterialTest) else list(tests)
+    _check_relaxes(law)
     _check(tests, terms, stress_softening)
     search = _Search(terms, stress_softening, beta, rescale, HistoryPoints(law, tests, HISTORY_FIT.points))
     values = _values(search, _best(search))
@@ -112,6 +113,22 @@ def fit_history(
         largest_softening=_largest_softening(material.stress_softening, search.points.top * values["scale"]),
         quality=quality_of(material, tests),
     )
+
+
+def _check_relaxes(law: Any) -> None:
+    """Raise an error for a law that cannot relax or soften: the theory is that of the isochoric stress of a rubber."""
+    name = type(law).__name__
+    if isinstance(law, FiberLaw):
+        raise TurgorError(
+            f"{name} has directions, and relaxation and softening are fitted to isotropic rubbers only: a test does "
+            "not show which part of the stress of rubber and fibers relaxes. Fit it without, or fit the rubber alone."
+        )
+    if isinstance(law, FoamLaw):
+        raise TurgorError(
+            f"{name} is the law of a foam, and relaxation and softening are fitted to rubbers only: a pull does not "
+            "show whether the change of volume relaxes with the shape. Fit it without, or use the law of a rubber, "
+            "such as yeoh, where the foam keeps its volume."
+        )
 
 
 def _check(tests: Sequence[MaterialTest], terms: int, stress_softening: bool) -> None:
