@@ -59,7 +59,7 @@ class ReducedState(Shown):
                 other += its.forces() - part.forces()
         indicator = float(np.linalg.norm(inverse[:r, :r] @ other)) / reduced.size
         size = float(np.linalg.norm(result.y[:r])) / reduced.size
-        estimate = reduced.known.with_sampling(at.inputs * reduced.weights, size, indicator)
+        estimate = reduced.known.at(at.inputs * reduced.weights, size, indicator)
         return ReducedState(reduced, at.inputs[1:], result.y, rates, indicator, estimate, result.iterations + vain)
 
     def __repr__(self) -> str:
