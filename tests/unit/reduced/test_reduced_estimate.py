@@ -7,6 +7,7 @@ import pytest
 from reduced_cases import KEY, PRESSURE, other_path, reduced, reduced_of
 
 from refused import refused
+from turgor.reduced.settings import ESTIMATE
 from turgor.reduced.states.estimate import KnownErrors
 from turgor.reduced.training.compare import errors_of, known_errors
 
@@ -48,8 +49,10 @@ def test_ends_that_the_full_model_did_not_reach_are_flagged():
     stopped = replace(other_path(), reached=False, inputs=other_path().inputs * np.array([0.5, 1.0]))
     known = known_errors(reduced(), [stopped])
     assert known.places[-1] == pytest.approx([0.0, 2 * 0.97])
+    assert known.indicators[-1] == known.indicators[:-1].max()
+    assert known.at(known.places[-1], 1.0, known.indicators[-1]) > 0.3
     usual = float(np.median(known.indicators))
-    assert known.at(known.places[-1], 1.0, usual) > 0.3
+    assert known.at(known.places[-1], 1.0, usual) * ESTIMATE.factor > ESTIMATE.doubt
 
 
 def test_inputs_far_outside_are_refused():

@@ -68,7 +68,8 @@ def force_error(answer: ReducedState, full: Array) -> float:
 def known_errors(reduced: Reduced, paths: Sequence[Path]) -> KnownErrors:
     """Errors of a reduced model at states of full solves, some of them where there are many.
 
-    Where the reduced model finds nothing, and at the ends that the full model did not reach, the error counts as 1.
+    Where the reduced model finds nothing, and at the ends that the full model did not reach, the error counts as 1,
+    with the largest indicator of the others: the body is at least as soft there.
 
     Parameters
     ----------
@@ -95,12 +96,12 @@ def known_errors(reduced: Reduced, paths: Sequence[Path]) -> KnownErrors:
     ends = [aim_of(reduced.inputs, path) for path in paths if not path.reached]
     ones, unknown = np.ones(len(ends)), np.full(len(ends), np.nan)
     known = np.concatenate([indicators, unknown])
-    usual = float(np.median(known[np.isfinite(known)])) if np.isfinite(known).any() else ESTIMATE.smallest
+    largest = float(known[np.isfinite(known)].max(initial=ESTIMATE.smallest))
     return KnownErrors(
         places=np.array([*places, *ends]) * reduced.weights,
         errors=np.concatenate([errors, ones]),
         sizes=np.concatenate([sizes, ones]),
-        indicators=np.nan_to_num(known, nan=usual),
+        indicators=np.nan_to_num(known, nan=largest),
     )
 
 
