@@ -189,8 +189,8 @@ class EstimateSettings:
     noise : float
         Part of the logarithm of the errors that does not depend on the inputs.
     deviations : float
-        Standard deviations that are added: 0.5 makes the median of estimate over error 1.0 there; 0 gives 0.8, and 1
-        gives 1.2.
+        Standard deviations that are added. With 0.5, 0.75 and 1, at 211 states of 16 paths of an arm with nine inputs,
+        90, 94 and 96 % of estimates were within 0.3 to 3 times the error; with three inputs all of 32 states.
     rest : float
         Size of the answer, over the largest, below which the error no longer falls in proportion.
     smallest : float
@@ -204,23 +204,23 @@ class EstimateSettings:
     doubt : float
         Error that an answer may not have without a flag.
     sampling : float
-        Share of the sampling's indicator in the estimate where it exceeds the known errors, as a power. On 209 states
-        of the demo finger 95, 98 and 99 % of estimates were within 0.3 to 3 times the error with a half, a third and
-        none of it; without it nothing tells of errors between known states.
+        Share of the sampling's indicator in the yardstick of the errors, as a power; the size of the answer has the
+        rest. At the same states of the arm it was 83, 91, 96 and 96 % with none, a half, three quarters and all of it,
+        and with three inputs 88, 94, 100 and 100 %. With all of it errors above 2 % came without a flag.
     away : float
         In motion, share of the distance to the nearest training state, over the largest size, that counts as an error.
     """
 
     length: float = 0.5
     noise: float = 0.1
-    deviations: float = 0.5
+    deviations: float = 1.0
     rest: float = 0.1
     smallest: float = 1e-8
     spread: float = 0.1
     most: int = 400
     factor: float = 3.0
     doubt: float = 0.02
-    sampling: float = 1 / 3
+    sampling: float = 0.75
     away: float = 0.3
 
 

@@ -7,6 +7,7 @@ import pytest
 from reduced_cases import KEY, PRESSURE, other_path, reduced, reduced_of
 
 from refused import refused
+from turgor.reduced.settings import ESTIMATE
 from turgor.reduced.states.estimate import KnownErrors
 from turgor.reduced.training.compare import errors_of, known_errors
 
@@ -33,18 +34,25 @@ def test_answers_of_a_good_model_have_small_estimates():
 
 
 def test_estimate_is_known_where_the_error_is_and_grows_between():
-    known = KnownErrors(places=np.array([[0.0, 0.0], [0.0, 1.0]]), errors=np.array([1e-3, 1e-3]), sizes=np.ones(2))
-    near, between = (known.at(np.array([0.0, x]), 1.0) for x in (0.0, 0.5))
+    known = KnownErrors(places=np.array([[0.0, 0.0], [0.0, 1.0]]), errors=np.array([1e-3, 1e-3]), sizes=np.ones(2),
+                        indicators=np.full(2, 1e-4))  # fmt: skip
+    near, between = (known.at(np.array([0.0, x]), 1.0, 1e-4) for x in (0.0, 0.5))
     assert near == pytest.approx(1e-3, rel=0.05)
     assert between > 1.01 * near
-    assert known.at(np.array([0.0, 0.0]), 0.0) < 0.2 * near  # of a small answer
+    small, soft = known.at(np.array([0.0, 0.0]), 0.0, 1e-5), known.at(np.array([0.0, 0.0]), 1.0, 1e-3)
+    assert small < 0.2 * near  # of a small answer
+    assert soft > 4 * near  # where other points move the answer by more
+    assert KnownErrors().at(np.array([0.0, 0.0]), 1.0, 1e-4) == 1e-4
 
 
 def test_ends_that_the_full_model_did_not_reach_are_flagged():
     stopped = replace(other_path(), reached=False, inputs=other_path().inputs * np.array([0.5, 1.0]))
     known = known_errors(reduced(), [stopped])
     assert known.places[-1] == pytest.approx([0.0, 2 * 0.97])
-    assert known.at(known.places[-1], 1.0) > 0.3
+    assert known.indicators[-1] == known.indicators[:-1].max()
+    assert known.at(known.places[-1], 1.0, known.indicators[-1]) > 0.3
+    usual = float(np.median(known.indicators))
+    assert known.at(known.places[-1], 1.0, usual) * ESTIMATE.factor > ESTIMATE.doubt
 
 
 def test_inputs_far_outside_are_refused():

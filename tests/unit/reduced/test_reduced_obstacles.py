@@ -164,7 +164,8 @@ def test_every_other_path_of_the_training_presses(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr("turgor.reduced.reduce.random_shares", lambda *_: shares)
     box = made.inputs
     aims = np.column_stack([np.ones(2), box.low + shares * (box.high - box.low)])
-    known = KnownErrors(places=aims * made.weights, errors=np.array([0.1, 1e-4]), sizes=np.ones(2))
+    known = KnownErrors(places=aims * made.weights, errors=np.array([0.1, 1e-4]), sizes=np.ones(2),
+                        indicators=np.array([made.at(aim[1:]).indicator for aim in aims]))  # fmt: skip
     training = Training(model, model_variation(model, list(box.keys), inputs=True).model, box, Budget(),
                         EngineOptions(threads=1), None, print)  # fmt: skip
     answers = [replace(made, known=known).at(aim[1:]) for aim in aims]

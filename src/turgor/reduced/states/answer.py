@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from turgor.foundation.display import Shown
 from turgor.reduced.parts.obstacles import ObstructingAt
-from turgor.reduced.settings import ESTIMATE
+from turgor.reduced.settings import ESTIMATE, NEWTON
+from turgor.reduced.states.equations import unstable_modes
 from turgor.reduced.states.newton import Balance
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ class ReducedState(Shown):
                 other += its.forces() - part.forces()
         indicator = float(np.linalg.norm(inverse[:r, :r] @ other)) / reduced.size
         size = float(np.linalg.norm(result.y[:r])) / reduced.size
-        estimate = reduced.known.with_sampling(at.inputs * reduced.weights, size, indicator)
+        estimate = reduced.known.at(at.inputs * reduced.weights, size, indicator)
         return ReducedState(reduced, at.inputs[1:], result.y, rates, indicator, estimate, result.iterations + vain)
 
     def __repr__(self) -> str:
@@ -73,8 +74,20 @@ class ReducedState(Shown):
 
     @property
     def doubtful(self) -> bool:
-        """Whether the error of the displacement may be more than two percent of the largest displacement."""
-        return self.estimate * ESTIMATE.factor > ESTIMATE.doubt
+        """Whether the error of the displacement may be more than two percent of the largest one, or it is unstable."""
+        return self.estimate * ESTIMATE.factor > ESTIMATE.doubt or self.unstable_modes > 0
+
+    @property
+    def unstable_modes(self) -> int:
+        """Directions in which a small push takes the body to another equilibrium; one evaluation of the equations.
+
+        A body that is about to buckle may be stable where its reduced model is not, because modes are few. States of a
+        motion or of rubber that relaxes are no equilibria of these equations, and count as stable.
+        """
+        at = self.reduced.equations.at(self.y, np.concatenate([[1.0], self.inputs]))
+        tangent = at.tangent()
+        off = np.linalg.norm(np.linalg.solve(tangent, at.residual)[: len(self.q)])
+        return unstable_modes(tangent, len(self.q)) if off <= NEWTON.near * self.reduced.size else 0
 
     @property
     def q(self) -> Array:

@@ -154,3 +154,17 @@ class EquationsAt:
     def obstacles(self) -> tuple[ObstructingAt, ...]:
         """What the obstacles do."""
         return tuple(part for part in self.parts if isinstance(part, ObstructingAt))
+
+
+def unstable_modes(tangent: Array, r: int) -> int:
+    """Directions in which the energy falls and that the constraints allow, of a tangent (r + m, r + m).
+
+    Examples
+    --------
+    >>> unstable_modes(np.diag([2.0, -1.0]), 2)
+    1
+    >>> unstable_modes(np.array([[2.0, 0.0, 0.0], [0.0, -1.0, 1.0], [0.0, 1.0, 0.0]]), 2)  # fixed by a constraint
+    0
+    """
+    values = np.linalg.eigvalsh(0.5 * (tangent + tangent.T))
+    return max(0, int((values < 0).sum()) - (len(tangent) - r))

@@ -248,7 +248,7 @@ class Run:
         away = np.linalg.norm(self.reduced.trained[:, : len(answer.q)] - answer.q, axis=1) / self.reduced.size
         near = int(away.argmin())
         place = self.reduced.trained_inputs[near] * self.reduced.weights
-        known = self.reduced.known.at(place, float(np.linalg.norm(answer.q)) / self.reduced.size)
+        known = self.reduced.known.at(place, float(np.linalg.norm(answer.q)) / self.reduced.size, answer.indicator)
         return replace(answer, estimate=max(known, answer.indicator, ESTIMATE.away * float(away[near])))
 
 

@@ -68,7 +68,8 @@ def force_error(answer: ReducedState, full: Array) -> float:
 def known_errors(reduced: Reduced, paths: Sequence[Path]) -> KnownErrors:
     """Errors of a reduced model at states of full solves, some of them where there are many.
 
-    Where the reduced model finds nothing, and at the ends that the full model did not reach, the error counts as 1.
+    Where the reduced model finds nothing, and at the ends that the full model did not reach, the error counts as 1,
+    with the largest indicator of the others: the body is at least as soft there.
 
     Parameters
     ----------
@@ -81,19 +82,27 @@ def known_errors(reduced: Reduced, paths: Sequence[Path]) -> KnownErrors:
     places: list[Array] = []
     errors: list[float] = []
     sizes: list[float] = []
+    indicators: list[float] = []
     for path, place in (every[each] for each in thinned):
         aim = path.inputs[place]
         try:
             answer = reduced.under(aim)
             error = errors_of(answer, path.displacements[place])[0]
-            size = float(np.linalg.norm(answer.y[:r])) / reduced.size
+            size, indicator = float(np.linalg.norm(answer.y[:r])) / reduced.size, answer.indicator
         except NotSolved:
-            error, size = 1.0, 1.0
-        places, errors, sizes = [*places, aim], [*errors, error], [*sizes, size]
-    for path in paths:
-        if not path.reached:
-            places, errors, sizes = [*places, aim_of(reduced.inputs, path)], [*errors, 1.0], [*sizes, 1.0]
-    return KnownErrors(places=np.array(places) * reduced.weights, errors=np.array(errors), sizes=np.array(sizes))
+            error, size, indicator = 1.0, 1.0, np.nan
+        places, errors = [*places, aim], [*errors, error]
+        sizes, indicators = [*sizes, size], [*indicators, indicator]
+    ends = [aim_of(reduced.inputs, path) for path in paths if not path.reached]
+    ones, unknown = np.ones(len(ends)), np.full(len(ends), np.nan)
+    known = np.concatenate([indicators, unknown])
+    largest = float(known[np.isfinite(known)].max(initial=ESTIMATE.smallest))
+    return KnownErrors(
+        places=np.array([*places, *ends]) * reduced.weights,
+        errors=np.concatenate([errors, ones]),
+        sizes=np.concatenate([sizes, ones]),
+        indicators=np.nan_to_num(known, nan=largest),
+    )
 
 
 def aim_of(box: Inputs, path: Path) -> Array:
