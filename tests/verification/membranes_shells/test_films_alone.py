@@ -1,8 +1,10 @@
 """Films without a solid: the mesh has no cells, the films are the whole body, flat at rest, and bear tension only.
 
-Airbag: a square of 840 mm, E = 588 MPa, ν = 0.4, thickness 0.6 mm, 5 kPa, a case of wrinkled membranes since Contri and
-Schrefler 1988. Published results with wrinkling: its center rises by 217 mm. Tolerance: 2 %; 6
-and 12 sides along a half give 213.1 and 213.7 mm.
+Airbag: a square with a diagonal of 1.2 m, E = 588 MPa, ν = 0.4, thickness 0.6 mm, 5 kPa, a case of wrinkled membranes
+since Contri and Schrefler 1988. Published results with wrinkling: its center rises by 217 mm. 6, 9, 12 and 18 sides
+along a half give 215.3, 215.8, 215.9 and 216.0 mm, 12 sides with a third of the toe and of the share in compression
+216.0 mm. Tolerance: 1 %, twice the distance between the converged and the published number. (A square of 840 mm, as
+which the case is passed on at times, is 1 % smaller and so is its rise, 213.7 mm.)
 
 Mylar balloon: two discs of radius a of a film that does not stretch. Its radius r is a over K = ∫₀¹ dt/√(1 − t⁴), its
 height 2 r ∫₀¹ t² dt/√(1 − t⁴), its volume ⅔ π a r², exact (Kovalchuk, Pulov and Mladenov 2023, doi
@@ -46,9 +48,9 @@ def _square(half, cells):
     return _meshed([_patch(corners, ("symmetry_x", "symmetry_z", "symmetry_z", "symmetry_y"))], half / cells)
 
 
-@pytest.mark.parametrize(("cells", "tolerance"), [(6, 0.02), pytest.param(12, 0.02, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("cells", "tolerance"), [(6, 0.01), pytest.param(12, 0.01, marks=pytest.mark.slow)])
 def test_airbag(cells, tolerance, record_verification):
-    mesh = _square(420 * mm, cells)
+    mesh = _square(600 * mm / np.sqrt(2), cells)
     state = _inflated(mesh, _film(588 * MPa, 0.4, 0.6 * mm), 5 * kPa)
     got = float(state.displacement[node_at(mesh, (0, 0, 0)), 2])
     record_verification(

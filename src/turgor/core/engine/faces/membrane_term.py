@@ -13,7 +13,7 @@ from turgor.core.engine.faces.tension_field import TensionField, tension_field
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.core.meshing.cells import QUADRILATERAL
 from turgor.core.model.model import Model
-from turgor.core.model.sheets import Shell
+from turgor.core.model.sheets import Membrane, Shell
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -200,10 +200,9 @@ def largest_tension(model: Model, name: str, displacement: Array) -> tuple[Array
 
 def _alone(model: Model, name: str) -> MembraneTerm:
     """Make the term of one sheet, in SI units."""
-    sheet = model.membranes[name]
-    only = replace(model, materials={**model.region_materials, name: sheet})
     at_rest = np.zeros(model.mesh.points.shape, dtype=bool)
-    return membrane_terms(Setting(only, model.mesh.points, at_rest, np.empty((0, 0)), 1.0, 1.0))[0]
+    terms = membrane_terms(Setting(model, model.mesh.points, at_rest, np.empty((0, 0)), 1.0, 1.0))
+    return terms[list(model.membranes).index(name)]
 
 
 def _circle(tensor: Array) -> tuple[Array, Array]:
@@ -229,7 +228,8 @@ def bending_energy(model: Model, name: str, displacement: Array) -> float:
     """
     mesh, sheet = model.mesh, model.membranes[name]
     shell, moved = Shell(sheet.material, sheet.thickness, warp=sheet.warp), mesh.points + displacement
-    alone = replace(model, materials={**model.region_materials, name: shell})
+    others = {face: Membrane(each.material, each.thickness, warp=each.warp) for face, each in model.membranes.items()}
+    alone = replace(model, materials={**model.region_materials, **others, name: shell})
     setting = Setting(alone, mesh.points, np.zeros(mesh.points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)
     return sum(term.energy(moved) for term in plate_terms(setting))
 
