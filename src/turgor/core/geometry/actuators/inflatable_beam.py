@@ -34,7 +34,9 @@ class InflatableBeam:
     length : float [m]
         Length from the clamped rim to the end plate; 1 mm to 20 m.
     radius : float [m]
-        Radius of the film of the tube without pressure; 0.5 mm to 2 m.
+        Radius of the tube at the clamp, without pressure; 0.5 mm to 2 m.
+    tip_radius : float [m]
+        That at the end plate, for a cone; 0 for the same radius.
 
     Raises
     ------
@@ -52,21 +54,25 @@ class InflatableBeam:
 
     length: float = 500 * mm
     radius: float = 50 * mm
+    tip_radius: float = 0.0
 
     def __post_init__(self) -> None:
         check_fields(self)
         check_length("length", self.length, low=1 * mm, high=20 * m)
         check_length("radius", self.radius, low=0.5 * mm, high=2 * m)
+        if self.tip_radius:
+            check_length("tip_radius", self.tip_radius, low=0.5 * mm, high=2 * m)
 
     @property
     def smallest_wall(self) -> float:
-        """Radius of the tube [m], the smallest length that cells should follow."""
-        return self.radius
+        """Smaller radius [m], the smallest length that cells should follow."""
+        return min(self.radius, self._end)
 
     @property
     def cavity_volumes(self) -> Mapping[str, float]:
         """Volume of the modeled half of the tube [m³], without pressure."""
-        return MappingProxyType({"cavity": pi * self.radius**2 * self.length / 2})
+        a, b = self.radius, self._end
+        return MappingProxyType({"cavity": pi * (a**2 + a * b + b**2) / 3 * self.length / 2})
 
     @property
     def solid_volume(self) -> float:
@@ -92,9 +98,15 @@ class InflatableBeam:
             shape=FilmShape(patches=(*self._tube(), *self._plate())),
         )
 
+    @property
+    def _end(self) -> float:
+        """Radius at the end plate [m]."""
+        return self.tip_radius or self.radius
+
     def _at(self, x: float, y: float, z: float) -> Point:
-        """A point at a place along the axis, and at shares of the radius across it."""
-        return (x, y * self.radius, z * self.radius)
+        """A point at a place along the axis, 0 or its length, and at shares of the radius there."""
+        radius = self._end if x else self.radius
+        return (x, y * radius, z * radius)
 
     def _tube(self) -> list[Patch]:
         """Eighths of the tube from the top to the bottom, seen from inside."""

@@ -72,7 +72,10 @@ def film_mesh(geometry: Geometry, size: float) -> Mesh:
     shape = geometry.shape
     assert isinstance(shape, FilmShape)
     counts = _counts(shape.patches, size)
-    grids = [_Grid(patch, _points(patch, *count)) for patch, count in zip(shape.patches, counts, strict=True)]
+    grids = [
+        _Grid(patch, patch.grid(*(2 * cells for cells in count)))
+        for patch, count in zip(shape.patches, counts, strict=True)
+    ]
     points = np.concatenate([grid.points.reshape(-1, 3) for grid in grids])
     tolerance = ROUND_OFF.mesh_digits * geometry.extent
     _, first, joined = np.unique((points / tolerance).round(), axis=0, return_index=True, return_inverse=True)
@@ -119,27 +122,5 @@ def _ends(patch: Patch, edge: int) -> frozenset[tuple[float, ...]]:
 
 
 def _length(patch: Patch, edge: int) -> float:
-    line = _line(patch, edge, np.linspace(0, 1, 21))
+    line = patch.line(edge, np.linspace(0, 1, 21))
     return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
-
-
-def _line(patch: Patch, edge: int, share: Array) -> Array:
-    """Points (k, 3) of an edge at shares of its length (k,), from its first corner on."""
-    start, end, center = np.array(patch.corners[edge]), np.array(patch.corners[(edge + 1) % 4]), patch.arcs[edge]
-    s = share[:, None]
-    if center is None:
-        return np.asarray((1 - s) * start + s * end)
-    a, b = start - np.array(center), end - np.array(center)
-    angle = np.arccos(np.clip(a @ b / (np.linalg.norm(a) * np.linalg.norm(b)), -1, 1))
-    return np.asarray(center + (np.sin((1 - s) * angle) * a + np.sin(s * angle) * b) / np.sin(angle))
-
-
-def _points(patch: Patch, along: int, across: int) -> Array:
-    """Nodes (2 m + 1, 2 n + 1, 3) of a patch: Coons' interpolation between its edges."""
-    s, t = np.linspace(0, 1, 2 * along + 1), np.linspace(0, 1, 2 * across + 1)
-    shares = (s, t, 1 - s, 1 - t)  # the third and the fourth edge run backwards
-    low, right, high, left = (_line(patch, k, share) for k, share in enumerate(shares))
-    a, b, c, d = (np.array(corner) for corner in patch.corners)
-    S, T = s[None, :, None], t[:, None, None]
-    ruled = (1 - T) * low[None] + T * high[None] + (1 - S) * left[:, None] + S * right[:, None]
-    return np.asarray(ruled - ((1 - S) * (1 - T) * a + S * (1 - T) * b + S * T * c + (1 - S) * T * d))
