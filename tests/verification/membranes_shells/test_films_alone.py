@@ -13,6 +13,10 @@ height 2 r ∫₀¹ t² dt/√(1 − t⁴), its volume ⅔ π a r², exact (Kova
 Pouch motor: a strip between mirror planes, whose ends approach to the length l sin θ / θ. Exact for a film that does
 not stretch (Niiyama et al. 2015, Soft Robotics 2, 59): two arcs of the half angle θ that pull with p l w cos θ / θ and
 enclose l² w (θ − sin θ cos θ) / (2 θ²). Tolerance: 1 % of the force at θ = 0, of the stretch and the toe.
+
+Tube between plates: a strip without stretch, inflated below a plate at the height H, keeps its length b + π H: it lies
+flat on the plate over b and is round at both ends, half of a tube between plates, which it pushes apart with p b w.
+Tolerance: 0.5 % of the force and 1 % of the area, which is counted by points.
 """
 
 import numpy as np
@@ -132,3 +136,30 @@ def test_pouch_motor(record_verification):
     )
     assert got[0] == pytest.approx(expected[0], abs=0.01 * scale)
     assert got[1] == pytest.approx(expected[1], rel=0.01)
+
+
+def test_tube_pushes_plates_apart(record_verification):
+    pressure, height = 2 * kPa, 8 * mm
+    corners = ((0, 0), (0, WIDTH), (LENGTH, WIDTH), (LENGTH, 0))
+    mesh = _meshed([_patch(corners, ("left", "side", "symmetry_z", "symmetry_y"))], LENGTH / 20)
+    supports = [tg.Fixed("side", "y"), tg.Fixed("left", "xz")]
+    plane = tg.obstacles.Plane(point=(0, 0, height), normal=(0, 0, -1))
+    contact = tg.Contact(obstacles=[tg.obstacles.Obstacle(name="plate", shape=plane)])
+    film = {"cavity": _film(4 * GPa, 0.3, 50e-6)}
+    state = problems.solve(tg.Model(mesh, film, supports, [tg.Pressure("cavity", pressure)], contact=contact)).states[
+        -1
+    ]
+    flat, touch = LENGTH - np.pi * height, state.touches["plate"]
+    expected = [pressure * flat * WIDTH, flat * WIDTH * 1e6]
+    got = [-float(touch.force[:, 2].sum()), touch.area * 1e6]
+    record_verification(
+        claim="tube of film between plates: force [N], contact area [mm²]",
+        source="exact for a film without stretch",
+        expected=expected,
+        got=got,
+        tolerance="0.5 % and 1 %",
+    )
+    assert got[0] == pytest.approx(expected[0], rel=0.005)
+    assert got[1] == pytest.approx(expected[1], rel=0.01)
+    far = state.displacement[mesh.face_nodes("symmetry_z"), 0] + LENGTH
+    assert far == pytest.approx(flat + 2 * height, rel=0.003)

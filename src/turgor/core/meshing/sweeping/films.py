@@ -12,6 +12,7 @@ from turgor.core.geometry.shapes.film_shape import FilmShape, Patch
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.core.meshing.mesh import Mesh
+from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
@@ -88,6 +89,7 @@ def film_mesh(geometry: Geometry, size: float) -> Mesh:
         for name, sides in grid.edges(numbers):
             named.setdefault(name, []).append(sides)
     faces = {name: np.concatenate(named[name]) for name in geometry.faces}
+    _check_apart(shape, [joined.ravel()[start + grid.numbers] for grid, start in zip(grids, starts, strict=False)])
     corners = np.unique(np.concatenate([sides[:, :4] for sides in faces.values()]))
     order = np.concatenate([corners, np.setdiff1d(np.arange(len(first)), corners)])
     number = np.empty(len(order), dtype=np.int64)
@@ -99,6 +101,18 @@ def film_mesh(geometry: Geometry, size: float) -> Mesh:
         faces={name: number[sides] for name, sides in faces.items()},
         name=geometry.name,
     )
+
+
+def _check_apart(shape: FilmShape, numbers: Sequence[Ints]) -> None:
+    """Refuse patches that lie on each other: their nodes would be one."""
+    known: dict[frozenset[int], int] = {}
+    for place, each in enumerate(numbers):
+        other = known.setdefault(frozenset(each.ravel().tolist()), place)
+        if other != place:
+            raise TurgorError(
+                f"patches {other + 1} and {place + 1} ('{shape.patches[place].name}') of the film lie on each other, "
+                "and would be one film; give one of them edges with arcs, or model one film above a mirror plane."
+            )
 
 
 def _counts(patches: Sequence[Patch], size: float) -> list[tuple[int, int]]:

@@ -46,7 +46,7 @@ class Compression:
         A membrane on a soft solid wrinkles, in the shortest waves that the mesh has, where the force per width exceeds
         2 μ / k: the stiffness of a half space against waves of the number k = π over an edge.
         """
-        force, area = least_tension(state.model, name, state.displacement)
+        force, area = least_tension(state.model, name, state.displacement, state.load_factor)
         edge = float(np.sqrt(area.sum() / len(area)))
         return cls(force=force.ravel(), area=area.ravel(), wrinkling_force=2 * softest(state.model) * edge / np.pi)
 
