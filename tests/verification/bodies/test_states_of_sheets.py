@@ -112,3 +112,12 @@ def test_what_sheets_cannot_have_is_refused():
         _film([PreStretch("film", 1.3)])
     with refused("shrinkage", "'left' is a face without a sheet", "film"):
         _film([Shrinkage("left", 0.01)])
+
+
+def test_inp_files_refuse_states_of_sheets(tmp_path):
+    mesh = meshes.box((10 * mm, 10 * mm, 2 * mm), (1, 1, 1), kind=HEXAHEDRON)
+    sheet = tg.Membrane(tg.Material(name="film", law=tg.laws.Hooke(E=30 * MPa, nu=0.0)), 0.02 * mm)
+    rubber = problems.rubber(problems.NEO_HOOKE, 1 * GPa)
+    model = tg.Model(mesh, {"body": rubber, "z1": sheet}, ["x0"], [Shrinkage("z1", 0.01)])
+    with refused("Shrinkage", "state of a sheet", ".inp"):
+        tg.files.write_inp(model, tmp_path / "strip.inp")

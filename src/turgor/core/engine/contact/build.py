@@ -168,7 +168,9 @@ def _films_with_themselves(model: Model, surface: Surface, points: Array) -> lis
 
     One film does not meet another one: both sides of a film may be met, and what is near a film may be on either.
     """
-    mesh, parts = model.mesh, []
+    mesh = model.mesh
+    parts: list[PairPart | ShapePart] = []
+    assert surface.outward is not None
     for cavity in pressed_together(model) if model.contact.automatic else mesh.cavities:
         inner = surface.chosen(of_face(mesh, surface, cavity) & ~surface.outward)
         parts += [part for name in mesh.symmetry_faces for part in _mirror(mesh, name, inner, points)]

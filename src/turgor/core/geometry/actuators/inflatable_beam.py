@@ -1,6 +1,6 @@
 """Inflatable beam: a tube of film that pressure makes stiff."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import pi, sqrt
@@ -125,24 +125,27 @@ class InflatableBeam:
     def _plate(self) -> list[Patch]:
         """The end plate, seen from inside: a square of film and two pieces around it in each quarter."""
         a, b, c = _ON_AXIS, _ON_DIAGONAL, _ON_RIM
-        upper = (
-            (((0, 0), (0, a), (b, b), (a, 0)), 0, None),
-            (((a, 0), (b, b), (c, c), (1, 0)), None, 2),
-            (((0, a), (0, 1), (c, c), (b, b)), 0, 1),
+        square, side, top = (
+            ((0.0, 0.0), (0.0, a), (b, b), (a, 0.0)),
+            ((a, 0.0), (b, b), (c, c), (1.0, 0.0)),
+            ((0.0, a), (0.0, 1.0), (c, c), (b, b)),
         )
-        center, pieces = (self.length, 0.0, 0.0), []
-        for corners, cut, rim in upper:
-            names = tuple("symmetry_y" if k == cut else "" for k in range(4))
-            arcs = tuple(center if k == rim else None for k in range(4))
-            pieces.append((corners, names, arcs))
-            below = tuple((y, -z) for y, z in corners)
-            pieces.append((below[::-1], (*names[2::-1], names[3]), (*arcs[2::-1], arcs[3])))
         return [
-            Patch(
-                corners=tuple(self._at(self.length, *corner) for corner in corners),  # type: ignore[arg-type]
-                faces=("tip", "cavity"),
-                edges=names,  # type: ignore[arg-type]
-                arcs=arcs,  # type: ignore[arg-type]
+            piece
+            for sign in (1.0, -1.0)
+            for piece in (
+                self._on_plate(square, sign, cut=0, rim=None),
+                self._on_plate(side, sign, cut=None, rim=2),
+                self._on_plate(top, sign, cut=0, rim=1),
             )
-            for corners, names, arcs in pieces
         ]
+
+    def _on_plate(self, corners: Sequence[tuple[float, float]], sign: float, cut: int | None, rim: int | None) -> Patch:
+        """A piece of the upper half of the plate or its image below; its edges on the mirror plane and on the rim."""
+        names = ["symmetry_y" if k == cut else "" for k in range(4)]
+        arcs = [(self.length, 0.0, 0.0) if k == rim else None for k in range(4)]
+        places = [self._at(self.length, y, sign * z) for y, z in corners]
+        if sign < 0:  # the image runs around the other way
+            places, names, arcs = places[::-1], [*names[2::-1], names[3]], [*arcs[2::-1], arcs[3]]
+        (p, q, r, s), (n0, n1, n2, n3), (c0, c1, c2, c3) = places, names, arcs
+        return Patch(corners=(p, q, r, s), faces=("tip", "cavity"), edges=(n0, n1, n2, n3), arcs=(c0, c1, c2, c3))
