@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.faces import membranes
 from turgor.core.engine.faces.plate_edges import plate_terms
 from turgor.core.engine.faces.settings import FILM
-from turgor.core.engine.faces.sheet_moduli import sheet_moduli
-from turgor.core.engine.faces.sheet_states import free_stress, has_state
+from turgor.core.engine.faces.sheet_moduli import free_stress, has_state, sheet_moduli
 from turgor.core.engine.faces.tension_field import TensionField, tension_field
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.core.meshing.cells import QUADRILATERAL

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.faces import membranes
 from turgor.core.engine.faces.membrane_term import film_frames, moduli_of
-from turgor.core.engine.faces.sheet_states import free_stress, has_state
+from turgor.core.engine.faces.sheet_moduli import free_stress, has_state
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.core.model.model import Model
 
