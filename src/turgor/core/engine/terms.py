@@ -11,7 +11,7 @@ from turgor.core.engine.faces.dead_loads import dead_terms
 from turgor.core.engine.faces.membrane_term import membrane_terms
 from turgor.core.engine.faces.plate_edges import plate_terms
 from turgor.core.engine.faces.pressure_term import PressureTerm, pressure_terms
-from turgor.core.engine.faces.sheet_state_term import sheet_state_terms
+from turgor.core.engine.faces.states.sheet_state_term import sheet_state_terms
 from turgor.core.engine.faces.thrust_term import ThrustTerm, thrust_terms
 from turgor.core.engine.fibers.fiber_term import fiber_terms
 from turgor.core.engine.points.average_term import average_terms
