@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     )
     from turgor.core.geometry.actuators.free_bottom_pneunet import FreeBottomPneuNet as FreeBottomPneuNet
     from turgor.core.geometry.actuators.helical_pneunet import HelicalPneuNet as HelicalPneuNet
+    from turgor.core.geometry.actuators.inflatable_beam import InflatableBeam as InflatableBeam
     from turgor.core.geometry.actuators.manta_fin import MantaFin as MantaFin
     from turgor.core.geometry.actuators.omnidirectional_actuator import (
         OmnidirectionalActuator as OmnidirectionalActuator,

@@ -1,8 +1,10 @@
 """Films without a solid: the mesh has no cells, the films are the whole body, flat at rest, and bear tension only.
 
-Airbag: a square of 840 mm, E = 588 MPa, ν = 0.4, thickness 0.6 mm, 5 kPa, a case of wrinkled membranes since Contri and
-Schrefler 1988. Published results with wrinkling: its center rises by 217 mm. Tolerance: 2 %; 6
-and 12 sides along a half give 213.1 and 213.7 mm.
+Airbag: a square with a diagonal of 1.2 m, E = 588 MPa, ν = 0.4, thickness 0.6 mm, 5 kPa, a case of wrinkled membranes
+since Contri and Schrefler 1988. Published results with wrinkling: its center rises by 217 mm. 6, 9, 12 and 18 sides
+along a half give 215.3, 215.8, 215.9 and 216.0 mm, 12 sides with a third of the toe and of the share in compression
+216.0 mm. Tolerance: 1 %, twice the distance between the converged and the published number. (A square of 840 mm, as
+which the case is passed on at times, is 1 % smaller and so is its rise, 213.7 mm.)
 
 Mylar balloon: two discs of radius a of a film that does not stretch. Its radius r is a over K = ∫₀¹ dt/√(1 − t⁴), its
 height 2 r ∫₀¹ t² dt/√(1 − t⁴), its volume ⅔ π a r², exact (Kovalchuk, Pulov and Mladenov 2023, doi
@@ -11,6 +13,10 @@ height 2 r ∫₀¹ t² dt/√(1 − t⁴), its volume ⅔ π a r², exact (Kova
 Pouch motor: a strip between mirror planes, whose ends approach to the length l sin θ / θ. Exact for a film that does
 not stretch (Niiyama et al. 2015, Soft Robotics 2, 59): two arcs of the half angle θ that pull with p l w cos θ / θ and
 enclose l² w (θ − sin θ cos θ) / (2 θ²). Tolerance: 1 % of the force at θ = 0, of the stretch and the toe.
+
+Tube between plates: a strip without stretch, inflated below a plate at the height H, keeps its length b + π H: it lies
+flat on the plate over b and is round at both ends, half of a tube between plates, which it pushes apart with p b w.
+Tolerance: 0.5 % of the force and 1 % of the area, which is counted by points.
 """
 
 import numpy as np
@@ -46,9 +52,9 @@ def _square(half, cells):
     return _meshed([_patch(corners, ("symmetry_x", "symmetry_z", "symmetry_z", "symmetry_y"))], half / cells)
 
 
-@pytest.mark.parametrize(("cells", "tolerance"), [(6, 0.02), pytest.param(12, 0.02, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("cells", "tolerance"), [(6, 0.01), pytest.param(12, 0.01, marks=pytest.mark.slow)])
 def test_airbag(cells, tolerance, record_verification):
-    mesh = _square(420 * mm, cells)
+    mesh = _square(600 * mm / np.sqrt(2), cells)
     state = _inflated(mesh, _film(588 * MPa, 0.4, 0.6 * mm), 5 * kPa)
     got = float(state.displacement[node_at(mesh, (0, 0, 0)), 2])
     record_verification(
@@ -130,3 +136,30 @@ def test_pouch_motor(record_verification):
     )
     assert got[0] == pytest.approx(expected[0], abs=0.01 * scale)
     assert got[1] == pytest.approx(expected[1], rel=0.01)
+
+
+def test_tube_pushes_plates_apart(record_verification):
+    pressure, height = 2 * kPa, 8 * mm
+    corners = ((0, 0), (0, WIDTH), (LENGTH, WIDTH), (LENGTH, 0))
+    mesh = _meshed([_patch(corners, ("left", "side", "symmetry_z", "symmetry_y"))], LENGTH / 20)
+    supports = [tg.Fixed("side", "y"), tg.Fixed("left", "xz")]
+    plane = tg.obstacles.Plane(point=(0, 0, height), normal=(0, 0, -1))
+    contact = tg.Contact(obstacles=[tg.obstacles.Obstacle(name="plate", shape=plane)])
+    film = {"cavity": _film(4 * GPa, 0.3, 50e-6)}
+    state = problems.solve(tg.Model(mesh, film, supports, [tg.Pressure("cavity", pressure)], contact=contact)).states[
+        -1
+    ]
+    flat, touch = LENGTH - np.pi * height, state.touches["plate"]
+    expected = [pressure * flat * WIDTH, flat * WIDTH * 1e6]
+    got = [-float(touch.force[:, 2].sum()), touch.area * 1e6]
+    record_verification(
+        claim="tube of film between plates: force [N], contact area [mm²]",
+        source="exact for a film without stretch",
+        expected=expected,
+        got=got,
+        tolerance="0.5 % and 1 %",
+    )
+    assert got[0] == pytest.approx(expected[0], rel=0.005)
+    assert got[1] == pytest.approx(expected[1], rel=0.01)
+    far = state.displacement[mesh.face_nodes("symmetry_z"), 0] + LENGTH
+    assert far == pytest.approx(flat + 2 * height, rel=0.003)

@@ -11,6 +11,7 @@ from turgor.core.engine.faces.dead_loads import dead_terms
 from turgor.core.engine.faces.membrane_term import membrane_terms
 from turgor.core.engine.faces.plate_edges import plate_terms
 from turgor.core.engine.faces.pressure_term import PressureTerm, pressure_terms
+from turgor.core.engine.faces.states.sheet_state_term import sheet_state_terms
 from turgor.core.engine.faces.thrust_term import ThrustTerm, thrust_terms
 from turgor.core.engine.fibers.fiber_term import fiber_terms
 from turgor.core.engine.fibers.tendon_term import tendon_terms
@@ -30,6 +31,7 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     pressure_terms,
     thrust_terms,
     membrane_terms,
+    sheet_state_terms,
     plate_terms,
     fiber_terms,
     tendon_terms,

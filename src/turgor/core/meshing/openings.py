@@ -152,7 +152,7 @@ def check_openings(mesh: Mesh, surface: Ints, rims: Mapping[str, Ints]) -> tuple
         if torn:
             findings.append(_torn(name, torn))
         elif own_rims:
-            findings.append(_open(name, own_rims, mesh.points[mesh.face(name)]))
+            findings.append(_open(name, own_rims, mesh))
     return tuple(findings)
 
 
@@ -169,7 +169,12 @@ def _torn(name: str, rims: tuple[Rim, ...]) -> Finding:
 
 
 def _in_void(mesh: Mesh, surface: Ints, node: int) -> bool:
-    """Whether a node lies on a part of the surface that is closed, up to mirror planes, and looks inward."""
+    """Whether a node lies on a part of the surface that is closed, up to mirror planes, and looks inward.
+
+    A film without a solid looks into its cavity everywhere, and is open at its rims.
+    """
+    if not len(mesh.cells):
+        return False
     corners = side_type(surface.shape[1]).corners
     on_mirror, origin = np.zeros(len(surface), dtype=bool), mesh.points[node].copy()
     for name, (axis, position) in mirror_planes(mesh).items():
@@ -191,14 +196,13 @@ def _in_void(mesh: Mesh, surface: Ints, node: int) -> bool:
     return bool(volume < 0)
 
 
-def _open(name: str, rims: tuple[Rim, ...], walls: Array) -> Finding:
+def _open(name: str, rims: tuple[Rim, ...], mesh: Mesh) -> Finding:
     places = " and ".join(
         f"{rim.area * 1e6:.3g} mm² at ({', '.join(f'{value * 1e3 + 0.0:.3g}' for value in rim.center)}) mm"
         for rim in rims
     )
-    low, high = walls.min(axis=(0, 1)), walls.max(axis=(0, 1))
-    a, b, c = high - low
-    wide = sum(rim.area for rim in rims) > WIDE * 2 * (a * b + b * c + c * a)
+    a, b, c = np.ptp(mesh.points[mesh.face_nodes(name)], axis=0)
+    wide = len(mesh.cells) > 0 and sum(rim.area for rim in rims) > WIDE * 2 * (a * b + b * c + c * a)
     return Finding(
         code="D01",
         severity=Severity.WARNING if wide else Severity.NOTE,

@@ -14,6 +14,7 @@ from turgor.core.model.accepted_forms import given_materials, given_supports
 from turgor.core.model.checks.films import check_films
 from turgor.core.model.checks.named_points import check_points, points_of
 from turgor.core.model.checks.orientations import check_oriented
+from turgor.core.model.checks.sheet_states import check_sheet_states
 from turgor.core.model.checks.symmetry import check_not_cut, check_uncut_shell, check_wedge
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers
@@ -165,6 +166,7 @@ class Model(Saved, Shown):
                 self._check_reachable(obstacle.name, obstacle.face)
         for load in self.loads:
             load.check(self.mesh, points)
+        check_sheet_states(self.mesh, self.membranes, self.loads)
 
     def _check_reachable(self, obstacle: str, face: str) -> None:
         """Refuse a face between two regions, which no obstacle can touch."""

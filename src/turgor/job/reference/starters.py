@@ -20,7 +20,7 @@ from turgor.job.tables.mesh_files import MESH_FILE
 _INSTALLED, _IN_SOURCE = Path(__file__).parent / "examples", Path(__file__).parents[4] / "examples"
 
 #: Tables whose name the user chooses: how the reference calls them.
-_NAMED = ("materials", "fibers", "obstacles")
+_NAMED = ("materials", "fibers", "obstacles", "points")
 
 _HEAD = """\
 # Every key of these tables stands below, with its range and its default. A "#" before a key leaves its default.
@@ -132,8 +132,9 @@ def _section(name: str, values: Mapping[str, Any], tables: Mapping[str, JobTable
         inner = {key: value for key, value in values.items() if isinstance(value, Mapping) and key != "gravity"}
         if len(inner) < len(values) or not inner:
             yield from _table("[loads]", tables["[loads]"].keys, {k: v for k, v in values.items() if k not in inner})
-        for cavity, each in inner.items():
-            yield from _table(f"[loads.{cavity}]", tables["[loads.CAVITY]"].keys, each)
+        for face, each in inner.items():
+            known = tables["[loads.CAVITY]" if "pressure" in each else "[loads.FACE]"].keys
+            yield from _table(f"[loads.{face}]", known, each)
     else:
         yield from _table(f"[{name}]", list(_keys(name, values, tables)), values)
 

@@ -14,7 +14,7 @@ import pydantic
 from pydantic import BeforeValidator, create_model
 
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.model.loads.load import Load, no_body
+from turgor.core.model.loads.load import Load
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.job.reference.kinds import kind_of
@@ -135,8 +135,8 @@ def fits(
         return True
     faces = geometry.faces
     wrong = [str(unknown("face", name, faces)) for name in load.named_faces if name not in (*faces, *points)]
-    if load.of_bodies and load.place not in geometry.regions:
-        wrong.append(str(no_body(load.kind, load.place, geometry.regions, faces)))
+    if load.of_bodies and load.place not in (*geometry.regions, *faces):
+        wrong.append(str(unknown(f"body of a {load.kind}", load.place, geometry.regions)))
     for number, axis in enumerate("xyz"):
         if f"symmetry_{axis}" in geometry.faces and not load.mirrored(number):
             wrong.append(

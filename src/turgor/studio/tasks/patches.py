@@ -13,6 +13,7 @@ from turgor.core.geometry.cad.surface.grouping import grouped
 from turgor.core.geometry.cad.symmetry.whole import Image, MirrorPlane, images_of
 from turgor.core.geometry.directions import FileAxes, rotation_to
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
@@ -133,7 +134,8 @@ def _joined(faces: Sequence[Patch]) -> tuple[Array, Ints, Ints]:
 def patches_of(geometry: Geometry) -> Patches:
     """Return the faces of a geometry from dimensions or from a mesh."""
     faces = _mesh_faces(geometry.shape.mesh) if isinstance(geometry.shape, MeshedShape) else _cad_faces(geometry)
-    mirrors = _mirrors(faces)
+    film = isinstance(geometry._cad, FilmShape)
+    mirrors = _film_mirrors(geometry._cad) if film else _mirrors(faces)
     wedge = geometry.shape.mesh.wedge if isinstance(geometry.shape, MeshedShape) else geometry.wedge
     return Patches(faces=faces, mirrors=mirrors, images=images_of(mirrors, wedge))
 
@@ -179,6 +181,14 @@ def _mesh_faces(mesh: Mesh) -> tuple[Patch, ...]:
         for k in range(int(group.max(initial=-1)) + 1):
             patches.append(Patch(name=name, triangles=mesh.points[corners[group == k]], inner=inner))
     return tuple(patches)
+
+
+def _film_mirrors(shape: FilmShape) -> tuple[MirrorPlane, ...]:
+    """Mirror planes of a film, from its edges named ``symmetry_x`` and so on."""
+    edges = {name: patch.corners[k] for patch in shape.patches for k, name in enumerate(patch.edges)}
+    edges |= {name: patch.corners[0] for patch in shape.patches for name in patch.faces}
+    names = [name for name in sorted(edges) if name.startswith(CUTS[0])]
+    return tuple(MirrorPlane(axis := "xyz".index(name[-1]), edges[name][axis]) for name in names)
 
 
 def _mirrors(faces: Iterable[Patch]) -> tuple[MirrorPlane, ...]:

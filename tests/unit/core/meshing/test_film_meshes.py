@@ -6,6 +6,12 @@ import pytest
 import turgor as tg
 from refused import refused
 from turgor.core.engine.chamber_volumes import cavity_volume
+from turgor.core.engine.contact.closest import points_of
+from turgor.core.engine.contact.surface import of_face, whole_surface
+from turgor.core.engine.faces.membranes import surface_frames
+from turgor.core.meshing.openings import check_openings, find_rims
+from turgor.core.meshing.surface import rim_edges
+from turgor.core.solvers.checks.membranes import bears_compression
 from turgor.units import GPa, kPa, mm
 
 FILM = tg.Membrane(tg.Material(name="PET", law=tg.laws.Hooke(E=4 * GPa, nu=0.35)), 0.05 * mm, compression=0)
@@ -49,6 +55,48 @@ def test_an_arc_lies_on_its_circle():
     assert rim == pytest.approx(10 * mm) and len(rim) == 9
     with refused("mesh size", "0.001 mm", "400 sides", "7.071 mm"):
         tg.mesh(part, size=0.001 * mm)
+
+
+def test_a_beam_is_round_and_open_at_its_clamp_only():
+    beam = tg.actuators.InflatableBeam(length=200 * mm, radius=40 * mm)
+    mesh = tg.mesh(beam, size=20 * mm)
+    for name, area in (("film", np.pi * 40 * 200), ("tip", np.pi * 40**2 / 2)):
+        areas = surface_frames(mesh.points, mesh.face(name)).areas
+        assert areas.sum() == pytest.approx(area * mm**2, rel=1e-3)
+    still = np.zeros_like(mesh.points)
+    assert cavity_volume(mesh, "cavity", still) == pytest.approx(2 * beam.cavity_volumes["cavity"], rel=1e-3)
+    rims = find_rims(mesh, rim_edges(mesh.face("cavity")))
+    assert [(rim.is_opening, rim.center[0]) for rim in rims] == [(True, 0.0)]
+    (finding,) = check_openings(mesh, mesh.film_sides, {"cavity": rim_edges(mesh.face("cavity"))})
+    assert (finding.code, finding.severity) == ("D01", tg.solutions.Severity.NOTE)
+
+
+def test_a_plate_that_moves_rigidly_is_not_compressed():
+    mesh = tg.mesh(tg.actuators.InflatableBeam(length=100 * mm, radius=40 * mm), size=40 * mm)
+    plate = tg.Membrane(tg.Material(name="plate", law=tg.laws.Hooke(E=4 * GPa, nu=0.35)), 2 * mm)
+    rim = tg.supports.ReferencePoint("rim", "tip")
+    assert bears_compression(tg.Model(mesh, {"film": FILM, "tip": plate}, ["fixed", rim], [])) == []
+    assert bears_compression(tg.Model(mesh, {"film": FILM, "tip": plate}, ["fixed"], [])) == ["tip"]
+
+
+def test_patches_on_each_other_are_refused():
+    corners = ((0, 0, 0), (0, 10 * mm, 0), (10 * mm, 10 * mm, 0), (10 * mm, 0, 0))
+    lower = tg.bodies.Patch(corners=corners[::-1], faces=("lower",))
+    upper = tg.bodies.Patch(corners=corners, faces=("upper",))
+    with refused("patches 1 and 2", "'upper'", "one film", "arcs"):
+        tg.mesh(tg.bodies.Film(patches=(lower, upper)), size=5 * mm)
+
+
+def test_a_film_meets_an_obstacle_with_the_side_that_looks_out_of_its_cavity(pouch):
+    sheets = {"film": FILM, "seams": FILM}
+    model = tg.Model(pouch, sheets, ["fixed"], [tg.Pressure("cavity", 1 * kPa)])
+    surface = whole_surface(model, pouch.points * 1e3, np.empty(0), 1 * GPa)
+    out, cavity = surface.outward, of_face(pouch, surface, "cavity")
+    assert out.sum() == (~out).sum() == len(pouch.film_sides)
+    normal = points_of(pouch.points * 1e3, surface.sides, surface.N, surface.dN)[1]
+    assert (normal[out & cavity, :, 2] > 0.99).all() and (normal[~out & cavity, :, 2] < -0.99).all()
+    stiff = surface.spring * surface.height**2  # twenty times what the film has in its plane, 4 GPa · 50 µm
+    assert stiff == pytest.approx(20 * 4 * 0.05)
 
 
 def test_what_films_do_not_have_is_refused(pouch):

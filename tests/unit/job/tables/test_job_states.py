@@ -94,7 +94,6 @@ def test_states_are_read_and_come_back(tmp_path):
     ("text", "facts"),
     [
         ('shrinkage = [{ body = "bdy", linear = "1 %" }]', ("loads.shrinkage", "'bdy'", "'body'")),
-        ('shrinkage = [{ body = "tip", linear = "1 %" }]', ("loads.shrinkage", "'tip' is a face")),
         ('shrinkage = [{ body = "body", linear = 0.01 }]', ("loads.shrinkage", "needs a unit", "'0.3 %'")),
         ('shrinkage = [{ body = "body", linaer = "1 %" }]', ("loads.shrinkage", "'linaer'", "'linear'")),
         ('temperature = [{ body = "body", temperature = "60 C" }]', ("loads.temperature", "'60 C'", "°C")),

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
+from turgor.core.engine.contact.rigid_triangles import refined, six_nodes
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, strangers
@@ -90,13 +91,17 @@ def build_parts(
         return []
     mirrors = of_face(mesh, surface, *mesh.cut_faces)
     cavities = of_face(mesh, surface, *mesh.cavities)
-    outside = surface.chosen(~mirrors & ~cavities & ~_pinhole(mesh, surface))
+    films = surface.outward is not None
+    outer = ~mirrors & (surface.outward if surface.outward is not None else ~cavities & ~_pinhole(mesh, surface))
+    outside = surface.chosen(outer)
     parts = _with_itself(model, surface, outside, (points, length / stress), like)
     own = model.contact.self_contact
     for part in parts:
         part.elastic_slip = _over(None if own is None else own.elastic_slip, length)
     for obstacle in model.contact.obstacles:
-        chosen = outside if obstacle.face is None else surface.chosen(of_face(mesh, surface, obstacle.face))
+        chosen = outside
+        if obstacle.face is not None:
+            chosen = surface.chosen(of_face(mesh, surface, obstacle.face) & (outer if films else True))
         if obstacle.stiffness is not None:
             chosen = _stiff(chosen, obstacle.stiffness * length / stress)
         unknown = bodies.unknowns[bodies.names.index(obstacle.name)] if obstacle.name in bodies.names else -1
@@ -140,6 +145,8 @@ def _with_itself(
     mesh, chosen, (points, stiffness) = model.mesh, model.contact.self_contact, sizes
     if chosen is None:
         return []
+    if surface.outward is not None:
+        return _films_with_themselves(model, surface, points)
     alone = [surface.chosen(of_face(mesh, surface, cavity)) for cavity in pressed_together(model)]
     if model.contact.for_mesh(mesh) is not None:
         alone.insert(0, outside)
@@ -153,6 +160,20 @@ def _with_itself(
         parts.append(_pairs(one, points, mirrored, chosen.friction, like))
         for name in mesh.symmetry_faces:
             parts += _mirror(mesh, name, one, points)
+    return parts
+
+
+def _films_with_themselves(model: Model, surface: Surface, points: Array) -> list[PairPart | ShapePart]:
+    """Films around a cavity that is pressed together, or all where it is requested, meet their images in mirror planes.
+
+    One film does not meet another one: both sides of a film may be met, and what is near a film may be on either.
+    """
+    mesh = model.mesh
+    parts: list[PairPart | ShapePart] = []
+    assert surface.outward is not None
+    for cavity in pressed_together(model) if model.contact.automatic else mesh.cavities:
+        inner = surface.chosen(of_face(mesh, surface, cavity) & ~surface.outward)
+        parts += [part for name in mesh.symmetry_faces for part in _mirror(mesh, name, inner, points)]
     return parts
 
 
@@ -252,44 +273,3 @@ def _triangles(
         rigid=Rigid(obstacle, nodes, unknown),
     )
     return PairPart(obstacle.name, surface, partners, obstacle.friction, 1.0)
-
-
-def refined(points: Array, triangles: Ints, size: float) -> tuple[Array, Ints]:
-    """Halve edges longer than a size until there are none, the same way in both triangles of an edge."""
-    while True:
-        edges = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2)
-        marked = np.linalg.norm(points[edges[..., 0]] - points[edges[..., 1]], axis=2) > size
-        if not marked.any() or len(triangles) > CONTACT_SEARCH.most_triangles:
-            return points, triangles
-        unique, index = np.unique(np.sort(edges[marked], axis=1), axis=0, return_inverse=True)
-        middle = np.full(triangles.shape, -1)
-        middle[marked] = len(points) + index.ravel()
-        points = np.vstack([points, (points[unique[:, 0]] + points[unique[:, 1]]) / 2])
-        triangles = np.concatenate([_cut(triangles, marked, middle, count) for count in range(4)])
-
-
-def _cut(triangles: Ints, marked: NDArray[np.bool_], middle: Ints, count: int) -> Ints:
-    """The pieces of the triangles with ``count`` marked edges; edge i runs from corner i to the next."""
-    chosen = marked.sum(axis=1) == count
-    triangles, marked, middle = triangles[chosen], marked[chosen], middle[chosen]
-    if count == 0:
-        return triangles
-    first = marked.argmax(axis=1) if count != 2 else (1 + (~marked).argmax(axis=1)) % 3
-    turn = (first[:, None] + np.arange(3)) % 3
-    a, b, c = np.take_along_axis(triangles, turn, axis=1).T
-    p, q, r = np.take_along_axis(middle, turn, axis=1).T
-    pieces = {
-        1: [(a, p, c), (p, b, c)],
-        2: [(p, b, q), (a, p, q), (a, q, c)],
-        3: [(a, p, r), (p, b, q), (r, q, c), (p, q, r)],
-    }
-    return np.concatenate([np.stack(piece, axis=1) for piece in pieces[count]])
-
-
-def six_nodes(points: Array, triangles: Ints) -> tuple[Ints, Array]:
-    """Straight six-node triangles (t, 6) and their nodes."""
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    unique, index = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)
-    middles = len(points) + index.ravel().reshape(3, -1).T
-    nodes = np.vstack([points, (points[unique[:, 0]] + points[unique[:, 1]]) / 2])
-    return np.ascontiguousarray(np.hstack([triangles, middles])), nodes

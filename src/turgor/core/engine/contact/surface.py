@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells.reference import side_tables
 from turgor.core.engine.contact.closest import centers_of, points_of
 from turgor.core.engine.contact.settings import CONTACT_SEARCH, PENALTY
+from turgor.core.materials.laws.laws import Hooke
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import cell_sides, corner_keys
@@ -37,6 +38,8 @@ class Surface:
         Of the cell behind each side.
     coupled : bool
         Whether the cells couple all nodes of a side: not the middles that follow.
+    outward : (s,) bool array, optional
+        Of films, which have every side twice: whether it looks out of its cavity.
     """
 
     sides: Ints
@@ -46,12 +49,17 @@ class Surface:
     spring: Array
     height: Array
     coupled: bool = True
+    outward: NDArray[np.bool_] | None = None
 
     def chosen(self, which: Ints | NDArray[np.bool_]) -> "Surface":
         """Return some of the sides."""
-        sides = np.ascontiguousarray(self.sides[which])
         return replace(
-            self, sides=sides, weights=self.weights[which], spring=self.spring[which], height=self.height[which]
+            self,
+            sides=np.ascontiguousarray(self.sides[which]),
+            weights=self.weights[which],
+            spring=self.spring[which],
+            height=self.height[which],
+            outward=None if self.outward is None else self.outward[which],
         )
 
     @property
@@ -75,7 +83,7 @@ def whole_surface(model: Model, points: Array, volumes: Array, stress: float) ->
     """
     mesh = model.mesh
     if not len(mesh.cells):
-        return _films(mesh, points)
+        return _films(model, points, stress)
     every = cell_sides(mesh.cells)
     _, index, count = np.unique(corner_keys(every, len(points)), return_index=True, return_counts=True)
     outer = np.sort(index[count == 1])
@@ -93,14 +101,31 @@ def whole_surface(model: Model, points: Array, volumes: Array, stress: float) ->
     return Surface(sides, r.N, r.dN, weights, spring, height, coupled=not mesh.serendipity)
 
 
-def _films(mesh: Mesh, points: Array) -> Surface:
-    """Films without a solid: a layer of an edge as stiff as the stiffest of them, which is the scale of stresses."""
-    sides = mesh.film_sides
+def _films(model: Model, points: Array, stress: float) -> Surface:
+    """Both sides of films without a solid, those that look into a cavity first.
+
+    Against contact a film is as stiff as in its plane: Young's modulus times thickness over the square of an edge.
+    """
+    mesh = model.mesh
+    sides = np.concatenate([mesh.film_sides, mesh.film_sides[:, turned_over(mesh.film_sides.shape[1])]])
     r = side_tables(sides.shape[1])
     _, _, growth = points_of(points, sides, r.N, r.dN)
     weights = growth * r.weights
     height = np.sqrt(weights.sum(axis=1))
-    return Surface(sides, r.N, r.dN, weights, 3 * PENALTY.stiffness / height, height, coupled=True)
+    out = Surface(sides, r.N, r.dN, weights, np.zeros(len(sides)), height)
+    unit = float(np.linalg.norm(np.ptp(mesh.points, axis=0)) / np.linalg.norm(np.ptp(points, axis=0)))
+    for name, sheet in model.membranes.items():
+        assert isinstance(sheet.material.law, Hooke)
+        own = of_face(mesh, out, name)
+        out.spring[own] = PENALTY.stiffness * sheet.material.law.E * sheet.thickness / (stress * unit)
+    outward = np.arange(len(sides)) >= len(mesh.film_sides)
+    return replace(out, spring=out.spring / height**2, outward=outward)
+
+
+def turned_over(nodes: int) -> Ints:
+    """Order of the nodes of a side as seen from behind."""
+    orders = {6: (0, 2, 1, 5, 4, 3), 9: (0, 3, 2, 1, 7, 6, 5, 4, 8)}
+    return np.array(orders[nodes])
 
 
 def of_face(mesh: Mesh, surface: Surface, *names: str) -> NDArray[np.bool_]:

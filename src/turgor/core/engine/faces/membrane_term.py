@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from turgor.core.engine.faces import membranes
 from turgor.core.engine.faces.plate_edges import plate_terms
 from turgor.core.engine.faces.settings import FILM
-from turgor.core.engine.faces.sheet_moduli import sheet_moduli
+from turgor.core.engine.faces.sheet_moduli import free_stress, has_state, sheet_moduli
 from turgor.core.engine.faces.tension_field import TensionField, tension_field
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.core.meshing.cells import QUADRILATERAL
 from turgor.core.model.model import Model
-from turgor.core.model.sheets import Shell
+from turgor.core.model.sheets import Membrane, Shell
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -126,12 +126,17 @@ def membrane_terms(setting: Setting) -> list[MembraneTerm]:
     for name, membrane in model.membranes.items():
         sides = np.ascontiguousarray(model.mesh.face(name))
         frames = film_frames(setting.points, sides, alone=not len(model.mesh.cells))
-        scale = membrane.thickness / (setting.length * setting.stress)
-        moduli = sheet_moduli(membrane, frames.e1, frames.e2) * scale
-        alone = not len(model.mesh.cells)
+        moduli, alone = moduli_of(setting, name, frames), not len(model.mesh.cells)
         field = tension_field(moduli, membrane.compression, alone=alone) if membrane.wrinkles else None
         terms.append(MembraneTerm(sides, frames.gradients, frames.areas, moduli, field))
     return terms
+
+
+def moduli_of(setting: Setting, name: str, frames: membranes.Frames) -> Array:
+    """Scaled moduli times thickness of a sheet, (3, 3) or those of each point."""
+    sheet = setting.model.membranes[name]
+    scale = sheet.thickness / (setting.length * setting.stress)
+    return sheet_moduli(sheet, frames.e1, frames.e2) * scale
 
 
 def film_frames(points: Array, sides: Ints, *, alone: bool) -> membranes.Frames:
@@ -149,7 +154,7 @@ def film_frames(points: Array, sides: Ints, *, alone: bool) -> membranes.Frames:
     return membranes.Frames(**joined, areas=areas)
 
 
-def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, Array]:
+def least_tension(model: Model, name: str, displacement: Array, load_factor: float) -> tuple[Array, Array]:
     """Compute the smaller principal force per width of a membrane that bears compression.
 
     Parameters
@@ -158,6 +163,8 @@ def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, 
     name : str
         Face of the membrane.
     displacement : (n, 3) array [m]
+    load_factor : float
+        At which its states are taken.
 
     Returns
     -------
@@ -168,11 +175,11 @@ def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, 
     """
     term = _alone(model, name)
     position = model.mesh.points + displacement
-    mean, radius = _circle(term.stresses(position, np.zeros_like(position)))
+    mean, radius = _circle(_stress(model, name, (term, position), load_factor))
     return mean - radius, term.areas
 
 
-def largest_tension(model: Model, name: str, displacement: Array) -> tuple[Array, Array, Array]:
+def largest_tension(model: Model, name: str, displacement: Array, load_factor: float) -> tuple[Array, Array, Array]:
     """Compute stretch and nominal stress of a sheet along its larger principal stress, bending left out.
 
     Parameters
@@ -181,6 +188,8 @@ def largest_tension(model: Model, name: str, displacement: Array) -> tuple[Array
     name : str
         Face of the sheet.
     displacement : (n, 3) array [m]
+    load_factor : float
+        At which its states are taken.
 
     Returns
     -------
@@ -192,7 +201,7 @@ def largest_tension(model: Model, name: str, displacement: Array) -> tuple[Array
     """
     term, sheet = _alone(model, name), model.membranes[name]
     position = model.mesh.points + displacement
-    mean, radius = _circle(term.stresses(position, np.zeros_like(position)))
+    mean, radius = _circle(_stress(model, name, (term, position), load_factor))
     strain = term.strains(position) * (1.0, 1.0, 0.5)
     stretch = np.sqrt(1 + 2 * sum(_circle(strain)))
     return stretch, stretch * (mean + radius) / sheet.thickness, term.areas
@@ -200,10 +209,19 @@ def largest_tension(model: Model, name: str, displacement: Array) -> tuple[Array
 
 def _alone(model: Model, name: str) -> MembraneTerm:
     """Make the term of one sheet, in SI units."""
-    sheet = model.membranes[name]
-    only = replace(model, materials={**model.region_materials, name: sheet})
     at_rest = np.zeros(model.mesh.points.shape, dtype=bool)
-    return membrane_terms(Setting(only, model.mesh.points, at_rest, np.empty((0, 0)), 1.0, 1.0))[0]
+    terms = membrane_terms(Setting(model, model.mesh.points, at_rest, np.empty((0, 0)), 1.0, 1.0))
+    return terms[list(model.membranes).index(name)]
+
+
+def _stress(model: Model, name: str, at: tuple[MembraneTerm, Array], load_factor: float) -> Array:
+    """Stress times thickness (f, q, 3) of a term in SI units at positions, with the states of the sheet."""
+    term, position = at
+    stress = np.asarray(term.stresses(position, np.zeros_like(position))[..., :3])
+    if not has_state(model, name):
+        return stress
+    frames = film_frames(model.mesh.points, term.nodes, alone=not len(model.mesh.cells))
+    return stress - free_stress(model, name, (frames, term.moduli), load_factor)
 
 
 def _circle(tensor: Array) -> tuple[Array, Array]:
@@ -229,12 +247,13 @@ def bending_energy(model: Model, name: str, displacement: Array) -> float:
     """
     mesh, sheet = model.mesh, model.membranes[name]
     shell, moved = Shell(sheet.material, sheet.thickness, warp=sheet.warp), mesh.points + displacement
-    alone = replace(model, materials={**model.region_materials, name: shell})
+    others = {face: Membrane(each.material, each.thickness, warp=each.warp) for face, each in model.membranes.items()}
+    alone = replace(model, materials={**model.region_materials, **others, name: shell})
     setting = Setting(alone, mesh.points, np.zeros(mesh.points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)
     return sum(term.energy(moved) for term in plate_terms(setting))
 
 
-def film_fields(model: Model, displacement: Array) -> tuple[Array, Array]:
+def film_fields(model: Model, displacement: Array, load_factor: float) -> tuple[Array, Array]:
     """Compute Cauchy stress and largest principal stretch of films without a solid, averaged at the nodes.
 
     Each side gives its mean to its nodes, weighted by area. The thickness counts as that at rest.
@@ -243,6 +262,8 @@ def film_fields(model: Model, displacement: Array) -> tuple[Array, Array]:
     ----------
     model : Model
     displacement : (n, 3) array [m]
+    load_factor : float
+        At which the states of films are taken.
 
     Returns
     -------
@@ -252,9 +273,10 @@ def film_fields(model: Model, displacement: Array) -> tuple[Array, Array]:
     points = model.mesh.points
     weight, sums = np.zeros(len(points)), np.zeros((len(points), 10))
     setting = Setting(model, points, np.zeros(points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)
-    for (_, sheet), term in zip(model.membranes.items(), membrane_terms(setting), strict=True):
+    for (name, sheet), term in zip(model.membranes.items(), membrane_terms(setting), strict=True):
         F = np.einsum("fqak,fai->fqik", term.gradients, (points + displacement)[term.nodes])
-        S = term.stresses(points + displacement, np.zeros_like(points))[..., [0, 2, 2, 1]].reshape(*F.shape[:2], 2, 2)
+        S = _stress(model, name, (term, points + displacement), load_factor)[..., [0, 2, 2, 1]]
+        S = S.reshape(*F.shape[:2], 2, 2)
         right = np.swapaxes(F, -1, -2) @ F
         grown = np.sqrt(np.maximum(np.linalg.det(right), np.finfo(float).tiny))[..., None, None]
         cauchy = (F @ S @ np.swapaxes(F, -1, -2) / (grown * sheet.thickness)).reshape(*F.shape[:2], 9)

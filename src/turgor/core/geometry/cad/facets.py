@@ -22,6 +22,9 @@ from turgor.foundation.errors import TurgorError
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+#: Into how many flat pieces a patch of a film is cut along each edge where one of them is an arc, for pictures.
+FILM_CUTS = 6
+
 #: An axis and a position: a mirror plane.
 Mirror = tuple[int, float]
 
@@ -168,14 +171,17 @@ def round_facets(shape: Any) -> RoundFacets:
 
 
 def _film_facets(shape: FilmShape) -> RoundFacets:
-    quads = np.array([patch.corners for patch in shape.patches]) / METERS_PER_CAD_UNIT
-    corners = quads[:, [[0, 2, 1], [0, 3, 2]]].reshape(-1, 3, 3)  # seen from outside the cavity
+    """Flat triangles of a film: two of a patch with straight edges, more where an edge is an arc."""
+    grids = [patch.grid(*(2 * [FILM_CUTS if any(patch.arcs) else 1])) for patch in shape.patches]
+    quads = [[grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]] for grid in grids]
+    each = [np.stack(quad, axis=2).reshape(-1, 4, 3) / METERS_PER_CAD_UNIT for quad in quads]
+    corners = np.concatenate(each)[:, [[0, 2, 1], [0, 3, 2]]].reshape(-1, 3, 3)  # seen from outside the cavity
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normal /= np.linalg.norm(normal, axis=1)[:, None]
     return RoundFacets(
         corners=corners,
         normals=np.repeat(normal[:, None], 3, axis=1),
-        face=np.repeat(np.arange(len(quads)), 2),
+        face=np.repeat(np.arange(len(each)), [2 * len(quad) for quad in each]),
         faces=list(shape.patches),
     )
 

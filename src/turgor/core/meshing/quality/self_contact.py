@@ -18,8 +18,10 @@ def may_meet(mesh: Mesh) -> bool:
     Returns
     -------
     bool
-        False for 20-node hexahedra, which have no contact.
+        False for 20-node hexahedra, which have no contact, and for films without a solid, which do not see each other.
     """
+    if not len(mesh.cells):
+        return False
     if not mesh.cell_type.side.triangles:
         return False
     return len(find_bodies(mesh)) > 1 or len(find_facing_walls(mesh).pairs) > 0 or faces_its_image(mesh)

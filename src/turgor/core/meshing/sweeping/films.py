@@ -12,6 +12,7 @@ from turgor.core.geometry.shapes.film_shape import FilmShape, Patch
 from turgor.core.meshing.bodies.groups import groups_of
 from turgor.core.meshing.cells import HEXAHEDRON
 from turgor.core.meshing.mesh import Mesh
+from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
@@ -72,7 +73,10 @@ def film_mesh(geometry: Geometry, size: float) -> Mesh:
     shape = geometry.shape
     assert isinstance(shape, FilmShape)
     counts = _counts(shape.patches, size)
-    grids = [_Grid(patch, _points(patch, *count)) for patch, count in zip(shape.patches, counts, strict=True)]
+    grids = [
+        _Grid(patch, patch.grid(*(2 * cells for cells in count)))
+        for patch, count in zip(shape.patches, counts, strict=True)
+    ]
     points = np.concatenate([grid.points.reshape(-1, 3) for grid in grids])
     tolerance = ROUND_OFF.mesh_digits * geometry.extent
     _, first, joined = np.unique((points / tolerance).round(), axis=0, return_index=True, return_inverse=True)
@@ -85,6 +89,7 @@ def film_mesh(geometry: Geometry, size: float) -> Mesh:
         for name, sides in grid.edges(numbers):
             named.setdefault(name, []).append(sides)
     faces = {name: np.concatenate(named[name]) for name in geometry.faces}
+    _check_apart(shape, [joined.ravel()[start + grid.numbers] for grid, start in zip(grids, starts, strict=False)])
     corners = np.unique(np.concatenate([sides[:, :4] for sides in faces.values()]))
     order = np.concatenate([corners, np.setdiff1d(np.arange(len(first)), corners)])
     number = np.empty(len(order), dtype=np.int64)
@@ -96,6 +101,18 @@ def film_mesh(geometry: Geometry, size: float) -> Mesh:
         faces={name: number[sides] for name, sides in faces.items()},
         name=geometry.name,
     )
+
+
+def _check_apart(shape: FilmShape, numbers: Sequence[Ints]) -> None:
+    """Refuse patches that lie on each other: their nodes would be one."""
+    known: dict[frozenset[int], int] = {}
+    for place, each in enumerate(numbers):
+        other = known.setdefault(frozenset(each.ravel().tolist()), place)
+        if other != place:
+            raise TurgorError(
+                f"patches {other + 1} and {place + 1} ('{shape.patches[place].name}') of the film lie on each other, "
+                "and would be one film; give one of them edges with arcs, or model one film above a mirror plane."
+            )
 
 
 def _counts(patches: Sequence[Patch], size: float) -> list[tuple[int, int]]:
@@ -119,27 +136,5 @@ def _ends(patch: Patch, edge: int) -> frozenset[tuple[float, ...]]:
 
 
 def _length(patch: Patch, edge: int) -> float:
-    line = _line(patch, edge, np.linspace(0, 1, 21))
+    line = patch.line(edge, np.linspace(0, 1, 21))
     return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
-
-
-def _line(patch: Patch, edge: int, share: Array) -> Array:
-    """Points (k, 3) of an edge at shares of its length (k,), from its first corner on."""
-    start, end, center = np.array(patch.corners[edge]), np.array(patch.corners[(edge + 1) % 4]), patch.arcs[edge]
-    s = share[:, None]
-    if center is None:
-        return np.asarray((1 - s) * start + s * end)
-    a, b = start - np.array(center), end - np.array(center)
-    angle = np.arccos(np.clip(a @ b / (np.linalg.norm(a) * np.linalg.norm(b)), -1, 1))
-    return np.asarray(center + (np.sin((1 - s) * angle) * a + np.sin(s * angle) * b) / np.sin(angle))
-
-
-def _points(patch: Patch, along: int, across: int) -> Array:
-    """Nodes (2 m + 1, 2 n + 1, 3) of a patch: Coons' interpolation between its edges."""
-    s, t = np.linspace(0, 1, 2 * along + 1), np.linspace(0, 1, 2 * across + 1)
-    shares = (s, t, 1 - s, 1 - t)  # the third and the fourth edge run backwards
-    low, right, high, left = (_line(patch, k, share) for k, share in enumerate(shares))
-    a, b, c, d = (np.array(corner) for corner in patch.corners)
-    S, T = s[None, :, None], t[:, None, None]
-    ruled = (1 - T) * low[None] + T * high[None] + (1 - S) * left[:, None] + S * right[:, None]
-    return np.asarray(ruled - ((1 - S) * (1 - T) * a + S * (1 - T) * b + S * T * c + (1 - S) * T * d))

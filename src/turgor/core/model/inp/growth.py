@@ -24,8 +24,11 @@ def initial_lines(model: Model) -> list[str]:
     Raises
     ------
     TurgorError
-        If states have different histories.
+        If states have different histories, or one is that of a sheet.
     """
+    for load in model.loads:
+        if load.of_bodies and load.place in model.membranes:
+            raise TurgorError(f"{load.label} is the state of a sheet, which has no form in .inp files; leave it out.")
     histories = {load.history for load in model.loads if load.growth is not None}
     if len(histories) > 1:
         labels = " and ".join(load.label for load in model.loads if load.growth is not None)

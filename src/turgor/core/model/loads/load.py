@@ -6,7 +6,7 @@ that stands here.
 """
 
 import re
-from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
@@ -210,8 +210,8 @@ class Load:
         for name in self.named_faces:
             mesh.face(name)
         body = getattr(self, "body", "")
-        if body and body not in mesh.regions:
-            raise no_body(self.kind, body, mesh.regions, mesh.faces)
+        if body and body not in mesh.regions and body not in mesh.faces:
+            raise unknown(f"body of a {self.kind}", body, mesh.regions)
         check_images(mesh, f"{self.kind} on '{self.place}'" if self.place else self.kind, self.mirrored, self.turned)
 
     def log_stretch(self, points: Array, load_factor: float) -> Array | None:
@@ -293,12 +293,3 @@ class Load:
         if self.growth is not None:
             return (DeckRows("*TEMPERATURE", self.history, ("Nall, 1.",)),)
         raise TurgorError(f"a load of kind {type(self).__name__} has no form in .inp files; leave it out.")
-
-
-def no_body(kind: str, body: str, bodies: Iterable[str], faces: Iterable[str]) -> TurgorError:
-    """Return the error of a body that is not there, or is a face with a sheet."""
-    if body in faces:
-        return TurgorError(
-            f"{kind} of '{body}': '{body}' is a face, and sheets have no such state; give a body: {', '.join(bodies)}."
-        )
-    return unknown(f"body of a {kind}", body, bodies)

@@ -165,7 +165,7 @@ class StateFields:
     @cached_property
     def _films(self) -> tuple[Array, Array]:
         """Stress and stretch at the nodes of films without a solid."""
-        return film_fields(self.model, self.displacement)
+        return film_fields(self.model, self.displacement, self.state.load_factor)
 
     @cached_property
     def mean_stress(self) -> Array:

@@ -20,7 +20,8 @@ LONGEST_LIFE = 12
 
 def _share(quantity: str, what: str, at: StateFields) -> float:
     """Largest share of all parts; zero or less where nothing is stretched."""
-    shares = [each.share for each in uses(at.model, at.displacement, lambda: at.cells) if each.quantity == quantity]
+    each_use = uses(at.model, at.displacement, lambda: at.cells, at.state.load_factor)
+    shares = [each.share for each in each_use if each.quantity == quantity]
     if not shares:
         raise TurgorError(f"no material states its {what}; give one a strength, such as tg.laws.Strength({what}=…).")
     return max(shares)

@@ -11,6 +11,7 @@ from turgor.core.engine.fields import strain_energy
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.drive import drive_text
 from turgor.core.model.model import Model
+from turgor.core.model.points import RIGID
 from turgor.core.model.sheets import Membrane, Shell
 from turgor.core.solvers.checks.settings import CAUSES, REPORTS
 from turgor.core.solvers.solution import State
@@ -45,7 +46,7 @@ class Compression:
         A membrane on a soft solid wrinkles, in the shortest waves that the mesh has, where the force per width exceeds
         2 μ / k: the stiffness of a half space against waves of the number k = π over an edge.
         """
-        force, area = least_tension(state.model, name, state.displacement)
+        force, area = least_tension(state.model, name, state.displacement, state.load_factor)
         edge = float(np.sqrt(area.sum() / len(area)))
         return cls(force=force.ravel(), area=area.ravel(), wrinkling_force=2 * softest(state.model) * edge / np.pi)
 
@@ -70,8 +71,10 @@ class Compression:
 
 
 def bears_compression(model: Model) -> list[str]:
-    """Return the faces of membranes that bear compression."""
-    return [name for name, sheet in model.membranes.items() if isinstance(sheet, Membrane) and not sheet.wrinkles]
+    """Return the faces of membranes that bear compression, and deform: not those that move rigidly with a point."""
+    rigid = {point.face for point in model.points.values() if point.coupling == RIGID}
+    bearing = {name for name, sheet in model.membranes.items() if isinstance(sheet, Membrane) and not sheet.wrinkles}
+    return [name for name in model.membranes if name in bearing - rigid]
 
 
 def compressed_membranes(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
@@ -134,10 +137,13 @@ def _as_shell(model: Model, name: str, bent: float | None) -> str:
     count = len(mesh.points)
     inside = not np.isin(corner_keys(mesh.face(name), count), corner_keys(outer_triangles(mesh), count)).any()
     mu = softest(model) * (2 if inside else 1)
-    waves = (
-        f"A shell of its thickness would wrinkle at about {3 * np.cbrt(D * mu**2):.3g} N/m, in waves of "
-        f"{2 * np.pi * np.cbrt(D / mu) / mm:.2g} mm"
-    )
+    if mu == 0:  # nothing holds a film alone
+        waves = "A shell of its thickness has waves of a finite length"
+    else:
+        waves = (
+            f"A shell of its thickness would wrinkle at about {3 * np.cbrt(D * mu**2):.3g} N/m, in waves of "
+            f"{2 * np.pi * np.cbrt(D / mu) / mm:.2g} mm"
+        )
     if bent is None:
         return f"{waves}."
     share = f"{100 * bent:.0f} %" if bent > 0.01 else "less than 1 %"

@@ -42,6 +42,8 @@ def enclosed_obstacles(model: Model) -> tuple[Finding, ...]:
     tuple of Finding
         One for each such obstacle.
     """
+    if not len(model.mesh.cells):  # films meet obstacles with their outer side
+        return ()
     around = ((each, _cavity_around(model.mesh, each)) for each in model.contact.obstacles)
     return tuple(
         Finding(

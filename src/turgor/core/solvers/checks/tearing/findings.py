@@ -41,7 +41,7 @@ def _passed(states: Sequence[State]) -> Iterator[Finding]:
 
 def _uses_of(state: State) -> dict[tuple[str, str], Use]:
     cells = partial(cell_fields, state.model, state.displacement, state.mean_stress, state.memory)
-    return {(use.part, use.quantity): use for use in uses(state.model, state.displacement, cells)}
+    return {(use.part, use.quantity): use for use in uses(state.model, state.displacement, cells, state.load_factor)}
 
 
 def _finding(states: Sequence[State], worst: Use, shares: Sequence[float]) -> Finding:

@@ -80,7 +80,9 @@ def states_strength(model: Model) -> bool:
     return any(each.strength is not None for each in (*model.region_materials.values(), *sheets, *threads))
 
 
-def uses(model: Model, displacement: Array, cells: Callable[[], CellFields]) -> tuple[Use, ...]:
+def uses(
+    model: Model, displacement: Array, cells: Callable[[], CellFields], load_factor: float = 1.0
+) -> tuple[Use, ...]:
     """Compare stretches and stresses of a state with what the materials bear.
 
     Parameters
@@ -89,13 +91,15 @@ def uses(model: Model, displacement: Array, cells: Callable[[], CellFields]) -> 
     displacement : (n, 3) array [m]
     cells : callable
         ``cells() -> CellFields`` of the state; called only if the material of a region states a strength.
+    load_factor : float
+        At which the states of sheets are taken.
 
     Returns
     -------
     tuple of Use
         Regions first, then sheets and threads; of each the stretch before the stress.
     """
-    return tuple(use for part in _parts(model, displacement, cells) for use in _compared(part))
+    return tuple(use for part in _parts(model, displacement, cells, load_factor) for use in _compared(part))
 
 
 def _compared(part: _Part) -> Iterator[Use]:
@@ -118,7 +122,7 @@ def _compared(part: _Part) -> Iterator[Use]:
             )
 
 
-def _parts(model: Model, displacement: Array, cells: Callable[[], CellFields]) -> Iterator[_Part]:
+def _parts(model: Model, displacement: Array, cells: Callable[[], CellFields], load_factor: float) -> Iterator[_Part]:
     """Yield the parts whose material states a strength."""
     stated = {name: each for name, each in model.region_materials.items() if each.strength is not None}
     if stated:
@@ -132,7 +136,8 @@ def _parts(model: Model, displacement: Array, cells: Callable[[], CellFields]) -
         if sheet.material.strength is not None:
             sides = model.mesh.face(name)
             places = _middles(model.mesh.points, sides, side_type(sides.shape[1]).corners)
-            yield _Part(f"the sheet on '{name}'", sheet.material, *largest_tension(model, name, displacement), places)
+            pulled = largest_tension(model, name, displacement, load_factor)
+            yield _Part(f"the sheet on '{name}'", sheet.material, *pulled, places)
     for fibers in model.reinforcements:
         if fibers.material.strength is not None:
             yield _threads(model, fibers, displacement)

@@ -1,0 +1,1 @@
+"""States: what states before loading do to sheets."""
