@@ -22,6 +22,7 @@ actuator.wall = ["2 mm", "2.25 mm", "2.5 mm"]
 [sweep]
 measures = ["tip_displacement_x"]
 at = { pressure = "10 kPa" }
+mesh_error = false
 """
 
 
