@@ -1,4 +1,4 @@
-"""The example script runs as it stands and curls up; with three chambers and a quarter of its pressure it runs always."""
+"""The example script curls up; with three chambers and a quarter of its pressure it runs always."""
 
 import runpy
 from pathlib import Path
