@@ -30,12 +30,25 @@ PAGE = Path(__file__).parent.parent / "docs" / "verification.md"
 FOLDER = Path(__file__).parent / "verification"
 
 
+#: Modules of `turgor.core` that start a process for a CAD file.
+READERS = ("geometry.cad.read", "geometry.cad.inspection", "meshing.generate", "meshing.exchange.formats.write_stl")
+
+
 @pytest.fixture(autouse=True, scope="session")
 def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Keep meshes in a folder of the test run, so that no test depends on what an earlier run left."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TURGOR_CACHE", str(tmp_path_factory.mktemp("cache")))
         patch.setenv("TURGOR_CACHE_MB", "0")  # a test that counts or replaces what makes meshes finds none
+        yield
+
+
+@pytest.fixture(scope="module")
+def read_here() -> Iterator[None]:
+    """Read and mesh CAD files in this process: another one takes a second to start, and has tests of its own."""
+    with pytest.MonkeyPatch.context() as patch:
+        for place in READERS:
+            patch.setattr(f"turgor.core.{place}.in_child", lambda _, task, *given: task(*given))
         yield
 
 
