@@ -31,7 +31,7 @@ help:
 	@echo "make dist          build source archive and wheel, check them, and run a small job from the wheel with each Python found"
 	@echo "make bench         run the benchmarks; writes benchmarks/results"
 	@echo "make robustness    run the hard cases (some minutes); writes benchmarks/robustness/robustness.md"
-	@echo "make fuzz          10,000 damaged files (seven minutes of one core); make test tries some hundred"
+	@echo "make fuzz          10,000 damaged files (seven minutes of one core); make test tries 150"
 	@echo "make kills         commands killed at 200 random moments, and runs at once on cold caches (half an hour of one core)"
 	@echo "make truth         run the truth set (an hour or two of one core); renews docs/truth.md. It installs NGSolve into"
 	@echo "                   .venv, whose wheel carries UMFPACK (GPL): for development only"
@@ -53,7 +53,7 @@ quick: $(DEV)
 	$(BIN)/python -m pytest -n auto $(QUICK)
 
 test: $(DEV)
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto --dist worksteal
 
 slow: $(DEV)
 	$(BIN)/python -m pytest -m slow

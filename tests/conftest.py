@@ -7,19 +7,31 @@ of the files that were run as a whole and passed; every other run leaves the wor
 
 import gc
 import os
+import sys
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
+from turgor.foundation.startup.garbage import search_rarely
 from verification_page import COUNT, ROW, Renewal, Row, table_line
 
 # Compiled loops of all processes of the tests lie together, while `_own_cache` moves all other caches.
 os.environ.setdefault("NUMBA_CACHE_DIR", str(Path(__file__).parent.parent / ".pytest_cache" / "compiled"))
 
+# Each of the many commands that tests start would else parse the whole package again: half a second to a second.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
+
+search_rarely()  # pytest makes a million objects that stay
+
 PAGE = Path(__file__).parent.parent / "docs" / "verification.md"
 FOLDER = Path(__file__).parent / "verification"
+
+
+#: Modules of `turgor.core` that start a process for a CAD file.
+READERS = ("geometry.cad.read", "geometry.cad.inspection", "meshing.generate", "meshing.exchange.formats.write_stl")
 
 
 @pytest.fixture(autouse=True, scope="session")
@@ -31,11 +43,13 @@ def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         yield
 
 
-@pytest.fixture(autouse=True)
-def _nothing_stays_frozen() -> Iterator[None]:
-    """Let garbage be found again: a command, which here is not the whole process, counts all it has made as lasting."""
-    yield
-    gc.unfreeze()
+@pytest.fixture(scope="module")
+def read_here() -> Iterator[None]:
+    """Read and mesh CAD files in this process: another one takes a second to start, and has tests of its own."""
+    with pytest.MonkeyPatch.context() as patch:
+        for place in READERS:
+            patch.setattr(f"turgor.core.{place}.in_child", lambda _, task, *given: task(*given))
+        yield
 
 
 @pytest.fixture
@@ -70,6 +84,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     chosen = config.getoption("--write-verification") and not any("::" in argument for argument in config.args)
     for item in items if chosen else ():
         item.user_properties.append((COUNT, counts[item.path]))
+
+
+def pytest_collection_finish() -> None:
+    """Let no search for garbage look at the tests themselves."""
+    gc.freeze()
 
 
 #: Scripts that made fixtures, with libraries that the tests do not need.

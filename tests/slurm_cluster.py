@@ -11,7 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 #: What the cluster consists of; Debian's packages are slurm-wlm and munge.
-PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "sinfo", "scontrol")
+PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "sinfo", "scontrol")
 
 #: Seconds until the node must be idle.
 PATIENCE = 30.0
@@ -74,8 +74,24 @@ def slurm_cluster() -> Iterator[Mapping[str, str]]:
             subprocess.run(
                 ["scontrol", "shutdown"], env=environment, capture_output=True, timeout=PATIENCE, check=False
             )
-            for each in ("slurmd.pid", "slurmctld.pid", "munged.pid"):
+            for each in ("slurmd.pid", "slurmctld.pid"):
                 _end(folder / each)
+            _end(folder / "munged.pid", signals=(9,))  # it takes two seconds for a gentle end
+
+
+def run_array(script: str, folder: Path, environment: Mapping[str, str]) -> None:
+    """Submit a script and wait until all of its tasks are done; ``sbatch --wait`` looks every ten seconds only."""
+
+    def said(*command: str) -> list[str]:
+        return subprocess.run(
+            command, env=environment, cwd=folder, check=True, timeout=PATIENCE, capture_output=True, text=True
+        ).stdout.split()
+
+    (job,) = said("sbatch", "--parsable", script)
+    end = time.monotonic() + 10 * PATIENCE
+    while (states := set(said("squeue", "--noheader", "--states=all", "--format=%T", "--jobs", job))) != {"COMPLETED"}:
+        assert time.monotonic() < end and not states & {"FAILED", "CANCELLED", "NODE_FAIL"}, states
+        time.sleep(0.1)
 
 
 def _write(folder: Path) -> None:
@@ -114,16 +130,16 @@ def _wait(environment: Mapping[str, str]) -> None:
     raise TimeoutError("the node of the SLURM cluster did not become idle")
 
 
-def _end(file: Path) -> None:
+def _end(file: Path, signals: tuple[int, ...] = (15, 9)) -> None:
     """End a daemon by the file that names its process, and wait until it is gone."""
     try:
         number = int(file.read_text())
     except (OSError, ValueError):
         return
-    for signal in (15, 9):
-        for _ in range(25):
+    for signal in signals:
+        for attempt in range(50):
             try:
-                os.kill(number, signal if _ == 0 else 0)
+                os.kill(number, signal if attempt == 0 else 0)
             except OSError:
                 return
-            time.sleep(0.1)
+            time.sleep(0.05)

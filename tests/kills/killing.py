@@ -74,12 +74,12 @@ class Bench:
         return self.references[name]
 
     def caches(self, cold: bool) -> dict[str, str]:
-        """Return the variables that name caches; cold ones are emptied."""
+        """Return the variables that name caches; cold ones are emptied, others have the loops that are compiled."""
         folder = self.folder / ("cold" if cold else "caches")
         if cold:
             shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(exist_ok=True)
-        return {"TURGOR_CACHE": str(folder), "NUMBA_CACHE_DIR": str(folder / "numba")}
+        return {"TURGOR_CACHE": str(folder), **({"NUMBA_CACHE_DIR": str(folder / "numba")} if cold else {})}
 
     def prepare(self, case: Case, results: Path, caches: dict[str, str]) -> None:
         """Put the results of an earlier run into the folder, where a case has one."""

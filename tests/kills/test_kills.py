@@ -23,9 +23,9 @@ def bench(tmp_path_factory):
     return Bench(tmp_path_factory.mktemp("kills"))
 
 
-@pytest.mark.parametrize("seed", range(2))
-def test_a_killed_run_ends_equal(seed, bench):
-    chain(bench, "run", CASES["run"], random.Random(f"few {seed}"))
+def test_a_killed_run_ends_equal(bench):
+    """Two kills; the slow test below has fifty, in eight commands."""
+    chain(bench, "run", CASES["run"], random.Random("few 1"))
 
 
 @pytest.mark.slow

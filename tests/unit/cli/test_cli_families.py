@@ -64,6 +64,7 @@ def test_actuators_from_files_are_families_too(name, capsys):
     assert states(capsys.readouterr().err, name, "turgor init")
 
 
+@pytest.mark.usefixtures("read_here")
 def test_a_cad_file_becomes_a_job_that_can_be_checked(folder, capsys):
     shutil.copy(EXAMPLES / "print.stl", folder / "Finger.STL")
     (folder / "jobs").mkdir()

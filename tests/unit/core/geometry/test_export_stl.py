@@ -13,6 +13,8 @@ from turgor.core.meshing.exchange.formats.write_stl import write_stl
 from turgor.core.meshing.exchange.surface_filling import mesh_surfaces
 from turgor.units import mm
 
+pytestmark = pytest.mark.usefixtures("read_here")
+
 FINGER = tg.FastPneuNet(chambers=2, length=20 * mm)
 
 

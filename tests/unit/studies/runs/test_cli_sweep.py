@@ -142,10 +142,11 @@ def test_a_study_file_that_is_missing(call):
 
 def test_interrupted_and_called_again(folder):
     """Ctrl-C ends the study and its workers, says how to go on, and the same call does."""
-    command = [sys.executable, "-m", "turgor", "sweep", "walls.toml", "--output", "again", "--processes", "2"]
+    (folder / "again.toml").write_text(f"{STUDY}mesh_error = false\n", encoding="utf-8")
+    command = [sys.executable, "-m", "turgor", "sweep", "again.toml", "--output", "again"]
     runs = folder / "again" / "runs"
     paths = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    study = subprocess.Popen(command, cwd=folder, env=paths, stderr=subprocess.PIPE, text=True)
+    study = subprocess.Popen([*command, "--processes", "2"], cwd=folder, env=paths, stderr=subprocess.PIPE, text=True)
     while study.poll() is None and not list(runs.glob("*.json")):
         time.sleep(0.02)
     study.send_signal(signal.SIGINT)

@@ -64,7 +64,7 @@ def compiled_functions(path):
             yield node.name, {modules[name].split(".")[-1] for name in called if name in modules}, stated
 
 
-@pytest.mark.parametrize("path", sorted((SOURCE / "engine").rglob("*.py")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sorted((SOURCE / "core" / "engine").rglob("*.py")), ids=lambda path: path.stem)
 def test_compiled_functions_state_the_files_that_they_call(path):
     for name, called, stated in compiled_functions(path):
         assert called <= stated, f"{name} calls functions of {called - stated}; name them in calls()"

@@ -13,6 +13,8 @@ from turgor.core.geometry.cad.part import load_part
 from turgor.core.geometry.cad.symmetry.find import find_symmetry
 from turgor.units import mm
 
+pytestmark = pytest.mark.usefixtures("read_here")
+
 ENDS = {"fixed": WithNormal("-x"), "tip": WithNormal("+x")}
 
 

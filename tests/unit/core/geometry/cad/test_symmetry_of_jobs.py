@@ -8,6 +8,8 @@ from refused import refused
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 
+pytestmark = pytest.mark.usefixtures("read_here")
+
 JOB = """
 [actuator]
 type = "cad_file"

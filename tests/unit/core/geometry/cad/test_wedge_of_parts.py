@@ -20,6 +20,8 @@ from turgor.core.meshing.surface import check_surface
 from turgor.core.meshing.wedge import sectors
 from turgor.units import mm
 
+pytestmark = pytest.mark.usefixtures("read_here")
+
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):

@@ -18,6 +18,8 @@ from turgor.core.meshing.surface import check_surface, outer_triangles, rim_edge
 from turgor.foundation.finding import Severity
 from turgor.units import mm
 
+pytestmark = pytest.mark.usefixtures("read_here")
+
 
 @pytest.fixture(scope="module")
 def half() -> Mesh:

@@ -1,15 +1,17 @@
 """`turgor sweep` beyond one process: shares of tasks, a real SLURM array, real Dask workers."""
 
 import csv
-import subprocess
+from dataclasses import replace
 
 import pytest
 
 from calibration_cases import JOB
 from refused import states
-from slurm_cluster import missing, slurm_cluster
+from slurm_cluster import missing, run_array, slurm_cluster
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
+from turgor.studies.runs.executors import dask_workers
+from turgor.studies.runs.settings import RUNS
 
 STUDY = """
 job = "tube.toml"
@@ -20,6 +22,7 @@ actuator.wall = ["2 mm", "2.25 mm", "2.5 mm"]
 [sweep]
 measures = ["tip_displacement_x"]
 at = { pressure = "10 kPa" }
+mesh_error = false
 """
 
 
@@ -97,8 +100,7 @@ def test_a_slurm_array_computes_the_study(call, tmp_path):
     assert code == DONE
     assert "3 designs in 2 tasks. Submit them: sbatch walls.sh" in said
     with slurm_cluster() as environment:
-        command = ["sbatch", "--wait", "walls.sh"]
-        subprocess.run(command, env=environment, cwd=tmp_path, check=True, timeout=300, capture_output=True)
+        run_array("walls.sh", tmp_path, environment)
     folder = tmp_path / "walls study"
     assert len(list(folder.glob("slurm-*.log"))) == 2
     assert len(list((folder / "runs").glob("*.csv"))) == 3
@@ -118,7 +120,8 @@ def test_a_slurm_array_computes_the_study(call, tmp_path):
         (("--scheduler", "nonsense"), "scheduler at 'nonsense' does not answer"),
     ],
 )
-def test_mistakes_are_told(call, options, said):
+def test_mistakes_are_told(call, options, said, monkeypatch):
+    monkeypatch.setattr(dask_workers, "RUNS", replace(RUNS, patience=0.5))
     code, _, error = call(*options)
     assert code == BAD_INPUT
     assert said in error

@@ -3,6 +3,7 @@
 import os
 import signal
 import time
+from dataclasses import replace
 
 from study_cases import refuses, slow
 
@@ -10,9 +11,11 @@ import turgor as tg
 from dask_cluster import dask_cluster
 from refused import refused
 from turgor.studies.runs.evaluations import Evaluations
+from turgor.studies.runs.executors import dask_workers
 from turgor.studies.runs.executors.dask_workers import OnDask
 from turgor.studies.runs.files.run_files import saved_run
 from turgor.studies.runs.run import Run
+from turgor.studies.runs.settings import RUNS
 
 
 def clocks(log, numbers, seconds):
@@ -62,9 +65,10 @@ def test_a_run_that_fails_on_a_worker_is_a_row_with_its_sentence(tmp_path):
     assert fine.result is not None
 
 
-def test_what_a_cluster_lacks_is_said():
+def test_what_a_cluster_lacks_is_said(monkeypatch):
     study = Evaluations(executor=OnDask(scheduler="tcp://127.0.0.1:9"))
-    with refused("'tcp://127.0.0.1:9'", "OSError", "'dask scheduler'"):
+    with monkeypatch.context() as patch, refused("'tcp://127.0.0.1:9'", "OSError", "'dask scheduler'"):
+        patch.setattr(dask_workers, "RUNS", replace(RUNS, patience=0.5))
         study.of([Run(name="one", function=refuses)])
     told = {(0, 1): ["no worker", "--nworkers 4"], (1, 3): ["3 threads", "'--nthreads 1'"]}
     for (workers, threads), facts in told.items():
