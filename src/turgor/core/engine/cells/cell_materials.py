@@ -268,12 +268,10 @@ class CellMaterials:
         return joined_memory(stress, largest, flow=flow)
 
     def softening_loss(self, memory: Memory) -> Array:
-        """Energy density (c, q) [Pa] that softening has taken, as infinitely slow cycles would measure it."""
-        count, points = len(self.rows), next(iter(memory.largest.values())).shape[1]
-        out = np.zeros((count, points))
+        """Energy density (c, q) [Pa] that softening and set have taken, as infinitely slow cycles would measure it."""
+        out = np.zeros((len(self.rows), self._points))
         for region in self._remembering:
-            if region.name in memory.largest:
-                out[region.cells] = self.rest.regions[region.name].lost(memory.largest[region.name])
+            out[region.cells] = self.rest.regions[region.name].lost(memory, region.name)
         return out
 
     def _law_energy(self, region: _Region, I1: Array, I2: Array, F: Array) -> Array:

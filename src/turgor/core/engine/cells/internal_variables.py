@@ -171,12 +171,15 @@ class RegionMemory:
         assert self.largest is not None
         return np.maximum(self.largest, energy)
 
-    def lost(self, largest: Array) -> Array:
-        """Energy density [Pa] that softening takes on the way to the largest one of the law."""
-        mullins, series = self.material.stress_softening, self.material.prony
-        assert mullins is not None
-        lost = softening_dissipation(mullins, largest)
-        return lost if series is None else np.asarray(series.instantaneous * series.relaxed * lost)
+    def lost(self, memory: Memory, name: str) -> Array | float:
+        """Energy density [Pa] that softening and permanent set take on the way to a memory of the region."""
+        mullins, series, plastic = self.material.stress_softening, self.material.prony, self.material.permanent_set
+        lost: Array | float = 0.0
+        if mullins is not None and name in memory.largest:
+            lost = softening_dissipation(mullins, memory.largest[name])
+        if plastic is not None and name in memory.flow:
+            lost = lost + plastic.work(memory.flow[name][0, ..., 9])
+        return lost if series is None else series.instantaneous * series.relaxed * lost
 
     def recoverable(self, energy: Array) -> Array:
         """Energy density [Pa] that infinitely slow unloading gives back, of the law's energy density."""
