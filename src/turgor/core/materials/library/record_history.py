@@ -52,10 +52,10 @@ def read_viscoelasticity(values: Any, where: str = "viscoelasticity") -> Prony |
     Prony(g=(0.2, 0.1), tau=(1.0, 10.0), moduli='long_term')
     """
     network = tuple(item.name for item in fields(BergstromBoyce))
-    given = table(values, where, (*PRONY_KEYS, *network)) if not _some(values, PRONY_KEYS) else values
-    if _some(given, network):
+    if _some(values, network):
         return _constants(BergstromBoyce, values, where)
-    given = table(values, where, PRONY_KEYS, PRONY_KEYS)
+    known = PRONY_KEYS if _some(values, PRONY_KEYS) else (*PRONY_KEYS, *network)
+    given = table(values, where, known, PRONY_KEYS)
     for name in ("g", "tau"):
         if not isinstance(given[name], list):
             raise TurgorError(f"{where}.{name}: {given[name]!r} is not a list; give one entry for each term.")
