@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
+from turgor.cli.fitting.fit_behavior import behavior_of
 from turgor.cli.fitting.fit_files import write_fits
 from turgor.cli.fitting.fit_tables import show, show_each
 from turgor.cli.fitting.fit_texts import (
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
     from turgor.core.materials.experiments.specimen import Specimen
     from turgor.core.materials.fitting.histories.history_fit import HistoryFit
     from turgor.core.materials.fitting.ranking import Ranking
+
+#: Options of fits over time, in messages.
+_OVER_TIME = "--relaxation nor --softening nor --rate-dependence nor --set"
 
 #: Laws that are fitted by default, from few to many parameters.
 DEFAULT_LAWS = "neo-hooke,mooney-rivlin,yeoh,ogden-3,gent"
@@ -84,6 +88,8 @@ class FitOptions:
         int, typer.Option(min=0, help="Terms of a Prony series, fitted over time after the law; 0 for none.")
     ] = 0
     softening: Annotated[bool, typer.Option("--softening", help="Fit stress softening to cycles too.")] = False
+    rates: Annotated[bool, typer.Option("--rate-dependence", help="Fit the network of Bergström and Boyce.")] = False
+    sets: Annotated[bool, typer.Option("--set", help="Fit the permanent set to loading and unloading.")] = False
     output: Annotated[Path | None, output_option("Folder for plots and constants.")] = None
     as_json: Json = False
     debug: Debug = False
@@ -98,7 +104,7 @@ def fit_files(chosen: FitOptions) -> None:
         names = [law.strip() for law in chosen.laws.split(",") if law.strip()]
         modes = modes_of(chosen.mode, len(chosen.files))
         _check(chosen)
-        if chosen.relaxation or chosen.softening:
+        if behavior_of(chosen):
             tests, fit = _fit_over_time(chosen, modes, names)
             answer.give(lambda: fit_result(tests, (), fit, chosen.output))
             return
@@ -129,13 +135,13 @@ def _check(chosen: FitOptions) -> None:
     """Check options that exclude each other, before files are read."""
     working_range(chosen.range_, chosen.working)
     zero_of(chosen.zero)
-    over_time = chosen.relaxation or chosen.softening
+    over_time = behavior_of(chosen)
     if chosen.average and (chosen.each or over_time):
-        raise TurgorError("--average goes with neither --each nor --relaxation nor --softening.")
+        raise TurgorError(f"--average goes with neither --each nor {_OVER_TIME}.")
     if chosen.by and (chosen.each or over_time):
-        raise TurgorError("--by goes with neither --each nor --relaxation nor --softening.")
+        raise TurgorError(f"--by goes with neither --each nor {_OVER_TIME}.")
     if chosen.zero and (chosen.preload or over_time):
-        raise TurgorError("--zero goes with neither --preload nor --relaxation nor --softening.")
+        raise TurgorError(f"--zero goes with neither --preload nor {_OVER_TIME}.")
 
 
 def _kind(by: str) -> str:
@@ -226,7 +232,7 @@ def _ranked(
 def _fit_over_time(
     chosen: FitOptions, modes: Sequence[str | None], names: list[str]
 ) -> "tuple[list[MaterialTest], HistoryFit]":
-    """Fit relaxation and softening to tests with all their cycles; slack points are at rest."""
+    """Fit the behavior in time to tests with all their cycles; slack points are at rest."""
     from turgor.cli.fitting.fit_history import fit_over_time, write_history_fit
     from turgor.core.materials.experiments.test_edits import rest_below
 
@@ -238,7 +244,7 @@ def _fit_over_time(
         _tell(file, test)
         tests.append(test)
     name = common_name(chosen.files)
-    fit = fit_over_time(tests, names, terms=chosen.relaxation, softening=chosen.softening, name=name)
+    fit = fit_over_time(tests, names, behavior_of(chosen), name)
     if chosen.output is not None:
         write_history_fit(chosen.output, fit, tests)
     return tests, fit

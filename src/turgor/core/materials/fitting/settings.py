@@ -134,7 +134,7 @@ class FlowFitSettings:
     """
 
     between_turns: int = 50
-    starts: int = 3
+    starts: int = 2
     tolerance: float = 1e-6
     refused: float = 1.0
     scale: tuple[float, float] = (0.2, 2.0)
