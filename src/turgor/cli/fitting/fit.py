@@ -8,17 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.fitting.fit_behavior import behavior_of
+from turgor.cli.fitting.fit_behavior import Behavior
 from turgor.cli.fitting.fit_files import write_fits
 from turgor.cli.fitting.fit_tables import show, show_each
-from turgor.cli.fitting.fit_texts import (
-    common_name,
-    modes_of,
-    preload_of,
-    specimens_of,
-    working_range,
-    zero_of,
-)
+from turgor.cli.fitting.fit_texts import common_name, modes_of, preload_of, specimens_of, working_range, zero_of
 from turgor.cli.options import Debug, Json, command_of, output_option
 from turgor.foundation.errors import TurgorError
 
@@ -94,6 +87,11 @@ class FitOptions:
     as_json: Json = False
     debug: Debug = False
 
+    @property
+    def behavior(self) -> Behavior:
+        """What is fitted over time."""
+        return Behavior(terms=self.relaxation, softening=self.softening, rates=self.rates, sets=self.sets)
+
 
 def fit_files(chosen: FitOptions) -> None:
     """Fit laws to material tests, all files together, and rank them."""
@@ -104,7 +102,7 @@ def fit_files(chosen: FitOptions) -> None:
         names = [law.strip() for law in chosen.laws.split(",") if law.strip()]
         modes = modes_of(chosen.mode, len(chosen.files))
         _check(chosen)
-        if behavior_of(chosen):
+        if chosen.behavior:
             tests, fit = _fit_over_time(chosen, modes, names)
             answer.give(lambda: fit_result(tests, (), fit, chosen.output))
             return
@@ -135,7 +133,7 @@ def _check(chosen: FitOptions) -> None:
     """Check options that exclude each other, before files are read."""
     working_range(chosen.range_, chosen.working)
     zero_of(chosen.zero)
-    over_time = behavior_of(chosen)
+    over_time = chosen.behavior
     if chosen.average and (chosen.each or over_time):
         raise TurgorError(f"--average goes with neither --each nor {_OVER_TIME}.")
     if chosen.by and (chosen.each or over_time):
@@ -244,7 +242,7 @@ def _fit_over_time(
         _tell(file, test)
         tests.append(test)
     name = common_name(chosen.files)
-    fit = fit_over_time(tests, names, behavior_of(chosen), name)
+    fit = fit_over_time(tests, names, chosen.behavior, name)
     if chosen.output is not None:
         write_history_fit(chosen.output, fit, tests)
     return tests, fit

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
-    from turgor.cli.fitting.fit import FitOptions
     from turgor.core.materials.experiments.material_test import MaterialTest
     from turgor.core.materials.fitting.histories.history_fit import HistoryFit
     from turgor.core.materials.laws.laws import Law
@@ -57,8 +56,3 @@ class Behavior:
         from turgor.core.materials.fitting.histories.fit_history import fit_history
 
         return fit_history(law, tests, terms=self.terms, stress_softening=self.softening)
-
-
-def behavior_of(chosen: "FitOptions") -> Behavior:
-    """Return what the options ask for."""
-    return Behavior(terms=chosen.relaxation, softening=chosen.softening, rates=chosen.rates, sets=chosen.sets)
