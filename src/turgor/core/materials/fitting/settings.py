@@ -125,12 +125,14 @@ class FlowFitSettings:
         Relative change of cost and parameters that ends a search.
     refused : float
         Residual, in largest stresses of a test, of constants for which a step has no solution.
-    scale, stiffness, exponent, set_exponent : (float, float)
+    scale, stiffness, exponent : (float, float)
         Bounds of parameters.
     strain : (float, float)
         Bounds of the strain that flows in the longest test and between two points of it, at the largest stress.
     set_stress : (float, float)
         Bounds over the largest Cauchy stress of the tests.
+    set_exponent : (float, float)
+        Bounds.
     """
 
     between_turns: int = 50

@@ -94,12 +94,12 @@ class Record:
         computes.
     density_doubts : tuple of str
         Doubts about the density written in the file.
-    viscoelasticity : Prony or None
+    viscoelasticity : Prony, BergstromBoyce or None
         How the rubber relaxes, when known.
-    permanent_set : PermanentSet or None
-        How much longer the rubber stays after it was stretched.
     stress_softening : Mullins or None
         How it softens, when known.
+    permanent_set : PermanentSet or None
+        How much longer the rubber stays after it was stretched.
     form : str
         One of `FORMS`, what jobs model a sheet of it as by default; empty where it is no sheet.
     bending_stiffness : float or None [N m]

@@ -31,6 +31,8 @@ class _Search:
     parts : list of HistoryPart
     bounds : dict of str to (float, float)
         Smallest and largest value of each parameter.
+    stress : float [Pa]
+        Reference stress of the network that flows: the largest Cauchy stress of the tests.
     """
 
     law: Law
