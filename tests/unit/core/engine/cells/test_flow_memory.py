@@ -11,6 +11,8 @@ import turgor as tg
 from refused import refused
 from turgor.accuracy.gradients.checks import depends_on_history
 from turgor.core.engine.cells.internal_variables import Memory
+from turgor.core.engine.cells.states.flow_networks import flow_at_rest, flow_networks
+from turgor.core.engine.system import System
 from turgor.core.engine.transfer import Transfer
 from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.core.solvers.procedures.stabilized import Stabilized
@@ -101,3 +103,33 @@ def test_a_guide_and_a_gradient_refuse_it(cycled):
     lasting = tg.solve(bar(replace(BOTH, viscoelasticity=None)), Static(), options=OPTIONS)
     assert "permanent_set" in depends_on_history(lasting, lasting.states[-1])
     assert "relaxes" in depends_on_history(cycled, cycled.states[-1])
+
+
+def test_a_history_gives_back_the_memory_it_was_made_of(cycled):
+    memory = cycled.states[-1].memory
+    again = System(cycled.model).history(memory, 0.3).memory
+    assert again is not None and set(again.flow) == {"body"}
+    assert np.array_equal(again.flow["body"], memory.flow["body"])
+
+
+def of_cauchy_green(C):
+    """Gradient (1, 1, 3, 3) without rotation, of the six components of C."""
+    values, vectors = np.linalg.eigh(C[np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])])
+    return ((vectors * np.sqrt(values)) @ vectors.T)[None, None]
+
+
+def test_softened_rubber_that_flows_has_an_exact_tangent():
+    """Below the largest energy and beyond the yield stress at once, as where a load turns around."""
+    plastic = tg.laws.PermanentSet(stress=1e5, exponent=2.0)
+    material = replace(PLAIN, permanent_set=plastic, stress_softening=tg.laws.Mullins(r=1.5, m=1e4))
+    flow = flow_at_rest(material, (1, 1))
+    flow[..., 9] = 0.01
+    (network,) = flow_networks(material, flow, np.full((1, 1), 5e4), 0.0)
+    C, h = np.array([1.5, 0.9, 0.8, 0.1, -0.05, 0.07]), 1e-6
+    assert network.end(of_cauchy_green(C))[0, 0, 9] > 0.02
+    full, lower = np.empty((6, 6)), np.tril_indices(6)
+    full[lower] = full.T[lower] = network.response(of_cauchy_green(C))[1][0, 0]
+    for w, step in enumerate(h * np.eye(6)):
+        ends = [network.response(of_cauchy_green(C + sign * step))[0][0, 0] for sign in (1, -1)]
+        slope = (ends[0] - ends[1]) / (2 * h) * (2.0 if w < 3 else 1.0)
+        assert slope == pytest.approx(full[:, w], abs=1e-6 * np.abs(full).max())
