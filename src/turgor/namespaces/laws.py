@@ -8,6 +8,8 @@ if TYPE_CHECKING:
     from turgor.core.materials.crack_growth import CRACK_GROWTH as CRACK_GROWTH
     from turgor.core.materials.crack_growth import CrackGrowth as CrackGrowth
     from turgor.core.materials.crack_growth import tearing_energy_of_crack as tearing_energy_of_crack
+    from turgor.core.materials.history.bergstrom_boyce import BergstromBoyce as BergstromBoyce
+    from turgor.core.materials.history.permanent_set import PermanentSet as PermanentSet
     from turgor.core.materials.history.softening import Mullins as Mullins
     from turgor.core.materials.history.stress_history import StressHistory as StressHistory
     from turgor.core.materials.history.stress_history import stress_history as stress_history

@@ -23,6 +23,8 @@ from turgor.core.meshing.cells import HEXAHEDRON
 KPA, ML = 1e3, 1e-6
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 SLOW = tg.laws.Prony(g=(0.3, 0.2), tau=(0.1, 1.0), moduli="instantaneous")
+FLOWING = tg.laws.BergstromBoyce(stiffness=1.0, rate=1.0, stress=1e5, exponent=3.0)
+SETTING = tg.laws.PermanentSet(stress=2e6, exponent=1.5)
 SOFT = tg.laws.Mullins(r=1.4, m=20e3)
 NEO_HOOKE = tg.laws.NeoHooke(C10=0.12e6)
 MOONEY_RIVLIN = tg.laws.MooneyRivlin(C10=0.1e6, C01=0.02e6)
@@ -118,6 +120,10 @@ CASES: dict[str, Callable[[], Case]] = {
     "rubber that relaxes": lambda: (
         replace(sphere(60), materials={"body": rubber(viscoelasticity=SLOW)}),
         tg.Static(duration=1.0, max_step=0.2),
+    ),
+    "rubber that flows and keeps a set": lambda: (
+        replace(sphere(60), materials={"body": rubber(viscoelasticity=FLOWING, permanent_set=SETTING)}),
+        tg.Static(duration=1.0, max_step=0.25),
     ),
     "friction and softening": lambda: (rubbed(stress_softening=SOFT), tg.Static(first_step=0.1, max_step=0.2)),
     "volumes": lambda: (bar(), tg.VolumeControl(volume={"cavity_1": 0.1 * ML, "cavity_2": -0.08 * ML}, max_step=0.2)),

@@ -1,7 +1,8 @@
 """V17: finite elements relax, creep and soften as the material does at a point.
 
 Problem: a cube of irregular cells stretched along x, its sides free: suddenly by 1.5 and held; in cycles with a Prony
-series, with stress softening, with both; laws in invariants and in stretches. The pull is the reaction over the area.
+series, with stress softening, with both, with a network that flows and with a permanent set; laws in invariants and in
+stretches. The pull is the reaction over the area.
 Exact: the relaxation of `test_relaxation`; `stress_history` of the material at the times of the states, which takes the
 same steps. Source: the recursion of `turgor.core.materials.history.viscoelastic`.
 Tolerance: 1e-4 for the relaxation, the error of a ramp of 0.1 ms; 1e-6 against the material, with a tolerance of 1e-10
@@ -18,6 +19,8 @@ import meshes
 import problems
 import turgor as tg
 from turgor.core.engine.system import System
+from turgor.core.materials.history.bergstrom_boyce import BergstromBoyce
+from turgor.core.materials.history.permanent_set import PermanentSet
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.stress_history import stress_history
 from turgor.core.materials.history.viscoelastic import Prony
@@ -30,11 +33,14 @@ SERIES = Prony(g=(0.2, 0.1), tau=(1.0, 10.0), moduli="instantaneous")
 SLOW = replace(SERIES, moduli="long_term")
 MULLINS = Mullins(r=1.8, m=8e3, beta=0.1)
 OGDEN = Ogden(mu=(8e4, 2e3, -1e4), alpha=(1.7, 5.0, -2.3))
+FLOWING = BergstromBoyce(stiffness=1.5, rate=0.2, stress=1e5, exponent=3.0)
+SETTING = PermanentSet(stress=3e6, exponent=1.5, onset=2e4)
 RIVLIN = tg.laws.MooneyRivlin(C10=0.08e6, C01=0.03e6)
 
 
-def remembering(law, series=None, mullins=None, bulk_modulus=inf):
-    return replace(problems.rubber(law, bulk_modulus), viscoelasticity=series, stress_softening=mullins)
+def remembering(law, series=None, mullins=None, plastic=None, bulk_modulus=inf):
+    rubber = problems.rubber(law, bulk_modulus)
+    return replace(rubber, viscoelasticity=series, stress_softening=mullins, permanent_set=plastic)
 
 
 def cube(material, stretch):
@@ -80,6 +86,9 @@ CASES = {
     "softening, stretches": (OGDEN, None, MULLINS),
     "both, invariants": (RIVLIN, SLOW, MULLINS),
     "both, stretches": (OGDEN, SERIES, MULLINS),
+    "flowing, stretches": (OGDEN, FLOWING, None),
+    "setting and softening, invariants": (RIVLIN, None, MULLINS, SETTING),
+    "flowing, setting and softening, invariants": (RIVLIN, FLOWING, MULLINS, SETTING),
 }
 
 
@@ -121,7 +130,7 @@ def test_the_tangent_is_the_derivative_of_the_residual(case, record_verification
 
 def _tangent_error(case, further, bulk_modulus):
     """Worst entry of tangent less differences, over the largest."""
-    material = remembering(*CASES[case], bulk_modulus)
+    material = remembering(*CASES[case], bulk_modulus=bulk_modulus)
     mesh = meshes.box((0.02, 0.01, 0.01), (1, 1, 1), lambda X: X + 3 * X[:, [1, 2, 0]] ** 2)
     system = System(tg.Model(mesh, {"body": material}, [tg.Fixed("x0")], []))
     rng = np.random.default_rng(3)

@@ -64,6 +64,8 @@ def depends_on_history(solution: Solution, state: State) -> str:
         return (
             "the rubber softens, and every state depends on the largest stretch before it; leave stress_softening out"
         )
+    if any(m.permanent_set for m in _rubbers(state)):
+        return "the rubber keeps a set, and every state depends on the stress before it; leave permanent_set out"
     if has_friction(state):
         return "there is friction, and every state depends on all before it; set friction to 0"
     if len(procedures) > 1 and any(each.requested is not None for each in procedures):

@@ -26,7 +26,7 @@ FALLING = "falling"
 COMMON = "loads.pressure"
 
 #: What is no quantity that could change by little: ranges of validity, histories, counts.
-_EXCLUDED = ("source", "stretch_range", "history", "starts", "viscoelasticity", "stress_softening")
+_EXCLUDED = ("source", "stretch_range", "history", "starts", "viscoelasticity", "stress_softening", "permanent_set")
 
 #: Fields whose content counts as that of the whole: constants of the law of a material, of the material of a sheet, the
 #: shape of an obstacle.

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.histories.history_fit import HistoryFit
     from turgor.core.materials.fitting.ranking import Ranking
 
+#: Options of fits over time, in messages.
+_OVER_TIME = "--relaxation nor --softening nor --rate-dependence nor --set"
+
 
 def fit_files(chosen: FitOptions) -> None:
     """Fit laws to material tests, all files together, and rank them."""
@@ -28,7 +31,7 @@ def fit_files(chosen: FitOptions) -> None:
         names = [law.strip() for law in chosen.laws.split(",") if law.strip()]
         modes = modes_of(chosen.mode, len(chosen.files))
         _check(chosen)
-        if chosen.relaxation or chosen.softening:
+        if chosen.behavior:
             tests, fit = _fit_over_time(chosen, modes, names)
             answer.give(lambda: fit_result(tests, (), fit, chosen.output))
             return
@@ -64,13 +67,13 @@ def _check(chosen: FitOptions) -> None:
     working_range(chosen.range_, chosen.working)
     zero_of(chosen.zero)
     check_directions(chosen)
-    over_time = chosen.relaxation or chosen.softening
+    over_time = chosen.behavior
     if chosen.average and (chosen.each or over_time):
-        raise TurgorError("--average goes with neither --each nor --relaxation nor --softening.")
+        raise TurgorError(f"--average goes with neither --each nor {_OVER_TIME}.")
     if chosen.by and (chosen.each or over_time):
-        raise TurgorError("--by goes with neither --each nor --relaxation nor --softening.")
+        raise TurgorError(f"--by goes with neither --each nor {_OVER_TIME}.")
     if chosen.zero and (chosen.preload or over_time):
-        raise TurgorError("--zero goes with neither --preload nor --relaxation nor --softening.")
+        raise TurgorError(f"--zero goes with neither --preload nor {_OVER_TIME}.")
 
 
 def _kind(by: str) -> str:
@@ -101,7 +104,7 @@ def _ranked(
 def _fit_over_time(
     chosen: FitOptions, modes: Sequence[str | None], names: list[str]
 ) -> "tuple[list[MaterialTest], HistoryFit]":
-    """Fit relaxation and softening to tests with all their cycles; slack points are at rest."""
+    """Fit the behavior in time to tests with all their cycles; slack points are at rest."""
     from turgor.cli.fitting.fit_history import fit_over_time, write_history_fit
     from turgor.core.materials.experiments.test_edits import rest_below
 
@@ -113,7 +116,7 @@ def _fit_over_time(
         tell(file, test)
         tests.append(test)
     name = common_name(chosen.files)
-    fit = fit_over_time(tests, names, terms=chosen.relaxation, softening=chosen.softening, name=name)
+    fit = fit_over_time(tests, names, chosen.behavior, name)
     if chosen.output is not None:
         write_history_fit(chosen.output, fit, tests)
     return tests, fit

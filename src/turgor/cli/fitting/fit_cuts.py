@@ -57,7 +57,7 @@ def check_directions(chosen: FitOptions) -> None:
     if not chosen.directions:
         return
     others = {"--by": chosen.by, "--each": chosen.each, "--average": chosen.average, "--softening": chosen.softening}
-    others["--relaxation"] = chosen.relaxation
+    others |= {"--relaxation": chosen.relaxation, "--rate-dependence": chosen.rates, "--set": chosen.sets}
     given = [name for name, value in others.items() if value]
     if given:
         why = (

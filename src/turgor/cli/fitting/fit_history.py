@@ -1,6 +1,7 @@
-"""``turgor fit --relaxation --softening``: a law from first loading, then relaxation and stress softening."""
+"""``turgor fit --relaxation --softening --rate-dependence --set``: a law from first loading, then its history."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,14 +10,15 @@ import typer
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
+    from turgor.cli.fitting.fit_behavior import Behavior
     from turgor.core.materials.experiments.material_test import MaterialTest
     from turgor.core.materials.fitting.histories.history_fit import HistoryFit
 
 
 def fit_over_time(
-    tests: "Sequence[MaterialTest]", laws: Sequence[str], *, terms: int, softening: bool, name: str
+    tests: "Sequence[MaterialTest]", laws: Sequence[str], behavior: "Behavior", name: str
 ) -> "HistoryFit":
-    """Fit laws to the first loading of tests with time, take the best, and fit relaxation and softening to whole tests.
+    """Fit laws to the first loading of tests with time, take the best, and fit its behavior in time to whole tests.
 
     Parameters
     ----------
@@ -24,24 +26,19 @@ def fit_over_time(
         With time, read as cyclic.
     laws : sequence of str
         Laws to choose from.
-    terms : int
-        Terms of the Prony series.
-    softening : bool
-        Whether to fit stress softening.
+    behavior : Behavior
+        What is fitted.
     name : str
         Name of the material.
     """
-    from dataclasses import replace
-
-    from turgor.core.materials.fitting.histories.fit_history import fit_history
     from turgor.core.materials.fitting.ranking import rank
 
     virgin = [_first_loading(test) for test in tests]
     best = rank(laws, virgin).best
     typer.echo(f"Law of the first loading: {best.spec.name}, {', '.join(best.parameter(p) for p in best.spec.names)}")
-    fit = fit_history(best.law, tests, terms=terms, stress_softening=softening)
+    fit = behavior.fit(best.law, tests)
     typer.echo(fit.describe())
-    if softening:
+    if behavior.softening:
         typer.echo(f"Softening after the largest stretch of the tests: {100 * fit.largest_softening:.2g} % near rest")
     for quality in fit.quality:
         typer.echo(f"{quality.name}: R² = {quality.r2:.5f}, {quality.points} points")

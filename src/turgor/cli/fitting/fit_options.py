@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from turgor.cli.fitting.fit_behavior import Behavior
 from turgor.cli.options import Debug, Json, output_option
 
 #: Laws that are fitted by default, from few to many parameters.
@@ -81,6 +82,13 @@ class FitOptions:
         int, typer.Option(min=0, help="Terms of a Prony series, fitted over time after the law; 0 for none.")
     ] = 0
     softening: Annotated[bool, typer.Option("--softening", help="Fit stress softening to cycles too.")] = False
+    rates: Annotated[bool, typer.Option("--rate-dependence", help="Fit the network of Bergström and Boyce.")] = False
+    sets: Annotated[bool, typer.Option("--set", help="Fit the permanent set to loading and unloading.")] = False
     output: Annotated[Path | None, output_option("Folder for plots and constants.")] = None
     as_json: Json = False
     debug: Debug = False
+
+    @property
+    def behavior(self) -> Behavior:
+        """What is fitted over time."""
+        return Behavior(terms=self.relaxation, softening=self.softening, rates=self.rates, sets=self.sets)

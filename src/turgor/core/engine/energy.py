@@ -61,9 +61,9 @@ def contact_energy(system: System, at: Evaluation) -> float:
 
 
 def softening_loss(system: System, at: Evaluation) -> float:
-    """Energy of the modeled part that softening has dissipated, up to an evaluation [J]."""
+    """Energy of the modeled part that softening and permanent set have dissipated, up to an evaluation [J]."""
     memory = system.remembered(at)
-    if memory is None or not memory.largest:
+    if memory is None or not (memory.largest or memory.flow):
         return 0.0
     lost = system.materials.softening_loss(memory)
     return float((system.dV * lost).sum()) * system.length**3

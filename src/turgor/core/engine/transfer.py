@@ -64,7 +64,16 @@ class Transfer:
             return None
         stress = {name: np.stack([self._fitted(name, each) for each in every]) for name, every in memory.stress.items()}
         largest = {name: np.maximum(self._fitted(name, each), 0.0) for name, each in memory.largest.items()}
-        return Memory(stress=stress, largest=largest)
+        flow = {name: np.stack([self._flowed(name, each) for each in every]) for name, every in memory.flow.items()}
+        return Memory(stress=stress, largest=largest, flow=flow)
+
+    def _flowed(self, region: str, values: Array) -> Array:
+        """Internal variables (c', q, 10) of a network that flows, which keeps its volume."""
+        out = self._fitted(region, values)
+        volume = np.linalg.det(out[..., :9].reshape(*out.shape[:2], 3, 3))
+        out[..., :9] /= np.cbrt(volume)[..., None]
+        out[..., 9] = np.maximum(out[..., 9], 0.0)
+        return out
 
     def _fitted(self, region: str, values: Array) -> Array:
         """Values (c', q, ...) at the points of a region's parts, from those (c, q, ...) of its cells."""

@@ -6,6 +6,8 @@ from math import inf
 from typing import TYPE_CHECKING, get_args
 
 from turgor.core.materials.crack_growth import CrackGrowth
+from turgor.core.materials.history.bergstrom_boyce import BergstromBoyce
+from turgor.core.materials.history.permanent_set import PermanentSet
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.materials.laws.laws import FiberLaw, FoamLaw, Hooke, Law
@@ -18,6 +20,9 @@ from turgor.foundation.source import Source
 
 #: Classes of rubbers' laws.
 LAW_KINDS = get_args(Law)
+
+#: What only isotropic rubbers have.
+_HISTORY = "viscoelasticity, stress_softening and permanent_set"
 
 UNSTATED = Source(text="stated in the script")
 
@@ -43,10 +48,12 @@ class Material(Shown):
         Smallest and largest stretch of the tests that the law was fitted to, when known.
     source : Source
         Where the coefficients came from.
-    viscoelasticity : Prony or None
-        How the isochoric stress relaxes; by default not at all.
+    viscoelasticity : Prony, BergstromBoyce or None
+        How the isochoric stress relaxes, linearly or not; by default not at all.
     stress_softening : Mullins or None
         How the rubber softens below its largest stretch so far; by default not at all.
+    permanent_set : PermanentSet or None
+        How much longer the rubber stays after it was stretched; by default not at all.
     bending_stiffness : float or None [N m]
         Moment per width and curvature of a sheet that bends more easily than a plate, such as a woven fabric; by
         default a sheet bends like a plate of its thickness. For `Hooke` only.
@@ -73,8 +80,9 @@ class Material(Shown):
     expansion: float | None = None
     stretch_range: tuple[float, float] | None = None
     source: Source = field(default=UNSTATED)
-    viscoelasticity: Prony | None = None
+    viscoelasticity: Prony | BergstromBoyce | None = None
     stress_softening: Mullins | None = None
+    permanent_set: PermanentSet | None = None
     bending_stiffness: float | None = None
     strength: Strength | None = None
     crack_growth: CrackGrowth | None = None
@@ -93,8 +101,9 @@ class Material(Shown):
             bending_stiffness: Quantity | None = None,
             stretch_range: tuple[float, float] | None = None,
             source: Source = UNSTATED,
-            viscoelasticity: Prony | None = None,
+            viscoelasticity: Prony | BergstromBoyce | None = None,
             stress_softening: Mullins | None = None,
+            permanent_set: PermanentSet | None = None,
             strength: Strength | None = None,
             crack_growth: CrackGrowth | None = None,
             orientation: Orientation | None = None,
@@ -119,16 +128,18 @@ class Material(Shown):
             raise TurgorError(f"material '{self.name}': bulk_modulus is {self.bulk_modulus:g} Pa; it must be positive.")
         if self.density is not None and not self.density > 0:
             raise TurgorError(f"material '{self.name}': density is {self.density:g} kg/m³; it must be positive.")
-        if isinstance(self.law, Hooke) and (self.viscoelasticity or self.stress_softening or self.crack_growth):
-            raise TurgorError(
-                f"material '{self.name}' is linear elastic; viscoelasticity, stress_softening and crack_growth are "
-                "for rubbers."
-            )
+        if isinstance(self.law, Hooke) and (self.remembers or self.crack_growth):
+            raise TurgorError(f"material '{self.name}' is linear elastic; {_HISTORY} and crack_growth are for rubbers.")
         self._check_orientation()
-        if self.is_foam and (self.viscoelasticity or self.stress_softening):
+        if self.is_foam and self.remembers:
             raise TurgorError(
-                f"material '{self.name}' is a foam ({type(self.law).__name__}); viscoelasticity and stress_softening "
-                "are for rubbers that keep their volume."
+                f"material '{self.name}' is a foam ({type(self.law).__name__}); {_HISTORY} are for rubbers that keep "
+                "their volume."
+            )
+        if self.prony and self.permanent_set:
+            raise TurgorError(
+                f"material '{self.name}' has a Prony series and a permanent_set; take BergstromBoyce with the set, or "
+                "leave one out."
             )
         if self.stretch_range is not None:
             object.__setattr__(self, "stretch_range", _range(self.stretch_range, f"{subject}: stretch_range"))
@@ -151,11 +162,8 @@ class Material(Shown):
         )
         assert self.orientation is not None
         law.families(self.orientation.angle)  # a law may have no fibers at an angle
-        if self.viscoelasticity or self.stress_softening:
-            raise TurgorError(
-                f"material '{self.name}' has directions ({name}); viscoelasticity and stress_softening are for "
-                "isotropic rubbers."
-            )
+        if self.remembers:
+            raise TurgorError(f"material '{self.name}' has directions ({name}); {_HISTORY} are for isotropic rubbers.")
 
     def _check_bending(self, value: float) -> None:
         if not isinstance(self.law, Hooke):
@@ -174,7 +182,23 @@ class Material(Shown):
         parts += ["oriented"] if self.orientation else []
         parts += ["relaxes"] if self.viscoelasticity else []
         parts += ["softens"] if self.stress_softening else []
+        parts += ["sets"] if self.permanent_set else []
         return f"Material({', '.join(parts)})"
+
+    @property
+    def prony(self) -> Prony | None:
+        """The Prony series of a rubber that relaxes linearly."""
+        return self.viscoelasticity if isinstance(self.viscoelasticity, Prony) else None
+
+    @property
+    def flowing_network(self) -> BergstromBoyce | None:
+        """The second network of a rubber that flows with a power of its stress."""
+        return self.viscoelasticity if isinstance(self.viscoelasticity, BergstromBoyce) else None
+
+    @property
+    def remembers(self) -> bool:
+        """Whether the response depends on the history."""
+        return any(each is not None for each in (self.viscoelasticity, self.stress_softening, self.permanent_set))
 
     @property
     def is_foam(self) -> bool:

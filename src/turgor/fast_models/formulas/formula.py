@@ -157,6 +157,7 @@ def not_so_simple(material: Material) -> Finding | None:
     does = [f"is compressible (bulk modulus {ratio:.3g} times the shear modulus)"] * bool(ratio < NEARLY_INCOMPRESSIBLE)
     does += ["relaxes"] * (material.viscoelasticity is not None)
     does += ["softens"] * (material.stress_softening is not None)
+    does += ["keeps a permanent set"] * (material.permanent_set is not None)
     if not does:
         return None
     return Finding(

@@ -154,7 +154,7 @@ def _material(entry: Material | Sheet) -> dict[str, Any]:
     if not elastic and not material.is_foam:
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
-    values |= history_tables(material.viscoelasticity, material.stress_softening) | failure_tables(material)
+    values |= history_tables(material) | failure_tables(material)
     if material.orientation is not None:
         values["orientation"] = orientation_table(material.orientation)
     if material.density is not None:

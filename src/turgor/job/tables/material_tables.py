@@ -10,7 +10,11 @@ from pydantic import AllowInfNan, BeforeValidator, Field, create_model
 from turgor.core.materials.failure_tables import read_crack_growth, read_strength
 from turgor.core.materials.laws.law_spec import is_dimensionless
 from turgor.core.materials.laws.laws import Hooke
-from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
+from turgor.core.materials.library.record_history import (
+    read_permanent_set,
+    read_stress_softening,
+    read_viscoelasticity,
+)
 from turgor.core.materials.orientation import read_orientation
 from turgor.job.text.quantities import BendingStiffness, Density, Expansion, Length, Pressure, Says, Table, default_of
 from turgor.units import parse_quantity
@@ -21,7 +25,10 @@ INCOMPRESSIBLE = "incompressible"
 Viscoelasticity = Annotated[
     Any,
     BeforeValidator(read_viscoelasticity),
-    Says("table of a Prony series", '{ g = [0.2, 0.1], tau = ["1 s", "10 s"], moduli = "long_term" }'),
+    Says(
+        "table of a Prony series or of a network that flows",
+        '{ g = [0.2, 0.1], tau = ["1 s", "10 s"], moduli = "long_term" }',
+    ),
 ]
 Strengths = Annotated[
     Any,
@@ -38,6 +45,11 @@ Growth = Annotated[
 ]
 Softening = Annotated[
     Any, BeforeValidator(read_stress_softening), Says("table of constants", '{ r = 1.5, m = "20 kPa" }')
+]
+Setting = Annotated[
+    Any,
+    BeforeValidator(read_permanent_set),
+    Says("table of constants", '{ stress = "10 MPa", exponent = 2 }'),
 ]
 Directions = Annotated[
     Any,
@@ -86,9 +98,12 @@ class LibraryTable(Table):
         Linear thermal expansion, which a temperature of a body takes; that of the record by default.
     viscoelasticity : table
         Prony series: shares ``g``, times ``tau``, and whether the constants are the ``"long_term"`` or
-        ``"instantaneous"`` ones; that of the record by default.
+        ``"instantaneous"`` ones; or the network of Bergström and Boyce: ``stiffness``, ``rate``, ``stress``,
+        ``exponent``, ``strain_exponent`` and ``offset``; that of the record by default.
     stress_softening : table
         Mullins effect after Ogden and Roxburgh: ``r``, ``m`` and ``beta``; that of the record by default.
+    permanent_set : table
+        Plastic strain ((q − ``onset``)/``stress``)^``exponent`` at a Mises stress q; that of the record by default.
     strength : table
         Elongation at break (9.0 for 900 %), tensile strength and tear strength with their source; that of the record by
         default.
@@ -108,6 +123,7 @@ class LibraryTable(Table):
     expansion: Expansion | None = None
     viscoelasticity: Viscoelasticity | None = None
     stress_softening: Softening | None = None
+    permanent_set: Setting | None = None
     strength: Strengths | None = None
     crack_growth: Growth | None = None
 
@@ -164,9 +180,12 @@ class StatedTable(Table):
         Bulk modulus, or ``"incompressible"``.
     viscoelasticity : table
         Prony series: shares ``g``, times ``tau``, and whether the constants are the ``"long_term"`` or
-        ``"instantaneous"`` ones.
+        ``"instantaneous"`` ones; or the network of Bergström and Boyce: ``stiffness``, ``rate``, ``stress``,
+        ``exponent``, ``strain_exponent`` and ``offset``.
     stress_softening : table
         Mullins effect after Ogden and Roxburgh: ``r``, ``m`` and ``beta``.
+    permanent_set : table
+        Plastic strain ((q − ``onset``)/``stress``)^``exponent`` at a Mises stress q.
     strength : table
         Elongation at break (9.0 for 900 %), tensile strength and tear strength with their source.
     crack_growth : str or table
@@ -199,6 +218,7 @@ def law_table(law: type) -> type[Table]:
     elif not issubclass(law, Hooke) and not hasattr(law, "bulk_modulus"):  # a foam has its own, and no history
         keys["bulk_modulus"] = (BulkModulus, inf)
         keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
+        keys["permanent_set"] = (Setting | None, None)
         keys["crack_growth"] = (Growth | None, None)
     return create_model(f"{law.__name__}Table", __base__=StatedTable, **keys)
 

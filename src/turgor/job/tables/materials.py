@@ -25,7 +25,7 @@ from turgor.job.text.quantities import read_table, shown
 SHELL, MEMBRANE, SOLID, COMBINED = FORMS = ("shell", "membrane", "solid", "combined")
 
 #: Keys of a rubber for its behavior in time, besides its law.
-HISTORY = ("viscoelasticity", "stress_softening")
+HISTORY = ("viscoelasticity", "stress_softening", "permanent_set")
 
 #: Keys that a job may state where a record has them, too.
 OWN = (*HISTORY, "bending_stiffness", "expansion", "strength", "crack_growth")

@@ -172,8 +172,13 @@ def _rubber(system: System, vectors: Array) -> tuple[Points, NDArray[np.int64]]:
                 f"({type(material.law).__name__}); a reduced model takes isotropic rubbers that keep their volume. "
                 "Take finite elements."
             )
-        remembers = material.viscoelasticity is not None or material.stress_softening is not None
-        by_law.setdefault((material.law, material if remembers else None), []).append(name)  # type: ignore[arg-type]
+        if material.flowing_network or material.permanent_set:
+            what = "a permanent_set" if material.permanent_set else "the viscoelasticity of Bergström and Boyce"
+            raise TurgorError(
+                f"materials.{name}: '{material.name}' has {what}, which a reduced model does not have; take finite "
+                "elements, a Prony series, or leave it out."
+            )
+        by_law.setdefault((material.law, material if material.remembers else None), []).append(name)  # type: ignore[arg-type]
     cells = [np.sort(np.concatenate([regions[name] for name in names])) for names in by_law.values()]
     order, count = np.concatenate(cells), system.dV.shape[1]
     G = np.concatenate([forms.gradients(system, vectors, order[part]) for part in forms.chunks(len(order))])

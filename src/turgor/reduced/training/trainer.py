@@ -133,7 +133,7 @@ class Trainer:
         system = System(replace(model, loads=tuple(loads)))
         if not system.materials.remembers:
             return np.zeros((0, len(model.mesh.points), 3)), np.zeros((0, system.element.mean_count))
-        series = [material.viscoelasticity for material in model.region_materials.values()]
+        series = [material.prony for material in model.region_materials.values()]
         times = [min(each.tau) for each in series if each is not None]
         sudden = None if not times else TRAINING.sudden * min(times)
         tangent = Tangent(system, self.options.linear_solver, self.options.threads, self.options.iteration)

@@ -153,7 +153,7 @@ def material(names: list[str], used: Material | Sheet) -> MaterialText:
         values.append(("thermal expansion", f"{material.expansion * 1e6:.4g} ppm/K"))
     if material.stretch_range is not None:
         values.append(("fitted to stretches", f"{material.stretch_range[0]:g} to {material.stretch_range[1]:g}"))
-    values += describe_history(material.viscoelasticity, material.stress_softening)
+    values += describe_history(material)
     values += describe_failure(material)
     formula = (inspect.getdoc(type(material.law)) or type(material.law).__name__).splitlines()[0]
     values += [("law published in", law_source(material.law))] if law_source(material.law) else []

@@ -87,6 +87,7 @@ def test_findings_travel_with_a_saved_response(tmp_path):
         ({"bulk_modulus": 5e6}, "compressible"),
         ({"viscoelasticity": tg.laws.Prony(g=(0.2,), tau=(1.0,), moduli="long_term")}, "relaxes"),
         ({"stress_softening": tg.laws.Mullins(r=1.5, m=1e4, beta=0.1)}, "softens"),
+        ({"permanent_set": tg.laws.PermanentSet(stress=1e6, exponent=2.0)}, "keeps a permanent set"),
     ],
 )
 def test_what_the_material_does_besides_is_said(material, words):

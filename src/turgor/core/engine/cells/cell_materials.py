@@ -13,7 +13,6 @@ from turgor.core.engine.cells.internal_variables import (
     History,
     Memory,
     RegionMemory,
-    invariant_stress,
     joined_memory,
     right_cauchy_green,
 )
@@ -74,7 +73,12 @@ class _Region:
 
     @property
     def remembers(self) -> bool:
-        return self.material.viscoelasticity is not None or self.material.stress_softening is not None
+        return self.material.remembers
+
+    @property
+    def sets(self) -> bool:
+        """Whether a network that flows replaces the law."""
+        return self.material.permanent_set is not None
 
 
 class CellMaterials:
@@ -111,9 +115,9 @@ class CellMaterials:
         for name, cells, material in regions:
             bulk = foam_bulk(material.law) if isinstance(material.law, FoamLaw) else material.bulk_modulus
             self.compliance[cells] = stress / bulk
-            in_stretches[cells] = isinstance(material.law, StretchLaw)
+            in_stretches[cells] = isinstance(material.law, StretchLaw) and material.permanent_set is None
             in_gradients = isinstance(material.law, StretchLaw | FiberLaw) or hardens(model, name)
-            if in_gradients or material.viscoelasticity is not None:
+            if in_gradients or material.viscoelasticity is not None or material.permanent_set is not None:
                 self.rows[cells] = 0
         self.gradient_cells = np.flatnonzero(self.rows == 0)
         self.rows[self.gradient_cells] = np.arange(len(self.gradient_cells))
@@ -163,17 +167,19 @@ class CellMaterials:
             Deformation gradients of `gradient_cells`.
         history : History
         """
-        out = np.zeros((5, *I1.shape)) if len(self._spectral) else np.empty((5, *I1.shape))
+        partial = len(self._spectral) or any(region.sets for region in self._regions)
+        out = np.zeros((5, *I1.shape)) if partial else np.empty((5, *I1.shape))
         for region in self._regions:
-            if isinstance(region.law, InvariantLaw):
+            if isinstance(region.law, InvariantLaw) and not region.sets:
                 derivatives = energy_and_derivatives(region.law, I1[region.cells], I2[region.cells])
                 for k, values in enumerate(_response(history, region, derivatives, INVARIANT_PAIRS)):
                     out[k, region.cells] = values / self._stress
         stress, tangent = self._in_stretches(F, history)
         for region in self._remembering:
-            known = history.regions[region.name].known
-            if known is not None:
-                add_known_stress(F, region.rows, known, self._stress, stress, tangent)
+            its = history.regions[region.name]
+            if its.known is not None:
+                add_known_stress(F, region.rows, its.known, self._stress, stress, tangent)
+            its.add_flow(F, region.rows, self._stress, (stress, tangent))
         self._add_fibers(F, stress, tangent)
         if self._factors is not None:
             out *= self._factors[:, None]
@@ -199,7 +205,7 @@ class CellMaterials:
         bar, directions, scale = spectral.principal_stretches(F if len(among) == count else F[among])
         W, projected = np.empty((9, *scale.shape)), np.ones(len(scale))
         for region in self._regions:
-            if isinstance(region.law, StretchLaw):
+            if isinstance(region.law, StretchLaw) and not region.sets:
                 at = np.searchsorted(among, region.rows)
                 if region.foam is not None:
                     bar[:, at] *= scale[at]
@@ -223,10 +229,14 @@ class CellMaterials:
         """
         out = np.empty(I1.shape)
         for region in self._regions:
-            W = self._law_energy(region, I1, I2, F)
+            its = history.regions.get(region.name)
+            if its is not None and region.sets:
+                W = its.networks[0].energy(F[region.rows])
+            else:
+                W = self._law_energy(region, I1, I2, F)
             for family, H in self._fibers.get(region.name, ()):
                 W = W + family.energy(elongation(H, right_cauchy_green(F[region.rows])))[0]
-            out[region.cells] = history.regions[region.name].recoverable(W) if region.remembers else W
+            out[region.cells] = its.recoverable(W) if its is not None else W
         if self._factors is not None:
             out *= self._factors[:, None]
         for network in self._networks:
@@ -243,23 +253,25 @@ class CellMaterials:
         history : History
             What the step began with.
         """
-        stress, largest = {}, {}
+        stress, largest, flow = {}, {}, {}
         for region in self._remembering:
             here, its = F[region.cells], history.regions[region.name]
-            S, W = _own_stress(region, here, its)
+            if its.networks:
+                flow[region.name] = its.next_flow(here)
+            if its.stress is None and its.largest is None:
+                continue
+            S, W = its.own_stress(here)
             if its.stress is not None:
                 stress[region.name] = its.next_stress(S, here)
             if its.largest is not None:
-                largest[region.name] = its.next_largest(W)
-        return joined_memory(stress, largest)
+                largest[region.name] = its.next_largest(its.networks[0].energy(here) if region.sets else W)
+        return joined_memory(stress, largest, flow=flow)
 
     def softening_loss(self, memory: Memory) -> Array:
-        """Energy density (c, q) [Pa] that softening has taken, as infinitely slow cycles would measure it."""
-        count, points = len(self.rows), next(iter(memory.largest.values())).shape[1]
-        out = np.zeros((count, points))
+        """Energy density (c, q) [Pa] that softening and set have taken, as infinitely slow cycles would measure it."""
+        out = np.zeros((len(self.rows), self._points))
         for region in self._remembering:
-            if region.name in memory.largest:
-                out[region.cells] = self.rest.regions[region.name].lost(memory.largest[region.name])
+            out[region.cells] = self.rest.regions[region.name].lost(memory, region.name)
         return out
 
     def _law_energy(self, region: _Region, I1: Array, I2: Array, F: Array) -> Array:
@@ -284,17 +296,3 @@ def _places(model: Model, cells: Ints, points: int) -> Array:
     nodes = model.mesh.carrying_cells[cells]
     N = tables_with(nodes.shape[1], points).N
     return np.einsum("qa,cai->cqi", N, model.mesh.points[nodes])
-
-
-def _own_stress(region: _Region, F: Array, memory: RegionMemory) -> tuple[Array, Array]:
-    """Isochoric stress (c, q, 6) of the softened law and energy density (c, q) of the law [Pa]."""
-    bar, directions, scale = spectral.principal_stretches(F)
-    if isinstance(region.law, StretchLaw):
-        values = stretch_derivatives(region.law, *bar)
-        W = np.ascontiguousarray(memory.softened(values, STRETCH_PAIRS))
-        return spectral.spectral_response(bar, directions, scale, W[:3], W[3:])[0], values[0]
-    I1 = (bar**2).sum(axis=0)
-    I2 = (bar[0] * bar[1]) ** 2 + (bar[1] * bar[2]) ** 2 + (bar[0] * bar[2]) ** 2
-    values = energy_and_derivatives(region.law, I1, I2)
-    first = memory.softened(values, INVARIANT_PAIRS)
-    return invariant_stress(first[0], first[1], F), values[0]

@@ -75,7 +75,8 @@ def _alike(model: Model) -> tuple[tuple[str, ...], ...]:
 
 def _response(material: Material) -> tuple[object, ...]:
     return (
-        material.law, material.bulk_modulus, material.viscoelasticity, material.stress_softening, material.orientation
+        material.law, material.bulk_modulus, material.viscoelasticity, material.stress_softening, material.orientation,
+        material.permanent_set,
     )  # fmt: skip
 
 

@@ -48,7 +48,4 @@ class Needs:
 
 def in_stretches(materials: Iterable[Material]) -> bool:
     """Return whether any material needs the kernels of laws in stretches."""
-    return any(
-        isinstance(each.law, StretchLaw) or each.viscoelasticity is not None or each.stress_softening is not None
-        for each in materials
-    )
+    return any(isinstance(each.law, StretchLaw) or each.remembers for each in materials)

@@ -176,7 +176,7 @@ def _entry(material: Material) -> tomlkit.items.Table:
     entry["source"] = str(material.source)
     if material.source.doubts:
         entry["doubts"] = list(material.source.doubts)
-    for key, table in history_tables(material.viscoelasticity, material.stress_softening).items():
+    for key, table in history_tables(material).items():
         entry[key] = table
     return entry
 

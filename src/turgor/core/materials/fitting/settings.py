@@ -109,3 +109,42 @@ class HistoryFitSettings:
 
 
 HISTORY_FIT = HistoryFitSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class FlowFitSettings:
+    """Settings of fits of networks that flow.
+
+    Parameters
+    ----------
+    between_turns : int
+        Points of a test between two turns of its stretch: 50 leave an error of the step in time of 1 to 2 %.
+    starts : int
+        Number of starts of the search, with a fixed seed.
+    tolerance : float
+        Relative change of cost and parameters that ends a search.
+    refused : float
+        Residual, in largest stresses of a test, of constants for which a step has no solution.
+    scale, stiffness, exponent : (float, float)
+        Bounds of parameters.
+    strain : (float, float)
+        Bounds of the strain that flows in the longest test and between two points of it, at the largest stress.
+    set_stress : (float, float)
+        Bounds over the largest Cauchy stress of the tests.
+    set_exponent : (float, float)
+        Bounds.
+    """
+
+    between_turns: int = 50
+    starts: int = 2
+    tolerance: float = 1e-6
+    refused: float = 1.0
+    scale: tuple[float, float] = (0.2, 2.0)
+    stiffness: tuple[float, float] = (0.02, 10.0)
+    exponent: tuple[float, float] = (1.0, 12.0)
+    strain: tuple[float, float] = (1e-4, 1e2)
+    set_stress: tuple[float, float] = (1.0, 1e4)
+    set_exponent: tuple[float, float] = (1.0, 6.0)
+
+
+FLOW_FIT = FlowFitSettings()

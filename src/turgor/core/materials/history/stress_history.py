@@ -6,6 +6,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from turgor.core.materials.history.flow_history import flowing_stress, setting_stress
 from turgor.core.materials.history.isochoric import isochoric_stress
 from turgor.core.materials.history.softening import softening
 from turgor.core.materials.history.viscoelastic import (
@@ -70,12 +71,13 @@ def stress_history(material: Material, mode: HistoryMode, time: ArrayLike, stret
     """Compute the stress of an incompressible rubber along a history of stretch.
 
     The specimen is at rest before the first time: a first stretch other than 1 is a sudden one, and so is a change
-    between two equal times. Between the times the stress of the law is taken as linear, with an error of second order.
+    between two equal times. Between the times the
+    stress of the law is taken as linear, with an error of second order; what flows has one of first order.
 
     Parameters
     ----------
     material : Material
-        A rubber; its viscoelasticity and stress softening count, its bulk modulus does not.
+        A rubber; its viscoelasticity, stress softening and permanent set count, its bulk modulus does not.
     mode : {"uniaxial", "equibiaxial", "planar"}
         The test.
     time : (n,) array [s]
@@ -109,8 +111,11 @@ def stress_history(material: Material, mode: HistoryMode, time: ArrayLike, stret
     t, along = _checked(time, stretch)
     F = DEFORMATIONS[mode](along)
     S, eta = softened_stress(material, F)
-    if material.viscoelasticity is not None:
-        S = _relaxing(material.viscoelasticity, t, S, _components(F.swapaxes(-1, -2) @ F))
+    if material.prony is not None:
+        S = _relaxing(material.prony, t, S, _components(F.swapaxes(-1, -2) @ F))
+    if material.flowing_network is not None:
+        stretches = _stretches(F)
+        S = S + _along(flowing_stress(material, t, stretches), stretches)
     return StressHistory(mode=mode, time=t, stretch=along, nominal_stress=pull_of(S, F), softening=eta)
 
 
@@ -122,7 +127,7 @@ def softened_stress(material: Material, F: Array) -> tuple[Array, Array]:
     material : Material
         A rubber.
     F : (n, 3, 3) array [-]
-        Deformation gradients of determinant 1, in the order of time.
+        Deformation gradients of determinant 1, in the order of time; diagonal ones of rubber with a permanent set.
 
     Returns
     -------
@@ -131,6 +136,10 @@ def softened_stress(material: Material, F: Array) -> tuple[Array, Array]:
     """
     law = material.law
     assert isinstance(law, Law)
+    if material.permanent_set is not None:
+        stretches = _stretches(F)
+        tau, eta = setting_stress(material, stretches)
+        return _along(tau, stretches), eta
     sigma = cauchy_stress(law, F)
     deviator = sigma - (np.trace(sigma, axis1=-2, axis2=-1) / 3.0)[..., None, None] * np.eye(3)
     inverse = np.linalg.inv(F)
@@ -189,6 +198,18 @@ def _relaxing(series: Prony, time: Array, S: Array, C: Array) -> Array:
         h = remembered_stress(series, step, memory)
         out[n] = step_factor(series, step) * S[n] + isochoric_stress(h, C[n])
         memory = next_memory(series, step, memory, S[n])
+    return out
+
+
+def _stretches(F: Array) -> Array:
+    """Principal stretches (3, n) of diagonal deformation gradients."""
+    return np.asarray(np.diagonal(F, axis1=-2, axis2=-1).T)
+
+
+def _along(tau: Array, stretches: Array) -> Array:
+    """Second Piola–Kirchhoff stress (n, 6) of principal Kirchhoff stresses (3, n)."""
+    out = np.zeros((tau.shape[1], 6))
+    out[:, :3] = (tau / stretches**2).T
     return out
 
 

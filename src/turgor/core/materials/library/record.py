@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 from math import inf
 from typing import Any
 
+from turgor.core.materials.history.bergstrom_boyce import BergstromBoyce
+from turgor.core.materials.history.permanent_set import PermanentSet
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.materials.laws.conventions import describe, law_from_printed
@@ -13,7 +15,11 @@ from turgor.core.materials.laws.names import spelled
 from turgor.core.materials.library import record_values as read
 from turgor.core.materials.library.fit_spread import FitSpread, read_fit_spread
 from turgor.core.materials.library.fitted_tests import FittedTests, read_fitted
-from turgor.core.materials.library.record_history import read_stress_softening, read_viscoelasticity
+from turgor.core.materials.library.record_history import (
+    read_permanent_set,
+    read_stress_softening,
+    read_viscoelasticity,
+)
 from turgor.core.materials.library.table_keys import table
 from turgor.core.materials.strength import Strength
 from turgor.foundation.errors import TurgorError, unknown
@@ -32,7 +38,7 @@ FORMS = ("shell", "membrane", "combined")
 FILE_KEYS = ("name", "kind", "shore_hardness", "density", "expansion", "supplier", "strength", "recommended", "records")
 RECORD_KEYS = (
     *("law", "parameters", "convention", "convention_reason", "assumed", "compressibility", "stretch_range"),
-    *("viscoelasticity", "stress_softening", "form", "bending_stiffness", "fitted", "spread"),
+    *("viscoelasticity", "stress_softening", "permanent_set", "form", "bending_stiffness", "fitted", "spread"),
     *("density", "diameter", "software", "source", "cited_by", "references", "quoted_in", "printed_name", "doubts"),
 )
 
@@ -92,10 +98,12 @@ class Record:
         computes.
     density_doubts : tuple of str
         Doubts about the density written in the file.
-    viscoelasticity : Prony or None
+    viscoelasticity : Prony, BergstromBoyce or None
         How the rubber relaxes, when known.
     stress_softening : Mullins or None
         How it softens, when known.
+    permanent_set : PermanentSet or None
+        How much longer the rubber stays after it was stretched.
     form : str
         One of `FORMS`, what jobs model a sheet of it as by default; empty where it is no sheet.
     bending_stiffness : float or None [N m]
@@ -135,8 +143,9 @@ class Record:
     supplier: read.Supplier | None = None
     stated_doubts: tuple[str, ...] = ()
     density_doubts: tuple[str, ...] = ()
-    viscoelasticity: Prony | None = None
+    viscoelasticity: Prony | BergstromBoyce | None = None
     stress_softening: Mullins | None = None
+    permanent_set: PermanentSet | None = None
     form: str = ""
     bending_stiffness: float | None = None
     fitted: FittedTests | None = None
@@ -216,6 +225,7 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         density_doubts=density[1],
         viscoelasticity=_part(entry, "viscoelasticity", where, read_viscoelasticity),
         stress_softening=_part(entry, "stress_softening", where, read_stress_softening),
+        permanent_set=_part(entry, "permanent_set", where, read_permanent_set),
         form=_form(entry, where),
         bending_stiffness=_optional(entry, "bending_stiffness", "bending stiffness", where),
         fitted=_part(entry, "fitted", where, read_fitted),

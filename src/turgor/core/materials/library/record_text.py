@@ -163,7 +163,7 @@ def _lines(record: Record) -> Iterator[str]:
         yield f"recommended: {record.recommended}"
     if record.fitted is not None:
         yield f"fitted by turgor ({record.fitted.law}) to {', '.join(record.fitted.names)}, which the library holds"
-    for what, text in describe_history(record.viscoelasticity, record.stress_softening):
+    for what, text in describe_history(record):
         yield f"{what}: {text}"
     if record.density is not None:
         yield f"density: {record.density:g} kg/m³"

@@ -135,6 +135,7 @@ def material_of(record: Record) -> Material:
         stretch_range=record.stretch_range,
         viscoelasticity=record.viscoelasticity,
         stress_softening=record.stress_softening,
+        permanent_set=record.permanent_set,
         bending_stiffness=record.bending_stiffness,
         strength=record.strength,
         source=Source(text=record.source, detail=f"{stated}{quoted}", doubts=tuple(str(doubt) for doubt in doubts)),

@@ -17,6 +17,7 @@ from turgor.core.materials.laws.laws import (
 )
 from turgor.core.materials.material import Material
 from turgor.core.model.inp.directions import fiber_lines
+from turgor.core.model.inp.history import history_lines, moduli_of
 from turgor.foundation.errors import TurgorError
 from turgor.units import MPa
 
@@ -74,33 +75,10 @@ def material_lines(name: str, material: Material, program: str) -> list[str]:
         keyword, values, compressions = form(law)
         numbers = [*(value / MPa for value in values), _compressibility(name, material, program)]
         numbers += [0.0] * (compressions - 1)
-        series = material.viscoelasticity
-        moduli = "" if series is None else f", MODULI={series.moduli.upper().replace('_', ' ')}"
-        lines += [f"*HYPERELASTIC, {keyword}{moduli}", *_rows(numbers), *_history_lines(name, material, program)]
+        lines += [f"*HYPERELASTIC, {keyword}{moduli_of(material)}", *_rows(numbers)]
+        lines += history_lines(name, material, program)
     if material.density is not None:
         lines += ["*DENSITY", _row([material.density / TONNE_PER_CUBIC_MM])]
-    return lines
-
-
-def _history_lines(name: str, material: Material, program: str) -> list[str]:
-    """Viscoelasticity and stress softening, which Abaqus has in the same form."""
-    series, mullins = material.viscoelasticity, material.stress_softening
-    if program == "calculix" and (series is not None or mullins is not None):
-        raise TurgorError(
-            f"materials.{name}: CalculiX has neither viscoelasticity nor stress softening of a rubber; "
-            "leave them out, or write for Abaqus."
-        )
-    if series is not None and mullins is not None:
-        raise TurgorError(
-            f"materials.{name}: '{material.name}' relaxes and softens; Abaqus would soften its long-term stress alone "
-            "and turgor softens all of it, so the file would be another rubber. Leave one out."
-        )
-    lines = []
-    if series is not None:
-        rows = [_row([g, 0.0, tau]) for g, tau in zip(series.g, series.tau, strict=True)]
-        lines += ["*VISCOELASTIC, TIME=PRONY", *rows]
-    if mullins is not None:
-        lines += ["*MULLINS EFFECT", _row([mullins.r, mullins.m / MPa, mullins.beta])]
     return lines
 
 

@@ -17,7 +17,7 @@ def too_long_steps(model: Model, procedure: Procedure, states: Sequence[State]) 
     duration = None if procedure.depends_on_path else procedure.duration  # steps of motion have an error of their own
     if duration is None:
         return ()
-    series = [material.viscoelasticity for material in model.region_materials.values()]
+    series = [material.prony for material in model.region_materials.values()]
     times = sorted({tau for each in series if each is not None for tau in each.tau})
     largest = max((float(np.abs(state.displacement).max()) for state in states), default=0.0)
     moving = [

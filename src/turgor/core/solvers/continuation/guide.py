@@ -91,7 +91,7 @@ def _check_guided(model: Model, procedure: Procedure) -> None:
         name += f" with a duration of {procedure.duration:g} s" if procedure.duration is not None else ""
         raise TurgorError(f"guide leads the steps of Static without a duration; the procedure is {name}.")
     for name, each in model.region_materials.items():
-        if each.viscoelasticity is not None or each.stress_softening is not None:
+        if each.remembers:
             raise TurgorError(f"guide leaves out states, and the rubber of '{name}' remembers them; solve without it.")
     if (friction := max(_friction(model))) > 0:
         raise TurgorError(f"guide leaves out states, and friction {friction:g} depends on them; solve without it.")

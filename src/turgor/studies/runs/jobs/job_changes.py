@@ -8,7 +8,7 @@ from turgor.studies.runs.jobs.job_numbers import any_number, numbers_of
 
 #: Keys of a material that stay when it gets another record.
 _OF_THE_JOB = (
-    *("density", "viscoelasticity", "stress_softening", "strength", "crack_growth"),
+    *("density", "viscoelasticity", "stress_softening", "permanent_set", "strength", "crack_growth"),
     *("thickness", "form", "compression", "warp", "bending_stiffness"),
 )
 

@@ -45,17 +45,31 @@ class Network:
         bar, directions, size = spectral.principal_stretches(np.ascontiguousarray(F[self.rows] @ self.reference))
         W = np.stack(stretch_derivatives(self.law, *bar)[1:]) * (self.factor / scale)
         S, packed = spectral.spectral_response(bar, directions, size, W[:3], W[3:])
-        turn = _turn(self.reference)
-        stress[self.rows] += np.einsum("cqvw,cqw->cqv", turn, S)
-        lower, full = np.tril_indices(6), np.empty((*S.shape[:2], 6, 6))
-        full[..., lower[0], lower[1]] = packed
-        full[..., lower[1], lower[0]] = packed
-        tangent[self.rows] += (turn @ full @ np.swapaxes(turn, -1, -2))[..., lower[0], lower[1]]
+        S, packed = turned(self.reference, S, packed)
+        stress[self.rows] += S
+        tangent[self.rows] += packed
 
     def energy(self, F: Array) -> Array:
         """Energy density (c, q) [Pa] at gradients F (s, q, 3, 3)."""
         bar, _, _ = spectral.principal_stretches(np.ascontiguousarray(F[self.rows] @ self.reference))
         return np.asarray(self.factor * stretch_derivatives(self.law, *bar)[0])
+
+
+def turned(G: Array, S: Array, packed: Array) -> tuple[Array, Array]:
+    """Stress (c, q, 6) and moduli (c, q, 21) of a network with the gradient F G, as those by F.
+
+    Parameters
+    ----------
+    G : (c, q, 3, 3) array
+    S, packed : (c, q, 6), (c, q, 21) arrays
+        Stress and lower triangle of the moduli by F G.
+    """
+    turn = _turn(G)
+    lower, full = np.tril_indices(6), np.empty((*S.shape[:2], 6, 6))
+    full[..., lower[0], lower[1]] = packed
+    full[..., lower[1], lower[0]] = packed
+    moduli = (turn @ full @ np.swapaxes(turn, -1, -2))[..., lower[0], lower[1]]
+    return np.einsum("cqvw,cqw->cqv", turn, S), moduli
 
 
 def _turn(G: Array) -> Array:

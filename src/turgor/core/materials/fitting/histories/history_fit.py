@@ -75,13 +75,16 @@ def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[FitRe
     tests : sequence of MaterialTest
         Tests with time; about 400 points of each are used.
     """
-    series, law = material.viscoelasticity, material.law
+    series, law = material.prony, material.law
     assert isinstance(law, Law)
     g, tau = (series.g, series.tau) if series is not None else ((), ())
     factor = 1.0 if series is None else series.instantaneous
     residuals = []
     for test in tests:
         part = HistoryPart(law, test, HISTORY_FIT.points)
-        predicted = factor * (part.columns(material.stress_softening, tau) @ np.array([1 - sum(g), *g]))
+        if material.flowing_network or material.permanent_set:
+            predicted = part.pulls(material)
+        else:
+            predicted = factor * (part.columns(material.stress_softening, tau) @ np.array([1 - sum(g), *g]))
         residuals.append(FitResidual.of(part.loaded_test, predicted * part.scale))
     return tuple(residuals)

@@ -1,6 +1,7 @@
 """Points of tests with time as one linear system: softened stress of a law, and internal stresses of Prony terms."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,13 @@ from scipy.optimize import nnls
 from turgor.core.materials.experiments.cycles import half_cycles
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.history.softening import Mullins, softening
-from turgor.core.materials.history.stress_history import HISTORY_MODES, energy_of, pull_of, softened_stress
+from turgor.core.materials.history.stress_history import (
+    HISTORY_MODES,
+    energy_of,
+    pull_of,
+    softened_stress,
+    stress_history,
+)
 from turgor.core.materials.history.viscoelastic import hereditary
 from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.material import Material
@@ -129,6 +136,12 @@ class HistoryPart:
         stresses = [S, *(hereditary(self.time, S, each) for each in tau)]
         pulls = [pull_of(each[:, [0, 0, 1, 1, 1, 1]], self.F)[self.loaded] for each in stresses]
         return np.stack(pulls, axis=1) / self.scale
+
+    def pulls(self, material: Material) -> Array:
+        """Nominal stress of a rubber at the points that carry load, over the largest stress of the test."""
+        mode: Any = self.loaded_test.mode
+        history = stress_history(material, mode, self.time, self.F[:, 0, 0])
+        return history.nominal_stress[self.loaded] / self.scale
 
 
 def _chosen(test: MaterialTest, points: int) -> NDArray[np.intp]:
