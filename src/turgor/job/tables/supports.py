@@ -10,16 +10,16 @@ from typing import Any
 from pydantic import Field
 
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.model.supports import Displacement, Fixed, NodesAt, Shift, Support
+from turgor.core.model.supports import Displacement, Fixed, Shift, Support
 from turgor.foundation.errors import unknown
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.job.tables.obstacles import Lengths
-from turgor.job.text.lines import Key
+from turgor.job.text.place_table import PLACES, PlaceTable, lacks_faces
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Coordinate, Table, read_table, shown
+from turgor.job.text.quantities import read_table, shown
 
 
-class SupportTable(Table):
+class SupportTable(PlaceTable):
     """``[supports.NAME]``: a face that is moved; or an edge, a node or the nodes in a box that are fixed or moved.
 
     One of ``edge``, ``near`` and ``box`` says where the nodes are, and NAME is any name. Without them it is that of a
@@ -31,30 +31,11 @@ class SupportTable(Table):
         Where it is at the end, relative to where it was, in proportion to the load factor.
     directions : str
         Directions in which it is fixed or moved; it is free in the others.
-    edge : list of str
-        Two faces: the nodes that both have.
-    near : (3,) lengths
-        The node nearest to this point.
-    box : two points
-        All nodes within the box between two corners.
     """
 
     displacement: Lengths | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
     directions: str = "xyz"
-    edge: list[str] | None = Field(default=None, examples=['["fixed", "outside"]'])
-    near: list[Coordinate] | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
-    box: list[list[Coordinate]] | None = Field(default=None, examples=['[[0, 0, 0], ["10 mm", "10 mm", "2 mm"]]'])
 
-    def face_of(self, name: str) -> str | NodesAt:
-        """Return the place that the keys state, else the name, which is that of a face."""
-        if self.edge is None and self.near is None and self.box is None:
-            return name
-        edge, box = (None if each is None else tuple(each) for each in (self.edge, self.box))
-        return NodesAt(name, edge=edge, near=self.near, box=box)  # type: ignore[arg-type]
-
-
-#: Keys that say where the nodes of a support are.
-PLACES = ("edge", "near", "box")
 
 #: Supports by the name of their file: the classes in their folder.
 SUPPORTS: Registry[type[Support]] = Registry(
@@ -108,7 +89,7 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
     key = ("supports", name)
     table: SupportTable | None = read_table(SupportTable, stated, key, problems)
     face = None if table is None else problems.attempt(key, partial(table.face_of, name), fields=PLACES)
-    if table is None or face is None or _unknown_faces(face, key, geometry, problems):
+    if table is None or face is None or lacks_faces(face, key, geometry, problems):
         return None
     if table.displacement is None:
         if isinstance(face, str):
@@ -121,17 +102,6 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
         along = ", ".join(free)
         problems.add((*key, "directions"), f"it moves along {along}, but is prescribed in {table.directions} only.")
     return moved
-
-
-def _unknown_faces(face: str | NodesAt, key: Key, geometry: Geometry | None, problems: Problems) -> bool:
-    """Report faces that the actuator lacks; return whether there are any."""
-    if geometry is None:
-        return False
-    named, where = ((face,), key) if isinstance(face, str) else (face.edge or (), (*key, "edge"))
-    wrong = [each for each in named if each not in geometry.faces]
-    for each in wrong:
-        problems.add(where, str(unknown("face", each, geometry.faces)))
-    return bool(wrong)
 
 
 def moves_a_face(supports: object) -> bool:

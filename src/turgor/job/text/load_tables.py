@@ -10,6 +10,7 @@ from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.model.loads import STANDARD_GRAVITY
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.text.load_values import Points, says_three, three
+from turgor.job.text.place_table import PlaceTable
 from turgor.job.text.quantities import Acceleration, Pressure, Says, Table, shown
 from turgor.units import parse_quantity
 
@@ -90,15 +91,18 @@ class CavityTable(Table):
     history_over_time: Points = None
 
 
-class ForceTable(Table):
-    """``[loads.FACE]``: a force on a face, or what hangs from it. The name is that of the face.
+class ForceTable(PlaceTable):
+    """``[loads.NAME]``: a force on a face, an edge, a node or a box, or what hangs from there.
+
+    One of ``edge``, ``near`` and ``box`` says where the nodes are, and NAME is any name. Without them it is that of a
+    face.
 
     Keys
     ----
     force : (3,) floats [N], optional
-        Total force on the face of the whole actuator, spread over it and fixed in direction.
+        Total force on the whole actuator, spread over the face, or over the nodes, and fixed in direction.
     hangs : float [kg], optional
-        Mass whose weight pulls at the face in the direction of gravity, which is ``"-z"`` where none is stated.
+        Mass whose weight pulls there in the direction of gravity, which is ``"-z"`` where none is stated.
     history : list or str, optional
         Share of the force over the load factor: points [load factor, share] with straight lines between them, or an
         expression in t. By default it rises with the load factor.

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from turgor.core.model.loads.load import Deck
+from turgor.core.model.places import NodesAt, checked_face, described
 from turgor.core.model.supports.displacement import Displacement, Shift
-from turgor.core.model.supports.nodes_at import NodesAt, checked_face, described
 from turgor.core.model.supports.support import Support, check_directions
 
 

@@ -15,7 +15,7 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.history import History
 from turgor.core.model.loads.load import Deck, DeckRows
-from turgor.core.model.supports.nodes_at import NodesAt
+from turgor.core.model.places import NodesAt, name_of
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 
@@ -50,8 +50,7 @@ class Support:
     @property
     def place(self) -> str:
         """Name of the fixed face, place or point."""
-        face = getattr(self, "face", getattr(self, "point", ""))
-        return face.name if isinstance(face, NodesAt) else str(face)
+        return name_of(getattr(self, "face", getattr(self, "point", "")))
 
     @property
     def label(self) -> str:

@@ -1,4 +1,4 @@
-"""NodesAt: the nodes of an edge, a corner or a box, where a support acts on no whole face."""
+"""NodesAt: the nodes of an edge, a corner or a box, where a support or a force acts on no whole face."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
@@ -19,10 +19,13 @@ Point: TypeAlias = tuple[float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class NodesAt:
-    """Nodes that a support acts on where that is no whole face; one of ``edge``, ``near`` and ``box`` is given.
+    """Nodes that a support or a `Force` acts on where that is no whole face; ``edge``, ``near`` or ``box`` is given.
 
     A support of one node or of an edge fits what keeps a body from drifting and carries hardly any force. Stress has no
     bound there, and what a large force moves depends on the mesh.
+
+    A force is spread by area over the sides of the surface whose nodes are all in the place. Where there are none, it
+    is spread by length along the edges of cells in it; nodes without such an edge get equal shares.
 
     Parameters
     ----------
@@ -121,10 +124,14 @@ class NodesAt:
         return {"box": [[format_quantity(part, "mm") for part in corner] for corner in self.box]}
 
 
-def checked_face(face: object, what: str, example: str) -> None:
-    """Refuse what is neither the name of a face nor a `NodesAt`."""
-    if not isinstance(face, NodesAt):
-        name(face, what, example)
+def checked_face(face: object, what: str, example: str) -> str:
+    """Return the name of a face or of a `NodesAt`; refuse everything else."""
+    return face.name if isinstance(face, NodesAt) else name(face, what, example)
+
+
+def name_of(face: object) -> str:
+    """Return the name of a face or of a place."""
+    return face.name if isinstance(face, NodesAt) else str(face)
 
 
 def described(face: str | NodesAt) -> str:
