@@ -34,7 +34,7 @@ def on_faces(
     for name, values in stated.items():
         key = ("loads", name)
         table = read_table(ForceTable, values, key, problems)
-        face = None if table is None else problems.attempt(key, partial(table.face_of, name), fields=PLACES)
+        face = None if table is None else problems.attempt(key, partial(table.face_of, name, geometry), fields=PLACES)
         if table is None or face is None or lacks_faces(face, key, geometry, problems):
             continue
         force = problems.attempt(

@@ -11,10 +11,9 @@ from pydantic import Field
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.model.supports import Displacement, Fixed, Shift, Support
-from turgor.foundation.errors import unknown
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.job.tables.obstacles import Lengths
-from turgor.job.text.place_table import PLACES, PlaceTable, lacks_faces
+from turgor.job.text.place_table import PLACES, PlaceTable, face_or_set, lacks_faces
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import read_table, shown
 
@@ -22,8 +21,8 @@ from turgor.job.text.quantities import read_table, shown
 class SupportTable(PlaceTable):
     """``[supports.NAME]``: a face that is moved; or an edge, a node or the nodes in a box that are fixed or moved.
 
-    One of ``edge``, ``near`` and ``box`` says where the nodes are, and NAME is any name. Without them it is that of a
-    face.
+    One of ``edge``, ``near``, ``box`` and ``node_set`` says where the nodes are, and NAME is any name. Without them it
+    is that of a face or of a node set.
 
     Keys
     ----
@@ -67,8 +66,8 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
         if isinstance(stated, Mapping):
             support = _of_table(face, stated, geometry, problems)
             supports += [] if support is None else [support]
-        elif geometry is not None and face not in geometry.faces:
-            problems.add(key, str(unknown("face", face, geometry.faces)))
+        elif lacks_faces(face_or_set(face, geometry), key, geometry, problems):
+            continue
         elif isinstance(stated, str) and stated in by_text:
             supports.append(by_text[stated](face))
         elif not isinstance(stated, str) or not stated or not set(stated) <= set("xyz"):
@@ -80,7 +79,7 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
                 '{ edge = ["fixed", "outside"], directions = "xyz" }.',
             )
         else:
-            supports.append(Fixed(face, stated))
+            supports.append(Fixed(face_or_set(face, geometry), stated))
     return tuple(supports)
 
 
@@ -88,7 +87,7 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
     """Read the table of a face that is moved, or of a place that is fixed or moved."""
     key = ("supports", name)
     table: SupportTable | None = read_table(SupportTable, stated, key, problems)
-    face = None if table is None else problems.attempt(key, partial(table.face_of, name), fields=PLACES)
+    face = None if table is None else problems.attempt(key, partial(table.face_of, name, geometry), fields=PLACES)
     if table is None or face is None or lacks_faces(face, key, geometry, problems):
         return None
     if table.displacement is None:

@@ -94,8 +94,8 @@ class CavityTable(Table):
 class ForceTable(PlaceTable):
     """``[loads.NAME]``: a force on a face, an edge, a node or a box, or what hangs from there.
 
-    One of ``edge``, ``near`` and ``box`` says where the nodes are, and NAME is any name. Without them it is that of a
-    face.
+    One of ``edge``, ``near``, ``box`` and ``node_set`` says where the nodes are, and NAME is any name. Without them it
+    is that of a face or of a node set.
 
     Keys
     ----

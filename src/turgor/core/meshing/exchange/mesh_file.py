@@ -120,6 +120,7 @@ class MeshFile:
             solid_volume=_enclosed(mesh, outer_triangles(mesh)),
             regions=tuple(mesh.regions),
             faces=tuple(sorted(mesh.faces)),
+            node_sets=tuple(sorted(mesh.node_sets)),
             shape=MeshedShape(mesh),
         )
 

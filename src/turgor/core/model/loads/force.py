@@ -48,6 +48,8 @@ class Force(Load):
     history: History = RAMP
     follower: bool = False
 
+    at_places = True
+
     if TYPE_CHECKING:
 
         def __init__(

@@ -139,11 +139,12 @@ class Load:
 
     history: History = RAMP
 
-    #: Key of a list of tables below ``[loads]`` in job files; empty where the tables of a load are read by their own
-    #: function. A file in the folder of loads that states none has its own name as key.
+    #: Key of a list of tables below ``[loads]`` in job files; empty where a function of its own reads the tables.
     job_key: ClassVar[str] = ""
-    #: Whether the load is a state of bodies, at rest or in stiffness, and pulls at nothing.
+    #: Whether the load is a state of bodies and pulls at nothing.
     of_bodies: ClassVar[bool] = False
+    #: Whether its face may be a `NodesAt` or the name of a node set.
+    at_places: ClassVar[bool] = False
     #: Whether the load needs the density of every region.
     needs_density: ClassVar[bool] = False
     #: Whether the load is spread over the faces that it names, so that the mean stress may jump there.

@@ -40,6 +40,7 @@ class Displacement(Support):
     directions: str = "xyz"
 
     moves = True
+    at_places = True
 
     if TYPE_CHECKING:
 

@@ -24,6 +24,8 @@ class Fixed(Support):
     face: str | NodesAt
     directions: str = "xyz"
 
+    at_places = True
+
     def __post_init__(self) -> None:
         checked_face(self.face, "face of a support", "fixed")
         check_directions(self.directions, f"support of '{self.place}'")

@@ -36,6 +36,8 @@ class Support:
 
     __slots__ = ()
 
+    #: Whether its face may be a `NodesAt`, or the name of a node set of the mesh.
+    at_places: ClassVar[bool] = False
     #: Whether the traction may jump across its face.
     jumps: ClassVar[bool] = True
     #: Whether it may move an actuator, which then works on what moves it.
