@@ -61,7 +61,7 @@ def side_shares(mesh: Mesh, sides: Ints, middles: bool = True) -> Array:
     """Return the share of each node of a mesh in a total that is spread by area over sides, (n,); the sum is one."""
     if mesh.serendipity or not middles:
         sides = sides[:, : QUADRILATERAL_8.nodes]
-    return _summed(mesh, sides, _areas(mesh.points, sides), _ON_SIDE[sides.shape[1]])
+    return _summed(mesh, sides, areas(mesh.points, sides), _ON_SIDE[sides.shape[1]])
 
 
 def _surface(mesh: Mesh) -> Ints:
@@ -79,7 +79,8 @@ def _edges(mesh: Mesh) -> Ints:
     return np.asarray(every[first])
 
 
-def _areas(points: Array, sides: Ints) -> Array:
+def areas(points: Array, sides: Ints) -> Array:
+    """Return the areas of sides (f,) that are flat between their corners [m²]."""
     corners = points[sides[:, : 4 if sides.shape[1] >= QUADRILATERAL_8.nodes else 3]]
     one, other = corners[:, 2] - corners[:, 0], corners[:, -1] - corners[:, 1]
     return np.asarray(np.linalg.norm(np.cross(one, other), axis=1) / 2)

@@ -5,17 +5,19 @@ A file in `turgor.core.model.supports` whose class states ``job_texts`` is all t
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
 from pydantic import Field
 
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.model.supports import Displacement, Fixed, Shift, Support
+from turgor.core.model.places import NodesAt
+from turgor.core.model.supports import Displacement, Fixed, Roller, Shift, Support
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.job.tables.obstacles import Lengths
+from turgor.job.text.lines import Key
 from turgor.job.text.place_table import PLACES, PlaceTable, face_or_set, lacks_faces
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import read_table, shown
+from turgor.job.text.quantities import Says, read_table, shown
 
 
 class SupportTable(PlaceTable):
@@ -28,12 +30,13 @@ class SupportTable(PlaceTable):
     ----
     displacement : list of lengths
         Where it is at the end, relative to where it was, in proportion to the load factor.
-    directions : str
-        Directions in which it is fixed or moved; it is free in the others.
+    directions : str or list of floats
+        Directions in which it is fixed or moved, some of x, y and z; it is free in the others. Or three numbers: the
+        one direction in which it is fixed.
     """
 
     displacement: Lengths | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
-    directions: str = "xyz"
+    directions: Annotated[str | list[float], Says("text or three numbers", '"xz"')] = "xyz"
 
 
 #: Supports by the name of their file: the classes in their folder.
@@ -90,6 +93,8 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
     face = None if table is None else problems.attempt(key, partial(table.face_of, name, geometry), fields=PLACES)
     if table is None or face is None or lacks_faces(face, key, geometry, problems):
         return None
+    if not isinstance(table.directions, str):
+        return _roller(face, table, key, problems)
     if table.displacement is None:
         if isinstance(face, str):
             problems.add(key, f'displacement is missing; to hold the face, write {name} = "{table.directions}".')
@@ -101,6 +106,17 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
         along = ", ".join(free)
         problems.add((*key, "directions"), f"it moves along {along}, but is prescribed in {table.directions} only.")
     return moved
+
+
+def _roller(face: str | NodesAt, table: SupportTable, key: Key, problems: Problems) -> Support | None:
+    """Read a support along one direction that is not x, y or z."""
+    if table.displacement is not None:
+        problems.add(
+            (*key, "directions"),
+            "a move along a direction that is not x, y or z has no form; name some of x, y and z.",
+        )
+        return None
+    return problems.attempt((*key, "directions"), partial(Roller, face, table.directions))
 
 
 def moves_a_face(supports: object) -> bool:

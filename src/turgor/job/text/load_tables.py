@@ -54,6 +54,8 @@ def _gravity(value: object) -> object:
 
 _FORCES = '[0, 0, "-0.5 N"]'
 Forces = Annotated[Any, three("force", _FORCES), says_three("force", _FORCES)]
+_TRACTION = '[0, 0, "2 kPa"]'
+Tractions = Annotated[Any, three("pressure", _TRACTION), says_three("pressure", _TRACTION)]
 Mass = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="mass")), Field(gt=0)]
 
 
@@ -101,6 +103,8 @@ class ForceTable(PlaceTable):
     ----
     force : (3,) floats [N], optional
         Total force on the whole actuator, spread over the face, or over the nodes, and fixed in direction.
+    traction : (3,) floats [Pa], optional
+        Force per area at rest on a face, fixed in direction.
     hangs : float [kg], optional
         Mass whose weight pulls there in the direction of gravity, which is ``"-z"`` where none is stated.
     history : list or str, optional
@@ -111,6 +115,7 @@ class ForceTable(PlaceTable):
     """
 
     force: Forces = None
+    traction: Tractions = None
     hangs: Mass | None = None
     history: Points = None
     history_over_time: Points = None

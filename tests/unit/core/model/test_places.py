@@ -1,5 +1,7 @@
 """Places of supports: their nodes, their words, what is refused, and what else reads them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from lattice_cases import KINDS, lattice, refined
@@ -7,6 +9,7 @@ from lattice_cases import KINDS, lattice, refined
 import turgor as tg
 from refused import refused
 from turgor.core.meshing.node_shares import node_shares
+from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.supports import Displacement, Fixed, NodesAt, Shift
 from turgor.core.model.write_inp import write_inp
 
@@ -36,8 +39,6 @@ def test_a_place_follows_a_refined_mesh(kind: str) -> None:
 
 
 def test_middles_that_follow_are_no_nearest_node() -> None:
-    from dataclasses import replace
-
     mesh = replace(lattice((2, 2, 2), KINDS["hex"]), serendipity=True)
     (node,) = NodesAt("middle", near=(0.25, 0.25, 0.25)).nodes(mesh)
     assert node in mesh.carrying_cells
@@ -104,6 +105,52 @@ def test_an_inp_file_holds_the_force_on_a_place_and_on_a_face(tmp_path) -> None:
     corners = [value for node, value in by_node.items() if node < mesh.vertex_count]
     assert corners == pytest.approx([-0.5] * 4)  # of a side with eight nodes, as CalculiX spreads a pressure
     assert len(by_node) == 8
+
+
+def test_an_inp_file_holds_a_traction_on_the_part_that_is_modeled(tmp_path) -> None:
+    mesh = lattice((2, 1, 1), KINDS["tet"])
+    sides = outer_triangles(mesh)
+    half = replace(mesh, faces={**mesh.faces, "symmetry_y": sides[(mesh.points[sides, 1] == 0).all(axis=1)]})
+    for each in (mesh, half):
+        write_inp(
+            tg.Model(each, RUBBER, "x0", [tg.Traction("x1", (3.0, 0, 0))]), tmp_path / "pull.inp", program="abaqus"
+        )
+        text = (tmp_path / "pull.inp").read_text().split("*CLOAD, AMPLITUDE=ramp\n")[1].split("*")[0]
+        assert sum(float(row.split(", ")[2]) for row in text.splitlines()) == pytest.approx(3.0)  # of an area of 1 m²
+
+
+def test_an_inp_file_holds_rollers_as_equations(tmp_path) -> None:
+    mesh = lattice((2, 1, 1), KINDS["hex"])
+    rim = NodesAt("rim", box=((1, 0, 0), (1, 0, 1)))
+    slopes = [tg.supports.Roller(rim, (3, 0, 4)), tg.supports.Roller(rim, (0, 1, 1))]
+    write_inp(tg.Model(mesh, RUBBER, ["x0", *slopes], []), tmp_path / "slope.inp", program="abaqus")
+    text = (tmp_path / "slope.inp").read_text()
+    nodes = np.intersect1d(rim.nodes(mesh), mesh.cells[:, :20]) + 1
+    rows = [f"{node}, 3, 1, {node}, 1, 0.75\n*EQUATION\n2\n{node}, 2, 1, {node}, 1, -0.75" for node in nodes]
+    assert len(nodes) == 3 and all(row in text for row in rows)
+    assert text.count("*EQUATION") == 2 * len(nodes)
+    write_inp(tg.Model(mesh, RUBBER, ["x0", Fixed(rim, "x"), slopes[0]], []), tmp_path / "slope.inp", program="abaqus")
+    text = (tmp_path / "slope.inp").read_text()
+    assert "*EQUATION" not in text
+    assert all(f"\n{node}, 3\n" in text for node in nodes)
+
+
+def test_rollers_that_cannot_be() -> None:
+    mesh = lattice((2, 1, 1), KINDS["hex"])
+    bent = replace(mesh, points=mesh.points + np.outer(mesh.points[:, 1] ** 2, [0.1, 0, 0]))
+    with refused("'x1'", "not plane", "Radial"):
+        tg.Model(bent, RUBBER, ["x0", tg.supports.Roller("x1")], [])
+    with refused("'rim'", "along"):
+        tg.supports.Roller(NodesAt("rim", near=(0, 0, 0)))
+    with refused("'x1'", "along", "zero"):
+        tg.supports.Roller("x1", (0, 0, 0))
+    slopes = [
+        tg.supports.Roller("x1", (1, 1, 0)),
+        tg.supports.Roller("x1", (1, -1, 0)),
+        Displacement("x1", (0, 0, 1), "z"),
+    ]
+    with refused("moved", "Roller"):
+        tg.solve(tg.Model(mesh, RUBBER, ["x0", *slopes], []))
 
 
 def test_a_force_says_where_it_acts_and_a_later_stage_replaces_it() -> None:

@@ -60,6 +60,22 @@ def test_places_are_read_and_written_back(tmp_path: Path) -> None:
     assert read_job(again).supports == job.supports
 
 
+def test_rollers_and_tractions_are_read_and_written_back(tmp_path: Path) -> None:
+    file = with_load(tmp_path, 'tip = { traction = ["1 kPa", 0, 0] }')
+    slopes = 'outside = { directions = [1, 0, 1] }\nrim = { edge = ["tip", "outside"], directions = [0, 1, 1] }'
+    file.write_text(file.read_text(encoding="utf-8").replace('fixed = "x"', f'fixed = "normal"\n{slopes}'))
+    job = read_job(file)
+    assert job.supports == (
+        tg.supports.Roller("fixed"),
+        tg.supports.Roller("outside", (1.0, 0.0, 1.0)),
+        tg.supports.Roller(NodesAt("rim", edge=("tip", "outside")), (0.0, 1.0, 1.0)),
+    )
+    assert job.loads[1] == tg.Traction("tip", (1e3, 0.0, 0.0))
+    again = tmp_path / "again.toml"
+    again.write_text(lock_text(job, {}), encoding="utf-8")
+    assert (read_job(again).supports, read_job(again).loads) == (job.supports, job.loads)
+
+
 def test_a_run_with_a_box_that_moves_says_so(tmp_path: Path) -> None:
     text = 'end = { box = [["17 mm", "-20 mm", "-20 mm"], ["20 mm", "20 mm", "20 mm"]], displacement = ["2 mm", 0, 0] }'
     changes = {"output.mesh_error": False, "output.measures": ["tip_displacement_x"]}
@@ -96,6 +112,10 @@ def test_forces_on_places_are_read_and_written_back(tmp_path: Path) -> None:
         ('pull = { naer = [0, 0, 0], force = [0, 0, "1 N"] }', ("loads.pull", "naer", "'near'")),
         ('pull = { near = [0, 0, 0], box = [[0, 0, 0], [0, 0, 0]], force = [0, 0, "1 N"] }', ("near", "box", "one")),
         ('pull = { near = [0, 0, 0], force = [0, 0, "1 kPa"] }', ("loads.pull.force", "kPa")),
+        ('tip = { traction = [0, 0, "1 N"] }', ("loads.tip.traction", "N")),
+        ('tip = { tracton = [0, 0, "1 kPa"], force = [0, 0, "1 N"] }', ("loads.tip", "tracton", "'traction'")),
+        ('tip = { traction = ["1 kPa", 0, 0], force = [0, 0, "1 N"] }', ("loads.tip", "one of", "traction")),
+        ('pull = { near = [0, 0, 0], traction = [0, 0, "1 kPa"] }', ("loads.pull.traction", "force")),
         ('tipp = { force = [0, 0, "1 N"] }', ("loads.tipp", "'tip'")),
     ],
 )
@@ -112,6 +132,9 @@ def test_forces_on_places_that_cannot_be(tmp_path: Path, load: str, facts: tuple
         ('rim = { edge = ["fixed", "tip"], near = [0, 0, 0] }', ("supports.rim", "edge", "near")),
         ('rim = { near = [0, 0, "5 kPa"] }', ("supports.rim.near", "kPa")),
         ("rim = { box = [[0, 0, 0]] }", ("supports.rim.box",)),
+        ("tip = { directions = [1, 0] }", ("supports.tip.directions", "[1.0, 0.0]")),
+        ('tip = { directions = [1, 0, 1], displacement = [0, 0, "1 mm"] }', ("supports.tip.directions", "x, y")),
+        ('tip = "normall"', ("supports.tip", "'normal'")),
         ('tip = { directions = "x" }', ("supports.tip", "displacement")),
     ],
 )

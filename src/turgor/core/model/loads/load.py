@@ -103,8 +103,8 @@ class Deck(Protocol):
     def force(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
         """Rows of a force [N] on a reference point, that on the whole actuator."""
 
-    def spread(self, place: str | NodesAt, vector: ArrayLike) -> tuple[str, ...]:
-        """Rows of a force [N] on the nodes of a face or place, that on the whole actuator."""
+    def spread(self, place: str | NodesAt, vector: ArrayLike, per_area: bool = False) -> tuple[str, ...]:
+        """Rows of a force [N] on the whole, or per area [Pa] of a face, on the nodes of a face or place."""
 
     def moment(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
         """Rows of a moment [N m] on a reference point, that on the whole actuator."""

@@ -6,5 +6,6 @@ from turgor.core.model.supports.displacement import Shift as Shift
 from turgor.core.model.supports.fixed import Fixed as Fixed
 from turgor.core.model.supports.plane_section import PlaneSection as PlaneSection
 from turgor.core.model.supports.radial import Radial as Radial
+from turgor.core.model.supports.roller import Roller as Roller
 from turgor.core.model.supports.support import Support as Support
 from turgor.core.model.supports.symmetry import Symmetry as Symmetry

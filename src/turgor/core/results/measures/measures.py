@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.boundary import radial_normals
+from turgor.core.engine.algebra.node_frames import across_fixed
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.faces import surfaces
 from turgor.core.geometry.names import measured_faces
@@ -309,7 +310,7 @@ def _cavity_volume(at: StateFields) -> float:
 
 
 def _reaction(at: StateFields) -> float:
-    """Sum the forces along the directions in which the supports Fixed and Radial hold each node."""
+    """Sum the forces along the directions in which the supports Fixed, Radial and Roller hold each node."""
     fixed = np.zeros(at.mesh.points.shape, dtype=bool)
     for support in at.model.supports:
         directions = support.prescribed[1]
@@ -317,13 +318,11 @@ def _reaction(at: StateFields) -> float:
             nodes = support.nodes(at.mesh)
             for direction in directions:
                 fixed[nodes, "xyz".index(direction)] = True
-    nodes, normals = radial_normals(at.model)
+    nodes, across = across_fixed(*radial_normals(at.model), fixed)
     if not fixed.any() and not len(nodes):
-        raise TurgorError("the model has no support Fixed or Radial whose force could be summed.")
+        raise TurgorError("the model has no support Fixed, Radial or Roller whose force could be summed.")
     force = np.where(fixed, at.state.nodal_force, 0.0)
-    across = np.where(fixed[nodes], 0.0, normals)  # what the normal adds to the directions that are fixed
-    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
-    force[nodes] += np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across
+    np.add.at(force, nodes, np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across)
     whole = at.facts.of_whole(at.mesh.symmetry_factor * force.sum(axis=0))
     return float(np.linalg.norm(whole + fixed_points_force(at)))
 
@@ -360,8 +359,8 @@ cavity_volume = Measure(
 )  # fmt: skip
 reaction = Measure(
     name="reaction", unit="N", function=_reaction,
-    definition="magnitude of the sum of all forces at the supports Fixed and Radial, whole actuator; zero where only "
-    "the pressure of a closed cavity acts, since that pushes on itself",
+    definition="magnitude of the sum of all forces at the supports Fixed, Radial and Roller, whole actuator; zero "
+    "where only the pressure of a closed cavity acts, since that pushes on itself",
 )  # fmt: skip
 smallest_gap = Measure(
     name="smallest_gap", unit="mm",
