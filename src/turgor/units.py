@@ -104,7 +104,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
             {"N m/rad": 1.0, "Nm/rad": 1.0, "N mm/rad": 1e-3, "N mm/deg": 1e-3 / deg}
         ),
         "inertia": MappingProxyType({"kg m²": 1.0, "kg m2": 1.0, "kg mm²": mm**2, "kg mm2": mm**2, "g mm²": g * mm**2}),
-        "contact stiffness": MappingProxyType({"Pa/m": 1.0, "kPa/mm": 1e6, "MPa/mm": 1e9}),
+        "contact stiffness": MappingProxyType({"Pa/m": 1.0, "kPa/mm": 1e6, "MPa/mm": 1e9, "N/m³": 1.0, "N/mm³": 1e9}),
         "conductance": MappingProxyType(
             {
                 **{"m³/(s Pa)": 1.0, "m3/(s Pa)": 1.0, "dm³/(s bar)": 1e-8, "dm3/(s bar)": 1e-8},

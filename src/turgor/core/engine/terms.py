@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.faces.dead_loads import dead_terms
+from turgor.core.engine.faces.foundation_term import foundation_terms
 from turgor.core.engine.faces.membrane_term import membrane_terms
 from turgor.core.engine.faces.plate_edges import plate_terms
 from turgor.core.engine.faces.pressure_term import PressureTerm, pressure_terms
@@ -30,6 +31,7 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     thrust_terms,
     membrane_terms,
     plate_terms,
+    foundation_terms,
     fiber_terms,
     dead_terms,
     rigid_terms,

@@ -7,17 +7,20 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Annotated, Any
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.model.places import NodesAt
-from turgor.core.model.supports import Displacement, Fixed, Roller, Shift, Support
+from turgor.core.model.supports import Displacement, Fixed, Foundation, Roller, Shift, Support
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.text.lines import Key
 from turgor.job.text.place_table import PLACES, PlaceTable, face_or_set, lacks_faces
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Says, read_table, shown
+from turgor.units import parse_quantity
+
+Bedding = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="contact stiffness"))]
 
 
 class SupportTable(PlaceTable):
@@ -33,10 +36,16 @@ class SupportTable(PlaceTable):
     directions : str or list of floats
         Directions in which it is fixed or moved, some of x, y and z; it is free in the others. Or three numbers: the
         one direction in which it is fixed.
+    normal_stiffness : float [Pa/m]
+        Stiffness per area of springs on which the face is bedded, along its normal.
+    tangential_stiffness : float [Pa/m]
+        The same across the normal.
     """
 
     displacement: Lengths | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
     directions: Annotated[str | list[float], Says("text or three numbers", '"xz"')] = "xyz"
+    normal_stiffness: Bedding | None = None
+    tangential_stiffness: Bedding | None = None
 
 
 #: Supports by the name of their file: the classes in their folder.
@@ -93,6 +102,8 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
     face = None if table is None else problems.attempt(key, partial(table.face_of, name, geometry), fields=PLACES)
     if table is None or face is None or lacks_faces(face, key, geometry, problems):
         return None
+    if table.normal_stiffness is not None or table.tangential_stiffness is not None:
+        return _foundation(face, table, key, problems)
     if not isinstance(table.directions, str):
         return _roller(face, table, key, problems)
     if table.displacement is None:
@@ -117,6 +128,16 @@ def _roller(face: str | NodesAt, table: SupportTable, key: Key, problems: Proble
         )
         return None
     return problems.attempt((*key, "directions"), partial(Roller, face, table.directions))
+
+
+def _foundation(face: str | NodesAt, table: SupportTable, key: Key, problems: Problems) -> Support | None:
+    """Read a face on springs."""
+    others = sorted(table.model_fields_set - {"normal_stiffness", "tangential_stiffness"})
+    if not isinstance(face, str) or others:
+        problems.add(key, f"springs bed a whole face; leave out {', '.join(others)}, or state another support besides.")
+        return None
+    normal, tangential = table.normal_stiffness or 0.0, table.tangential_stiffness or 0.0
+    return problems.attempt(key, partial(Foundation, face, normal, tangential))
 
 
 def moves_a_face(supports: object) -> bool:

@@ -81,6 +81,11 @@ class Support:
         return None
 
     @property
+    def bedding(self) -> tuple[float, float]:
+        """Stiffness per area of springs under its face, along the normal and across it [Pa/m]."""
+        return 0.0, 0.0
+
+    @property
     def push(self) -> tuple[float, float, float] | None:
         """Unit vector along which a tip pushes on what measures its force; None of other supports."""
         return None

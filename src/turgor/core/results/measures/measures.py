@@ -11,6 +11,7 @@ from turgor.core.engine.algebra.boundary import radial_normals
 from turgor.core.engine.algebra.node_frames import across_fixed
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.faces import surfaces
+from turgor.core.engine.faces.foundation_term import foundation_force
 from turgor.core.geometry.names import measured_faces
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.proximity import smallest_gap as smallest_gap_between
@@ -319,11 +320,12 @@ def _reaction(at: StateFields) -> float:
             for direction in directions:
                 fixed[nodes, "xyz".index(direction)] = True
     nodes, across = across_fixed(*radial_normals(at.model), fixed)
-    if not fixed.any() and not len(nodes):
-        raise TurgorError("the model has no support Fixed, Radial or Roller whose force could be summed.")
+    if not fixed.any() and not len(nodes) and not any(any(support.bedding) for support in at.model.supports):
+        raise TurgorError("the model has no support Fixed, Radial, Roller or Foundation whose force could be summed.")
     force = np.where(fixed, at.state.nodal_force, 0.0)
     np.add.at(force, nodes, np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across)
-    whole = at.facts.of_whole(at.mesh.symmetry_factor * force.sum(axis=0))
+    total = force.sum(axis=0) + foundation_force(at.model, at.displacement)
+    whole = at.facts.of_whole(at.mesh.symmetry_factor * total)
     return float(np.linalg.norm(whole + fixed_points_force(at)))
 
 
