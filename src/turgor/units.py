@@ -88,6 +88,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
             }
         ),
         "rate": MappingProxyType({"1/s": 1.0, "1/ms": 1e3}),
+        "speed": MappingProxyType({"m/s": 1.0, "mm/s": mm}),
         "acceleration": MappingProxyType({"m/s²": 1.0, "m/s2": 1.0}),
         "force": MappingProxyType({"N": N, "mN": mN, "kN": 1e3, "gf": gf, "kgf": 1e3 * gf, "lbf": lbf}),
         "mass": MappingProxyType({"kg": kg, "g": g, "mg": 1e-6, "lb": 0.45359237, "oz": 0.45359237 / 16}),
@@ -127,6 +128,7 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "pressure": "60 kPa",
         "time": "2 s",
         "rate": "1 1/s",
+        "speed": "0.5 m/s",
         "acceleration": "9.81 m/s²",
         "force": "0.5 N",
         "mass": "50 g",

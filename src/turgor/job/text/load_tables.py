@@ -32,7 +32,7 @@ class GravityTable(Table):
         Acceleration of gravity.
     history : list or str, optional
         Share of the weight over the load factor: points [load factor, share] with straight lines between them,
-        or an expression in t. By default it rises with the load factor.
+        or an expression in t, or "constant" from the start. By default it rises with the load factor.
     history_over_time : list or str, optional
         The same over time in seconds, where the procedure has a duration.
     """
@@ -83,7 +83,7 @@ class CavityTable(Table):
         Gauge pressure that the history is a share of.
     history : list or str, optional
         Share of the pressure over the load factor: points [load factor, share] with straight lines between
-        them, or an expression in t. By default it rises with the load factor.
+        them, or an expression in t, or "constant" from the start. By default it rises with the load factor.
     history_over_time : list or str, optional
         The same over time in seconds, where the procedure has a duration.
     """
@@ -109,7 +109,7 @@ class ForceTable(PlaceTable):
         Mass whose weight pulls there in the direction of gravity, which is ``"-z"`` where none is stated.
     history : list or str, optional
         Share of the force over the load factor: points [load factor, share] with straight lines between them, or an
-        expression in t. By default it rises with the load factor.
+        expression in t, or "constant" from the start. By default it rises with the load factor.
     history_over_time : list or str, optional
         The same over time in seconds, where the procedure has a duration.
     """

@@ -59,7 +59,7 @@ class Force(Load):
     def __post_init__(self) -> None:
         subject = f"force on '{checked_face(self.face, 'face of a force', 'tip')}'"
         object.__setattr__(self, "vector", vector(self.vector, subject, "force"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
 
     @property
     def words(self) -> str:

@@ -77,7 +77,7 @@ class Temperature(Load):
                 raise TurgorError(f"{subject}: {key} is {value:g} K; it must be more than 0 K.")
         object.__setattr__(self, "expansion", number(self.expansion, f"{subject}: expansion", "expansion"))
         object.__setattr__(self, "modulus", _modulus(self.modulus, f"{subject}: modulus"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
         strain = self.expansion * (self.temperature - self.rest)
         if not -0.5 <= strain <= 1:
             raise TurgorError(

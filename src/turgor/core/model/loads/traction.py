@@ -38,7 +38,7 @@ class Traction(Load):
     def __post_init__(self) -> None:
         subject = f"traction on '{name_of(self.face, 'face of a traction', 'tip')}'"
         object.__setattr__(self, "vector", vector(self.vector, subject, "pressure"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
 
     @property
     def words(self) -> str:
