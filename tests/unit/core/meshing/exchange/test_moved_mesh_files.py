@@ -29,8 +29,8 @@ def grid(counts: tuple[int, int, int], low: tuple[float, ...], size: float) -> t
     return points, np.column_stack([corner[n] for n in (0, 1, 3, 2, 4, 5, 7, 6)])
 
 
-def bar_file(folder: Path, low: tuple[float, ...] = (0.0, -10.0, 0.0)) -> Path:
-    points, cells = grid((4, 4, 2), low, 5.0)
+def bar_file(folder: Path, low: tuple[float, ...] = (0.0, -10.0, 0.0), across: int = 4) -> Path:
+    points, cells = grid((4, across, 2), low, 5.0)
     ends = {name: np.flatnonzero(points[:, 0] == at) + 1 for name, at in (("left", low[0]), ("right", low[0] + 20))}
     edge = np.flatnonzero((points[:, 0] == low[0] + 20) & (points[:, 2] == points[:, 2].max())) + 1
     sets = {**ends, "edge": edge}
@@ -57,6 +57,13 @@ def test_a_half_answers_as_the_whole_does(tmp_path: Path) -> None:
         ends.append((force, solution.states[-1].displacement[mesh.face_nodes("right"), 2].min()))
     assert ends[0][0] == pytest.approx(0.02, rel=1e-5)
     assert ends[1] == pytest.approx(ends[0], rel=1e-5)
+
+
+def test_no_cell_is_cut(tmp_path: Path) -> None:
+    with refused("mirror plane y = 0", "8 of 24 cells"):
+        half_of(read_mesh(bar_file(tmp_path, low=(0.0, -7.5, 0.0), across=3)), "y")
+    with refused("'w'", "x, y, z"):
+        half_of(read_mesh(bar_file(tmp_path)), "w")
 
 
 JOB = """
