@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.faces.dead_loads import dead_terms
-from turgor.core.engine.faces.foundation_term import foundation_terms
 from turgor.core.engine.faces.membrane_term import membrane_terms
 from turgor.core.engine.faces.plate_edges import plate_terms
 from turgor.core.engine.faces.pressure_term import PressureTerm, pressure_terms
@@ -16,6 +15,7 @@ from turgor.core.engine.faces.thrust_term import ThrustTerm, thrust_terms
 from turgor.core.engine.fibers.fiber_term import fiber_terms
 from turgor.core.engine.points.average_term import average_terms
 from turgor.core.engine.points.bearing_term import bearing_terms
+from turgor.core.engine.points.foundation_term import foundation_terms
 from turgor.core.engine.points.rigid_term import rigid_terms
 from turgor.core.engine.points.spring_term import spring_terms
 from turgor.core.engine.points.turning_term import turning_terms

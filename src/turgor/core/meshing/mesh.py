@@ -69,12 +69,12 @@ class Mesh(Shown):
     wedge : Wedge, optional
         The sector of the whole that it is, where it is one; its cut faces are ``cyclic_low`` and ``cyclic_high``, and
         the nodes of the one are those of the other, turned.
-    node_sets : dict of str to (k,) int array
-        Nodes of each named edge or point of a file, which holds no whole side. `Fixed`, `Displacement` and `Force` take
-        these names as those of faces.
     serendipity : bool
         Whether the middles of sides and cells of 27-node hexahedra follow the other 20 nodes (`turgor.core.meshing.
         middles`), which halves the unknowns. Their places follow, too.
+    node_sets : dict of str to (k,) int array
+        Nodes of each named edge or point of a file, which holds no whole side. `Fixed`, `Displacement` and `Force` take
+        these names as those of faces.
 
     Raises
     ------

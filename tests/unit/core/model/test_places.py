@@ -8,7 +8,7 @@ from lattice_cases import KINDS, lattice, refined
 
 import turgor as tg
 from refused import refused
-from turgor.core.meshing.node_shares import node_shares
+from turgor.core.meshing.nodes.node_shares import node_shares
 from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.supports import Displacement, Fixed, NodesAt, Shift
 from turgor.core.model.write_inp import write_inp

@@ -13,7 +13,7 @@ from turgor.core.engine.faces.concentrated import line_force, point_force
 from turgor.core.engine.points.point_mass import weights_of
 from turgor.core.engine.points.point_unknowns import carriers_of
 from turgor.core.engine.term import Configuration, Setting, Term
-from turgor.core.meshing.node_shares import node_shares
+from turgor.core.meshing.nodes.node_shares import node_shares
 from turgor.core.model.history import History, share_at
 from turgor.core.model.loads.load import Vector
 from turgor.core.model.model import Model

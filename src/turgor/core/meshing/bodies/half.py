@@ -63,19 +63,19 @@ x; move the plane to 0.
         raise TurgorError(f"'{mesh.name}' has no mirror plane {axis} = 0: {what}.")
     points = mesh.points.copy()
     points[:, number] = at
-    kept = np.flatnonzero(high > 0)
-    nodes = np.unique(mesh.cells[kept])
+    chosen = np.flatnonzero(high > 0)
+    nodes = np.unique(mesh.cells[chosen])
     new = np.full(len(points), -1, dtype=np.int64)
     new[nodes] = np.arange(len(nodes))
     cells = np.full(len(mesh.cells), -1, dtype=np.int64)
-    cells[kept] = np.arange(len(kept))
+    cells[chosen] = np.arange(len(chosen))
     faces = {face: new[sides[(new[sides] >= 0).all(axis=1)]] for face, sides in mesh.faces.items() if face != name}
     regions = {region: cells[rows[cells[rows] >= 0]] for region, rows in mesh.regions.items()}
     sets = {each: new[rows[new[rows] >= 0]] for each, rows in mesh.node_sets.items()}
     half = replace(
         mesh,
         points=points[nodes],
-        cells=new[mesh.cells[kept]],
+        cells=new[mesh.cells[chosen]],
         regions={region: rows for region, rows in regions.items() if len(rows)},
         faces={face: sides for face, sides in faces.items() if len(sides)},
         node_sets={each: rows for each, rows in sets.items() if len(rows)},

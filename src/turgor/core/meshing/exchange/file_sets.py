@@ -6,7 +6,7 @@ import numpy as np
 
 from turgor.core.meshing.exchange.formats.raw import Ints, RawMesh
 from turgor.core.meshing.exchange.solids import Solids
-from turgor.core.meshing.node_sets import with_new_middles
+from turgor.core.meshing.nodes.node_sets import with_new_middles
 
 
 def sets_of_file(raw: RawMesh, solids: Solids, faces: Mapping[str, Ints]) -> dict[str, Ints]:

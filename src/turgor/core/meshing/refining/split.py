@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.wedge import HIGH, LOW
 from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, TRIANGLE_EDGES, Mesh
-from turgor.core.meshing.node_sets import refined_sets
+from turgor.core.meshing.nodes.node_sets import refined_sets
 from turgor.core.meshing.refining.refinement import Refinement
 
 Array = NDArray[np.float64]

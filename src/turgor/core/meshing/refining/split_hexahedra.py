@@ -15,7 +15,7 @@ from scipy.sparse.csgraph import connected_components
 
 from turgor.core.meshing.cells import HEXAHEDRON, QUADRILATERAL
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.node_sets import refined_sets
+from turgor.core.meshing.nodes.node_sets import refined_sets
 from turgor.core.meshing.refining.refinement import Refinement
 
 Array = NDArray[np.float64]

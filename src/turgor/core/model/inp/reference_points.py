@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.node_shares import areas, node_shares, side_shares
+from turgor.core.meshing.nodes.node_shares import areas, node_shares, side_shares
 from turgor.core.model.model import Model
 from turgor.core.model.places import NodesAt
 from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation

@@ -11,7 +11,7 @@ from turgor.core.engine.algebra.boundary import radial_normals
 from turgor.core.engine.algebra.node_frames import across_fixed
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.faces import surfaces
-from turgor.core.engine.faces.foundation_term import foundation_force
+from turgor.core.engine.points.foundation_term import foundation_force
 from turgor.core.geometry.names import measured_faces
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.proximity import smallest_gap as smallest_gap_between
