@@ -18,8 +18,8 @@ UNLIKE = 0.01
 def half_of(mesh: Mesh, axis: str) -> Mesh:
     """Return the half of a mesh at positive x, y or z, with the face ``symmetry_x``, ``symmetry_y`` or ``symmetry_z``.
 
-    Sides of cells must lie on the mirror plane through the origin, as a generator makes them where it is told of the
-    plane: no cell is cut.
+    Sides of cells must lie on the mirror plane through the origin, as a generator puts them if the part is built of
+    two halves: no cell is cut.
 
     Parameters
     ----------
