@@ -88,6 +88,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
             }
         ),
         "rate": MappingProxyType({"1/s": 1.0, "1/ms": 1e3}),
+        "speed": MappingProxyType({"m/s": 1.0, "mm/s": mm}),
         "acceleration": MappingProxyType({"m/s²": 1.0, "m/s2": 1.0}),
         "force": MappingProxyType({"N": N, "mN": mN, "kN": 1e3, "gf": gf, "kgf": 1e3 * gf, "lbf": lbf}),
         "mass": MappingProxyType({"kg": kg, "g": g, "mg": 1e-6, "lb": 0.45359237, "oz": 0.45359237 / 16}),
@@ -105,7 +106,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
             {"N m/rad": 1.0, "Nm/rad": 1.0, "N mm/rad": 1e-3, "N mm/deg": 1e-3 / deg}
         ),
         "inertia": MappingProxyType({"kg m²": 1.0, "kg m2": 1.0, "kg mm²": mm**2, "kg mm2": mm**2, "g mm²": g * mm**2}),
-        "contact stiffness": MappingProxyType({"Pa/m": 1.0, "kPa/mm": 1e6, "MPa/mm": 1e9}),
+        "contact stiffness": MappingProxyType({"Pa/m": 1.0, "kPa/mm": 1e6, "MPa/mm": 1e9, "N/m³": 1.0, "N/mm³": 1e9}),
         "conductance": MappingProxyType(
             {
                 **{"m³/(s Pa)": 1.0, "m3/(s Pa)": 1.0, "dm³/(s bar)": 1e-8, "dm3/(s bar)": 1e-8},
@@ -128,6 +129,7 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "pressure": "60 kPa",
         "time": "2 s",
         "rate": "1 1/s",
+        "speed": "0.5 m/s",
         "acceleration": "9.81 m/s²",
         "force": "0.5 N",
         "mass": "50 g",

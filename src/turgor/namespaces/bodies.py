@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from turgor.core.geometry.solids import Film as Film
     from turgor.core.geometry.solids import RoundBar as RoundBar
     from turgor.core.meshing.bodies.combine import together as together
+    from turgor.core.meshing.bodies.half import half_of as half_of
     from turgor.core.meshing.bodies.placing import mirrored as mirrored
     from turgor.core.meshing.bodies.placing import placed as placed
     from turgor.core.meshing.quality.cell_quality import MeshQuality as MeshQuality

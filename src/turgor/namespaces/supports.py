@@ -5,14 +5,16 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.core.model.places import NodesAt as NodesAt
     from turgor.core.model.points import Hinge as Hinge
     from turgor.core.model.points import ReferencePoint as ReferencePoint
     from turgor.core.model.points import Rotation as Rotation
     from turgor.core.model.supports import Displacement as Displacement
     from turgor.core.model.supports import Fixed as Fixed
-    from turgor.core.model.supports import NodesAt as NodesAt
+    from turgor.core.model.supports import Foundation as Foundation
     from turgor.core.model.supports import PlaneSection as PlaneSection
     from turgor.core.model.supports import Radial as Radial
+    from turgor.core.model.supports import Roller as Roller
     from turgor.core.model.supports import Shift as Shift
     from turgor.core.model.supports import Support as Support
     from turgor.core.model.supports import Symmetry as Symmetry

@@ -17,6 +17,7 @@ from turgor.core.engine.fibers.fiber_term import fiber_terms
 from turgor.core.engine.fibers.tendon_term import tendon_terms
 from turgor.core.engine.points.average_term import average_terms
 from turgor.core.engine.points.bearing_term import bearing_terms
+from turgor.core.engine.points.foundation_term import foundation_terms
 from turgor.core.engine.points.rigid_term import rigid_terms
 from turgor.core.engine.points.spring_term import spring_terms
 from turgor.core.engine.points.turning_term import turning_terms
@@ -33,6 +34,7 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     membrane_terms,
     sheet_state_terms,
     plate_terms,
+    foundation_terms,
     fiber_terms,
     tendon_terms,
     dead_terms,

@@ -45,6 +45,8 @@ class Geometry(Shown):
     file : str
         CAD file that the shape comes from, if it comes from one: such a shape is meshed in a child process
         (`turgor.core.geometry.child_process`), because it may crash the mesh generator.
+    node_sets : tuple of str
+        Names of the sets of nodes of a mesh file that are no faces.
     wedge : Wedge, optional
         The sector of the whole that it is, where it is one; its cut faces are ``cyclic_low`` and ``cyclic_high``.
     shape : netgen.occ.TopoDS_Shape
@@ -72,6 +74,7 @@ regions: body, base, faces: cavity, fixed, outside, strain_limiting_layer, symme
     length_scale: float = METERS_PER_CAD_UNIT
     findings: tuple[Finding, ...] = ()
     file: str = ""
+    node_sets: tuple[str, ...] = ()
     wedge: Wedge | None = None
     shape: Any = field(repr=False)
     _sweep: Sweep | None = field(default=None, repr=False)

@@ -72,6 +72,9 @@ class Mesh(Shown):
     serendipity : bool
         Whether the middles of sides and cells of 27-node hexahedra follow the other 20 nodes (`turgor.core.meshing.
         middles`), which halves the unknowns. Their places follow, too.
+    node_sets : dict of str to (k,) int array
+        Nodes of each named edge or point of a file, which holds no whole side. `Fixed`, `Displacement` and `Force` take
+        these names as those of faces.
 
     Raises
     ------
@@ -89,6 +92,7 @@ class Mesh(Shown):
     revolved: str = ""
     wedge: Wedge | None = None
     serendipity: bool = False
+    node_sets: dict[str, NDArray[np.int64]] = field(default_factory=dict)
     vertex_count: int = field(init=False)
     cavities: tuple[str, ...] = field(init=False)
     """Names of the faces that enclose a cavity: those that begin with ``cavity`` and are no open surface."""
@@ -169,6 +173,11 @@ class Mesh(Shown):
 
     def face(self, name: str) -> NDArray[np.int64]:
         """Return the sides of a named face, a row each; unknown names fail with the list of known ones."""
+        if name in self.node_sets and name not in self.faces:
+            raise TurgorError(
+                f"'{name}' is a set of {len(self.node_sets[name])} nodes that holds no whole side; supports in "
+                "directions, displacements and forces take it, and this needs a face."
+            )
         if name not in self.faces:
             raise unknown("face", name, self.faces)
         return self.faces[name]

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.errors import TurgorError, near_match, unknown
 from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import plain_number
 
@@ -26,6 +26,9 @@ History = tuple[tuple[float, float], ...] | str
 
 #: The history of a load that grows in proportion to the load factor.
 RAMP: History = ((0.0, 0.0), (1.0, 1.0))
+
+#: That of a load that is there from the start, and stays.
+CONSTANT: History = ((0.0, 1.0), (1.0, 1.0))
 
 #: Load factors at which an expression is looked at before it is used.
 SAMPLES = 1001
@@ -45,7 +48,7 @@ _OPERATORS: Mapping[type[ast.operator], Callable[[float, float], float]] = {
 }
 
 
-def checked(history: Any, what: str, largest: float = 1.0) -> History:
+def checked(history: Any, what: str, largest: float = 1.0, *, starting: bool = False) -> History:
     """Return a history with its numbers as floats.
 
     Parameters
@@ -56,6 +59,8 @@ def checked(history: Any, what: str, largest: float = 1.0) -> History:
         Whose history it is, for the message.
     largest : float
         Largest share, in either direction.
+    starting : bool
+        Whether it may begin with a share, or be the word ``"constant"``: the load is there from the start.
 
     Raises
     ------
@@ -74,10 +79,14 @@ def checked(history: Any, what: str, largest: float = 1.0) -> History:
 [[0, 0], [0.5, 1], [1, 0.5]], or an expression of the load factor s: unknown name 'w'. Known: pi, s.
     """
     subject = f"{what}: history is {history!r}"
+    if starting and history == "constant":
+        return CONSTANT
     if isinstance(history, str):
-        return _checked_expression(history, subject, largest)
+        return _checked_expression(history, subject, largest, starting)
     points = _points(history, subject, "load factor")
-    if points[0] != (0.0, 0.0):
+    if starting and points[0][0] != 0:
+        raise TurgorError(f"{subject}; its first point must be at load factor 0.")
+    if points[0] != (0.0, 0.0) and not starting:
         raise TurgorError(f"{subject}; it must begin with (0, 0), because the actuator starts without load.")
     if points[-1][0] != 1 or not all(a < b for (a, _), (b, _) in pairwise(points)):
         raise TurgorError(f"{subject}; the load factors must rise from 0 to 1.")
@@ -105,6 +114,17 @@ def share_at(history: History, load_factor: float) -> float:
         return float(history[min(after, len(history) - 1)][1])
     (begin, first), (end, last) = history[after - 1 : after + 1]
     return float((last - first) / (end - begin) * (load_factor - begin) + first)
+
+
+def starts(history: History) -> bool:
+    """Whether a load acts at load factor 0 already.
+
+    Examples
+    --------
+    >>> starts(RAMP), starts(CONSTANT), starts("cos(s)")
+    (False, True, True)
+    """
+    return abs(share_at(history, 0.0)) > 1e-9
 
 
 def is_straight(history: History) -> bool:
@@ -241,18 +261,19 @@ def _points(history: Any, subject: str, first: str) -> tuple[tuple[float, float]
     return points
 
 
-def _checked_expression(text: str, subject: str, largest: float) -> str:
+def _checked_expression(text: str, subject: str, largest: float, starting: bool) -> str:
     kinds = "points (load factor, share) are needed, such as [[0, 0], [0.5, 1], [1, 0.5]], or an expression of the load"
     try:
         value = _compiled(text)
         shares = [value(s) for s in np.linspace(0.0, 1.0, SAMPLES)]
     except TurgorError as error:
-        raise TurgorError(f"{subject}; {kinds} factor s: {error}") from None
+        hint = near_match(text, ("constant",)) if starting else ""
+        raise TurgorError(f"{subject}{hint.rstrip('?')}; {kinds} factor s: {error}") from None
     except RecursionError:
         raise TurgorError(f"{subject[:200]}; this expression is too long.") from None
     except (ArithmeticError, ValueError, TypeError) as error:
         raise TurgorError(f"{subject}; it has no value everywhere between s = 0 and 1: {error}.") from None
-    if not abs(shares[0]) <= 1e-9:
+    if not (starting or abs(shares[0]) <= 1e-9):
         raise TurgorError(f"{subject}; it must be 0 at s = 0, because the actuator starts without load.")
     if not all(abs(share) <= largest * (1 + 1e-9) for share in shares):
         raise TurgorError(f"{subject}; shares of the load lie between {-largest:g} and {largest:g}.")

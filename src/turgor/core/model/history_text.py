@@ -1,6 +1,6 @@
 """Histories in words."""
 
-from turgor.core.model.history import RAMP, History
+from turgor.core.model.history import CONSTANT, RAMP, History
 
 
 def history_text(history: History) -> str:
@@ -15,5 +15,13 @@ def history_text(history: History) -> str:
 
 
 def shares_text(history: History) -> str:
-    """Return how a load gets to its last value, as the end of a sentence; empty if it just grows."""
+    """Return how a load gets to its last value, as the end of a sentence; empty if it just grows.
+
+    Examples
+    --------
+    >>> shares_text("constant"), shares_text(CONSTANT)
+    (', its share over the load factor: constant', ', from the start')
+    """
+    if history == CONSTANT:
+        return ", from the start"
     return "" if history == RAMP else f", its share over the load factor: {history_text(history)}"

@@ -10,7 +10,7 @@ from turgor.core.materials.laws.laws import Hooke, Law
 from turgor.core.materials.material import Material
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
-from turgor.core.model.accepted_forms import given_materials, given_supports
+from turgor.core.model.accepted_forms import at_node_sets, given_materials, given_supports
 from turgor.core.model.checks.films import check_films
 from turgor.core.model.checks.named_points import check_points, points_of
 from turgor.core.model.checks.orientations import check_oriented
@@ -85,7 +85,7 @@ class Model(Saved, Shown):
         contact: Contact | None = None,
     ) -> None:
         one(mesh, Mesh, "mesh of a model", "a Mesh is needed, as mesh(actuator) makes it")
-        given = given_supports(supports)
+        given = at_node_sets(given_supports(supports), mesh)
         mirrored = {each.place for each in given if each.mirror}
         added = tuple(Symmetry(face) for face in mesh.symmetry_faces if face not in mirrored)
         acting = several(loads, Load, "loads", "loads are needed, such as Pressure('cavity', 20e3)")
@@ -93,7 +93,7 @@ class Model(Saved, Shown):
         used = given_materials(materials, mesh)
         object.__setattr__(self, "materials", MappingProxyType(used))
         object.__setattr__(self, "supports", given + added)
-        object.__setattr__(self, "loads", tuple(load.of_materials(used) for load in acting))
+        object.__setattr__(self, "loads", tuple(load.of_materials(used) for load in at_node_sets(acting, mesh)))
         object.__setattr__(self, "formulation", formulation)
         threads = several(reinforcements, Fibers, "reinforcements", "Fibers are needed")
         object.__setattr__(self, "reinforcements", threads)

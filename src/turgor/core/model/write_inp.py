@@ -14,6 +14,7 @@ from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, points_of
 from turgor.core.model.inp.directions import orientation_lines
+from turgor.core.model.inp.equations import equation_lines
 from turgor.core.model.inp.growth import expansion_lines, initial_lines
 from turgor.core.model.inp.materials import material_lines
 from turgor.core.model.inp.reference_points import InpDeck, fixed_lines, inp_points, point_lines
@@ -65,7 +66,7 @@ def write_inp(
     Raises
     ------
     TurgorError
-        If the model holds something that has no form in the file: a traction, a body force, a prescribed
+        If the model holds something that has no form in the file: a body force, a prescribed
         displacement of a face, a law without a counterpart, fibers, an obstacle, a load that follows its point.
     """
     if program not in PROGRAMS:
@@ -250,8 +251,9 @@ def _material_lines(model: Model, program: str) -> list[str]:
 
 def _support_lines(model: Model, deck: InpDeck) -> list[str]:
     faces = (support for support in model.supports if support.place not in deck.points)
-    rows = (row for support in faces for row in support.boundary_rows(deck))
-    return ["*BOUNDARY", *fixed_lines(model, deck.points), *rows]
+    rows = [row for support in faces for row in support.boundary_rows(deck)]
+    equations, along = equation_lines(model)
+    return [*equations, "*BOUNDARY", *fixed_lines(model, deck.points), *rows, *along]
 
 
 def _acting(model: Model, deck: InpDeck) -> list[DeckRows]:

@@ -13,6 +13,7 @@ from turgor.core.engine.system import System
 from turgor.core.engine.warmup.compiling import compile_kernels
 from turgor.core.engine.warmup.needs import Needs
 from turgor.core.model.model import Model
+from turgor.core.model.starting_loads import at_start
 from turgor.core.solvers.checkpoints.record import Question, RunRecord
 from turgor.core.solvers.checks.contact import deep_penetrations, elastic_slips, meeting_walls
 from turgor.core.solvers.checks.early_findings import check_before_solve
@@ -20,6 +21,7 @@ from turgor.core.solvers.checks.explanations import explained
 from turgor.core.solvers.checks.materials import rubber_findings
 from turgor.core.solvers.checks.membranes import compressed_membranes
 from turgor.core.solvers.checks.plate import plate_findings
+from turgor.core.solvers.checks.supports import free_motions
 from turgor.core.solvers.checks.time_steps import too_long_steps
 from turgor.core.solvers.continuation.guide import check_guide
 from turgor.core.solvers.listeners import Listeners
@@ -178,7 +180,7 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     else:
         early = check_before_solve(model, procedure) if question.findings is None else question.findings
         listeners.tell(early)
-        one = partial(_solved, question, record)
+        one = partial(_from_start, question, record)
         if procedure.stages:
             solution = solve_stages(model, procedure, listeners, one)
         else:
@@ -193,6 +195,27 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     if throw and not solution.complete:
         raise SolveError(solution)
     return solution
+
+
+def _from_start(
+    question: Question,
+    record: RunRecord | None,
+    model: Model,
+    procedure: Procedure,
+    listeners: Listeners,
+    restart: Restart | None,
+) -> tuple[Solution, Restart]:
+    """Follow one procedure as `_solved` does, after an equilibrium of the loads that are there from the start."""
+    flies = procedure.may_be_free(model) and free_motions(model)  # without any equilibrium to begin with
+    before = at_start(model) if restart is None and not flies else None
+    if before is None:
+        return _solved(question, record, model, procedure, listeners, restart)
+    question = replace(question, guide=None)  # the path of another model, which begins at rest
+    first, restart = _solved(question, record, before, Static(), Listeners(None, listeners.stop), None)
+    if not first.complete:
+        return replace(first, message=f"Loads that are there from the start: {first.message}"), restart
+    solution, restart = _solved(question, record, model, procedure, listeners, restart)
+    return replace(solution, timing=Timing.together([first.timing, solution.timing])), restart
 
 
 def _solved(

@@ -9,7 +9,8 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
 from turgor.core.model.drive import common_pressure
 from turgor.core.model.history import RAMP
-from turgor.core.model.loads import STANDARD_GRAVITY, Force, Gravity, Load, Pressure, pressures_among
+from turgor.core.model.loads import STANDARD_GRAVITY, Force, Gravity, Load, Pressure, Traction, pressures_among
+from turgor.core.model.places import NodesAt
 from turgor.core.model.sheets import Sheet
 from turgor.foundation.errors import near_match, unknown
 from turgor.job.tables.forces import is_force, on_faces
@@ -205,8 +206,12 @@ def loads_table(loads: tuple[Load, ...]) -> dict[str, Any]:
         values[load.face] = {"pressure": format_quantity(load.pressure, "kPa")}
         values[load.face] |= history_values(load.history)
     for load in (load for load in loads if isinstance(load, Force)):
-        values[load.face] = {"force": [format_quantity(part, "N") for part in load.vector]}
-        values[load.face] |= history_values(load.history)
+        values[load.place] = load.face.table() if isinstance(load.face, NodesAt) else {}
+        values[load.place] |= {"force": [format_quantity(part, "N") for part in load.vector]}
+        values[load.place] |= history_values(load.history)
+    for pull in (load for load in loads if isinstance(load, Traction)):
+        values[pull.face] = {"traction": [format_quantity(part, "kPa") for part in pull.vector]}
+        values[pull.face] |= history_values(pull.history)
     return values | listed_values(loads)
 
 

@@ -11,11 +11,13 @@ from turgor.core.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.exchange.node_selectors import ByNodes, BySides
 from turgor.core.meshing.exchange.selectors import Choice
-from turgor.foundation.errors import TurgorError, near_file
+from turgor.foundation.errors import TurgorError, near_file, unknown
 from turgor.job.tables.cad import SelectorTable, axes_table, file_axes, selector_table
+from turgor.job.tables.obstacles import Lengths
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Table, read_table
+from turgor.job.text.quantities import Angle, Table, read_table
+from turgor.units import format_quantity
 
 #: A selector of sides of a mesh.
 SideSelector: TypeAlias = Selector | ByNodes | BySides
@@ -68,6 +70,12 @@ class MeshFileTable(Table):
     unit : str or float
         Unit of length of the file, or its length in meters; mm by default, and m for VTU files of turgor, which state
         it.
+    turn : table
+        Angles about x, y or z by which the mesh is turned, one of them: ``{ z = "90 deg" }``. Names are given before.
+    move : (3,) lengths
+        How far it is moved, after the turn.
+    mirror : list of str
+        Normals of mirror planes through the origin after the move; the half at positive x, y or z is taken.
     """
 
     type: str
@@ -81,6 +89,9 @@ class MeshFileTable(Table):
         default_factory=dict, examples=['{ fixed = { normal = "-x" } }']
     )
     cavities: dict[str, str] = Field(default_factory=dict, examples=['{ cavity = "air.stl" }'])
+    turn: dict[str, Angle] | None = Field(default=None, examples=['{ z = "90 deg" }'])
+    move: Lengths | None = Field(default=None, examples=['["5 mm", 0, 0]'])
+    mirror: list[str] = Field(default_factory=list, examples=['["y"]'])
     sha256: str = ""
 
 
@@ -125,10 +136,25 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
             regions={name: _selectors(choice, folder) for name, choice in table.regions.items()},
             faces={name: _selectors(choice, folder) for name, choice in table.faces.items()},
             cavities={name: (folder / file).resolve() for name, file in table.cavities.items()},
+            turn=_turn(table.turn),
+            move=table.move,
+            mirror=tuple(table.mirror),
             sha256=table.sha256,
         ),
         fields=[item.name for item in fields(MeshFile)],
     )
+
+
+def _turn(stated: Mapping[str, float] | None) -> tuple[str, float] | None:
+    if stated is None:
+        return None
+    wrong = [axis for axis in stated if axis not in ("x", "y", "z")]
+    if wrong:
+        raise unknown("axis of turn", wrong[0], ("x", "y", "z"))
+    if len(stated) != 1:
+        raise TurgorError(f"turn is about {' and '.join(stated)}; one axis is needed, and axes state any other turn.")
+    ((axis, angle),) = stated.items()
+    return axis, angle
 
 
 def _selectors(
@@ -152,6 +178,12 @@ def mesh_file_table(actuator: MeshFile) -> dict[str, Any]:
     for key, choices in (("regions", actuator.regions), ("faces", actuator.faces)):
         if choices:
             values[key] = {name: _written(choice) for name, choice in choices.items()}
+    if actuator.turn is not None:
+        values["turn"] = {actuator.turn[0]: format_quantity(actuator.turn[1], "deg")}
+    if actuator.move is not None:
+        values["move"] = [format_quantity(part, "mm") for part in actuator.move]
+    if actuator.mirror:
+        values["mirror"] = list(actuator.mirror)
     if actuator.cavities:
         values["cavities"] = {name: Path(file).as_posix() for name, file in actuator.cavities.items()}
     return values

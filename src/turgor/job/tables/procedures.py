@@ -14,6 +14,7 @@ from turgor.core.solvers.procedures.step_options import fields_in_order
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.registry import name_in
 from turgor.job.tables.loads import only_pressure, requested_factors
+from turgor.job.text.load_values import says_three, three
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
     Says,
@@ -33,6 +34,7 @@ _UNITS = {
     "pressure": "kPa",
     "length": "mm",
     "time": "s",
+    "speed": "m/s",
     "rate": "1/s",
     "rotational stiffness": "N m/rad",
     "angle": "deg",
@@ -70,9 +72,10 @@ def states_requested(at: Sequence[Any], why: str, problems: Problems) -> bool:
 
 
 def drives(values: Any) -> bool:
-    """Return whether ``[procedure]`` drives the actuator without a load: it takes a value for each cavity."""
+    """Return whether ``[procedure]`` drives the actuator without a load: by a value for each cavity, or a velocity."""
     kind = PROCEDURES.get(str(values.get("type"))) if isinstance(values, Mapping) else None
-    return kind is not None and any(_by_cavity(item) for item in procedure_fields(kind))
+    thrown = isinstance(values, Mapping) and "velocity" in values
+    return kind is not None and (thrown or any(_by_cavity(item) for item in procedure_fields(kind)))
 
 
 def duration_of(values: Any) -> float | None:
@@ -142,6 +145,8 @@ def _step_type(item: Field[Any]) -> Any:
     if "dimension" not in item.metadata:
         return item.type
     dimension, several = item.metadata["dimension"], _by_cavity(item)
+    if item.metadata.get("three"):
+        return Annotated[Any, three(dimension), says_three(dimension)]
     return Annotated[Any, BeforeValidator(partial(_quantities, dimension=dimension, several=several))]
 
 
@@ -191,6 +196,10 @@ def _stated(item: Field[Any], value: Any) -> Any:
     if isinstance(value, Mapping):
         return {name: _stated(item, each) for name, each in value.items()}
     unit = _UNITS.get(item.metadata.get("dimension", ""))
+    if callable(value):
+        raise TurgorError(f"the {item.name} of the procedure is a function, which has no form in a job file.")
+    if item.metadata.get("three") and value is not None:
+        return [format_quantity(part, str(unit)) for part in value]
     if unit is None or value is None:
         return list(value) if isinstance(value, tuple) else value
     return format_quantity(value, unit)

@@ -5,56 +5,48 @@ A file in `turgor.core.model.supports` whose class states ``job_texts`` is all t
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.model.supports import Displacement, Fixed, NodesAt, Shift, Support
-from turgor.foundation.errors import unknown
+from turgor.core.model.places import NodesAt
+from turgor.core.model.supports import Displacement, Fixed, Foundation, Roller, Shift, Support
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.text.lines import Key
+from turgor.job.text.place_table import PLACES, PlaceTable, face_or_set, lacks_faces
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Coordinate, Table, read_table, shown
+from turgor.job.text.quantities import Says, read_table, shown
+from turgor.units import parse_quantity
+
+Bedding = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="contact stiffness"))]
 
 
-class SupportTable(Table):
+class SupportTable(PlaceTable):
     """``[supports.NAME]``: a face that is moved; or an edge, a node or the nodes in a box that are fixed or moved.
 
-    One of ``edge``, ``near`` and ``box`` says where the nodes are, and NAME is any name. Without them it is that of a
-    face.
+    One of ``edge``, ``near``, ``box`` and ``node_set`` says where the nodes are, and NAME is any name. Without them it
+    is that of a face or of a node set.
 
     Keys
     ----
     displacement : list of lengths
         Where it is at the end, relative to where it was, in proportion to the load factor.
-    directions : str
-        Directions in which it is fixed or moved; it is free in the others.
-    edge : list of str
-        Two faces: the nodes that both have.
-    near : (3,) lengths
-        The node nearest to this point.
-    box : two points
-        All nodes within the box between two corners.
+    directions : str or list of floats
+        Directions in which it is fixed or moved, some of x, y and z; it is free in the others. Or three numbers: the
+        one direction in which it is fixed.
+    normal_stiffness : float [Pa/m]
+        Stiffness per area of springs on which the face is bedded, along its normal.
+    tangential_stiffness : float [Pa/m]
+        The same across the normal.
     """
 
     displacement: Lengths | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
-    directions: str = "xyz"
-    edge: list[str] | None = Field(default=None, examples=['["fixed", "outside"]'])
-    near: list[Coordinate] | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
-    box: list[list[Coordinate]] | None = Field(default=None, examples=['[[0, 0, 0], ["10 mm", "10 mm", "2 mm"]]'])
+    directions: Annotated[str | list[float], Says("text or three numbers", '"xz"')] = "xyz"
+    normal_stiffness: Bedding | None = None
+    tangential_stiffness: Bedding | None = None
 
-    def face_of(self, name: str) -> str | NodesAt:
-        """Return the place that the keys state, else the name, which is that of a face."""
-        if self.edge is None and self.near is None and self.box is None:
-            return name
-        edge, box = (None if each is None else tuple(each) for each in (self.edge, self.box))
-        return NodesAt(name, edge=edge, near=self.near, box=box)  # type: ignore[arg-type]
-
-
-#: Keys that say where the nodes of a support are.
-PLACES = ("edge", "near", "box")
 
 #: Supports by the name of their file: the classes in their folder.
 SUPPORTS: Registry[type[Support]] = Registry(
@@ -86,8 +78,8 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
         if isinstance(stated, Mapping):
             support = _of_table(face, stated, geometry, problems)
             supports += [] if support is None else [support]
-        elif geometry is not None and face not in geometry.faces:
-            problems.add(key, str(unknown("face", face, geometry.faces)))
+        elif lacks_faces(face_or_set(face, geometry), key, geometry, problems):
+            continue
         elif isinstance(stated, str) and stated in by_text:
             supports.append(by_text[stated](face))
         elif not isinstance(stated, str) or not stated or not set(stated) <= set("xyz"):
@@ -99,7 +91,7 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
                 '{ edge = ["fixed", "outside"], directions = "xyz" }.',
             )
         else:
-            supports.append(Fixed(face, stated))
+            supports.append(Fixed(face_or_set(face, geometry), stated))
     return tuple(supports)
 
 
@@ -107,9 +99,13 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
     """Read the table of a face that is moved, or of a place that is fixed or moved."""
     key = ("supports", name)
     table: SupportTable | None = read_table(SupportTable, stated, key, problems)
-    face = None if table is None else problems.attempt(key, partial(table.face_of, name), fields=PLACES)
-    if table is None or face is None or _unknown_faces(face, key, geometry, problems):
+    face = None if table is None else problems.attempt(key, partial(table.face_of, name, geometry), fields=PLACES)
+    if table is None or face is None or lacks_faces(face, key, geometry, problems):
         return None
+    if table.normal_stiffness is not None or table.tangential_stiffness is not None:
+        return _foundation(face, table, key, problems)
+    if not isinstance(table.directions, str):
+        return _roller(face, table, key, problems)
     if table.displacement is None:
         if isinstance(face, str):
             problems.add(key, f'displacement is missing; to hold the face, write {name} = "{table.directions}".')
@@ -123,15 +119,25 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
     return moved
 
 
-def _unknown_faces(face: str | NodesAt, key: Key, geometry: Geometry | None, problems: Problems) -> bool:
-    """Report faces that the actuator lacks; return whether there are any."""
-    if geometry is None:
-        return False
-    named, where = ((face,), key) if isinstance(face, str) else (face.edge or (), (*key, "edge"))
-    wrong = [each for each in named if each not in geometry.faces]
-    for each in wrong:
-        problems.add(where, str(unknown("face", each, geometry.faces)))
-    return bool(wrong)
+def _roller(face: str | NodesAt, table: SupportTable, key: Key, problems: Problems) -> Support | None:
+    """Read a support along one direction that is not x, y or z."""
+    if table.displacement is not None:
+        problems.add(
+            (*key, "directions"),
+            "a move along a direction that is not x, y or z has no form; name some of x, y and z.",
+        )
+        return None
+    return problems.attempt((*key, "directions"), partial(Roller, face, table.directions))
+
+
+def _foundation(face: str | NodesAt, table: SupportTable, key: Key, problems: Problems) -> Support | None:
+    """Read a face on springs."""
+    others = sorted(table.model_fields_set - {"normal_stiffness", "tangential_stiffness"})
+    if not isinstance(face, str) or others:
+        problems.add(key, f"springs bed a whole face; leave out {', '.join(others)}, or state another support besides.")
+        return None
+    normal, tangential = table.normal_stiffness or 0.0, table.tangential_stiffness or 0.0
+    return problems.attempt(key, partial(Foundation, face, normal, tangential))
 
 
 def moves_a_face(supports: object) -> bool:

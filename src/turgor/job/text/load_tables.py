@@ -10,6 +10,7 @@ from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.model.loads import STANDARD_GRAVITY
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.text.load_values import Points, says_three, three
+from turgor.job.text.place_table import PlaceTable
 from turgor.job.text.quantities import Acceleration, Pressure, Says, Table, shown
 from turgor.units import parse_quantity
 
@@ -31,7 +32,7 @@ class GravityTable(Table):
         Acceleration of gravity.
     history : list or str, optional
         Share of the weight over the load factor: points [load factor, share] with straight lines between them,
-        or an expression in t. By default it rises with the load factor.
+        or an expression in t, or "constant" from the start. By default it rises with the load factor.
     history_over_time : list or str, optional
         The same over time in seconds, where the procedure has a duration.
     """
@@ -53,6 +54,8 @@ def _gravity(value: object) -> object:
 
 _FORCES = '[0, 0, "-0.5 N"]'
 Forces = Annotated[Any, three("force", _FORCES), says_three("force", _FORCES)]
+_TRACTION = '[0, 0, "2 kPa"]'
+Tractions = Annotated[Any, three("pressure", _TRACTION), says_three("pressure", _TRACTION)]
 Mass = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="mass")), Field(gt=0)]
 
 
@@ -80,7 +83,7 @@ class CavityTable(Table):
         Gauge pressure that the history is a share of.
     history : list or str, optional
         Share of the pressure over the load factor: points [load factor, share] with straight lines between
-        them, or an expression in t. By default it rises with the load factor.
+        them, or an expression in t, or "constant" from the start. By default it rises with the load factor.
     history_over_time : list or str, optional
         The same over time in seconds, where the procedure has a duration.
     """
@@ -90,23 +93,29 @@ class CavityTable(Table):
     history_over_time: Points = None
 
 
-class ForceTable(Table):
-    """``[loads.FACE]``: a force on a face, or what hangs from it. The name is that of the face.
+class ForceTable(PlaceTable):
+    """``[loads.NAME]``: a force on a face, an edge, a node or a box, or what hangs from there.
+
+    One of ``edge``, ``near``, ``box`` and ``node_set`` says where the nodes are, and NAME is any name. Without them it
+    is that of a face or of a node set.
 
     Keys
     ----
     force : (3,) floats [N], optional
-        Total force on the face of the whole actuator, spread over it and fixed in direction.
+        Total force on the whole actuator, spread over the face, or over the nodes, and fixed in direction.
+    traction : (3,) floats [Pa], optional
+        Force per area at rest on a face, fixed in direction.
     hangs : float [kg], optional
-        Mass whose weight pulls at the face in the direction of gravity, which is ``"-z"`` where none is stated.
+        Mass whose weight pulls there in the direction of gravity, which is ``"-z"`` where none is stated.
     history : list or str, optional
         Share of the force over the load factor: points [load factor, share] with straight lines between them, or an
-        expression in t. By default it rises with the load factor.
+        expression in t, or "constant" from the start. By default it rises with the load factor.
     history_over_time : list or str, optional
         The same over time in seconds, where the procedure has a duration.
     """
 
     force: Forces = None
+    traction: Tractions = None
     hangs: Mass | None = None
     history: Points = None
     history_over_time: Points = None

@@ -15,7 +15,7 @@ Vector = tuple[float, float, float]
 #: What ``history`` and ``history_over_time`` mean, in the reference of job files.
 SHARES = (
     "Share of the load over the load factor: points [load factor, share] with straight lines between them, or an "
-    "expression in s. By default it rises with the load factor."
+    'expression in s, or "constant" for a load that is there from the start. By default it rises with the load factor.'
 )
 OVER_TIME = "The same over time in seconds, where the procedure has a duration."
 

@@ -115,7 +115,7 @@ def test_a_history_passes_through_its_points_exactly(drawn: tuple[list[float], l
     [
         ([], ("history is []", "load factor")),
         ([(0, 0)], ("history is [(0, 0)]", "0 to 1")),
-        ([(0, 0.5), (1, 1)], ("history is [(0, 0.5), (1, 1)]", "(0, 0)")),
+        ([(0.1, 0.5), (1, 1)], ("history is [(0.1, 0.5), (1, 1)]", "load factor 0")),
         ([(0, 0), (0.5, 1)], ("history is [(0, 0), (0.5, 1)]", "0 to 1")),
         ([(0, 0), (0.5, 1), (0.5, 0), (1, 1)], ("history is [(0, 0), (0.5, 1), (0.5, 0), (1, 1)]", "0 to 1")),
         ([(0, 0), (float("nan"), 1), (1, 1)], ("history is [(0, 0), (nan, 1), (1, 1)]", "load factor")),

@@ -10,7 +10,7 @@ from refused import refused
 from turgor.core.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
 from turgor.core.meshing.exchange.read import read_mesh
 from turgor.core.model.inp.materials import material_lines
-from turgor.core.model.loads import Traction
+from turgor.core.model.loads import BodyForce
 from turgor.core.model.supports import Displacement
 from turgor.core.model.write_inp import cell_faces, write_inp
 from turgor.units import kPa, mm
@@ -140,7 +140,7 @@ def test_incompressible_only_for_abaqus():
 @pytest.mark.parametrize(
     ("changed", "facts"),
     [
-        ({"loads": [Traction("tip", (0.0, 0.0, 1.0))]}, ("Traction",)),
+        ({"loads": [BodyForce(lambda x: x)]}, ("BodyForce",)),
         ({"supports": [Displacement("fixed", lambda x, _: x)]}, ("displacement", "'fixed'", "a function")),
         (
             {

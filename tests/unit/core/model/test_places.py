@@ -1,11 +1,15 @@
 """Places of supports: their nodes, their words, what is refused, and what else reads them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from lattice_cases import KINDS, lattice, refined
 
 import turgor as tg
 from refused import refused
+from turgor.core.meshing.nodes.node_shares import node_shares
+from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.supports import Displacement, Fixed, NodesAt, Shift
 from turgor.core.model.write_inp import write_inp
 
@@ -35,8 +39,6 @@ def test_a_place_follows_a_refined_mesh(kind: str) -> None:
 
 
 def test_middles_that_follow_are_no_nearest_node() -> None:
-    from dataclasses import replace
-
     mesh = replace(lattice((2, 2, 2), KINDS["hex"]), serendipity=True)
     (node,) = NodesAt("middle", near=(0.25, 0.25, 0.25)).nodes(mesh)
     assert node in mesh.carrying_cells
@@ -87,6 +89,92 @@ def test_an_inp_file_holds_the_nodes_of_a_place(tmp_path) -> None:
     rows = (tmp_path / "box.inp").read_text().split("*BOUNDARY")[1].split("*")[0].split("\n")
     written = np.intersect1d(mesh.face_nodes("x0"), mesh.cells[:, :20]) + 1
     assert [row for row in rows if row] == [f"{node}, {axis}" for node in written for axis in (1, 3)]
+
+
+def test_an_inp_file_holds_the_force_on_a_place_and_on_a_face(tmp_path) -> None:
+    mesh = lattice((2, 1, 1), KINDS["hex"])
+    rows = {}
+    for name, place in (("box", NodesAt("end", box=((1, 0, 0), (1, 1, 1)))), ("face", "x1")):
+        model = tg.Model(mesh, RUBBER, [Fixed("x0")], [tg.loads.Force(place, (6.0, 0, 0))])
+        write_inp(model, tmp_path / "force.inp", program="abaqus")
+        text = (tmp_path / "force.inp").read_text().split("*CLOAD, AMPLITUDE=ramp\n")[1].split("*")[0]
+        rows[name] = [row.split(", ") for row in text.splitlines()]
+    assert rows["box"] == rows["face"]
+    assert sum(float(value) for _, _, value in rows["box"]) == pytest.approx(6.0)
+    by_node = {int(node) - 1: float(value) for node, axis, value in rows["box"] if axis == "1"}
+    corners = [value for node, value in by_node.items() if node < mesh.vertex_count]
+    assert corners == pytest.approx([-0.5] * 4)  # of a side with eight nodes, as CalculiX spreads a pressure
+    assert len(by_node) == 8
+
+
+def test_an_inp_file_holds_a_traction_on_the_part_that_is_modeled(tmp_path) -> None:
+    mesh = lattice((2, 1, 1), KINDS["tet"])
+    sides = outer_triangles(mesh)
+    half = replace(mesh, faces={**mesh.faces, "symmetry_y": sides[(mesh.points[sides, 1] == 0).all(axis=1)]})
+    for each in (mesh, half):
+        write_inp(
+            tg.Model(each, RUBBER, "x0", [tg.Traction("x1", (3.0, 0, 0))]), tmp_path / "pull.inp", program="abaqus"
+        )
+        text = (tmp_path / "pull.inp").read_text().split("*CLOAD, AMPLITUDE=ramp\n")[1].split("*")[0]
+        assert sum(float(row.split(", ")[2]) for row in text.splitlines()) == pytest.approx(3.0)  # of an area of 1 m²
+
+
+def test_an_inp_file_holds_rollers_as_equations(tmp_path) -> None:
+    mesh = lattice((2, 1, 1), KINDS["hex"])
+    rim = NodesAt("rim", box=((1, 0, 0), (1, 0, 1)))
+    slopes = [tg.supports.Roller(rim, (3, 0, 4)), tg.supports.Roller(rim, (0, 1, 1))]
+    write_inp(tg.Model(mesh, RUBBER, ["x0", *slopes], []), tmp_path / "slope.inp", program="abaqus")
+    text = (tmp_path / "slope.inp").read_text()
+    nodes = np.intersect1d(rim.nodes(mesh), mesh.cells[:, :20]) + 1
+    rows = [f"{node}, 3, 1, {node}, 1, 0.75\n*EQUATION\n2\n{node}, 2, 1, {node}, 1, -0.75" for node in nodes]
+    assert len(nodes) == 3 and all(row in text for row in rows)
+    assert text.count("*EQUATION") == 2 * len(nodes)
+    write_inp(tg.Model(mesh, RUBBER, ["x0", Fixed(rim, "x"), slopes[0]], []), tmp_path / "slope.inp", program="abaqus")
+    text = (tmp_path / "slope.inp").read_text()
+    assert "*EQUATION" not in text
+    assert all(f"\n{node}, 3\n" in text for node in nodes)
+
+
+def test_rollers_that_cannot_be() -> None:
+    mesh = lattice((2, 1, 1), KINDS["hex"])
+    bent = replace(mesh, points=mesh.points + np.outer(mesh.points[:, 1] ** 2, [0.1, 0, 0]))
+    with refused("'x1'", "not plane", "Radial"):
+        tg.Model(bent, RUBBER, ["x0", tg.supports.Roller("x1")], [])
+    with refused("'rim'", "along"):
+        tg.supports.Roller(NodesAt("rim", near=(0, 0, 0)))
+    with refused("'x1'", "along", "zero"):
+        tg.supports.Roller("x1", (0, 0, 0))
+    slopes = [
+        tg.supports.Roller("x1", (1, 1, 0)),
+        tg.supports.Roller("x1", (1, -1, 0)),
+        Displacement("x1", (0, 0, 1), "z"),
+    ]
+    with refused("moved", "Roller"):
+        tg.solve(tg.Model(mesh, RUBBER, ["x0", *slopes], []))
+
+
+def test_a_force_says_where_it_acts_and_a_later_stage_replaces_it() -> None:
+    line = tg.loads.Force(NodesAt("line", box=((1, 0, 0), (1, 1, 0))), (0, 0, -1))
+    assert (
+        line.text()
+        == "Force (0, 0, -1) N on line (the box from (1000, 0, 0) to (1000, 1000, 0) mm), fixed in direction."
+    )
+    assert (line.place, line.label, line.named_faces) == ("line", "Force(line)", ())
+    mesh = lattice((2, 1, 1), KINDS["hex"])
+    with refused("'far'", "(2000, 0, 0)", "(1000, 1000, 1000)"):
+        tg.Model(mesh, RUBBER, "x0", [tg.loads.Force(NodesAt("far", box=((2, 0, 0), (3, 1, 1))), (1, 0, 0))])
+    with refused("'line'", "reference point"):
+        tg.Model(mesh, RUBBER, "x0", [tg.loads.Force(line.face, (1, 0, 0), follower=True)])
+    stages = tg.Stages([tg.Stage("more", tg.Static(), loads=[tg.loads.Force(line.face, (0, 0, -2))])])
+    solution = tg.solve(tg.Model(mesh, RUBBER, "x0", [line]), stages)
+    assert solution.states[-1].nodal_force[mesh.face_nodes("x0"), 2].sum() == pytest.approx(2.0, rel=1e-5)
+
+
+def test_scattered_nodes_bear_equal_shares() -> None:
+    mesh = lattice((2, 2, 2), KINDS["tet"])
+    corners = [int(np.linalg.norm(mesh.points - at, axis=1).argmin()) for at in ((0, 0, 0), (1, 1, 1))]
+    shares = node_shares(mesh, np.array(corners))
+    assert shares[corners].tolist() == [0.5, 0.5] and shares.sum() == pytest.approx(1)
 
 
 def test_a_place_may_not_leave_its_mirror_plane() -> None:

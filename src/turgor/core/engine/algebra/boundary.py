@@ -1,5 +1,6 @@
 """Supports as prescribed displacement components."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -7,7 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.cyclic import CyclicPairs
 from turgor.core.engine.algebra.multipoint import UNTIED, MultiPoint
-from turgor.core.engine.algebra.node_frames import NodeFrames
+from turgor.core.engine.algebra.node_frames import NodeFrames, across_fixed
 from turgor.core.engine.algebra.rings import AXIAL, TANGENTIAL, rings_of
 from turgor.core.engine.algebra.sections import Section, plane_sections
 from turgor.core.engine.points.point_unknowns import Carrier, carriers_of, with_carrier_points
@@ -198,33 +199,49 @@ def _with_normals(
     The components along the normal of a plane section are prescribed in ``mask``, so that each is a direction of its
     node. Then they are tied to that of the first node.
     """
-    nodes, normals = radial
-    rest = np.where(mask[nodes], 0.0, normals)
-    free = np.linalg.norm(rest, axis=1) > 1e-6
-    nodes, normals, rest = nodes[free], normals[free], rest[free]
-    first = rest / np.linalg.norm(rest, axis=1)[:, None]
+    for section in sections:
+        section.check_across(*radial)
+    rows, rest = across_fixed(*radial, mask)
+    nodes, first, counts = np.unique(rows, return_index=True, return_counts=True)
     axes = np.empty((len(nodes), 3, 3))
     local, along = mask.copy(), mask.copy()
-    for k, node in enumerate(nodes):
-        fixed = np.eye(3)[mask[node]]
-        basis = np.linalg.qr(np.concatenate([first[k : k + 1], fixed, np.eye(3)]).T)[0].T
-        axes[k] = np.concatenate([first[k : k + 1], fixed, basis[1 + len(fixed) :]])[:3]
-        local[node] = np.arange(3) <= len(fixed)
+    for k, (node, start, count) in enumerate(zip(nodes, first, counts, strict=True)):
+        own = np.concatenate([rest[start : start + count], np.eye(3)[mask[node]]])
+        basis = np.linalg.qr(np.concatenate([own, np.eye(3)]).T)[0].T
+        axes[k] = np.concatenate([own, basis[len(own) :]])[:3]
+        local[node] = np.arange(3) < len(own)
         along[node] |= local[node].all()
-    for section in sections:
-        section.check_across(nodes, normals)
-    ties = _ties(mask, nodes, sections)
+    normals = _single_normals(nodes, radial, moving)
+    ties = _ties(mask, dict(zip(nodes.tolist(), counts.tolist(), strict=True)), sections)
     local.ravel()[ties.leaders] = False
     return PrescribedComponents(local, moving, NodeFrames(nodes, axes), along, normals, ties)
 
 
-def _ties(mask: NDArray[np.bool_], turned: Ints, sections: tuple[Section, ...]) -> MultiPoint:
-    """Tie the components along the normal of each section to that of its first node; some nodes have turned axes."""
+def _single_normals(
+    nodes: Ints, radial: tuple[Ints, Array], moving: tuple[tuple[Ints, list[int], Support | Turned], ...]
+) -> Array:
+    """The normal of each node (k, 3), zero where it has several; such a node may not be moved by another support."""
+    every, first, counts = np.unique(radial[0], return_index=True, return_counts=True)
+    if any(np.isin(every[counts > 1], moved).any() for moved, _, _ in moving):
+        raise TurgorError(
+            "a face is moved at nodes that two supports hold along their normals (Radial or Roller); end it before "
+            "their common edge."
+        )
+    place = np.searchsorted(every, nodes)
+    return np.where((counts[place] > 1)[:, None], 0.0, radial[1][first[place]])
+
+
+def _ties(mask: NDArray[np.bool_], turned: Mapping[int, int], sections: tuple[Section, ...]) -> MultiPoint:
+    """Tie the components along the normal of each section to that of its first node.
+
+    ``turned`` are the nodes with a frame, and the number of their normals.
+    """
     followers, leaders = [UNTIED.followers], [UNTIED.leaders]
     for section in sections:
-        # of a node with a frame, the fixed axes come after the normal, in their order
+        # of a node with a frame, the fixed axes come after the normals, in their order
         rank = mask[section.nodes, : section.axis].sum(axis=1)
-        tied = 3 * section.nodes + np.where(np.isin(section.nodes, turned), 1 + rank, section.axis)
+        normals = np.array([turned.get(node, 0) for node in section.nodes.tolist()])
+        tied = 3 * section.nodes + np.where(normals > 0, normals + rank, section.axis)
         followers.append(tied[1:])
         leaders.append(np.full(len(tied) - 1, tied[0]))
     tied = np.concatenate(followers)
@@ -234,6 +251,8 @@ def _ties(mask: NDArray[np.bool_], turned: Ints, sections: tuple[Section, ...]) 
 def radial_normals(model: Model) -> tuple[Ints, Array]:
     """Find the nodes (k,) that are fixed along normals, such as a fixed radius, and these normals (k, 3) at rest.
 
+    A node stands there once for each of its normals.
+
     Parameters
     ----------
     model : Model
@@ -242,14 +261,13 @@ def radial_normals(model: Model) -> tuple[Ints, Array]:
     -------
     tuple of array
     """
-    normal_at: dict[int, Array] = {}
+    rows: list[tuple[int, Array]] = []
+    normals_at: dict[int, list[Array]] = {}
     for support in model.supports:
         nodes, normals = support.normals(model.mesh) or NO_NORMALS
         for node, normal in zip(nodes.tolist(), normals, strict=True):
-            if node in normal_at and abs(float(normal_at[node] @ normal)) < 1 - 1e-6:
-                raise TurgorError(
-                    f"{type(support).__name__} of '{support.place}': it meets another face that is fixed along its "
-                    "normal, such as a cylinder whose radius is fixed."
-                )
-            normal_at[node] = normal
-    return np.array(list(normal_at), dtype=np.int64), np.array(list(normal_at.values())).reshape(-1, 3)
+            known = normals_at.setdefault(node, [])
+            if all(abs(float(each @ normal)) < 1 - 1e-6 for each in known):
+                known.append(normal)
+                rows.append((node, normal))
+    return np.array([row[0] for row in rows], dtype=np.int64), np.array([row[1] for row in rows]).reshape(-1, 3)

@@ -105,3 +105,41 @@ def turn_lower(data: Array, indptr: Ints, indices: NDArray[np.int32], place: Int
                     data[p + 1] = A[1, 0] * d0 + A[1, 1] * d1 + A[1, 2] * d2
                     data[p + 2] = A[2, 0] * d0 + A[2, 1] * d1 + A[2, 2] * d2
                 p += 3
+
+
+def across_fixed(nodes: Ints, normals: Array, mask: NDArray[np.bool_]) -> tuple[Ints, Array]:
+    """Find what normals add to the components that are fixed: unit vectors, at right angles to each other at a node.
+
+    Parameters
+    ----------
+    nodes : (k,) int array
+        A node stands there once for each of its normals.
+    normals : (k, 3) array
+    mask : (n, 3) bool array
+        Fixed components along x, y and z of all nodes.
+
+    Returns
+    -------
+    nodes : (m,) int array
+        Sorted; without normals that add nothing.
+    directions : (m, 3) array
+
+    Examples
+    --------
+    >>> mask = np.array([[True, False, False]])
+    >>> across_fixed(np.array([0, 0]), np.array([[0.6, 0.8, 0], [0, 0.6, 0.8]]), mask)[1] + 0.0
+    array([[0., 1., 0.],
+           [0., 0., 1.]])
+    """
+    order = np.argsort(nodes, kind="stable")
+    nodes, rest = nodes[order], np.where(mask[nodes[order]], 0.0, normals[order])
+    rank = np.arange(len(nodes)) - np.searchsorted(nodes, nodes)
+    for number in range(rank.max(initial=-1) + 1):
+        rows = np.flatnonzero(rank == number)
+        for other in range(1, number + 1):
+            before = rest[rows - other]
+            rest[rows] -= np.einsum("ki,ki->k", before, rest[rows])[:, None] * before
+        length = np.linalg.norm(rest[rows], axis=1)[:, None]
+        rest[rows] = np.where(length > 1e-6, rest[rows] / np.maximum(length, 1e-6), 0.0)
+    adds = rest.any(axis=1)
+    return nodes[adds], rest[adds]

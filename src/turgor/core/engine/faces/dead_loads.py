@@ -13,9 +13,11 @@ from turgor.core.engine.faces.concentrated import line_force, point_force
 from turgor.core.engine.points.point_mass import weights_of
 from turgor.core.engine.points.point_unknowns import carriers_of
 from turgor.core.engine.term import Configuration, Setting, Term
+from turgor.core.meshing.nodes.node_shares import node_shares
 from turgor.core.model.history import History, share_at
 from turgor.core.model.loads.load import Vector
 from turgor.core.model.model import Model
+from turgor.core.model.places import NodesAt
 
 Array = NDArray[np.float64]
 
@@ -66,8 +68,12 @@ class ScaledNodalForces:
         """Forces of a constant traction (3,) [Pa] on the reference area of a face."""
         return self._spread(self._sides(face), np.asarray(traction) / self.setting.stress)
 
-    def of_total(self, place: str, force: ArrayLike) -> Array:
-        """Forces of a total (3,) [N] on the whole actuator, spread over a face or at a reference point."""
+    def of_total(self, place: str | NodesAt, force: ArrayLike) -> Array:
+        """Forces of a total (3,) [N] on the whole actuator, spread over a face or place, or at a reference point."""
+        if isinstance(place, NodesAt):
+            mesh, forces = self.setting.model.mesh, np.zeros_like(self.setting.points)
+            forces[: len(mesh.points)] = np.outer(node_shares(mesh, place.nodes(mesh)), self._of_part(force))
+            return forces
         if place in self.carriers:
             forces = np.zeros_like(self.setting.points)
             forces[self.carriers[place].node] = self._of_part(force)

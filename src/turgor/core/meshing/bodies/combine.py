@@ -60,6 +60,7 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
     points, cells, first_cell = np.empty((sum(map(len, numbers)), 3)), [], 0
     regions: dict[str, NDArray[np.int64]] = {}
     faces: dict[str, NDArray[np.int64]] = {}
+    sets: dict[str, NDArray[np.int64]] = {}
     for number, (body, mesh) in zip(numbers, bodies.items(), strict=True):
         points[number] = mesh.points
         cells.append(number[mesh.cells])
@@ -68,6 +69,7 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
         for name, sides in mesh.faces.items():
             key = mirrors.get((body, name)) or _free(f"{name}_{body}", faces)
             faces[key] = np.concatenate([faces.get(key, sides[:0]), number[sides]])
+        sets |= {_free(f"{name}_{body}", {**faces, **sets}): number[nodes] for name, nodes in mesh.node_sets.items()}
         first_cell += len(mesh.cells)
     return Mesh(
         points=points,
@@ -75,6 +77,7 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
         serendipity=all(mesh.serendipity for mesh in bodies.values()),
         regions=regions,
         faces=faces,
+        node_sets=sets,
         name="; ".join(f"{body}: {mesh.name}" for body, mesh in bodies.items()),
         findings=tuple(
             with_origin(f"Body '{body}'", finding) for body, mesh in bodies.items() for finding in mesh.findings

@@ -9,7 +9,7 @@ import numpy as np
 
 from turgor.core.geometry.cad.walls import WALLS, thinnest_wall
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
-from turgor.core.geometry.directions import FileAxes
+from turgor.core.geometry.directions import AXES, FileAxes
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.exchange.formats.raw import Ints
@@ -56,6 +56,12 @@ class MeshFile:
         Names with what they mean.
     cavities : mapping of str to Path
         Names of cavities with the STL files of their surfaces.
+    turn : (str, float [rad]), optional
+        The coordinate axis about which the mesh is turned by an angle, after all names are given.
+    move : (3,) floats [m], optional
+        How far it is moved, after the turn.
+    mirror : tuple of str
+        Normals of mirror planes through the origin, after the move: the half at positive x, y or z is taken.
     sha256 : str
         Content of the file that is meant, as a lock file notes it; taken from the file where it is empty.
 
@@ -77,6 +83,9 @@ class MeshFile:
     regions: Mapping[str, Choice] = field(default_factory=dict)
     faces: Mapping[str, Choice] = field(default_factory=dict)
     cavities: Mapping[str, Path] = field(default_factory=dict)
+    turn: tuple[str, float] | None = None
+    move: Corner | None = None
+    mirror: tuple[str, ...] = ()
     sha256: str = ""
 
     def __post_init__(self) -> None:
@@ -91,7 +100,9 @@ class MeshFile:
         object.__setattr__(self, "sha256", checksum)
 
     def read(self) -> Mesh:
-        """Read the mesh."""
+        """Read the mesh, turn and move it, and take its half or quarter."""
+        from turgor.core.meshing.bodies.half import half_of
+        from turgor.core.meshing.bodies.placing import placed
         from turgor.core.meshing.exchange.read import read_mesh
         from turgor.core.meshing.exchange.surface_filling import (
             mesh_surfaces,  # here: readers load much, and every job loads this file
@@ -99,7 +110,7 @@ class MeshFile:
 
         surface = Path(self.file).suffix.lower() == ".stl"
         reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
-        return reader(
+        mesh = reader(
             self.file,
             unit=self.unit,
             regions=self.regions,
@@ -107,6 +118,12 @@ class MeshFile:
             cavities=self.cavities,
             axes=self.axes,
         )
+        if self.turn is not None or self.move is not None:
+            axis, angle = self.turn or ("z", 0.0)
+            mesh = placed(mesh, shift=self.move or (0.0, 0.0, 0.0), axis=AXES[axis], angle=angle)
+        for normal in self.mirror:
+            mesh = half_of(mesh, normal)
+        return mesh
 
     def build(self) -> Geometry:
         """Read the mesh and give it the form of a geometry, whose names and volumes are those of the mesh."""
@@ -120,6 +137,7 @@ class MeshFile:
             solid_volume=_enclosed(mesh, outer_triangles(mesh)),
             regions=tuple(mesh.regions),
             faces=tuple(sorted(mesh.faces)),
+            node_sets=tuple(sorted(mesh.node_sets)),
             shape=MeshedShape(mesh),
         )
 

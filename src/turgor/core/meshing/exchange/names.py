@@ -8,6 +8,7 @@ import numpy as np
 
 from turgor.core.meshing.exchange.boundary import Sides, components, enclosed_volume, find_sides, is_cavity
 from turgor.core.meshing.exchange.cavities import sides_on_stl
+from turgor.core.meshing.exchange.file_sets import sets_of_file
 from turgor.core.meshing.exchange.formats.raw import Ints, RawMesh
 from turgor.core.meshing.exchange.frame import Frame
 from turgor.core.meshing.exchange.node_selectors import ByNodes, BySides, numbered_sides
@@ -142,7 +143,7 @@ def name_faces(raw: RawMesh, solids: Solids, sides: Sides, wishes: Wishes) -> tu
     for name, path in wishes.cavities.items():
         faces[name], finding = sides_on_stl(sides, name, path, wishes.frame, mirrors)
         findings.append(finding)
-    findings += [*_name_voids(sides, faces, mirrors), *_without_sides(raw, given)]
+    findings += [*_name_voids(sides, faces, mirrors), *_without_sides(raw, solids, given)]
     free = np.setdiff1d(outer, np.concatenate([outer[:0], *faces.values()]))
     if len(free):
         faces["outside"] = np.union1d(faces.get("outside", free[:0]), free)
@@ -185,25 +186,33 @@ def faces_of_file(raw: RawMesh, solids: Solids, sides: Sides) -> dict[str, Ints]
     return {name: rows for name, rows in faces.items() if len(rows)}
 
 
-def _without_sides(raw: RawMesh, given: Mapping[str, Ints]) -> list[Finding]:
-    """G25: sets and groups of the file that a person named and that hold no whole side, such as edges and points."""
+def _without_sides(raw: RawMesh, solids: Solids, given: Mapping[str, Ints]) -> list[Finding]:
+    """G25: sets and groups that a person named and that hold no whole side: those with nodes are node sets."""
     flat = {name for block in raw.blocks if block.kind.dimension < 3 for name in block.groups}
     solid = {name for block in raw.solids() for name in block.groups}
     some = {name for name, nodes in raw.node_sets.items() if len(nodes) < len(raw.points)}
     lost = sorted((flat | some | set(raw.surfaces)) - solid - set(given)) if raw.named else []
-    what = [f"{_listed(lost[:6])}{f' and {len(lost) - 6} more' if len(lost) > 6 else ''}, which hold no whole side"]
-    omitted = [*raw.omitted, *(what if lost else [])]
-    if not omitted:
+    sets = [name for name in lost if name in sets_of_file(raw, solids, given)]
+    lost = [name for name in lost if name not in sets]
+    omitted = [*raw.omitted, *([f"{_first(lost)}, which hold no whole side"] if lost else [])]
+    parts = [f"Left out of '{raw.path.name}': {'; '.join(omitted)}."] if omitted else []
+    parts += [f"Sets of nodes of '{raw.path.name}' without a whole side: {_first(sets)}."] if sets else []
+    if not parts:
         return []
     return [
         Finding(
             code="G25",
             severity=Severity.NOTE,
-            message=f"Left out of '{raw.path.name}': {'; '.join(omitted)}.",
-            advice="Nothing is to be done unless a name is missing: faces need sets that hold all nodes of a side, "
-            "and edges and points have no names in a mesh.",
+            message=" ".join(parts),
+            advice="Nothing is to be done unless a face is missing, which needs a set of all nodes of its sides; "
+            "supports and forces take the names of sets of nodes.",
         )
     ]
+
+
+def _first(names: Sequence[str], count: int = 6) -> str:
+    """The first names, and how many more there are."""
+    return _listed(names[:count]) + (f" and {len(names) - count} more" if len(names) > count else "")
 
 
 def _name_voids(sides: Sides, faces: dict[str, Ints], mirrors: list[Ints]) -> list[Finding]:

@@ -11,6 +11,7 @@ from turgor.core.geometry.directions import FileAxes
 from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.exchange.boundary import Sides, sides_of
+from turgor.core.meshing.exchange.file_sets import sets_of_file
 from turgor.core.meshing.exchange.formats.abaqus import read_abaqus
 from turgor.core.meshing.exchange.formats.gmsh import read_gmsh
 from turgor.core.meshing.exchange.formats.raw import Array, Ints, RawMesh
@@ -50,7 +51,8 @@ def read_mesh(
 ) -> Mesh:
     """Read a volume mesh: gmsh ``.msh`` (2.2, 4.1), Abaqus or CalculiX ``.inp``, VTK ``.vtk`` or ``.vtu``.
 
-    Physical groups, sets and surfaces of the file become regions and faces. What has no name is named by its shape:
+    Physical groups, sets and surfaces of the file become regions and faces; edges and points with a name become node
+    sets, which supports and forces may name. What has no name is named by its shape:
     closed inner surfaces are cavities, the rest is ``outside``. Cells of first order become quadratic with straight
     edges. The ``findings`` of the mesh say what was repaired or guessed.
 
@@ -128,6 +130,7 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
         regions=region_cells,
         faces={face: sides.nodes[rows] for face, rows in face_sides.items()},
         name=raw.path.stem,
+        node_sets=sets_of_file(raw, solids, face_sides),
     )
     if solids.kind is TETRAHEDRON:
         refuse_inverted(mesh, f"repair '{raw.path.name}' where it was made, or export cells of first order")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.wedge import HIGH, LOW
 from turgor.core.meshing.mesh import TETRAHEDRON_EDGES, TRIANGLE_EDGES, Mesh
+from turgor.core.meshing.nodes.node_sets import refined_sets
 from turgor.core.meshing.refining.refinement import Refinement
 
 Array = NDArray[np.float64]
@@ -112,6 +113,7 @@ def refine_tetrahedra(mesh: Mesh, edges: Ints) -> Refinement:
         cells=number[parts.cells],
         regions={name: np.flatnonzero(np.isin(parts.parent, region)) for name, region in mesh.regions.items()},
         faces={name: number[triangles] for name, triangles in faces.items()},
+        node_sets=refined_sets(mesh, nodes.points[used], number[parts.cells]),
     )
     return Refinement(fine, parts.parent, parts.corners)
 

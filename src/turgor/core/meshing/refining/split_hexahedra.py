@@ -15,6 +15,7 @@ from scipy.sparse.csgraph import connected_components
 
 from turgor.core.meshing.cells import HEXAHEDRON, QUADRILATERAL
 from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.nodes.node_sets import refined_sets
 from turgor.core.meshing.refining.refinement import Refinement
 
 Array = NDArray[np.float64]
@@ -86,6 +87,7 @@ def refine_hexahedra(mesh: Mesh, chosen: Ints) -> Refinement:
         cells=numbers,
         regions={name: np.flatnonzero(np.isin(parents, cells)) for name, cells in mesh.regions.items()},
         faces={name: _cut_sides(mesh, sides, chosen, of_cell, known) for name, sides in mesh.faces.items()},
+        node_sets=refined_sets(mesh, points, numbers),
     )
     return Refinement(fine, parents, places)
 

@@ -8,9 +8,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.nodes.node_shares import areas, node_shares, side_shares
 from turgor.core.model.model import Model
+from turgor.core.model.places import NodesAt
 from turgor.core.model.points import RIGID, Hinge, ReferencePoint, Rotation
-from turgor.core.model.supports import NodesAt
 from turgor.foundation.errors import TurgorError
 from turgor.units import N, mm
 
@@ -190,6 +191,18 @@ class InpDeck:
     def force(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
         """Rows of a force [N] on a reference point, that on the whole actuator."""
         return _rows(self.points[point].node, 1, self.share * np.asarray(vector) / N)
+
+    def spread(self, place: str | NodesAt, vector: ArrayLike, per_area: bool = False) -> tuple[str, ...]:
+        """Rows of a force [N] on the whole, or per area [Pa] of a face, on the nodes of a face or place."""
+        part = self.share
+        if isinstance(place, NodesAt):
+            shares = node_shares(self.mesh, place.nodes(self.mesh), middles=False)
+        else:
+            sides = self.mesh.face(place)
+            shares = side_shares(self.mesh, sides, middles=False)
+            part = float(areas(self.mesh.points, sides).sum()) if per_area else part
+        whole = part * np.asarray(vector) / N
+        return tuple(row for node in np.flatnonzero(shares) for row in _rows(int(node) + 1, 1, shares[node] * whole))
 
     def moment(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
         """Rows of a moment [N m] on a reference point, that on the whole actuator."""

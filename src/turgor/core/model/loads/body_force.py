@@ -26,7 +26,7 @@ class BodyForce(Load):
     history: History = RAMP
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "history", checked(self.history, "body force"))
+        object.__setattr__(self, "history", checked(self.history, "body force", starting=True))
 
     @property
     def words(self) -> str:

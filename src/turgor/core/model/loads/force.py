@@ -1,4 +1,4 @@
-"""Force: a dead load of a known total on a face, or a force on a reference point."""
+"""Force: a dead load of a known total on a face, an edge, a node or a box, or a force on a reference point."""
 
 from collections.abc import Container
 from dataclasses import dataclass
@@ -8,22 +8,23 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, History, checked
 from turgor.core.model.loads.images import check_symmetric
 from turgor.core.model.loads.load import Array, Deck, DeckRows, Load, NodalForces, Turning
+from turgor.core.model.places import NodesAt, checked_face, described
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantities, vector
-from turgor.foundation.given import name as name_of
 
 
 @dataclass(frozen=True, slots=True)
 class Force(Load):
-    """Dead load of a known total on a face: spread evenly over its reference area and fixed in direction.
+    """Dead load of a known total on a face or a place: spread over it at rest and fixed in direction.
 
     A weight that hangs from a face, a pull by a long thread, a push by a soft spring. The inertia of what hangs there
-    is not included; that of a `Hanging` weight is. On a `ReferencePoint` the force acts at the point.
+    is not included; that of a `Hanging` weight is. On a `ReferencePoint` the force acts at the point. `NodesAt` says
+    how it is spread over an edge, a node or a box.
 
     Parameters
     ----------
-    face : str
-        Name of the face, or of a reference point.
+    face : str or NodesAt
+        Name of the face, or of a reference point. Or an edge, a node or the nodes in a box.
     vector : (3,) floats [N]
         The whole force, on the whole actuator: where a half is modeled, its mirror image carries the other half.
     history : sequence of (float, float), or str, optional
@@ -42,26 +43,30 @@ class Force(Load):
     0.5
     """
 
-    face: str
+    face: str | NodesAt
     vector: tuple[float, float, float]
     history: History = RAMP
     follower: bool = False
 
+    at_places = True
+
     if TYPE_CHECKING:
 
-        def __init__(self, face: str, vector: Quantities, history: History = RAMP, follower: bool = False) -> None: ...
+        def __init__(
+            self, face: str | NodesAt, vector: Quantities, history: History = RAMP, follower: bool = False
+        ) -> None: ...
 
     def __post_init__(self) -> None:
-        subject = f"force on '{name_of(self.face, 'face of a force', 'tip')}'"
+        subject = f"force on '{checked_face(self.face, 'face of a force', 'tip')}'"
         object.__setattr__(self, "vector", vector(self.vector, subject, "force"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
 
     @property
     def words(self) -> str:
         """The vector and the face or point."""
         parts = ", ".join(f"{part:.6g}" for part in self.vector)
         way = "turning with the point" if self.follower else "fixed in direction"
-        return f"Force ({parts}) N on {self.face}, {way}"
+        return f"Force ({parts}) N on {described(self.face)}, {way}"
 
     @property
     def outside(self) -> bool:
@@ -77,11 +82,14 @@ class Force(Load):
         if self.face not in points:
             if self.follower:
                 raise TurgorError(
-                    f"force on '{self.face}': only a force on a reference point can follow its rotation; tie the face "
+                    f"force on '{self.place}': only a force on a reference point can follow its rotation; tie the face "
                     "to a ReferencePoint, or take a Pressure."
                 )
-            mesh.face(self.face)
-        check_symmetric(mesh, f"force on '{self.face}': {{:g}} N", self.vector)
+            if isinstance(self.face, NodesAt):
+                self.face.nodes(mesh)
+            else:
+                mesh.face(self.face)
+        check_symmetric(mesh, f"force on '{self.place}': {{:g}} N", self.vector)
 
     def dead_forces(self, nodal: NodalForces) -> Array | None:
         """Return the nodal forces of the whole force; None if it turns with its point."""
@@ -90,12 +98,12 @@ class Force(Load):
     @property
     def turning(self) -> Turning | None:
         """The force, if it turns with its point."""
-        return Turning(self.face, self.vector, False, True) if self.follower else None
+        return Turning(self.place, self.vector, False, True) if self.follower else None
 
     def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
-        """Return the rows of a force on a reference point."""
+        """Return the rows of a force on a reference point, or on the nodes of a face or place."""
         if self.follower:
-            raise TurgorError(f"the force on '{self.face}' follows it; that has no form in .inp files; leave it out.")
-        if self.face not in deck.masses:
-            return Load.deck_rows(self, deck)
-        return (DeckRows("*CLOAD", self.history, deck.force(self.face, self.vector)),)
+            raise TurgorError(f"the force on '{self.place}' follows it; that has no form in .inp files; leave it out.")
+        at_point = isinstance(self.face, str) and self.face in deck.masses
+        rows = deck.force(self.place, self.vector) if at_point else deck.spread(self.face, self.vector)
+        return (DeckRows("*CLOAD", self.history, rows),)

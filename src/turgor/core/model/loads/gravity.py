@@ -56,7 +56,7 @@ class Gravity(Load):
     def __post_init__(self) -> None:
         object.__setattr__(self, "direction", fall_direction(self.direction, "gravity"))
         object.__setattr__(self, "acceleration", number(self.acceleration, "gravity: acceleration", "acceleration"))
-        object.__setattr__(self, "history", checked(self.history, "gravity"))
+        object.__setattr__(self, "history", checked(self.history, "gravity", starting=True))
 
     @property
     def falling(self) -> Vector:

@@ -67,7 +67,7 @@ class Hanging(Load):
         if self.mass < 0:
             raise TurgorError(f"{what}: mass is {self.mass} kg; allowed is 0 or more.")
         object.__setattr__(self, "direction", fall_direction(self.direction, what))
-        object.__setattr__(self, "history", checked(self.history, what))
+        object.__setattr__(self, "history", checked(self.history, what, starting=True))
 
     @property
     def force(self) -> tuple[float, float, float]:

@@ -54,7 +54,7 @@ class LineForce(Load):
         object.__setattr__(
             self, "vector", vector(self.vector, f"line force on {' and '.join(self.faces)}", "force per length")
         )
-        object.__setattr__(self, "history", checked(self.history, "line force"))
+        object.__setattr__(self, "history", checked(self.history, "line force", starting=True))
 
     @property
     def place(self) -> str:

@@ -17,6 +17,7 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, History, fading, share_at, with_history
 from turgor.core.model.history_text import shares_text
 from turgor.core.model.loads.images import check_images
+from turgor.core.model.places import NodesAt, name_of
 from turgor.foundation.errors import TurgorError, unknown
 
 Array = NDArray[np.float64]
@@ -32,8 +33,8 @@ class NodalForces(Protocol):
     def on_face(self, face: str, traction: ArrayLike) -> Array:
         """Forces of a constant traction (3,) [Pa] on the reference area of a face."""
 
-    def of_total(self, place: str, force: ArrayLike) -> Array:
-        """Forces of a total (3,) [N] on the whole actuator, spread over a face or at a reference point."""
+    def of_total(self, place: str | NodesAt, force: ArrayLike) -> Array:
+        """Forces of a total (3,) [N] on the whole actuator, spread over a face or place, or at a reference point."""
 
     def per_volume(self, value: Callable[[Array], Array]) -> Array:
         """Forces of ``value(points) -> (n, 3) force per reference volume [N/m³]``."""
@@ -102,6 +103,9 @@ class Deck(Protocol):
     def force(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
         """Rows of a force [N] on a reference point, that on the whole actuator."""
 
+    def spread(self, place: str | NodesAt, vector: ArrayLike, per_area: bool = False) -> tuple[str, ...]:
+        """Rows of a force [N] on the whole, or per area [Pa] of a face, on the nodes of a face or place."""
+
     def moment(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
         """Rows of a moment [N m] on a reference point, that on the whole actuator."""
 
@@ -135,11 +139,12 @@ class Load:
 
     history: History = RAMP
 
-    #: Key of a list of tables below ``[loads]`` in job files; empty where the tables of a load are read by their own
-    #: function. A file in the folder of loads that states none has its own name as key.
+    #: Key of a list of tables below ``[loads]`` in job files; empty where a function of its own reads the tables.
     job_key: ClassVar[str] = ""
-    #: Whether the load is a state of bodies, at rest or in stiffness, and pulls at nothing.
+    #: Whether the load is a state of bodies and pulls at nothing.
     of_bodies: ClassVar[bool] = False
+    #: Whether its face may be a `NodesAt` or the name of a node set.
+    at_places: ClassVar[bool] = False
     #: Whether the load needs the density of every region.
     needs_density: ClassVar[bool] = False
     #: Whether the load is spread over the faces that it names, so that the mean stress may jump there.
@@ -161,13 +166,13 @@ class Load:
     @property
     def place(self) -> str:
         """Name of the face, point or body on which it acts; one of the same kind and place replaces it in a stage."""
-        return str(getattr(self, "face", getattr(self, "point", getattr(self, "body", ""))))
+        return name_of(getattr(self, "face", getattr(self, "point", getattr(self, "body", ""))))
 
     @property
     def named_faces(self) -> tuple[str, ...]:
         """Faces that the mesh must have."""
         face = getattr(self, "face", None)
-        return () if face is None else (face,)
+        return (face,) if isinstance(face, str) else ()
 
     @property
     def label(self) -> str:

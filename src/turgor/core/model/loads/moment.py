@@ -50,7 +50,7 @@ class Moment(Load):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vector", vector(self.vector, f"moment on '{self.point}'", "moment"))
-        object.__setattr__(self, "history", checked(self.history, f"moment on '{self.point}'"))
+        object.__setattr__(self, "history", checked(self.history, f"moment on '{self.point}'", starting=True))
 
     @property
     def words(self) -> str:

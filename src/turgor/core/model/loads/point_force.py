@@ -52,7 +52,7 @@ class PointForce(Load):
     def __post_init__(self) -> None:
         object.__setattr__(self, "at", vector(self.at, "point force: at", "length"))
         object.__setattr__(self, "vector", vector(self.vector, "point force", "force"))
-        object.__setattr__(self, "history", checked(self.history, "point force"))
+        object.__setattr__(self, "history", checked(self.history, "point force", starting=True))
 
     @property
     def place(self) -> str:

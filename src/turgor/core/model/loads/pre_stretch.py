@@ -71,7 +71,7 @@ class PreStretch(Load):
         object.__setattr__(self, "stretch", number(self.stretch, f"{subject}: stretch"))
         object.__setattr__(self, "direction", vector(self.direction, f"{subject}: direction"))
         object.__setattr__(self, "center", vector(self.center, f"{subject}: center", "length"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
         if not 0.1 <= self.stretch <= 10:
             raise TurgorError(f"{subject}: stretch is {self.stretch:g}; allowed is 0.1 to 10, and 1 is none.")
         if self.form not in FORMS:

@@ -4,7 +4,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from turgor.core.model.history import RAMP, History, checked
+from turgor.core.model.history import CONSTANT, RAMP, History, checked
+from turgor.core.model.history_text import shares_text
 from turgor.core.model.loads.load import Deck, DeckRows, Load
 from turgor.foundation.given import Quantity, number
 from turgor.foundation.given import name as name_of
@@ -23,7 +24,8 @@ class Pressure(Load):
         The whole pressure; positive pushes against the solid.
     history : sequence of (float, float), or str, optional
         Points (load factor, share of the pressure that acts then), straight lines between them. The load factor
-        rises from 0 to 1; the share is 0 at first, within -1 to 1, and may fall again. By default the pressure grows
+        rises from 0 to 1; the share lies within -1 to 1 and may fall again. Where it is not 0 at first, the load is
+        there from the start, in equilibrium with the body; ``"constant"`` is 1 all along. By default the pressure grows
         in proportion to the load factor. `solve` makes a state at every point. An expression of the load factor ``s``
         such as ``"sin(pi * s)"`` says the same without points; `over_time` turns times into load factors.
 
@@ -50,7 +52,7 @@ class Pressure(Load):
     def __post_init__(self) -> None:
         subject = f"pressure on '{name_of(self.face, 'face of a pressure', 'cavity')}'"
         object.__setattr__(self, "pressure", number(self.pressure, subject, "pressure"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
 
     def at(self, load_factor: float) -> float:
         """Return the pressure at a load factor [Pa]."""
@@ -72,8 +74,8 @@ class Pressure(Load):
 
     def _way(self) -> str:
         """How it gets to its last value, unless it just grows."""
-        if self.history == RAMP:
-            return ""
+        if self.history in (RAMP, CONSTANT):
+            return shares_text(self.history)
         if isinstance(self.history, str):
             return f", of {self.pressure / kPa:g} kPa times {self.history}"
         return ", after " + ", ".join(

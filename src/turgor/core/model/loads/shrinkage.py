@@ -49,7 +49,7 @@ class Shrinkage(Load):
     def __post_init__(self) -> None:
         subject = f"shrinkage of '{name_of(self.body, 'body that shrinks', 'body')}'"
         object.__setattr__(self, "linear", number(self.linear, f"{subject}: linear", "share"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
         if not -1 <= self.linear < 0.9:
             raise TurgorError(f"{subject}: linear is {self.linear * 100:g} %; allowed is -100 % to below 90 %.")
 

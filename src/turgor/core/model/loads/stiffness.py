@@ -49,7 +49,7 @@ class Stiffness(Load):
     def __post_init__(self) -> None:
         subject = f"stiffness of '{name_of(self.body, 'body whose stiffness changes', 'body')}'"
         object.__setattr__(self, "factor", number(self.factor, f"{subject}: factor"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
         if not 1e-6 <= self.factor <= 1e6:
             raise TurgorError(f"{subject}: factor is {self.factor:g}; allowed is 1e-6 to 1e6, and 1 is no change.")
 

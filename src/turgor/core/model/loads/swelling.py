@@ -50,7 +50,7 @@ class Swelling(Load):
     def __post_init__(self) -> None:
         subject = f"swelling of '{name_of(self.body, 'body that swells', 'body')}'"
         object.__setattr__(self, "volume_ratio", number(self.volume_ratio, f"{subject}: volume_ratio"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
         if not 0.1 <= self.volume_ratio <= 100:
             raise TurgorError(f"{subject}: volume_ratio is {self.volume_ratio:g}; allowed is 0.1 to 100.")
 

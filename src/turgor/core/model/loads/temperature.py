@@ -78,7 +78,7 @@ class Temperature(Load):
         if self.expansion is not None:
             object.__setattr__(self, "expansion", number(self.expansion, f"{subject}: expansion", "expansion"))
         object.__setattr__(self, "modulus", _modulus(self.modulus, f"{subject}: modulus"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
         strain = self._expansion * (self.temperature - self.rest)
         if not -0.5 <= strain <= 1:
             raise TurgorError(

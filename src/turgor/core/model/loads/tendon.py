@@ -97,7 +97,7 @@ class Tendon(Load):
         if not 0 <= friction <= MOST_FRICTION:
             raise TurgorError(f"tendon: friction is {friction:g}; allowed is 0 to {MOST_FRICTION:g}.")
         object.__setattr__(self, "friction", friction)
-        object.__setattr__(self, "history", checked(self.history, "tendon"))
+        object.__setattr__(self, "history", checked(self.history, "tendon", starting=True))
 
     def _positive(self, key: str, dimension: str) -> None:
         if getattr(self, key) is None:

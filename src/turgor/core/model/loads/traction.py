@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, History, checked
 from turgor.core.model.loads.images import check_sectors
-from turgor.core.model.loads.load import Array, Load, NodalForces
+from turgor.core.model.loads.load import Array, Deck, DeckRows, Load, NodalForces
 from turgor.foundation.given import Quantities, vector
 from turgor.foundation.given import name as name_of
 from turgor.units import kPa
@@ -38,7 +38,7 @@ class Traction(Load):
     def __post_init__(self) -> None:
         subject = f"traction on '{name_of(self.face, 'face of a traction', 'tip')}'"
         object.__setattr__(self, "vector", vector(self.vector, subject, "pressure"))
-        object.__setattr__(self, "history", checked(self.history, subject))
+        object.__setattr__(self, "history", checked(self.history, subject, starting=True))
 
     @property
     def words(self) -> str:
@@ -58,3 +58,7 @@ class Traction(Load):
     def dead_forces(self, nodal: NodalForces) -> Array:
         """Return the nodal forces of the whole traction."""
         return nodal.on_face(self.face, self.vector)
+
+    def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
+        """Return the rows of its forces on the nodes of the face."""
+        return (DeckRows("*CLOAD", self.history, deck.spread(self.face, self.vector, per_area=True)),)

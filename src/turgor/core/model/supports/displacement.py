@@ -9,7 +9,7 @@ import numpy as np
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, History, checked, share_at
 from turgor.core.model.loads.load import Deck, DeckRows
-from turgor.core.model.supports.nodes_at import NodesAt, checked_face, described
+from turgor.core.model.places import NodesAt, checked_face, described
 from turgor.core.model.supports.support import Array, Support, check_directions
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantities, vector
@@ -40,6 +40,7 @@ class Displacement(Support):
     directions: str = "xyz"
 
     moves = True
+    at_places = True
 
     if TYPE_CHECKING:
 

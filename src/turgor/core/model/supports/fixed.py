@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from turgor.core.model.loads.load import Deck
+from turgor.core.model.places import NodesAt, checked_face, described
 from turgor.core.model.supports.displacement import Displacement, Shift
-from turgor.core.model.supports.nodes_at import NodesAt, checked_face, described
 from turgor.core.model.supports.support import Support, check_directions
 
 
@@ -23,6 +23,8 @@ class Fixed(Support):
 
     face: str | NodesAt
     directions: str = "xyz"
+
+    at_places = True
 
     def __post_init__(self) -> None:
         checked_face(self.face, "face of a support", "fixed")

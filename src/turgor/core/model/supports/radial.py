@@ -47,8 +47,8 @@ class Radial(Support):
         return f"{self.face} does not move radially, around the axis {self.axis}."
 
     def boundary_rows(self, deck: Deck) -> tuple[str, ...]:
-        """Refuse: no component is fixed."""
-        raise TurgorError(f"'{self.face}' is fixed radially, which .inp files cannot say; fix other directions.")
+        """No row: the directions of all radii are equations in the file."""
+        return ()
 
     def normals(self, mesh: Mesh) -> tuple[Ints, Array]:
         """Return the normals of the cylinder on which the face lies; its center comes from a fit of a circle."""

@@ -15,7 +15,7 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.history import History
 from turgor.core.model.loads.load import Deck, DeckRows
-from turgor.core.model.supports.nodes_at import NodesAt
+from turgor.core.model.places import NodesAt, name_of
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 
@@ -36,6 +36,8 @@ class Support:
 
     __slots__ = ()
 
+    #: Whether its face may be a `NodesAt`, or the name of a node set of the mesh.
+    at_places: ClassVar[bool] = False
     #: Whether the traction may jump across its face.
     jumps: ClassVar[bool] = True
     #: Whether it may move an actuator, which then works on what moves it.
@@ -50,8 +52,7 @@ class Support:
     @property
     def place(self) -> str:
         """Name of the fixed face, place or point."""
-        face = getattr(self, "face", getattr(self, "point", ""))
-        return face.name if isinstance(face, NodesAt) else str(face)
+        return name_of(getattr(self, "face", getattr(self, "point", "")))
 
     @property
     def label(self) -> str:
@@ -78,6 +79,11 @@ class Support:
     def way(self) -> History | None:
         """History of what it prescribes; None where nothing is moved, or a function says where."""
         return None
+
+    @property
+    def bedding(self) -> tuple[float, float]:
+        """Stiffness per area of springs under its face, along the normal and across it [Pa/m]."""
+        return 0.0, 0.0
 
     @property
     def push(self) -> tuple[float, float, float] | None:

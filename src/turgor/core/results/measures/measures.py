@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.boundary import radial_normals
+from turgor.core.engine.algebra.node_frames import across_fixed
 from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.faces import surfaces
+from turgor.core.engine.points.foundation_term import foundation_force
 from turgor.core.geometry.names import measured_faces
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.proximity import smallest_gap as smallest_gap_between
@@ -309,7 +311,7 @@ def _cavity_volume(at: StateFields) -> float:
 
 
 def _reaction(at: StateFields) -> float:
-    """Sum the forces along the directions in which the supports Fixed and Radial hold each node."""
+    """Sum the forces along the directions in which the supports Fixed, Radial and Roller hold each node."""
     fixed = np.zeros(at.mesh.points.shape, dtype=bool)
     for support in at.model.supports:
         directions = support.prescribed[1]
@@ -317,14 +319,13 @@ def _reaction(at: StateFields) -> float:
             nodes = support.nodes(at.mesh)
             for direction in directions:
                 fixed[nodes, "xyz".index(direction)] = True
-    nodes, normals = radial_normals(at.model)
-    if not fixed.any() and not len(nodes):
-        raise TurgorError("the model has no support Fixed or Radial whose force could be summed.")
+    nodes, across = across_fixed(*radial_normals(at.model), fixed)
+    if not fixed.any() and not len(nodes) and not any(any(support.bedding) for support in at.model.supports):
+        raise TurgorError("the model has no support Fixed, Radial, Roller or Foundation whose force could be summed.")
     force = np.where(fixed, at.state.nodal_force, 0.0)
-    across = np.where(fixed[nodes], 0.0, normals)  # what the normal adds to the directions that are fixed
-    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
-    force[nodes] += np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across
-    whole = at.facts.of_whole(at.mesh.symmetry_factor * force.sum(axis=0))
+    np.add.at(force, nodes, np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across)
+    total = force.sum(axis=0) + foundation_force(at.model, at.displacement)
+    whole = at.facts.of_whole(at.mesh.symmetry_factor * total)
     return float(np.linalg.norm(whole + fixed_points_force(at)))
 
 
@@ -360,8 +361,8 @@ cavity_volume = Measure(
 )  # fmt: skip
 reaction = Measure(
     name="reaction", unit="N", function=_reaction,
-    definition="magnitude of the sum of all forces at the supports Fixed and Radial, whole actuator; zero where only "
-    "the pressure of a closed cavity acts, since that pushes on itself",
+    definition="magnitude of the sum of all forces at the supports Fixed, Radial and Roller, whole actuator; zero "
+    "where only the pressure of a closed cavity acts, since that pushes on itself",
 )  # fmt: skip
 smallest_gap = Measure(
     name="smallest_gap", unit="mm",

@@ -78,7 +78,8 @@ def _fixed_motions(model: Model, supports: PrescribedComponents, body: Body) -> 
         mask[each.arrows] |= each.point.rotational_spring > 0
     # a rigid face moves along with its point; the nodes of a plane section may part
     follows = np.isin(tied.followers // 3, body.nodes) & (tied.leaders < 3 * len(model.mesh.points))
-    count = mask.sum() + follows.sum() + sum(each.bearing is not None for each in carriers)
+    beds = _beds(model, body)
+    count = mask.sum() + follows.sum() + sum(each.bearing is not None for each in carriers) + len(beds)
     if not count:
         return 0
     arms, goes = _arms(model, supports, body)
@@ -88,8 +89,24 @@ def _fixed_motions(model: Model, supports: PrescribedComponents, body: Body) -> 
             local = supports.frames.to_local(motion)
             parted = local.ravel()[tied.followers[follows]] - local.ravel()[tied.leaders[follows]]
             stops = [stopped(each, motion) for each in carriers]
+            stops += [np.einsum("ki,ki->k", along, motion[nodes]) for nodes, along in beds]
             motions.append(np.concatenate([local[mask], parted, *stops]))
     return int(np.linalg.matrix_rank(np.array(motions), tol=1e-6 * max(1.0, np.sqrt(count))))
+
+
+def _beds(model: Model, body: Body) -> list[tuple[NDArray[np.int64], NDArray[np.float64]]]:
+    """Nodes of a body on springs, and unit vectors along which the springs resist."""
+    beds = []
+    for support in model.supports:
+        if not any(support.bedding) or not np.isin(support.nodes(model.mesh), body.nodes).all():
+            continue
+        corners = model.mesh.face(support.place)[:, :3]
+        edges = np.diff(model.mesh.points[corners], axis=1)
+        normals = np.cross(edges[:, 0], edges[:, 1])
+        frames = np.linalg.svd(normals[:, None])[2]  # the normal first, then two vectors across it
+        kinds = [frames[:, k] for k, stiff in enumerate((support.bedding[0], *[support.bedding[1]] * 2)) if stiff]
+        beds += [(corners[:, k], along) for k in range(3) for along in kinds]
+    return beds
 
 
 def _arms(model: Model, supports: PrescribedComponents, body: Body) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -95,9 +95,8 @@ def _begin(problem: Problem, procedure: TimeOptions) -> _Run:
     mass = mass_data(system)
     accelerations = Accelerations(system, at, mass)
     if procedure.velocity is not None:
-        given = np.broadcast_to(
-            np.asarray(procedure.velocity(system.model.mesh.points)), system.model.mesh.points.shape
-        )
+        points, stated = system.model.mesh.points, procedure.velocity
+        given = np.broadcast_to(np.asarray(stated(points) if callable(stated) else stated), points.shape)
         velocity = accelerations.velocity(system.rates(unknowns, given))
     damping = np.zeros(system.size)
     if velocity.any():

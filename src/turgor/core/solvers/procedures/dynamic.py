@@ -39,8 +39,9 @@ class Dynamic(TimeOptions):
     spectral_radius : float [-]
         Numerical damping of vibrations that the steps do not resolve: 1 leaves all of them, 0 takes them at once. With
         mean stresses as unknowns, 1 leaves these free to oscillate from step to step.
-    velocity : callable, optional
-        ``velocity(points) -> (n, 3) velocity [m/s]`` at the start, of the (n, 3) reference points [m]. The part that
+    velocity : (3,) floats [m/s], or callable, optional
+        Velocity of the whole body at the start; or ``velocity(points) -> (n, 3) velocity [m/s]`` of the (n, 3)
+        reference points [m]. Supports stay at rest. The part that
         would change the volume of incompressible rubber is taken out.
     at : tuple of float [-]
         Load factors, time over duration, that must be hit exactly besides 1, each in (0, 1].

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from turgor.core.model.history import starts
 from turgor.core.model.loads import Load
 from turgor.core.model.obstacles import Vector
 from turgor.core.model.supports import Displacement
@@ -56,6 +57,12 @@ class Stage:
         if not self.name.strip():
             raise TurgorError("a stage has no name; a word is needed, such as 'fill'.")
         object.__setattr__(self, "loads", tuple(self.loads))
+        for load in self.loads:
+            if starts(load.history):
+                raise TurgorError(
+                    f"stage '{self.name}': the history of {load.label} begins with {load.share(0.0):g}; within a stage "
+                    "a load goes from what it was, so begin with 0."
+                )
         object.__setattr__(self, "displacements", tuple(self.displacements))
 
 

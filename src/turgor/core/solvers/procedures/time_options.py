@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,8 +10,12 @@ from numpy.typing import NDArray
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.step_options import make_numbers
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.given import vector
 
 Array = NDArray[np.float64]
+
+#: Velocity [m/s] of points at rest, or one of the whole body.
+Velocity: TypeAlias = Callable[[Array], Array] | tuple[float, float, float]
 
 TIME = {"dimension": "time"}
 
@@ -28,7 +33,7 @@ class TimeOptions(Procedure):
     mass_damping: float = field(default=0.0, metadata={"dimension": "rate"})
     stiffness_damping: float = field(default=0.0, metadata=TIME)
     spectral_radius: float = 0.8
-    velocity: Callable[[Array], Array] | None = field(default=None, metadata={"job": False})
+    velocity: Velocity | None = field(default=None, metadata={"dimension": "speed", "three": True})
     at: tuple[float, ...] = ()
     keep: int = 1
     tolerance: float = 1e-6
@@ -37,6 +42,8 @@ class TimeOptions(Procedure):
 
     def __post_init__(self) -> None:
         make_numbers(self)
+        if self.velocity is not None and not callable(self.velocity):
+            object.__setattr__(self, "velocity", vector(self.velocity, "procedure.velocity", "speed"))
         if not 0 < self.duration < np.inf:
             raise TurgorError(f"procedure.duration is {self.duration:g} s; it must be more than 0.")
         for name in ("first_step", "max_step", "min_step"):

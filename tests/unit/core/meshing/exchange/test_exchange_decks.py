@@ -54,7 +54,10 @@ def surface(name, quads):
             "surface 'load' of set 'beams', which has no cell that is read",
         ),
         (["*SURFACE, NAME=load", "solid, S9"], "surface 'load' 'S9' of solid cells"),
-        (["*NSET, NSET=edge", "1, 2, 3", "*NSET, NSET=corner", "1"], "'corner', 'edge', which hold no whole side"),
+        (
+            ["*NSET, NSET=edge", "1, 2, 3", "*NSET, NSET=corner", "1"],
+            "Sets of nodes of 'deck.inp' without a whole side: 'corner', 'edge'",
+        ),
     ],
 )
 def test_what_no_solid_needs_is_left_out_with_a_note(tmp_path, lines, note):
@@ -67,7 +70,13 @@ def test_groups_of_edges_and_points_of_gmsh_are_noted(tmp_path):
     blocks = [(15, [np.array([0])], [7]), (1, [np.array([0, 1])], [8]), (5, CELLS, [1] * len(CELLS))]
     names = {(3, 1): "body", (0, 7): "corner", (1, 8): "edge"}
     (tmp_path / "cube.msh").write_text(cases.gmsh_2(POINTS, blocks, names))
-    assert "'corner', 'edge', which hold no whole side" in left_out(read_mesh(tmp_path / "cube.msh"))
+    mesh = read_mesh(tmp_path / "cube.msh")
+    assert "without a whole side: 'corner', 'edge'" in left_out(mesh)
+    assert mesh.points[mesh.node_sets["corner"]] / mm == pytest.approx(POINTS[[0]])
+    ends = POINTS[[0, 1]]
+    assert sorted(mesh.points[mesh.node_sets["edge"]].sum(axis=1) / mm) == pytest.approx(
+        sorted([*ends.sum(axis=1), ends.mean(axis=0).sum()])
+    )
 
 
 def test_surface_on_shells_names_the_sides_below_them(tmp_path):

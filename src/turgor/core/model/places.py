@@ -1,4 +1,4 @@
-"""NodesAt: the nodes of an edge, a corner or a box, where a support acts on no whole face."""
+"""NodesAt: the nodes of an edge, a corner or a box, where a support or a force acts on no whole face."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.meshing.mesh import Mesh
-from turgor.foundation.errors import TurgorError
+from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.given import Quantities, name, shown, vector
 from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import format_quantity, mm
@@ -16,13 +16,19 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Point: TypeAlias = tuple[float, float, float]
 
+#: Fields that say where the nodes are.
+PLACES = ("edge", "near", "box", "node_set")
+
 
 @dataclass(frozen=True, slots=True)
 class NodesAt:
-    """Nodes that a support acts on where that is no whole face; one of ``edge``, ``near`` and ``box`` is given.
+    """Nodes that a support or a `Force` acts on where that is no whole face: one of the four keys says where.
 
     A support of one node or of an edge fits what keeps a body from drifting and carries hardly any force. Stress has no
     bound there, and what a large force moves depends on the mesh.
+
+    A force is spread by area over the sides of the surface whose nodes are all in the place. Where there are none, it
+    is spread by length along the edges of cells in it; nodes without such an edge get equal shares.
 
     Parameters
     ----------
@@ -34,11 +40,13 @@ class NodesAt:
         The node nearest to this point, at rest.
     box : two (3,) floats [m], optional
         Two opposite corners: all nodes within, at rest.
+    node_set : str, optional
+        A set of nodes of a mesh file, such as an edge or a point that has a name there.
 
     Raises
     ------
     TurgorError
-        If not exactly one of the three is given, or it has another form.
+        If not exactly one of the four is given, or it has another form.
 
     Examples
     --------
@@ -52,6 +60,7 @@ class NodesAt:
     edge: tuple[str, str] | None = None
     near: Point | None = None
     box: tuple[Point, Point] | None = None
+    node_set: str | None = None
 
     if TYPE_CHECKING:
 
@@ -61,19 +70,24 @@ class NodesAt:
             edge: tuple[str, str] | None = None,
             near: Quantities | None = None,
             box: tuple[Quantities, Quantities] | None = None,
+            node_set: str | None = None,
         ) -> None: ...
 
     def __post_init__(self) -> None:
         what = f"place '{name(self.name, 'name of a place', 'corner')}'"
-        given = [key for key in ("edge", "near", "box") if getattr(self, key) is not None]
+        given = [key for key in PLACES if getattr(self, key) is not None]
         if len(given) != 1:
-            raise TurgorError(f"{what} has {' and '.join(given) or 'none'} of edge, near and box; one is needed.")
+            raise TurgorError(
+                f"{what} has {' and '.join(given) or 'none'} of edge, near, box and node_set; one is needed."
+            )
         if self.edge is not None:
             object.__setattr__(self, "edge", _two_faces(self.edge, what))
         if self.near is not None:
             object.__setattr__(self, "near", vector(self.near, f"{what}: near", "length"))
         if self.box is not None:
             object.__setattr__(self, "box", _corners(self.box, what))
+        if self.node_set is not None:
+            name(self.node_set, f"{what}: node_set", "rim")
 
     @property
     def text(self) -> str:
@@ -82,6 +96,8 @@ class NodesAt:
             return f"the edge between {self.edge[0]} and {self.edge[1]}"
         if self.near is not None:
             return f"the node nearest to {_millimeters(self.near)} mm"
+        if self.node_set is not None:
+            return f"the nodes of the set '{self.node_set}'"
         assert self.box is not None
         return f"the box from {_millimeters(self.box[0])} to {_millimeters(self.box[1])} mm"
 
@@ -100,6 +116,10 @@ class NodesAt:
         elif self.near is not None:
             carrying = np.unique(mesh.carrying_cells)
             nodes = carrying[[np.linalg.norm(points[carrying] - self.near, axis=1).argmin()]]
+        elif self.node_set is not None:
+            if self.node_set not in mesh.node_sets:
+                raise unknown(f"node set of the place '{self.name}'", self.node_set, mesh.node_sets)
+            nodes = mesh.node_sets[self.node_set]
         else:
             low, high = np.array(self.box)
             nodes = np.flatnonzero(((points >= low - slack) & (points <= high + slack)).all(axis=1))
@@ -117,14 +137,20 @@ class NodesAt:
             return {"edge": list(self.edge)}
         if self.near is not None:
             return {"near": [format_quantity(part, "mm") for part in self.near]}
+        if self.node_set is not None:
+            return {"node_set": self.node_set}
         assert self.box is not None
         return {"box": [[format_quantity(part, "mm") for part in corner] for corner in self.box]}
 
 
-def checked_face(face: object, what: str, example: str) -> None:
-    """Refuse what is neither the name of a face nor a `NodesAt`."""
-    if not isinstance(face, NodesAt):
-        name(face, what, example)
+def checked_face(face: object, what: str, example: str) -> str:
+    """Return the name of a face or of a `NodesAt`; refuse everything else."""
+    return face.name if isinstance(face, NodesAt) else name(face, what, example)
+
+
+def name_of(face: object) -> str:
+    """Return the name of a face or of a place."""
+    return face.name if isinstance(face, NodesAt) else str(face)
 
 
 def described(face: str | NodesAt) -> str:

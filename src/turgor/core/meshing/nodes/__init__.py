@@ -1,0 +1,1 @@
+"""Nodes of a mesh by name, and how a total is spread over them."""
