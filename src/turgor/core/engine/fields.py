@@ -263,4 +263,4 @@ def strain_energy(
     density = materials.energy(I1, I2, F, materials.history(memory)) + 0.5 * mean**2 * materials.compliance[:, None]
     lost = penalty_energy(cells.penalty, cells.dV, J - 1 - mean * materials.compliance[:, None])
     terms = Terms(Setting(model, rest, prescribed_components(model).along_axes, whole.dV, 1.0, 1.0))
-    return float((cells.dV * density).sum() + lost.sum()) + terms.energy(rest + u)
+    return float((cells.dV * density).sum() + lost.sum()) + terms.energy(rest + u, bonds_of(memory))

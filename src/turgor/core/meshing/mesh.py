@@ -72,6 +72,8 @@ class Mesh(Shown):
     serendipity : bool
         Whether the middles of sides and cells of 27-node hexahedra follow the other 20 nodes (`turgor.core.meshing.
         middles`), which halves the unknowns. Their places follow, too.
+    parted : tuple of (str, str)
+        Faces of a bond, one on each body, whose nodes were one (`turgor.core.meshing.bodies.parted`).
 
     Raises
     ------
@@ -89,6 +91,7 @@ class Mesh(Shown):
     revolved: str = ""
     wedge: Wedge | None = None
     serendipity: bool = False
+    parted: tuple[tuple[str, str], ...] = ()
     vertex_count: int = field(init=False)
     cavities: tuple[str, ...] = field(init=False)
     """Names of the faces that enclose a cavity: those that begin with ``cavity`` and are no open surface."""

@@ -11,8 +11,9 @@ relaxed equilibrium.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import inf
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +29,9 @@ from turgor.foundation.symmetric import COLUMNS, ROWS
 Array = NDArray[np.float64]
 Pairs = Sequence[tuple[int, int]]
 
+#: No internal variables.
+NOTHING: Mapping[str, Array] = MappingProxyType({})
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Memory:
@@ -41,18 +45,21 @@ class Memory:
         Of regions that soften: the largest energy density of its history.
     friction : tuple of (FrictionHistory or None)
         Of each part of the contact; empty without friction.
+    bonds : mapping of str to (2, k, q) array
+        Of each bond at the points of its k sides: damage, and energy per area [J/m²] that it has taken.
     """
 
     stress: Mapping[str, Array]
     largest: Mapping[str, Array]
     friction: Friction = ()
+    bonds: Mapping[str, Array] = field(default_factory=dict)
 
     __repr__ = brief
 
     @property
-    def of_rubber(self) -> "Memory | None":
-        """Without friction; None where nothing relaxes or softens."""
-        return joined_memory(self.stress, self.largest)
+    def without_friction(self) -> "Memory | None":
+        """Without friction; None where nothing else remembers."""
+        return joined_memory(self.stress, self.largest, bonds=self.bonds)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -147,10 +154,13 @@ class History:
         Of each region that relaxes or softens.
     friction : tuple of (FrictionHistory or None)
         Of each part of the contact, from which its points slip; empty without friction.
+    bonds : mapping of str to (2, k, q) array
+        Of each bond; see `Memory`.
     """
 
     regions: Mapping[str, RegionMemory]
     friction: Friction = ()
+    bonds: Mapping[str, Array] = field(default_factory=dict)
 
     @property
     def memory(self) -> Memory | None:
@@ -159,12 +169,25 @@ class History:
             {name: each.stress for name, each in self.regions.items() if each.stress is not None},
             {name: each.largest for name, each in self.regions.items() if each.largest is not None},
             self.friction,
+            self.bonds,
         )
 
 
-def joined_memory(stress: Mapping[str, Array], largest: Mapping[str, Array], friction: Friction = ()) -> Memory | None:
-    """The memory of all regions and contacts, None where there is none."""
-    return Memory(stress=stress, largest=largest, friction=friction) if stress or largest or friction else None
+def joined_memory(
+    stress: Mapping[str, Array],
+    largest: Mapping[str, Array],
+    friction: Friction = (),
+    bonds: Mapping[str, Array] = NOTHING,
+) -> Memory | None:
+    """The memory of all regions, contacts and bonds, None where there is none."""
+    if not (stress or largest or friction or bonds):
+        return None
+    return Memory(stress=stress, largest=largest, friction=friction, bonds=bonds)
+
+
+def bonds_of(memory: Memory | None) -> Mapping[str, Array]:
+    """The internal variables of bonds in a memory; empty where there are none."""
+    return NOTHING if memory is None else memory.bonds
 
 
 def friction_of(memory: Memory | None) -> Friction:

@@ -1,0 +1,28 @@
+"""Numbers of bonds that were chosen."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BondSettings:
+    """What was chosen for bonds.
+
+    Parameters
+    ----------
+    stiffness : float [-]
+        Stiffness of an undamaged bond over that of a layer of the softer neighbor as thick as an element is wide. 100
+        makes the bond 1 % as compliant as one element. A stiffer one costs digits of the factors and gains nothing.
+    brittleness : float [-]
+        Smallest opening at the end over that at the strength, at peel and at shear, for a stiffness that was not
+        stated: 10 leaves nine tenths of the fracture energy for the damage.
+    zone : float [-]
+        Elements that the zone of damage before a crack should span; with fewer the load jumps from element to element
+        (Turon et al. 2007: 3 to 5).
+    """
+
+    stiffness: float = 100.0
+    brittleness: float = 10.0
+    zone: float = 3.0
+
+
+BOND = BondSettings()
