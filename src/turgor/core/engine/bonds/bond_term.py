@@ -53,6 +53,8 @@ class BondTerm(Term):
         Scaled reference area of each point.
     start : (k, q) array
         Damage at rest: 1 where nothing is bonded.
+    clearance : (k, q) array
+        Scaled depth at which the sides begin to press on each other.
     table : ReferenceCell
         Of a side.
     unit : float [J/m²]
@@ -65,6 +67,7 @@ class BondTerm(Term):
     law: BondLaw
     weights: Array
     start: Array
+    clearance: Array
     table: ReferenceCell
     unit: float
 
@@ -98,10 +101,14 @@ class BondTerm(Term):
         pulled = np.maximum(opening.across, 0.0)[:, None, None]
         return 2 * pulled * opening.across_rate / across**2, opening.along_rate / along**2
 
+    def _depth(self, at: _Answer) -> Array:
+        """How deep the sides are pressed into each other (p,), negative; zero where they are not."""
+        return np.minimum(at.opening.across + self.clearance.ravel(), 0.0)
+
     def _gradient(self, at: _Answer) -> tuple[Array, Array]:
         """∂ of the energy that damage reduces, undamaged, and of that of pressing."""
         peel, shear = self._rates(at)
-        pressed = np.minimum(at.opening.across, 0.0)[:, None, None]
+        pressed = self._depth(at)[:, None, None]
         return self.law.elastic * (peel + shear), self.law.stiffness * pressed * at.opening.across_rate
 
     def add_forces(self, out: Array, at: Configuration) -> None:
@@ -143,10 +150,10 @@ class BondTerm(Term):
         g, slip = opening.across[:, None, None], np.zeros((9, 9))
         slip[:3, :3] = 2 * np.eye(3)
         square = 2 * (outer + g * bent)
-        pulls = g > 0
-        peel = np.where(pulls, square, 0.0) / law.onset[0] ** 2
+        peel = np.where(g >= 0, square, 0.0) / law.onset[0] ** 2
         shear = (slip - square) / law.onset[1] ** 2
-        pressed = np.where(pulls, 0.0, 0.5 * law.stiffness * square)
+        depth = self._depth(at)[:, None, None]
+        pressed = np.where(depth < 0, law.stiffness * (outer + depth * bent), 0.0)
         return np.asarray((1 - at.damage)[:, None, None] * law.elastic * (peel + shear) + pressed)
 
     def _growth(self, at: _Answer) -> Array:
@@ -167,7 +174,7 @@ class BondTerm(Term):
         """Scaled energy that the bond gives back."""
         at = self._answer(position, history)
         elastic = (1 - at.damage) * self.law.elastic * sum(at.squares)
-        pressed = 0.5 * self.law.stiffness * np.minimum(at.opening.across, 0.0) ** 2
+        pressed = 0.5 * self.law.stiffness * self._depth(at) ** 2
         return float((self.weights.ravel() * (elastic + pressed)).sum())
 
     def remembered(self, at: Configuration) -> Array:
@@ -201,7 +208,8 @@ def _term(setting: Setting, bond: Bond) -> BondTerm:
     edge = float(np.sqrt(weights.sum(axis=1)).mean()) * setting.length
     law = BondLaw.of(bond, stiffness_of(setting.model, bond, edge), setting.length, setting.stress)
     start = bond.flawed(at).astype(np.float64)
-    return BondTerm(bond.name, sides, opposite, law, weights, start, table, setting.stress * setting.length)
+    clearance = BOND.clearance * edge / setting.length * start
+    return BondTerm(bond.name, sides, opposite, law, weights, start, clearance, table, setting.stress * setting.length)
 
 
 def stiffness_of(model: Model, bond: Bond, edge: float) -> float:

@@ -18,11 +18,15 @@ class BondSettings:
     zone : float [-]
         Elements that the zone of damage before a crack should span; with fewer the load jumps from element to element
         (Turon et al. 2007: 3 to 5).
+    clearance : float [-]
+        Depth over the width of an element from which the sides of a flaw press on each other. At rest they touch, and
+        without a clearance Newton's method goes round between points that press and points that do not.
     """
 
     stiffness: float = 100.0
     brittleness: float = 10.0
     zone: float = 3.0
+    clearance: float = 0.01
 
 
 BOND = BondSettings()
