@@ -185,10 +185,11 @@ class BondTerm(Term):
         shape = self.weights.shape
         return np.stack([answer.damage.reshape(shape), before[1] + taken.reshape(shape)])
 
-    def gaps(self, position: Array) -> Array:
-        """Scaled distance across the bond (k, q), zero where it is closed."""
-        opening = self._answer(position, None).opening
-        return np.asarray(np.maximum(opening.across, 0.0).reshape(self.weights.shape))
+    def use(self, position: Array) -> tuple[Array, Array]:
+        """λ of `turgor.core.engine.bonds.law`, and the scaled distance across the bond, zero where closed; (k, q)."""
+        at, shape = self._answer(position, None), self.weights.shape
+        gap = np.maximum(at.opening.across, 0.0)
+        return np.sqrt(at.squares[0] + at.squares[1]).reshape(shape), gap.reshape(shape)
 
 
 def bond_terms(setting: Setting) -> Sequence[BondTerm]:

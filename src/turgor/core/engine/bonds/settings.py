@@ -10,8 +10,9 @@ class BondSettings:
     Parameters
     ----------
     stiffness : float [-]
-        Stiffness of an undamaged bond over that of a layer of the softer neighbor as thick as an element is wide. 100
-        makes the bond 1 % as compliant as one element. A stiffer one costs digits of the factors and gains nothing.
+        Stiffness of an undamaged bond over that of a layer of the softer neighbor as thick as an element is wide. 10
+        makes the bond as compliant as a tenth of an element. With 100 a step takes twice the updates of Newton's
+        method, and a double cantilever beam has the same load up to 0.5 %.
     brittleness : float [-]
         Smallest opening at the end over that at the strength, at peel and at shear, for a stiffness that was not
         stated: 10 leaves nine tenths of the fracture energy for the damage.
@@ -23,7 +24,7 @@ class BondSettings:
         without a clearance Newton's method goes round between points that press and points that do not.
     """
 
-    stiffness: float = 100.0
+    stiffness: float = 10.0
     brittleness: float = 10.0
     zone: float = 3.0
     clearance: float = 0.01
