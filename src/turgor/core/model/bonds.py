@@ -117,6 +117,15 @@ class Bond:
         """Stiffness [Pa/m] at which the whole fracture energy is stored at the strength."""
         return self.peel_strength**2 / (2 * min(self.energy_peel, self.shear[1]))
 
+    def text(self) -> str:
+        """Sentence of a report."""
+        strength, energy = self.shear
+        source = f" ({self.source})" if self.source else ""
+        return (
+            f"{self.between[0]} and {self.between[1]} are bonded ({self.name}): {self.peel_strength / kPa:.4g} kPa and "
+            f"{self.energy_peel:.4g} J/m² in peel, {strength / kPa:.4g} kPa and {energy:.4g} J/m² in shear{source}."
+        )
+
     def flawed(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Whether points (..., 3) lie where nothing is bonded at rest."""
         if self.unbonded is None:

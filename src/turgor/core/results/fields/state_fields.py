@@ -18,6 +18,7 @@ from turgor.core.meshing.refining.region_nodes import RegionNodes, region_nodes
 from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.fibers import Fibers
 from turgor.core.model.model import DISPLACEMENT, Model
+from turgor.core.results.fields.bonds import bond_results
 from turgor.core.solvers.solution import State
 
 Array = NDArray[np.float64]
@@ -156,6 +157,12 @@ class StateFields:
         for touch in self.state.touches.values():
             total += touch.pressure
         return total
+
+    @cached_property
+    def bond_damage(self) -> Array:
+        """Damage of bonds at the nodes of their sides, (n,), zero elsewhere: 0 as new, 1 open."""
+        nodal = [bond.nodal_damage for bond in bond_results(self.state).values()]
+        return np.asarray(np.max([np.zeros(len(self.mesh.points)), *nodal], axis=0))
 
     @cached_property
     def cauchy_stress(self) -> Array:

@@ -16,6 +16,7 @@ from turgor.core.engine.percentiles import weighted_percentile
 from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.laws.stability import Mode, first_instability
 from turgor.core.materials.material import Material
+from turgor.core.results.fields.bonds import bond_results
 from turgor.core.solvers.checks.membranes import Compression, bears_compression
 from turgor.core.solvers.checks.settings import CAUSES, REPORTS
 from turgor.core.solvers.pressures import pressures_of
@@ -45,8 +46,23 @@ def cause_text(why: Why | None) -> str:
 
 
 def cause_in(state: State) -> Why | None:
-    """Find the cause that a state shows by itself: a law that turns over, a film that wrinkles, too much load."""
-    return turned_law(state) or wrinkled_film(state) or overload(state)
+    """Find the cause that a state shows by itself: a bond that opens, a law that turns over, a wrinkled film, too much load."""
+    return softened_bond(state) or turned_law(state) or wrinkled_film(state) or overload(state)
+
+
+def softened_bond(state: State) -> Why | None:
+    """Say which bond is damaged, so that it bears less the more it opens."""
+    for bond in bond_results(state).values():
+        if bond.bonded.any() and bond.mean_damage > 0:
+            most = float(bond.damage[bond.bonded].max())
+            return Why(
+                f" The bond '{bond.name}' is damaged (at most {100 * most:.0f} %, {100 * bond.mean_damage:.2g} % on "
+                "average) and bears less the more it opens.",
+                "That is where it fails under this load. To go on, prescribe the volume of the cavity or a motion, "
+                "follow the path by its length (ArcLength), or let it jump (Stabilized); T05 says whether elements are "
+                "too long for it.",
+            )
+    return None
 
 
 def turned_law(state: State) -> Why | None:
