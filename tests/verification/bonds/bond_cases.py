@@ -59,7 +59,8 @@ def double_cantilever(cells):
         unbonded=((-1.0, -1.0, -1.0), (FLAW, 1.0, 1.0)),
     )  # fmt: skip
     moved = [tg.Displacement(face, (0.0, 0.0, sign * OPENING / 2), "z") for face, sign in (("up", 1), ("down", -1))]
-    return tg.Model(mesh, material, [tg.Fixed("x1", "x"), tg.Fixed("y0", "y"), tg.Fixed("y1", "y"), *moved], [], bonds=glue)
+    fixed = [tg.Fixed("x1", "x"), tg.Fixed("y0", "y"), tg.Fixed("y1", "y")]
+    return tg.Model(mesh, material, [*fixed, *moved], [], bonds=glue)
 
 
 def beam_loads(opening):

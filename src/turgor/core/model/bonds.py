@@ -104,7 +104,7 @@ class Bond:
         box = np.asarray(self.unbonded, dtype=np.float64)
         if box.shape != (2, 3) or not (box[0] < box[1]).all():
             raise TurgorError(
-                f"bond '{self.name}': unbonded is {self.unbonded!r}; two corners are needed, the first below the second."
+                f"bond '{self.name}': unbonded is {self.unbonded!r}; two corners are needed, the first below the other."
             )
 
     @property

@@ -12,8 +12,8 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.laws.laws import LAWS, Hooke
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.settings import MeshSettings
-from turgor.core.model.contact import Contact
 from turgor.core.model.bonds import Bond
+from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers, Winding
 from turgor.core.model.obstacles import Obstacle, SelfContact
 from turgor.core.model.points import ReferencePoint
@@ -28,9 +28,9 @@ from turgor.job.read import DEFAULTS
 from turgor.job.reference.kinds import Kind
 from turgor.job.reference.ranges import Reader
 from turgor.job.reference.tables import JobKey, JobTable, Source, toml
+from turgor.job.tables.bonds import BondTable, read_bonds
 from turgor.job.tables.cad import CAD_FILE, CadFileTable, SelectorTable, SplitTable
 from turgor.job.tables.contact import ContactTable, read_contact
-from turgor.job.tables.bonds import BondTable, read_bonds
 from turgor.job.tables.fibers import BoxTable, FibersTable, read_fibers
 from turgor.job.tables.loads import read_loads
 from turgor.job.tables.material_tables import LibraryTable, SourceTable, StatedTable, law_table

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from matplotlib.figure import Figure
 
-from turgor.core.results.fields.bonds import bond_results
+from turgor.core.engine.cells.internal_variables import bonds_of
 from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.response import Response
@@ -23,7 +23,7 @@ CAPTIONS = {
 def pictured(of: Solution) -> tuple[str, ...]:
     """Return which pictures `path_figures` draws of a path, by the keys of `CAPTIONS`."""
     touches = any(touch.area > 0 for touch in of.states[-1].touches.values())
-    damaged = any(bond.damage.any() for bond in bond_results(of.states[-1]).values())
+    damaged = any(values[0].any() for values in bonds_of(of.states[-1].memory).values())
     kinds = {"undeformed": True, "deformed": len(of.states) > 1, "contact": touches, "bonds": damaged}
     return tuple(kind for kind, drawn in kinds.items() if drawn)
 

@@ -67,9 +67,7 @@ FIELDS = (
         scale=kPa,
         of=lambda at, on: on.pick(at.contact_pressure),
     ),
-    ShownField(
-        key=BOND_DAMAGE, label="damage of bonds", unit="", scale=1.0, of=lambda at, on: on.pick(at.bond_damage)
-    ),
+    ShownField(key=BOND_DAMAGE, label="damage of bonds", unit="", scale=1.0, of=lambda at, on: on.pick(at.bond_damage)),
     ShownField(key="displacement", label="displacement", unit="mm", scale=mm, of=None),
 )
 

@@ -67,7 +67,9 @@ def find_bodies(mesh: Mesh) -> tuple[Body, ...]:
     owner = np.repeat(np.arange(len(corners)), corners.shape[1])
     nodes = len(corners) + corners.ravel()
     bonds = [partners(mesh, faces) for faces in mesh.parted]
-    ends = [np.concatenate([given, *(len(corners) + pair[k] for pair in bonds)]) for k, given in ((0, owner), (1, nodes))]
+    ends = [
+        np.concatenate([given, *(len(corners) + pair[k] for pair in bonds)]) for k, given in ((0, owner), (1, nodes))
+    ]
     label = groups_of(len(corners) + len(mesh.points), *ends)[: len(corners)]
     return tuple(_body(mesh, np.flatnonzero(label == one)) for one in dict.fromkeys(label.tolist()))
 

@@ -63,7 +63,9 @@ def parted(mesh: Mesh, name: str, between: tuple[str, str]) -> Mesh:
             raise unknown(f"region for the bond '{name}'", each, mesh.regions)
     first, second = _shared_sides(mesh, between)
     if not len(first):
-        raise TurgorError(f"bond '{name}': '{between[0]}' and '{between[1]}' share no side of a cell; nothing is bonded.")
+        raise TurgorError(
+            f"bond '{name}': '{between[0]}' and '{between[1]}' share no side of a cell; nothing is bonded."
+        )
     cells, origin = _with_copies(mesh, np.unique(cell_sides(mesh.cells)[first]), first)
     sides = cell_sides(cells)
     named = {face: _moved(mesh, face, cells, first) for face in mesh.faces}
@@ -95,7 +97,7 @@ def partners(mesh: Mesh, faces: tuple[str, str]) -> tuple[Ints, Ints]:
 
 
 def _shared_sides(mesh: Mesh, between: tuple[str, str]) -> tuple[Ints, Ints]:
-    """Rows of `cell_sides` that the two regions share: those of the first, and those of the second in the same order."""
+    """Rows of `cell_sides` that the two regions share: of the first, and of the second in the same order."""
     keys = corner_keys(cell_sides(mesh.cells), len(mesh.points))
     count = len(keys) // len(mesh.cells)
     rows = [(count * mesh.regions[name][:, None] + np.arange(count)).ravel() for name in between]

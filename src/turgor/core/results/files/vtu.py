@@ -34,7 +34,8 @@ def write_state(path: str | Path, state: State | StateFields) -> None:
 
     Point data: ``displacement`` [m], ``mean_stress`` [Pa], ``cauchy_stress`` [Pa] (XX, YY, ZZ, XY, YZ, XZ),
     ``von_mises`` [Pa], ``stretch`` (largest principal), ``node``, ``contact_pressure`` [Pa] where anything may touch,
-    and ``bond_damage`` where bodies are bonded. Cell data: ``region``, the number that the field data ``region:NAME`` give its name. Stresses and stretch
+    and ``bond_damage`` where bodies are bonded.
+    Cell data: ``region``, the number that the field data ``region:NAME`` give its name. Stresses and stretch
     are averaged at the nodes over the cells of one region. Where regions meet the points are doubled, one for each
     region, so that fields jump there as they should; ``node`` says which node of the mesh a point is. Field data:
     ``von_mises_p99`` [Pa] and ``principal_stretch_p99``, below which 99 % of the volume lie, the load, and

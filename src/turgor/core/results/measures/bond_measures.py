@@ -1,6 +1,6 @@
-"""Measures of bonds: what pulls two bodies, or a body and a sheet, off each other, and how far a `Bond` has opened.
+"""Measures of bonds: what pulls two bodies, or a body and a sheet, off each other, and how far a bond has opened.
 
-The stress on a face is averaged at the nodes of each region, and over the regions that meet on the face. At the rim of a bond
+The stress on a face is averaged at the nodes of each region, and over the regions that meet on it. At the rim of a bond
 between materials of different stiffness the exact stress is unbounded, so the value that 99 % of the area stay below is
 read.
 """
@@ -12,10 +12,10 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.bonds.bond_results import BondResult
 from turgor.core.engine.cells.reference import side_tables
 from turgor.core.engine.percentiles import PERCENTILE, weighted_percentile
 from turgor.core.model.model import Model
-from turgor.core.results.fields.bonds import BondResult, bond_results
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.field_measures import as_column
 from turgor.core.results.measures.measure import Measure
@@ -91,11 +91,10 @@ def opening_of(bond: str, what: str = "opened_area") -> Measure:
     unit, definition, read = _OPENING[what]
 
     def value(at: StateFields) -> float:
-        bonds = at.once("bonds", lambda: bond_results(at.state))
-        names = [name for name in bonds if bond in (name, as_column(name))]
+        names = [name for name in at.bonds if bond in (name, as_column(name))]
         if not names:
-            raise unknown("bond", bond, bonds)
-        return (at.mesh.symmetry_factor if what in _SUMS else 1) * read(bonds[names[0]])
+            raise unknown("bond", bond, at.bonds)
+        return (at.mesh.symmetry_factor if what in _SUMS else 1) * read(at.bonds[names[0]])
 
     return Measure(
         name=f"{as_column(bond)}_{what}", unit=unit, function=value, definition=definition.format(bond),

@@ -10,13 +10,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.bonds.bond_results import bond_results
 from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.engine.fields import elastic_gradients
 from turgor.core.engine.percentiles import weighted_percentile
 from turgor.core.materials.laws.laws import Law
 from turgor.core.materials.laws.stability import Mode, first_instability
 from turgor.core.materials.material import Material
-from turgor.core.results.fields.bonds import bond_results
 from turgor.core.solvers.checks.membranes import Compression, bears_compression
 from turgor.core.solvers.checks.settings import CAUSES, REPORTS
 from turgor.core.solvers.pressures import pressures_of
@@ -46,13 +46,13 @@ def cause_text(why: Why | None) -> str:
 
 
 def cause_in(state: State) -> Why | None:
-    """Find the cause that a state shows by itself: a bond that opens, a law that turns over, a wrinkled film, too much load."""
+    """Find the cause that a state shows by itself: a bond, a law that turns over, a wrinkled film, too much load."""
     return softened_bond(state) or turned_law(state) or wrinkled_film(state) or overload(state)
 
 
 def softened_bond(state: State) -> Why | None:
     """Say which bond is damaged, so that it bears less the more it opens."""
-    for bond in bond_results(state).values():
+    for bond in bond_results(state.model, state.displacement, state.memory).values():
         if bond.bonded.any() and bond.mean_damage > 0:
             most = float(bond.damage[bond.bonded].max())
             return Why(

@@ -5,10 +5,10 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.bonds.bond_results import BondResult, bond_results, terms_of
 from turgor.core.engine.bonds.settings import BOND
 from turgor.core.model.bonds import Bond
 from turgor.core.model.model import Model
-from turgor.core.results.fields.bonds import BondResult, bond_results, terms_of
 from turgor.core.solvers.checks.settings import TEARING
 from turgor.core.solvers.solution import State
 from turgor.foundation.finding import Finding, Severity
@@ -33,7 +33,7 @@ def opened_bonds(states: Sequence[State], load: Load, place: Callable[..., str])
     """
     if not states or not states[0].model.bonds:
         return
-    path = [bond_results(state) for state in states]
+    path = [bond_results(state.model, state.displacement, state.memory) for state in states]
     for bond in states[0].model.bonds:
         along = [each[bond.name] for each in path]
         uses = [float(np.where(each.bonded, each.use, 0.0).max()) for each in along]

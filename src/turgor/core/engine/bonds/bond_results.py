@@ -6,10 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.bonds.bond_term import BondTerm, bond_terms
-from turgor.core.engine.cells.internal_variables import bonds_of
+from turgor.core.engine.cells.internal_variables import Memory, bonds_of
 from turgor.core.engine.term import Setting
 from turgor.core.model.model import Model
-from turgor.core.solvers.solution import State
 from turgor.foundation.display import brief
 
 Array = NDArray[np.float64]
@@ -67,21 +66,23 @@ class BondResult:
         return float((area * self.damage).sum() / area.sum()) if area.any() else 0.0
 
 
-def bond_results(state: State) -> dict[str, BondResult]:
+def bond_results(model: Model, displacement: Array, memory: Memory | None) -> dict[str, BondResult]:
     """Return the bonds of a state by their names.
 
     Parameters
     ----------
-    state : State
+    model : Model
+    displacement : (n, 3) array [m]
+    memory : Memory or None
+        That of the state.
 
     Returns
     -------
     dict
         Empty for a model without bonds.
     """
-    memory = bonds_of(state.memory)
-    position = state.model.mesh.points + state.displacement
-    return {term.name: _result(term, position, state, memory.get(term.name)) for term in terms_of(state.model)}
+    known, rest = bonds_of(memory), model.mesh.points
+    return {term.name: _result(term, (rest, displacement), known.get(term.name)) for term in terms_of(model)}
 
 
 def terms_of(model: Model) -> list[BondTerm]:
@@ -92,14 +93,15 @@ def terms_of(model: Model) -> list[BondTerm]:
     return list(bond_terms(Setting(model, points, np.zeros(points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)))
 
 
-def _result(term: BondTerm, position: Array, state: State, memory: Array | None) -> BondResult:
+def _result(term: BondTerm, at: tuple[Array, Array], memory: Array | None) -> BondResult:
     damage = term.start if memory is None else memory[0]
-    use, gap = term.use(position)
-    points = state.model.mesh.points
+    points, displacement = at
+    use, gap = term.use(points + displacement)
     return BondResult(
         name=term.name, place=np.einsum("qa,fai->fqi", term.table.N, points[term.sides]), area=term.weights,
         bonded=term.start == 0, damage=damage, gap=gap, use=use,
-        energy=np.zeros_like(damage) if memory is None else memory[1], nodal_damage=_at_nodes(term, damage, len(points)),
+        energy=np.zeros_like(damage) if memory is None else memory[1],
+        nodal_damage=_at_nodes(term, damage, len(points)),
     )  # fmt: skip
 
 
