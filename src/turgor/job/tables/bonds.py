@@ -79,13 +79,15 @@ def _read_bond(name: str, values: Any, key: Key, geometry: Geometry | None, prob
     table: BondTable | None = read_table(BondTable, values, key, problems)
     if table is None:
         return None
-    for region in table.between if geometry is not None else ():
-        if region not in geometry.regions:
-            problems.add((*key, "between"), str(unknown("region", region, geometry.regions)))
+    known = table.between if geometry is None else geometry.regions
+    for region in table.between:
+        if region not in known:
+            problems.add((*key, "between"), str(unknown("region", region, known)))
     stated = {each: getattr(table, each) for each in (*_UNITS, "mixed_mode", "exponent", "source")}
     box = table.unbonded
     corners = None if box is None else ((box.x_from, box.y_from, box.z_from), (box.x_to, box.y_to, box.z_to))
-    make = partial(Bond, name=name, between=tuple(table.between), unbonded=corners, **stated)
+    between: Any = tuple(table.between)  # the bond refuses all but two
+    make = partial(Bond, name=name, between=between, unbonded=corners, **stated)
     return problems.attempt(key, make, fields=BondTable.model_fields)
 
 

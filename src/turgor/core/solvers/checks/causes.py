@@ -53,11 +53,11 @@ def cause_in(state: State) -> Why | None:
 def softened_bond(state: State) -> Why | None:
     """Say which bond is damaged, so that it bears less the more it opens."""
     for bond in bond_results(state.model, state.displacement, state.memory).values():
-        if bond.bonded.any() and bond.mean_damage > 0:
-            most = float(bond.damage[bond.bonded].max())
+        use = float(np.where(bond.bonded, bond.use, 0.0).max())
+        if use > CAUSES.bond or bond.mean_damage > 0:
             return Why(
-                f" The bond '{bond.name}' is damaged (at most {100 * most:.0f} %, {100 * bond.mean_damage:.2g} % on "
-                "average) and bears less the more it opens.",
+                f" The bond '{bond.name}' is at its strength (mean damage {bond.mean_damage:.2g}): it bears less the "
+                "more it opens.",
                 "That is where it fails under this load. To go on, prescribe the volume of the cavity or a motion, "
                 "follow the path by its length (ArcLength), or let it jump (Stabilized); T05 says whether elements are "
                 "too long for it.",
