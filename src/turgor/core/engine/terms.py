@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.bonds.bond_term import BondTerm, bond_terms
+from turgor.core.engine.cells.internal_variables import NOTHING
 from turgor.core.engine.faces.dead_loads import dead_terms
 from turgor.core.engine.faces.membrane_term import membrane_terms
 from turgor.core.engine.faces.plate_edges import plate_terms
@@ -98,8 +99,8 @@ class Terms:
         """The terms with internal variables."""
         return [term for term in self.all if isinstance(term, BondTerm)]
 
-    def energy(self, position: Array, bonds: Mapping[str, Array]) -> float:
-        """Scaled energy that all terms store, with internal variables of bonds."""
+    def energy(self, position: Array, bonds: Mapping[str, Array] = NOTHING) -> float:
+        """Scaled energy that all terms store, with internal variables of bonds; those at rest if none are given."""
         stored = sum((term.energy(position) for term in self.all), 0.0)
         return stored + sum(term.stored(position, bonds.get(term.name)) for term in self.bonds)
 

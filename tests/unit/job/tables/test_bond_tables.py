@@ -64,7 +64,7 @@ def test_mistakes_name_their_key(tmp_path, changed, said):
 
 
 def test_a_bond_without_a_name_is_refused(tmp_path):
-    with pytest.raises(tg.TurgorError, match="bonds.between: a bond needs a name of its own"):
+    with pytest.raises(tg.TurgorError, match=r"bonds.between: a bond needs a name of its own"):
         read_job(_without_name(tmp_path))
 
 
@@ -76,5 +76,5 @@ def _without_name(tmp_path):
 
 
 def test_a_section_has_no_bonds(tmp_path):
-    with pytest.raises(tg.TurgorError, match="bonds.glue: a section has no bonds that open"):
+    with pytest.raises(tg.TurgorError, match=r"bonds.glue: a section has no bonds that open"):
         section_of(job_with(tmp_path))

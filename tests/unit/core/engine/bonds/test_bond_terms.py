@@ -114,7 +114,7 @@ def test_the_next_stage_goes_on_with_the_damage():
     stages = tg.Stages(
         [tg.Stage(name="pull"), tg.Stage(name="back", displacements=[tg.Displacement("z1", (0, 0, 0.25 * end))])]
     )
-    last = [state for state in tg.solve(model, stages, progress=False).states][-1]
+    last = tg.solve(model, stages, progress=False).states[-1]
     first = tg.solve(model, progress=False).states[-1]
     damage = [bond_results(s.model, s.displacement, s.memory)["glue"].damage for s in (first, last)]
     assert damage[0].min() > 0.88
@@ -160,12 +160,12 @@ def test_refusals_name_the_key(bond, said):
 
 def test_what_cannot_have_bonds_says_so(tmp_path):
     model = glued()
-    with pytest.raises(tg.TurgorError, match="the bond 'glue' has no form in .inp files"):
+    with pytest.raises(tg.TurgorError, match=r"the bond 'glue' has no form in .inp files"):
         write_inp(model, tmp_path / "a.inp")
-    with pytest.raises(tg.TurgorError, match="reduced models have no bond yet"):
+    with pytest.raises(tg.TurgorError, match=r"reduced models have no bond yet"):
         check_reducible(System(model))
     solution = tg.solve(pulled((0.0, 0.0, 1e-5)), progress=False)
     assert "the bond 'glue' is damaged" in why_not(solution)
     assert "the bond 'glue' is damaged" in depends_on_history(solution, solution.states[-1])
-    with pytest.raises(tg.TurgorError, match="the bond 'glue' remembers"):
+    with pytest.raises(tg.TurgorError, match=r"the bond 'glue' remembers"):
         tg.solve(model, guide=solution, progress=False)
