@@ -82,6 +82,9 @@ def test_unloading_goes_along_the_secant():
     assert by_load[0.6] == pytest.approx(0.2 * top, rel=2e-3)
     assert by_load[0.8] == pytest.approx(0.6 * top, rel=2e-3)
     assert by_load[1.0] == pytest.approx(top, rel=2e-3)
+    first = BOND["peel_strength"] / BOND["stiffness"]
+    spent = BOND["energy_peel"] * (0.5 * PEEL_END - first) / (PEEL_END - first)  # between curve and secant
+    assert glue_in(solution.states[-1]).energy.mean() == pytest.approx(spent, rel=2e-3)
 
 
 def test_closed_sides_press_after_opening():

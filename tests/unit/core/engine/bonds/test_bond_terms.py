@@ -129,6 +129,16 @@ def test_the_energy_of_a_stabilized_run_is_balanced():
     assert abs(energies.missing) < 0.02 * energies.work
 
 
+def test_the_energy_is_balanced_where_a_damaged_bond_closes_again():
+    end = 2 * BOND["energy_peel"] / BOND["peel_strength"]
+    model = pulled((0.0, 0.0, 0.5 * end), history=((0, 0), (0.5, 1), (1, 0.5)))
+    states = tg.solve(model, tg.Stabilized(max_step=0.05), progress=False).states
+    top = model.mesh.face_nodes("z1")
+    force = states[-1].nodal_force[top, 2].sum()
+    assert states[-1].energies.strain == pytest.approx(0.5 * force * 0.25 * end, rel=0.01)  # along the secant
+    assert abs(states[-1].energies.missing) < 0.02 * max(state.energies.work for state in states)
+
+
 def test_a_load_beyond_the_strength_ends_with_its_reason():
     glue = tg.bodies.Bond(name="glue", between=("low", "high"), **BOND)
     model = tg.Model(cube(), SOFT, "z0", tg.Traction("z1", (0.0, 0.0, 40e3)), bonds=glue)
