@@ -11,9 +11,9 @@ damage, and elements of 0.5 mm; on twice as long elements the load rises and fal
 
 import numpy as np
 import pytest
-from bond_cases import BOND, OPENING, SIDE, beam_loads, cube, double_cantilever, pulled, tractions
 
 import turgor as tg
+from bond_cases import BOND, OPENING, SIDE, beam_loads, cube, double_cantilever, pulled, tractions
 from turgor.core.engine.bonds.bond_results import BondResult, bond_results
 
 PEEL_END = 2 * BOND["energy_peel"] / BOND["peel_strength"]
