@@ -94,10 +94,9 @@ def write_inp(
 def _check_extras(model: Model) -> None:
     bent = [name for name, membrane in model.membranes.items() if isinstance(membrane, Shell)]
     what = [f"winding of fibers on '{fibers.name}'" for fibers in model.reinforcements]
-    what += [f"the bond '{bond.name}'" for bond in model.bonds]
     what += [f"the sheet on '{name}', which wrinkles," for name, sheet in model.membranes.items() if sheet.wrinkles]
     what += [f"the woven sheet on '{name}'" for name, sheet in model.membranes.items() if sheet.warp is not None]
-    what += [f"the obstacle '{obstacle.name}'" for obstacle in model.contact.obstacles]
+    what += [f"the {type(each).__name__.lower()} '{each.name}'" for each in (*model.contact.obstacles, *model.bonds)]
     if what:
         raise TurgorError(f"{what[0]} has no form in .inp files; leave it out to compare the rest.")
     if bent:

@@ -2,7 +2,7 @@
 
 import pytest
 
-import turgor as tg
+from refused import refused
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.section import section_of
@@ -49,22 +49,22 @@ def test_a_bond_is_read_and_repeated_by_the_lock_file(tmp_path):
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
-        ({"other": "bse"}, "glued.toml:12: bonds.glue.between: unknown region 'bse'; did you mean 'base'"),
-        ({"other": "body"}, "bonds.glue.between: .*two different regions"),
-        ({"strength": "60 mm"}, "bonds.glue.peel_strength: "),
-        ({"energy": "200"}, "bonds.glue.energy_peel: .*J/m²"),
-        ({"more": 'stiffness = "1 kPa/mm"'}, "bonds.glue.stiffness: .*more than"),
-        ({"more": "exponent = 0.2"}, "bonds.glue.exponent: 0.2; allowed is 1 to 10"),
-        ({"more": 'shear_strenght = "1 kPa"'}, "shear_strength"),
+        ({"other": "bse"}, ("glued.toml:12", "bonds.glue.between", "bse", "base")),
+        ({"other": "body"}, ("bonds.glue.between", "body")),
+        ({"strength": "60 mm"}, ("bonds.glue.peel_strength",)),
+        ({"energy": "200"}, ("bonds.glue.energy_peel", "J/m²")),
+        ({"more": 'stiffness = "1 kPa/mm"'}, ("bonds.glue.stiffness", "9e+06 Pa/m")),
+        ({"more": "exponent = 0.2"}, ("bonds.glue.exponent", "0.2", "1 to 10")),
+        ({"more": 'shear_strenght = "1 kPa"'}, ("shear_strength",)),
     ],
 )
 def test_mistakes_name_their_key(tmp_path, changed, said):
-    with pytest.raises(tg.TurgorError, match=said):
+    with refused(*said):
         job_with(tmp_path, **changed)
 
 
 def test_a_bond_without_a_name_is_refused(tmp_path):
-    with pytest.raises(tg.TurgorError, match=r"bonds.between: a bond needs a name of its own"):
+    with refused("bonds.between", "[bonds.glue]"):
         read_job(_without_name(tmp_path))
 
 
@@ -76,5 +76,5 @@ def _without_name(tmp_path):
 
 
 def test_a_section_has_no_bonds(tmp_path):
-    with pytest.raises(tg.TurgorError, match=r"bonds.glue: a section has no bonds that open"):
+    with refused("bonds.glue"):
         section_of(job_with(tmp_path))

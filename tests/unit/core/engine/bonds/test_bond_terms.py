@@ -6,6 +6,7 @@ import pytest
 import meshes
 import turgor as tg
 from bond_cases import BOND, SIDE, cube, in_two, pulled
+from refused import refused
 from turgor.accuracy.adaptivity.mesh_error import why_not
 from turgor.accuracy.gradients.checks import depends_on_history
 from turgor.core.engine.algebra.rings import rings_of
@@ -152,17 +153,17 @@ def test_a_load_beyond_the_strength_ends_with_its_reason():
 @pytest.mark.parametrize(
     ("bond", "said"),
     [
-        ({"peel_strength": -1.0}, "peel_strength is -1; a positive number"),
-        ({"stiffness": 1e6}, "stiffness is 1e\\+06 Pa/m, with which .* more than 5e\\+06 Pa/m"),
-        ({"mixed_mode": "pwer"}, "did you mean 'power'"),
-        ({"exponent": 0.5}, "exponent is 0.5; allowed is 1 to 10"),
-        ({"between": ("low", "low")}, "two different regions"),
-        ({"between": ("low", "hihg")}, "did you mean 'high'"),
-        ({"unbonded": ((1.0, 0.0, 0.0), (0.0, 1.0, 1.0))}, "the first below the other"),
+        ({"peel_strength": -1.0}, ("peel_strength", "-1")),
+        ({"stiffness": 1e6}, ("stiffness", "1e+06 Pa/m", "5e+06 Pa/m")),
+        ({"mixed_mode": "pwer"}, ("mixed_mode", "power")),
+        ({"exponent": 0.5}, ("exponent", "0.5", "1 to 10")),
+        ({"between": ("low", "low")}, ("between", "low")),
+        ({"between": ("low", "hihg")}, ("hihg", "high")),
+        ({"unbonded": ((1.0, 0.0, 0.0), (0.0, 1.0, 1.0))}, ("unbonded", "glue")),
     ],
 )
 def test_refusals_name_the_key(bond, said):
-    with pytest.raises(tg.TurgorError, match=said):
+    with refused(*said):
         tg.Model(
             cube(), SOFT, "z0", [], bonds=tg.bodies.Bond(**({"name": "glue", "between": ("low", "high")} | BOND | bond))
         )
@@ -170,12 +171,12 @@ def test_refusals_name_the_key(bond, said):
 
 def test_what_cannot_have_bonds_says_so(tmp_path):
     model = glued()
-    with pytest.raises(tg.TurgorError, match=r"the bond 'glue' has no form in .inp files"):
+    with refused("bond 'glue'", ".inp"):
         write_inp(model, tmp_path / "a.inp")
-    with pytest.raises(tg.TurgorError, match=r"reduced models have no bond yet"):
+    with refused("bond"):
         check_reducible(System(model))
     solution = tg.solve(pulled((0.0, 0.0, 1e-5)), progress=False)
     assert "the bond 'glue' is damaged" in why_not(solution)
     assert "the bond 'glue' is damaged" in depends_on_history(solution, solution.states[-1])
-    with pytest.raises(tg.TurgorError, match=r"the bond 'glue' remembers"):
+    with refused("bond 'glue'"):
         tg.solve(model, guide=solution, progress=False)
