@@ -98,6 +98,9 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "force per length": MappingProxyType(
             {"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0, "kN/m": 1e3, "lbf/in": lbf / inch, "pli": lbf / inch}
         ),
+        "fracture energy": MappingProxyType(
+            {"J/m²": 1.0, "J/m2": 1.0, "kJ/m²": 1e3, "kJ/m2": 1e3, "N/m": 1.0, "N/mm": 1e3}
+        ),
         "moment": MappingProxyType({"N m": 1.0, "Nm": 1.0, "N mm": 1e-3, "mN m": 1e-3, "mNm": 1e-3}),
         "bending stiffness": MappingProxyType(
             {"N m": 1.0, "N mm": 1e-3, "mN m": 1e-3, "mN mm": 1e-6, "µN m": 1e-6, "uN m": 1e-6}
@@ -140,6 +143,7 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "spring stiffness": "50 N/m",
         "compliance": "0.02 mm/N",
         "force per length": "2 N/m",
+        "fracture energy": "200 J/m²",
         "moment": "20 N mm",
         "bending stiffness": "10 µN m",
         "rotational stiffness": "0.5 N m/rad",

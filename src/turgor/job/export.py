@@ -129,6 +129,7 @@ def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
         loads=job.all_loads,
         reinforcements=tuple(job.fibers.values()),
         contact=job.contact,
+        bonds=tuple(job.bonds.values()),
     )
     model = with_setup(model, job.setup)  # the plate that blocks the tip is part of the model
     if options.poisson is not None:

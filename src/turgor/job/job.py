@@ -10,6 +10,7 @@ from turgor.core.materials.material import Material
 from turgor.core.meshing.default_settings import chosen_settings
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.settings import MeshSettings
+from turgor.core.model.bonds import Bond
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers
 from turgor.core.model.loads import Load
@@ -137,6 +138,8 @@ class Job:
         Loads.
     fibers : mapping of str to Fibers
         Windings by name.
+    bonds : mapping of str to Bond
+        Bonds by name.
     points : mapping of str to Rig
         Reference points by name, with their supports and loads.
     contact : Contact
@@ -166,6 +169,7 @@ class Job:
     supports: tuple[Support, ...] = (Fixed("fixed"),)
     loads: tuple[Load, ...]
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
+    bonds: Mapping[str, Bond] = field(default_factory=dict)
     points: Mapping[str, Rig] = field(default_factory=dict)
     contact: Contact = field(default_factory=Contact)
     rigid_files: Mapping[str, RigidFile] = field(default_factory=dict)

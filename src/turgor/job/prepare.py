@@ -77,6 +77,7 @@ def model_of(job: Job, mesh: Mesh) -> Model:
         loads=job.all_loads,
         reinforcements=tuple(job.fibers.values()),
         contact=job.contact,
+        bonds=tuple(job.bonds.values()),
     )
     if not job.imperfection:
         return model

@@ -15,6 +15,7 @@ from turgor.foundation.toml_text import read_text, read_toml
 from turgor.job.family_cache import geometry_on_disk
 from turgor.job.job import Actuator, Job
 from turgor.job.symmetry_breakers import with_broken_planes
+from turgor.job.tables.bonds import read_bonds
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers
 from turgor.job.tables.loads import read_loads
@@ -38,6 +39,7 @@ SECTIONS = (
     "mesh",
     "materials",
     "fibers",
+    "bonds",
     "supports",
     "loads",
     "points",
@@ -54,6 +56,7 @@ SECTIONS = (
 DEFAULTS: Mapping[str, Mapping[str, Any]] = {
     "mesh": {},
     "fibers": {},
+    "bonds": {},
     "supports": {"fixed": "xyz"},
     "points": {},
     "contact": {},
@@ -162,6 +165,7 @@ def _read(
     mesh = read_mesh(given["mesh"], geometry, problems)
     materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
     fibers = read_fibers(given["fibers"], geometry, problems)
+    bonds = read_bonds(given["bonds"], geometry, problems)
     loads: tuple[Load, ...] = ()
     timed = first_duration(given[STAGES]) if given[STAGES] is not None else duration_of(given["procedure"])
     if given["loads"] is not None:
@@ -188,6 +192,7 @@ def _read(
         materials=materials,
         supports=supports,
         fibers=fibers,
+        bonds=bonds,
         loads=loads,
         points=points,
         contact=contact,

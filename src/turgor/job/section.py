@@ -28,6 +28,9 @@ def section_of(job: Job, size: float | None = None, ends: str = "closed") -> Sec
     TurgorError
         If the actuator has no uniform section.
     """
+    if job.bonds:
+        name = next(iter(job.bonds))
+        raise TurgorError(f"bonds.{name}: a section has no bonds that open; leave it out, or solve the whole actuator.")
     return Section(
         job.geometry(),
         job.materials,

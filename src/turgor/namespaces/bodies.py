@@ -1,4 +1,4 @@
-"""Bodies besides the actuator: simple solids, and meshes placed, mirrored and put together."""
+"""Bodies besides the actuator: simple solids, meshes placed, mirrored and put together, and bonds between bodies."""
 
 from typing import TYPE_CHECKING
 
@@ -15,5 +15,6 @@ if TYPE_CHECKING:
     from turgor.core.meshing.bodies.placing import placed as placed
     from turgor.core.meshing.quality.cell_quality import MeshQuality as MeshQuality
     from turgor.core.meshing.quality.cell_quality import quality as quality
+    from turgor.core.model.bonds import Bond as Bond
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

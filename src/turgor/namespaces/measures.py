@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from turgor.core.results.fields.fibers import FiberResult as FiberResult
     from turgor.core.results.fields.fibers import fiber_results as fiber_results
     from turgor.core.results.measures.bond_measures import bond_shear_on as bond_shear_on
+    from turgor.core.results.measures.bond_measures import opening_of as opening_of
     from turgor.core.results.measures.bond_measures import peel_stress_on as peel_stress_on
     from turgor.core.results.measures.contact_measures import area_on as area_on
     from turgor.core.results.measures.contact_measures import bearing_distance as bearing_distance

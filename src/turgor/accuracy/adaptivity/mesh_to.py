@@ -196,7 +196,7 @@ def _solved_on(solution: Solution, refinement: Refinement, options: EngineOption
     """Follow the path on a refined mesh: each state from that on the coarser mesh, or the whole path again."""
     model = replace(solution.model, mesh=refinement.mesh)
     touching = any(touch.area > 0 for state in solution.states for touch in state.touches.values())
-    remembers = any(state.memory is not None and state.memory.of_rubber is not None for state in solution.states)
+    remembers = any(state.memory is not None and state.memory.without_friction is not None for state in solution.states)
     if touching or remembers or any(state.stage for state in solution.states):
         return _solved_again(model, solution, options)
     second = SecondMesh(refinement, Transfer(solution.model.mesh, refinement), options)

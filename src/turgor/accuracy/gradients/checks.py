@@ -68,6 +68,9 @@ def depends_on_history(solution: Solution, state: State) -> str:
         return "the rubber keeps a set, and every state depends on the stress before it; leave permanent_set out"
     if has_friction(state):
         return "there is friction, and every state depends on all before it; set friction to 0"
+    if state.model.bonds:
+        bond = state.model.bonds[0].name
+        return f"the bond '{bond}' is damaged, and every state depends on all before it; leave it out"
     if len(procedures) > 1 and any(each.requested is not None for each in procedures):
         return "pressures were found in one stage and act in another; take one stage, or state the pressures"
     return ""

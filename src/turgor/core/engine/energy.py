@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.cells.internal_variables import History
+from turgor.core.engine.cells.internal_variables import NOTHING, History
 from turgor.core.engine.cells.stabilization import penalty_energy
 from turgor.core.engine.evaluation import Evaluation
 from turgor.core.engine.system import System
@@ -18,7 +18,8 @@ def stored_energy(system: System, unknowns: Array, load_factor: float, history: 
     of the step, where the rubber relaxes or softens.
     """
     cells, penalty, _ = _cell_energies(system, unknowns, load_factor, history)
-    terms = system.terms.energy(system.points + system.split(unknowns)[0])
+    bonds = NOTHING if history is None else history.bonds
+    terms = system.terms.energy(system.points + system.split(unknowns)[0], bonds)
     return (cells + penalty + terms) * system.stress_scale * system.length**3
 
 
@@ -60,10 +61,12 @@ def contact_energy(system: System, at: Evaluation) -> float:
     return scaled * system.stress_scale * system.length**3
 
 
-def softening_loss(system: System, at: Evaluation) -> float:
-    """Energy of the modeled part that softening and permanent set have dissipated, up to an evaluation [J]."""
+def lasting_loss(system: System, at: Evaluation) -> float:
+    """Energy of the modeled part that softening, permanent set and bonds have dissipated, up to an evaluation [J]."""
     memory = system.remembered(at)
-    if memory is None or not (memory.largest or memory.flow):
+    if memory is None:
         return 0.0
-    lost = system.materials.softening_loss(memory)
-    return float((system.dV * lost).sum()) * system.length**3
+    remembers = bool(memory.largest or memory.flow)
+    softened = float((system.dV * system.materials.softening_loss(memory)).sum()) if remembers else 0.0
+    bonds = [float((term.weights * memory.bonds[term.name][1]).sum()) for term in system.terms.bonds]
+    return softened * system.length**3 + sum(bonds) * system.length**2

@@ -12,7 +12,7 @@ from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.cell_materials import CellMaterials
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.element import Element, element_of, tables_with
-from turgor.core.engine.cells.internal_variables import Memory
+from turgor.core.engine.cells.internal_variables import Memory, bonds_of
 from turgor.core.engine.cells.reference import reference_nodes, smooth_basis, tables_at
 from turgor.core.engine.cells.stabilization import penalty_energy
 from turgor.core.engine.cells.states.body_states import has_states, networks_of, rest_of, stiffness_of
@@ -263,4 +263,4 @@ def strain_energy(
     density = materials.energy(I1, I2, F, materials.history(memory)) + 0.5 * mean**2 * materials.compliance[:, None]
     lost = penalty_energy(cells.penalty, cells.dV, J - 1 - mean * materials.compliance[:, None])
     terms = Terms(Setting(model, rest, prescribed_components(model).along_axes, whole.dV, 1.0, 1.0))
-    return float((cells.dV * density).sum() + lost.sum()) + terms.energy(rest + u)
+    return float((cells.dV * density).sum() + lost.sum()) + terms.energy(rest + u, bonds_of(memory))

@@ -16,7 +16,7 @@ from turgor.core.engine.algebra.additions import Addition
 from turgor.core.engine.algebra.boundary import prescribed_components
 from turgor.core.engine.algebra.pattern import Pattern, build_pattern, locate, scatter_add
 from turgor.core.engine.cells.cell_terms import CellTerms
-from turgor.core.engine.cells.internal_variables import History, Memory, friction_of, joined_memory
+from turgor.core.engine.cells.internal_variables import History, Memory, bonds_of, friction_of, joined_memory
 from turgor.core.engine.cells.states.body_states import has_states
 from turgor.core.engine.contact.couplings import Layout
 from turgor.core.engine.contact.part import SearchMode
@@ -287,7 +287,8 @@ class System:
             return None
         internal = self._summed(rubber.forces(u, p, laws))
         position = self.points + u
-        forces, external = self.terms.forces(Configuration(position, load_factor, unknown_pressures))
+        at = Configuration(position, load_factor, unknown_pressures, history.bonds)
+        forces, external = self.terms.forces(at)
         springs = self.springs(unknowns)
         contacts = self.contact.look(position, springs, load_factor, known, how).with_friction(history.friction)
         pressing, bodies = self.contact.forces(contacts, springs)
@@ -310,21 +311,26 @@ class System:
         position = self.points + self.split(unknowns)[0]
         return self.contact.look(position, self.springs(unknowns), load_factor)
 
+    @property
+    def remembers(self) -> bool:
+        """Whether rubber or a bond remembers, so that a state depends on all before it."""
+        return self.materials.remembers or bool(self.terms.bonds)
+
     def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
         """Memory that a state brings into a step of a length [s]; None is the state at rest.
 
         0 is a sudden step, infinite an infinitely slow one.
         """
-        return replace(self.materials.history(memory, step), friction=friction_of(memory))
+        return replace(self.materials.history(memory, step), friction=friction_of(memory), bonds=bonds_of(memory))
 
     def remembered(self, at: Evaluation) -> Memory | None:
         """Internal variables at the end of the step of an evaluation; None for materials and contact without memory."""
-        friction = self.contact.remembered(at.contacts)
+        friction, bonds = self.contact.remembered(at.contacts), self.terms.remembered(self.configuration(at))
         if not self.materials.remembers:
-            return joined_memory({}, {}, friction)
+            return joined_memory({}, {}, friction, bonds=bonds)
         gradients = self.rubber.at(at.load_factor).gradients(self.split(at.unknowns)[0])
         memory = self.materials.remembered(gradients, at.history)
-        return None if memory is None else replace(memory, friction=friction)
+        return None if memory is None else replace(memory, friction=friction, bonds=bonds)
 
     def contact_memory(self) -> ContactMemory:
         """The memory of contact along the path."""
@@ -345,7 +351,7 @@ class System:
         rubber, stresses = self.rubber.at(at.load_factor), None if geometric is None else geometric.cells
         rubber.add_tangents(data, (u, p), at.isochoric, stresses, exact)
         given = None if geometric is None else geometric.terms
-        self.terms.add_tangents(data, Configuration(self.points + u, at.load_factor, at.unknown_pressures), given)
+        self.terms.add_tangents(data, self.configuration(at), given)
         self.lay_out(at)
         data = self.layout.spread(data)
         self.contact.add_tangents(data, self.layout, at.contacts)
@@ -357,7 +363,8 @@ class System:
 
     def configuration(self, at: Evaluation) -> Configuration:
         """Where the terms were evaluated."""
-        return Configuration(self.points + self.split(at.unknowns)[0], at.load_factor, at.unknown_pressures)
+        position = self.points + self.split(at.unknowns)[0]
+        return Configuration(position, at.load_factor, at.unknown_pressures, at.history.bonds)
 
     def skew_matrix(self, at: Evaluation) -> sp.csc_matrix | None:
         """Skew part of the tangent from pressure on open surfaces; None where every pressure has a potential."""

@@ -5,7 +5,8 @@ and is the only place to change for a new one. Lengths, forces and stresses are 
 `turgor.core.engine.system`.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
@@ -57,11 +58,14 @@ class Configuration:
     load_factor : float
     unknown_pressures : (k,) array or None
         Scaled pressures of the controlled faces.
+    bonds : mapping of str to (2, k, q) array
+        Internal variables of bonds at the start of the step; those at rest where a bond is left out.
     """
 
     position: Array
     load_factor: float = 0.0
     unknown_pressures: Array | None = None
+    bonds: Mapping[str, Array] = field(default_factory=dict)
 
 
 class Term(Protocol):

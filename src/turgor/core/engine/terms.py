@@ -1,12 +1,14 @@
 """Terms: the one list of what adds to the equations besides cells and contact, and the sums over it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
+from turgor.core.engine.bonds.bond_term import BondTerm, bond_terms
+from turgor.core.engine.cells.internal_variables import NOTHING
 from turgor.core.engine.faces.dead_loads import dead_terms
 from turgor.core.engine.faces.membrane_term import membrane_terms
 from turgor.core.engine.faces.plate_edges import plate_terms
@@ -43,6 +45,7 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     bearing_terms,
     spring_terms,
     turning_terms,
+    bond_terms,
     lambda setting: [term for load in setting.model.loads for term in load.terms(setting)],
 )
 
@@ -97,9 +100,19 @@ class Terms:
         by_place = [[term.unit_forces(position) for term in pressed if term.place == place] for place in range(count)]
         return [np.sum(forces, axis=0) for forces in by_place]
 
-    def energy(self, position: Array) -> float:
-        """Scaled energy that all terms store."""
-        return sum((term.energy(position) for term in self.all), 0.0)
+    @property
+    def bonds(self) -> list[BondTerm]:
+        """The terms with internal variables."""
+        return [term for term in self.all if isinstance(term, BondTerm)]
+
+    def energy(self, position: Array, bonds: Mapping[str, Array] = NOTHING) -> float:
+        """Scaled energy that all terms store, with internal variables of bonds; those at rest if none are given."""
+        stored = sum((term.energy(position) for term in self.all), 0.0)
+        return stored + sum(term.stored(position, bonds.get(term.name)) for term in self.bonds)
+
+    def remembered(self, at: Configuration) -> dict[str, Array]:
+        """Internal variables of the bonds at the end of a step."""
+        return {term.name: term.remembered(at) for term in self.bonds}
 
     def stresses(
         self, position: Array, update: Array | None = None, last: Sequence[Array] | None = None

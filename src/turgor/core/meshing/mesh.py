@@ -75,6 +75,8 @@ class Mesh(Shown):
     node_sets : dict of str to (k,) int array
         Nodes of each named edge or point of a file, which holds no whole side. `Fixed`, `Displacement` and `Force` take
         these names as those of faces.
+    parted : tuple of (str, str)
+        Faces of a bond, one on each body, whose nodes were one (`turgor.core.meshing.bodies.parted`).
 
     Raises
     ------
@@ -93,6 +95,7 @@ class Mesh(Shown):
     wedge: Wedge | None = None
     serendipity: bool = False
     node_sets: dict[str, NDArray[np.int64]] = field(default_factory=dict)
+    parted: tuple[tuple[str, str], ...] = ()
     vertex_count: int = field(init=False)
     cavities: tuple[str, ...] = field(init=False)
     """Names of the faces that enclose a cavity: those that begin with ``cavity`` and are no open surface."""

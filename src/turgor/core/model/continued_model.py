@@ -112,6 +112,7 @@ def _with_parts(model: Model, loads: Sequence[Load], supports: Sequence[Support]
         formulation=model.formulation,
         reinforcements=model.reinforcements,
         contact=contact,
+        bonds=model.bonds,
     )
 
 

@@ -11,6 +11,7 @@ from turgor.core.materials.material import Material
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
 from turgor.core.model.accepted_forms import at_node_sets, given_materials, given_supports
+from turgor.core.model.bonds import Bond, parted_mesh
 from turgor.core.model.checks.films import check_films
 from turgor.core.model.checks.named_points import check_points, points_of
 from turgor.core.model.checks.orientations import check_oriented
@@ -60,6 +61,9 @@ class Model(Saved, Shown):
     contact : Contact
         Self-contact and obstacles; by default self-contact is found automatically, and there are no obstacles.
 
+    bonds : sequence of Bond
+        Bonds between regions that peel off. The nodes of ``mesh`` are doubled there, and it has a face on each side.
+
     Raises
     ------
     TurgorError
@@ -73,6 +77,7 @@ class Model(Saved, Shown):
     formulation: str
     reinforcements: tuple[Fibers, ...]
     contact: Contact
+    bonds: tuple[Bond, ...]
 
     def __init__(
         self,
@@ -83,8 +88,11 @@ class Model(Saved, Shown):
         formulation: str = MIXED,
         reinforcements: Fibers | Iterable[Fibers] = (),
         contact: Contact | None = None,
+        bonds: Bond | Iterable[Bond] = (),
     ) -> None:
         one(mesh, Mesh, "mesh of a model", "a Mesh is needed, as mesh(actuator) makes it")
+        glued = several(bonds, Bond, "bonds", "Bonds are needed")
+        mesh = parted_mesh(mesh, glued)
         given = at_node_sets(given_supports(supports), mesh)
         mirrored = {each.place for each in given if each.mirror}
         added = tuple(Symmetry(face) for face in mesh.symmetry_faces if face not in mirrored)
@@ -98,6 +106,7 @@ class Model(Saved, Shown):
         threads = several(reinforcements, Fibers, "reinforcements", "Fibers are needed")
         object.__setattr__(self, "reinforcements", threads)
         object.__setattr__(self, "contact", one(contact or Contact(), Contact, "contact", "a Contact is needed"))
+        object.__setattr__(self, "bonds", glued)
         self._check_materials()
         if not len(mesh.cells):
             check_films(mesh, self.membranes, self.loads, self.reinforcements)
@@ -113,6 +122,7 @@ class Model(Saved, Shown):
         acting = [each.label for each in self.supports]
         acting += [load.label for load in self.loads]
         acting += [f"Fibers({each.name})" for each in self.reinforcements]
+        acting += [f"Bond({each.name})" for each in self.bonds]
         acting += [f"Obstacle({each.name})" for each in self.contact.obstacles]
         return f"Model('{self.mesh.name}', {self.mesh.counts}; {listed(materials)}; {listed(acting)})"
 

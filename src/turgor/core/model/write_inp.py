@@ -56,8 +56,7 @@ def write_inp(
     path : str or Path
         The file.
     program : str
-        ``"calculix"``, whose cells have displacements only, so that incompressible materials are refused; or
-        ``"abaqus"``, with its hybrid cells.
+        ``"calculix"``, whose cells refuse incompressible materials, or ``"abaqus"``, with its hybrid cells.
     at : sequence of float [-]
         Load factors at which steps end, rising, more than 0 and up to 1.
     reduced : bool
@@ -66,8 +65,8 @@ def write_inp(
     Raises
     ------
     TurgorError
-        If the model holds something that has no form in the file: a body force, a prescribed
-        displacement of a face, a law without a counterpart, fibers, an obstacle, a load that follows its point.
+        If something has no form in the file: a body force, a prescribed displacement of a face, a law without a
+        counterpart, fibers, an obstacle, a bond, a load that follows its point.
     """
     if program not in PROGRAMS:
         raise unknown("program", program, PROGRAMS)
@@ -98,6 +97,7 @@ def _check_extras(model: Model) -> None:
     what += [f"the sheet on '{name}', which wrinkles," for name, sheet in model.membranes.items() if sheet.wrinkles]
     what += [f"the woven sheet on '{name}'" for name, sheet in model.membranes.items() if sheet.warp is not None]
     what += [f"the obstacle '{obstacle.name}'" for obstacle in model.contact.obstacles]
+    what += [f"the bond '{bond.name}'" for bond in model.bonds]
     if what:
         raise TurgorError(f"{what[0]} has no form in .inp files; leave it out to compare the rest.")
     if bent:

@@ -22,6 +22,7 @@ PLOT = "response.png"
 UNDEFORMED = "undeformed.png"
 DEFORMED = "deformed.png"
 CONTACT = "contact.png"
+BONDS = "bonds.png"
 FIELDS = "vtu"
 #: Folder of what was compared with a run; a new run leaves it.
 COMPARISONS = "comparisons"
@@ -31,7 +32,8 @@ IN_USE = ".in-use"
 
 #: Names of the files of a run besides its path.
 RESULTS = (
-    RESPONSE, STEPS, LOG, LOCK, REPORT, PLOT, UNDEFORMED, DEFORMED, CONTACT, f"{FIELDS}/*.vtu", f"{FIELDS}/*.pvd",
+    RESPONSE, STEPS, LOG, LOCK, REPORT, PLOT, UNDEFORMED, DEFORMED, CONTACT, BONDS,
+    f"{FIELDS}/*.vtu", f"{FIELDS}/*.pvd",
 )  # fmt: skip
 
 

@@ -20,6 +20,7 @@ from turgor.core.model.sheets import Sheet, Shell
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.registry import name_in
 from turgor.job.job import Job, actuator_type
+from turgor.job.tables.bonds import bonds_tables
 from turgor.job.tables.cad import cad_file_table
 from turgor.job.tables.contact import contact_table
 from turgor.job.tables.fibers import fibers_tables
@@ -38,8 +39,8 @@ _UNIT = {"length": "mm", "angle": "deg", "pressure": "MPa", "density": "kg/m³"}
 
 #: Sections in the order in which a lock file states them.
 _ORDER = (
-    "name", "actuator", "mesh", "materials", "fibers", "supports", "loads", "points", "contact", "obstacles",
-    "procedure", STAGES, "output", "engine", "written_by",
+    "name", "actuator", "mesh", "materials", "fibers", "bonds", "supports", "loads", "points", "contact",
+    "obstacles", "procedure", STAGES, "output", "engine", "written_by",
 )  # fmt: skip
 
 _HEADER = (
@@ -64,6 +65,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "mesh": _mesh(job),
         "materials": {name: _material(entry) for name, entry in job.materials.items()},
         "fibers": fibers_tables(job.fibers),
+        "bonds": bonds_tables(job.bonds),
         "supports": supports_table(job.supports),
         "loads": loads_table(job.loads),
         "points": points_tables(job.points),

@@ -7,13 +7,14 @@ from pathlib import Path
 
 import numpy as np
 
+from turgor.core.engine.cells.internal_variables import bonds_of
 from turgor.core.solvers.load import PATH_FOLDER
-from turgor.job.output.folder import CONTACT, DEFORMED, FIELDS, PLOT, UNDEFORMED
+from turgor.job.output.folder import BONDS, CONTACT, DEFORMED, FIELDS, PLOT, UNDEFORMED
 from turgor.job.output.outcome import RunOutcome
 from turgor.views.plots.figures import note_in
 
 #: File of each picture of the path.
-PICTURES: Mapping[str, str] = {"undeformed": UNDEFORMED, "deformed": DEFORMED, "contact": CONTACT}
+PICTURES: Mapping[str, str] = {"undeformed": UNDEFORMED, "deformed": DEFORMED, "contact": CONTACT, "bonds": BONDS}
 
 #: Name of the files of fields, and their patterns in the folder.
 SERIES = "state"
@@ -48,6 +49,7 @@ def drawn_from(outcome: RunOutcome) -> str:
     shown.update(repr((texts, measures)).encode())
     ends = (solution.states[0], solution.states[-1])
     arrays = [mesh.points, mesh.cells, *(state.displacement for state in ends), *(state.mean_stress for state in ends)]
+    arrays += bonds_of(ends[1].memory).values()
     arrays += [touch.pressure for touch in ends[1].touches.values()]
     for array in arrays:
         shown.update(np.ascontiguousarray(array).tobytes())

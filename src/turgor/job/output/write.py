@@ -9,6 +9,7 @@ from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.files.vtu import series_files, write_series
 from turgor.job.compare import comparison_sections, measured_points
 from turgor.job.output.folder import (
+    BONDS,
     CONTACT,
     DEFORMED,
     FIELDS,
@@ -43,6 +44,7 @@ CONTENTS: Mapping[str, str] = {
     PLOT: "the response as a plot",
     UNDEFORMED: "the actuator at rest",
     DEFORMED: "the actuator at the last state",
+    BONDS: "damage of bonds at the last state",
     CONTACT: "what touches at the last state, seen through the actuator",
 }
 

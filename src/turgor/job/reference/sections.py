@@ -12,6 +12,7 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.laws.laws import LAWS, Hooke
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.settings import MeshSettings
+from turgor.core.model.bonds import Bond
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers, Winding
 from turgor.core.model.obstacles import Obstacle, SelfContact
@@ -27,6 +28,7 @@ from turgor.job.read import DEFAULTS
 from turgor.job.reference.kinds import Kind
 from turgor.job.reference.ranges import Reader
 from turgor.job.reference.tables import JobKey, JobTable, Source, toml
+from turgor.job.tables.bonds import BondTable, read_bonds
 from turgor.job.tables.cad import CAD_FILE, CadFileTable, SelectorTable, SplitTable
 from turgor.job.tables.contact import ContactTable, read_contact
 from turgor.job.tables.fibers import BoxTable, FibersTable, read_fibers
@@ -106,6 +108,7 @@ def section_tables(shape: Geometry | None = None) -> Iterator[JobTable]:
     yield _mesh(built)
     yield from _materials(built)
     yield from _fibers(built)
+    yield _bonds(built)
     yield _supports()
     yield _of(SupportTable, "[supports.NAME]")
     yield from _loads(built)
@@ -209,6 +212,14 @@ def _fibers(shape: Geometry) -> Iterator[JobTable]:
     base = {"face": "outside", "library": "kevlar-fiber", "angle_from_circumference": "0 deg", "spacing": "3 mm"}
     yield _of(FibersTable, "[fibers.NAME]", Fibers, Winding, Hooke, read=read, base=base, unasked=("record",))
     yield _of(BoxTable, "[fibers.NAME.within]")
+
+
+def _bonds(shape: Geometry) -> JobTable:
+    def read(values: Mapping[str, Any], problems: Problems) -> None:
+        read_bonds({"glue": values}, shape, problems)
+
+    base = {"between": ["body", "base"], "peel_strength": "50 kPa", "energy_peel": "200 J/m²"}
+    return _of(BondTable, "[bonds.NAME]", Bond, read=read, base=base)
 
 
 def _loads(shape: Geometry) -> Iterator[JobTable]:

@@ -20,7 +20,7 @@ from turgor.job.tables.mesh_files import MESH_FILE
 _INSTALLED, _IN_SOURCE = Path(__file__).parent / "examples", Path(__file__).parents[4] / "examples"
 
 #: Tables whose name the user chooses: how the reference calls them.
-_NAMED = ("materials", "fibers", "obstacles", "points")
+_NAMED = ("materials", "fibers", "bonds", "obstacles", "points")
 
 _HEAD = """\
 # Every key of these tables stands below, with its range and its default. A "#" before a key leaves its default.

@@ -20,6 +20,8 @@ Array = NDArray[np.float64]
 RUBBER = "#f1efec"
 
 VON_MISES, CONTACT_PRESSURE, FIBER_TENSION = "von_mises", "contact_pressure", "fiber_tension"
+#: Color by the damage of bonds between bodies.
+BOND_DAMAGE = "bond_damage"
 
 #: Color maps that a field may have: from rubber to dark, and from blue over rubber to red.
 STRESS, DIVERGING = "stress", "diverging"
@@ -115,6 +117,7 @@ _LISTED = (
         name="mean_stress", label="mean stress (tension is positive)", unit="kPa", values=lambda at: at.mean_stress,
         colors=DIVERGING,
     ),
+    Field(name=BOND_DAMAGE, label="damage of bonds (1 is open)", unit="", values=lambda at: at.bond_damage),
     Field(name="displacement", label="displacement", unit="mm", values=_displacement),
     Field(name=FIBER_TENSION, label="tension of a fiber", unit="N", values=_nothing),
 )  # fmt: skip

@@ -55,6 +55,7 @@ def contact(model: Model) -> list[str]:
         sentences.append(f"The actuator touches itself {friction_text(own.friction)}.")
     elif model.contact.self_contact is None:
         sentences.append("Walls of the actuator do not stop each other: self-contact is off.")
+    sentences += [bond.text() for bond in model.bonds]
     return sentences + [obstacle.text() for obstacle in model.contact.obstacles]
 
 

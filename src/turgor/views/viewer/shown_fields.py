@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.percentiles import PERCENTILE
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.units import kPa, mm
-from turgor.views.pictures.colors import CONTACT_PRESSURE, RUBBER, VON_MISES, color_map
+from turgor.views.pictures.colors import BOND_DAMAGE, CONTACT_PRESSURE, RUBBER, VON_MISES, color_map
 from turgor.views.pictures.settings import LOOK
 from turgor.views.viewer.inside import Inside
 from turgor.views.viewer.packing import pack_steps
@@ -53,7 +53,7 @@ def _principal(at: StateFields, on: Surface | Inside) -> Array:
     return np.asarray(np.linalg.eigvalsh(on.pick(at.cauchy_stress))[:, 2])
 
 
-#: The fields in the order of the menu; the contact pressure is left out where nothing touches.
+#: The fields in the order of the menu; contact pressure and damage of bonds are left out where they are zero.
 FIELDS = (
     ShownField(key=VON_MISES, label="von Mises stress", unit="kPa", scale=kPa, of=lambda at, on: on.pick(at.von_mises)),
     ShownField(
@@ -67,6 +67,7 @@ FIELDS = (
         scale=kPa,
         of=lambda at, on: on.pick(at.contact_pressure),
     ),
+    ShownField(key=BOND_DAMAGE, label="damage of bonds", unit="", scale=1.0, of=lambda at, on: on.pick(at.bond_damage)),
     ShownField(key="displacement", label="displacement", unit="mm", scale=mm, of=None),
 )
 
@@ -74,6 +75,7 @@ FIELDS = (
 NOTES = {
     VON_MISES: f"{PERCENTILE} % of the volume",
     CONTACT_PRESSURE: f"{PERCENTILE} % of the nodes in contact",
+    BOND_DAMAGE: "all nodes",
     "principal_stress": f"{2 * PERCENTILE - 100} % of the nodes of the surface",
 }
 
@@ -108,7 +110,7 @@ def shown_fields(states: Sequence[StateFields], surface: Surface, inside: Inside
     out = []
     for field, _ in known:
         every = [np.stack(series) for series in values[field.key]]
-        if field.key == CONTACT_PRESSURE and not every[0].any():
+        if field.key in (CONTACT_PRESSURE, BOND_DAMAGE) and not every[0].any():
             continue
         out.append(_entry(field, _ends(field, every[0], most), every))
     farthest = max(float(np.linalg.norm(at.displacement, axis=1).max()) for at in states)
@@ -136,6 +138,8 @@ def _ends(field: ShownField, values: Array, most: dict[str, float]) -> tuple[flo
     """Ends of the color bar over the whole path, in the unit of the field."""
     if field.key in most:
         return (1.0 if field.key == "stretch" else 0.0), most[field.key]
+    if field.key == BOND_DAMAGE:
+        return 0.0, 1.0
     if field.key == CONTACT_PRESSURE:
         return 0.0, float(np.percentile(values[values > 0], PERCENTILE))
     low, high = np.percentile(values, (100 - PERCENTILE, PERCENTILE))

@@ -120,12 +120,21 @@ def rings_of(mesh: Mesh) -> Rings:
     axis, radius = "xyz".index(mesh.revolved), mesh.radii
     planes = dict(mesh.mirror_planes)
     b, c = (axis + 1) % 3, (axis + 2) % 3
-    number, first = same_places(np.stack([mesh.points[:, axis], radius], axis=1))
+    number, first = same_places(np.stack([mesh.points[:, axis], radius, _layers(mesh)], axis=1))
     axes = np.zeros((len(radius), 3, 3))
     axes[:, RADIAL, [b, c]] = (mesh.points[:, [b, c]] - [planes[b], planes[c]]) / radius[:, None]
     axes[:, AXIAL, axis] = 1.0
     axes[:, TANGENTIAL] = np.cross(axes[:, AXIAL], axes[:, RADIAL])
     return Rings(axis=axis, leader=first[number], axes=axes, on_axis=mesh.on_axis)
+
+
+def _layers(mesh: Mesh) -> Array:
+    """A length that tells doubled nodes apart: those on the second face of a bond lie in another layer."""
+    out, far = np.zeros(len(mesh.points)), float(np.ptp(mesh.points, axis=0).max())
+    for place, faces in enumerate(mesh.parted, start=1):
+        first, second = (mesh.face_nodes(face) for face in faces)
+        out[np.setdiff1d(second, first)] = place * far
+    return out
 
 
 def shared_numbers(rings: Rings, cells: Ints, numbers: Ints) -> Ints:

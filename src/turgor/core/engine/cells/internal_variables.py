@@ -13,6 +13,7 @@ relaxed equilibrium.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
+from types import MappingProxyType
 from typing import cast
 
 import numpy as np
@@ -39,6 +40,9 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Pairs = Sequence[tuple[int, int]]
 
+#: No internal variables.
+NOTHING: Mapping[str, Array] = MappingProxyType({})
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Memory:
@@ -54,19 +58,22 @@ class Memory:
         Of each part of the contact; empty without friction.
     flow : mapping of str to (k, c, q, 10) array
         Of regions with k networks that flow: F_v⁻¹, and the plastic strain.
+    bonds : mapping of str to (2, k, q) array
+        Of each bond at the points of its k sides: damage, and energy per area [J/m²] that it has taken.
     """
 
     stress: Mapping[str, Array]
     largest: Mapping[str, Array]
     friction: Friction = ()
     flow: Mapping[str, Array] = field(default_factory=dict)
+    bonds: Mapping[str, Array] = field(default_factory=dict)
 
     __repr__ = brief
 
     @property
-    def of_rubber(self) -> "Memory | None":
-        """Without friction; None where nothing relaxes or softens."""
-        return joined_memory(self.stress, self.largest, flow=self.flow)
+    def without_friction(self) -> "Memory | None":
+        """Without friction; None where nothing else remembers."""
+        return joined_memory(self.stress, self.largest, flow=self.flow, bonds=self.bonds)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -202,10 +209,13 @@ class History:
         Of each region that relaxes or softens.
     friction : tuple of (FrictionHistory or None)
         Of each part of the contact, from which its points slip; empty without friction.
+    bonds : mapping of str to (2, k, q) array
+        Of each bond; see `Memory`.
     """
 
     regions: Mapping[str, RegionMemory]
     friction: Friction = ()
+    bonds: Mapping[str, Array] = field(default_factory=dict)
 
     @property
     def memory(self) -> Memory | None:
@@ -215,6 +225,7 @@ class History:
             {name: each.largest for name, each in self.regions.items() if each.largest is not None},
             self.friction,
             {name: each.flow for name, each in self.regions.items() if each.flow is not None},
+            self.bonds,
         )
 
 
@@ -222,12 +233,18 @@ def joined_memory(
     stress: Mapping[str, Array],
     largest: Mapping[str, Array],
     friction: Friction = (),
-    flow: Mapping[str, Array] | None = None,
+    flow: Mapping[str, Array] = NOTHING,
+    bonds: Mapping[str, Array] = NOTHING,
 ) -> Memory | None:
-    """The memory of all regions and contacts, None where there is none."""
-    if not (stress or largest or friction or flow):
+    """The memory of all regions, contacts and bonds, None where there is none."""
+    if not (stress or largest or friction or flow or bonds):
         return None
-    return Memory(stress=stress, largest=largest, friction=friction, flow=flow or {})
+    return Memory(stress=stress, largest=largest, friction=friction, flow=flow, bonds=bonds)
+
+
+def bonds_of(memory: Memory | None) -> Mapping[str, Array]:
+    """The internal variables of bonds in a memory; empty where there are none."""
+    return NOTHING if memory is None else memory.bonds
 
 
 def friction_of(memory: Memory | None) -> Friction:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.meshing.bodies.groups import groups_of
+from turgor.core.meshing.bodies.parted import partners
 from turgor.core.meshing.mesh import Mesh
 
 Array = NDArray[np.float64]
@@ -44,7 +45,7 @@ class Body:
 
 @lru_cache(maxsize=4)  # several checks need it
 def find_bodies(mesh: Mesh) -> tuple[Body, ...]:
-    """Find the parts of a mesh that share no vertex: one for an actuator, several where `together` joined meshes.
+    """Find the parts of a mesh that share no vertex and no bond: one for an actuator, several of `together`.
 
     Parameters
     ----------
@@ -65,7 +66,11 @@ def find_bodies(mesh: Mesh) -> tuple[Body, ...]:
     corners = mesh.pieces[:, : mesh.cell_type.corners if len(mesh.cells) else mesh.cell_type.side.corners]
     owner = np.repeat(np.arange(len(corners)), corners.shape[1])
     nodes = len(corners) + corners.ravel()
-    label = groups_of(len(corners) + len(mesh.points), owner, nodes)[: len(corners)]
+    bonds = [partners(mesh, faces) for faces in mesh.parted]
+    ends = [
+        np.concatenate([given, *(len(corners) + pair[k] for pair in bonds)]) for k, given in ((0, owner), (1, nodes))
+    ]
+    label = groups_of(len(corners) + len(mesh.points), *ends)[: len(corners)]
     return tuple(_body(mesh, np.flatnonzero(label == one)) for one in dict.fromkeys(label.tolist()))
 
 

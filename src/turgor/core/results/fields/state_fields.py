@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.bonds.bond_results import BondResult, bond_results
 from turgor.core.engine.faces.membrane_term import film_fields
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses, discrete_threads
 from turgor.core.engine.fields import CellFields, cell_fields, nodal_average, nodal_mean_stress
@@ -156,6 +157,17 @@ class StateFields:
         for touch in self.state.touches.values():
             total += touch.pressure
         return total
+
+    @cached_property
+    def bonds(self) -> dict[str, BondResult]:
+        """Bonds between bodies by their names."""
+        return bond_results(self.model, self.state.displacement, self.state.memory)
+
+    @cached_property
+    def bond_damage(self) -> Array:
+        """Damage of bonds at the nodes of their sides, (n,), zero elsewhere: 0 as new, 1 open."""
+        nodal = [bond.nodal_damage for bond in self.bonds.values()]
+        return np.asarray(np.max([np.zeros(len(self.mesh.points)), *nodal], axis=0))
 
     @cached_property
     def cauchy_stress(self) -> Array:

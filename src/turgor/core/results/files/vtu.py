@@ -33,8 +33,9 @@ def write_state(path: str | Path, state: State | StateFields) -> None:
     """Write one state as a VTU file with its quadratic cells intact.
 
     Point data: ``displacement`` [m], ``mean_stress`` [Pa], ``cauchy_stress`` [Pa] (XX, YY, ZZ, XY, YZ, XZ),
-    ``von_mises`` [Pa], ``stretch`` (largest principal), ``node``, and ``contact_pressure`` [Pa] where anything may
-    touch. Cell data: ``region``, the number that the field data ``region:NAME`` give its name. Stresses and stretch
+    ``von_mises`` [Pa], ``stretch`` (largest principal), ``node``, ``contact_pressure`` [Pa] where anything may touch,
+    and ``bond_damage`` where bodies are bonded.
+    Cell data: ``region``, the number that the field data ``region:NAME`` give its name. Stresses and stretch
     are averaged at the nodes over the cells of one region. Where regions meet the points are doubled, one for each
     region, so that fields jump there as they should; ``node`` says which node of the mesh a point is. Field data:
     ``von_mises_p99`` [Pa] and ``principal_stretch_p99``, below which 99 % of the volume lie, the load, and
@@ -60,6 +61,8 @@ def write_state(path: str | Path, state: State | StateFields) -> None:
     ]
     if at.state.touches:
         point_data.append(VtuArray("contact_pressure", at.contact_pressure[nodes.node].astype("f4"), "Pa"))
+    if at.model.bonds:
+        point_data.append(VtuArray("bond_damage", at.bond_damage[nodes.node].astype("f4")))
     of_state = [
         VtuArray("load_factor", np.array([at.state.load_factor], dtype="f8")),
         VtuArray("von_mises_p99", np.array([at.von_mises_p99]), "Pa"),

@@ -20,7 +20,7 @@ from turgor.core.model.model import Model
 from turgor.core.results.drive import stage_column
 from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
-from turgor.core.results.measures.bond_measures import bond_measure
+from turgor.core.results.measures.bond_measures import bond_measure, openings_of
 from turgor.core.results.measures.cavities import enclosed_volume
 from turgor.core.results.measures.contact_measures import (
     area_on,
@@ -136,7 +136,7 @@ def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Me
     mesh = solution.model.mesh
     fitting = fitting_measures(measured_faces(mesh.faces, mesh.cavities))
     standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
-    own = (*point_measures_of(solution.model), *contact_measures_of(solution))
+    own = (*point_measures_of(solution.model), *contact_measures_of(solution), *openings_of(solution.model))
     requested = (*fitting, *own) if standard else measures
     return _with_parts(requested, mesh)
 

@@ -91,8 +91,9 @@ def _closer(run: Run) -> tuple[Array, float, Array]:
     mode = _unstable_mode(run, unknowns, load_factor)
     for _ in range(BUCKLING.closer):
         response = load_response(system, tangent, unknowns)
-        rate = _stiffness(system, tangent_rate(system, (unknowns, load_factor), response), mode)
-        change = -_stiffness(system, tangent_at(system, unknowns, load_factor), mode) / rate
+        here = unknowns, load_factor, constraint.history
+        rate = _stiffness(system, tangent_rate(system, here, response), mode)
+        change = -_stiffness(system, tangent_at(system, here), mode) / rate
         if abs(change) < BUCKLING.close * abs(load_factor):
             break
         start = Start(unknowns + change * response, None)

@@ -13,6 +13,7 @@ from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs
 
 from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.cells.internal_variables import History
 from turgor.core.engine.evaluation import Evaluation
 from turgor.core.engine.runtime import EngineOptions, use_threads
 from turgor.core.engine.system import System
@@ -30,6 +31,9 @@ from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import one
 
 Array = NDArray[np.float64]
+
+#: Unknowns (size,) and load factor of a state, and what its rubber remembers.
+Place = tuple[Array, float, History | None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -124,8 +128,10 @@ def buckling_modes(
         _check(system)
         unknowns = np.zeros(system.size) if state is None else unknowns_of(system, state)
         load_factor = 0.0 if state is None else state.load_factor
+        memory = None if state is None or state.memory is None else state.memory.without_friction
+        history = system.history(memory, np.inf)  # slowly
         tangent = Tangent(system, options.linear_solver, options.threads)
-        factors, vectors = _solve(system, tangent, (unknowns, load_factor), count)
+        factors, vectors = _solve(system, tangent, (unknowns, load_factor, history), count)
     return BucklingModes(
         model=model,
         load_factor=load_factor,
@@ -144,10 +150,10 @@ def _check(system: System) -> None:
         )
 
 
-def _solve(system: System, tangent: Tangent, at: tuple[Array, float], count: int) -> tuple[Array, Array]:
+def _solve(system: System, tangent: Tangent, at: Place, count: int) -> tuple[Array, Array]:
     """Positive μ (k,), rising, and their vectors (k, size), of ``K φ = −μ K' φ``."""
-    unknowns, load_factor = at
-    here = _evaluated(system, unknowns, load_factor)
+    unknowns, load_factor, _ = at
+    here = _evaluated(system, at)
     tangent.use_double()
     try:
         tangent.factor(here)
@@ -177,26 +183,27 @@ def _solve(system: System, tangent: Tangent, at: tuple[Array, float], count: int
     return 1 / values.real[chosen], vectors.real.T[chosen]
 
 
-def tangent_rate(system: System, at: tuple[Array, float], response: Array) -> Array:
+def tangent_rate(system: System, at: Place, response: Array) -> Array:
     """Rate (nnz,) of the tangent's lower triangle with the load factor along the path, by a central difference."""
-    (unknowns, load_factor), largest = at, float(np.abs(response[system.moving]).max(initial=0.0))
+    (unknowns, load_factor, history), largest = at, float(np.abs(response[system.moving]).max(initial=0.0))
     step = BUCKLING.nudge / max(largest, BUCKLING.nudge)
     sides = []
     for sign in (1, -1):
-        sides.append(tangent_at(system, unknowns + sign * step * response, load_factor + sign * step))
+        sides.append(tangent_at(system, (unknowns + sign * step * response, load_factor + sign * step, history)))
     return np.asarray((sides[0] - sides[1]) / (2 * step))
 
 
-def tangent_at(system: System, unknowns: Array, load_factor: float) -> Array:
+def tangent_at(system: System, at: Place) -> Array:
     """Values (nnz,) of the exact tangent's lower triangle, supports not yet applied."""
-    return system.tangent_data(_evaluated(system, unknowns, load_factor), None, True)
+    return system.tangent_data(_evaluated(system, at), None, True)
 
 
-def _evaluated(system: System, unknowns: Array, load_factor: float) -> Evaluation:
-    at = system.evaluate(unknowns, load_factor, history=system.history(None, np.inf))
-    if at is None:
+def _evaluated(system: System, at: Place) -> Evaluation:
+    unknowns, load_factor, history = at
+    there = system.evaluate(unknowns, load_factor, history=history)
+    if there is None:
         raise TurgorError("the state turns a cell inside out; it is no equilibrium of this model.")
-    return at
+    return there
 
 
 def _shape(system: System, vector: Array) -> Array:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.bonds.bond_results import bond_results
 from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.engine.fields import elastic_gradients
 from turgor.core.engine.percentiles import weighted_percentile
@@ -45,8 +46,23 @@ def cause_text(why: Why | None) -> str:
 
 
 def cause_in(state: State) -> Why | None:
-    """Find the cause that a state shows by itself: a law that turns over, a film that wrinkles, too much load."""
-    return turned_law(state) or wrinkled_film(state) or overload(state)
+    """Find the cause that a state shows by itself: a bond, a law that turns over, a wrinkled film, too much load."""
+    return softened_bond(state) or turned_law(state) or wrinkled_film(state) or overload(state)
+
+
+def softened_bond(state: State) -> Why | None:
+    """Say which bond is damaged, so that it bears less the more it opens."""
+    for bond in bond_results(state.model, state.displacement, state.memory).values():
+        use = float(np.where(bond.bonded, bond.use, 0.0).max())
+        if use > CAUSES.bond or bond.mean_damage > 0:
+            return Why(
+                f" The bond '{bond.name}' is at its strength (mean damage {bond.mean_damage:.2g}): it bears less the "
+                "more it opens.",
+                "That is where it fails under this load. To go on, prescribe the volume of the cavity or a motion, "
+                "follow the path by its length (ArcLength), or let it jump (Stabilized); T05 says whether elements are "
+                "too long for it.",
+            )
+    return None
 
 
 def turned_law(state: State) -> Why | None:

@@ -27,6 +27,9 @@ class CausesSettings:
     little_compression : float
         Compression that counts, as a share of the largest force per width in the sheet: less is round-off of a taut
         sheet.
+    bond : float
+        Share of its strength from which a bond is named as the cause: the last state before it softens may be a step
+        below.
     """
 
     turns_ahead: float = 1.05
@@ -35,6 +38,7 @@ class CausesSettings:
     balloon: float = 1.3
     breaks: float = 6.0
     little_compression: float = 1e-3
+    bond: float = 0.9
 
 
 CAUSES = CausesSettings()

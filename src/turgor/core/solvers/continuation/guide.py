@@ -93,6 +93,10 @@ def _check_guided(model: Model, procedure: Procedure) -> None:
     for name, each in model.region_materials.items():
         if each.remembers:
             raise TurgorError(f"guide leaves out states, and the rubber of '{name}' remembers them; solve without it.")
+    if model.bonds:
+        raise TurgorError(
+            f"guide leaves out states, and the bond '{model.bonds[0].name}' remembers them; solve without it."
+        )
     if (friction := max(_friction(model))) > 0:
         raise TurgorError(f"guide leaves out states, and friction {friction:g} depends on them; solve without it.")
 

@@ -48,7 +48,7 @@ def response_in_step(constraint: Constraint, tangent: Tangent, at: Evaluation, b
     these moves the body.
     """
     system = constraint.scalar_unknowns.system
-    if system.materials.remembers:
+    if system.remembers:
         return None
     if not others_move(system, before, at.load_factor):
         return load_response(system, tangent, at.unknowns, before, at.load_factor)

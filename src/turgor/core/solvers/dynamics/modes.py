@@ -118,7 +118,7 @@ def natural_frequencies(
         system = System(model, tuple(by_cavity))
         _check(system, count)
         unknowns = np.zeros(system.size)
-        memory = None if state is None or state.memory is None else state.memory.of_rubber  # friction yields
+        memory = None if state is None or state.memory is None else state.memory.without_friction  # friction yields
         history = system.history(memory)  # a sudden step
         if state is not None:
             unknowns = unknowns_of(system, state)

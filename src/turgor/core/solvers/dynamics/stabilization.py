@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.additions import Linear
 from turgor.core.engine.cells.internal_variables import History
-from turgor.core.engine.energy import contact_energy, softening_loss, stored_energy, work_of_states
+from turgor.core.engine.energy import contact_energy, lasting_loss, stored_energy, work_of_states
 from turgor.core.engine.mass import mass_data
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.model.drive import kinks
@@ -106,7 +106,7 @@ def _begin(problem: Problem, procedure: StepOptions, share: float) -> _Run:
         energies=Energies(kinetic=0.0, strain=strain, dissipated=0.0, work=strain),
         history=history,
     )  # fmt: skip
-    run.softened = softening_loss(system, at)
+    run.softened = lasting_loss(system, at)
     problem.states.append(replace(_state(run, at, None), memory=history.memory))
     return run
 
@@ -196,7 +196,7 @@ def _accept(run: _Run, result: NewtonResult, length: float) -> Outcome | None:
     assert at is not None and at.addition is not None
     viscous = at.addition.forces(at.unknowns)
     run.energies = _energies(run, at, viscous)
-    run.softened = softening_loss(system, at)
+    run.softened = lasting_loss(system, at)
     run.rate = (at.unknowns - run.at.unknowns) / length
     same_load = at.load_factor == run.at.load_factor
     run.at, run.pushed, run.viscous = at, pushing(system, at), viscous
@@ -249,7 +249,7 @@ def _energies(run: _Run, at: Evaluation, viscous: Array) -> Energies:
     moved[~system.moving] = 0.0
     pushed = work_of_contacts(system, run.pushed, pushing(system, at))
     support = np.where(system.prescribed, 0.5 * (run.at.residual + at.residual), 0.0)
-    lasting = taken_by_friction(system, at) + softening_loss(system, at) - run.softened
+    lasting = taken_by_friction(system, at) + lasting_loss(system, at) - run.softened
     return Energies(
         kinetic=0.0,
         strain=stored_energy(system, at.unknowns, at.load_factor, at.history) + contact_energy(system, at),

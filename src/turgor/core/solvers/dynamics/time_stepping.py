@@ -220,7 +220,7 @@ def _prediction(run: _Run, constraint: Constraint, rule: TimeStep, load_factor: 
     ahead = constraint.evaluate(predicted, load_factor, np.empty(0))
     if ahead is None:
         return here
-    if not system.materials.remembers:
+    if not system.remembers:
         return predicted
     still = constraint.evaluate(here, load_factor, np.empty(0))
     stays = still is not None and relative_residual(system, still) < relative_residual(system, ahead)
@@ -268,7 +268,7 @@ def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[
     strain = stored_energy(system, at.unknowns, at.load_factor, at.history) + contact_energy(system, at)
     by_contacts = work_of_contacts(system, run.pushed, pushed)
     taken = 0.5 * unit * float((run.damping + damping) @ moved)
-    if system.materials.remembers:  # what the rubber took up and will not give back
+    if system.remembers:  # what the rubber took up and will not give back
         taken += 0.5 * unit * float((run.internal + internal) @ moved) - (strain - before.strain) + by_contacts
     else:
         taken += taken_by_friction(system, at)

@@ -10,6 +10,7 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.drive import drive_text
 from turgor.core.model.model import Model
 from turgor.core.solvers.checks.settings import TEARING
+from turgor.core.solvers.checks.tearing.bonds import opened_bonds
 from turgor.core.solvers.checks.tearing.cracking import Cracking, cracking_along
 from turgor.core.solvers.checks.tearing.uses import STRETCH, Use, states_strength, uses
 from turgor.core.solvers.solution import State
@@ -18,14 +19,14 @@ from turgor.units import MPa, kPa, mm
 
 
 def tearing_findings(states: Sequence[State]) -> tuple[Finding, ...]:
-    """Return T01 and T02 for parts that pass half of what they bear, and T03 where it is known how cracks grow.
+    """Return T01 and T02 for parts that pass half of what they bear, T03 for cracks that grow, T04 and T05 for bonds.
 
     Parameters
     ----------
     states : sequence of State
         A path from rest.
     """
-    return (*_passed(states), *_life(states))
+    return (*_passed(states), *_life(states), *opened_bonds(states, _load, _place))
 
 
 def _passed(states: Sequence[State]) -> Iterator[Finding]:
