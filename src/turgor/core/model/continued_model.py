@@ -1,4 +1,4 @@
-"""Continuing: make the model of a stage that begins where another one ended, under the loads that acted there."""
+"""Continuing: the model of a stage that begins where another one ended, and that of what acts at load factor 0."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.model.contact import Contact
-from turgor.core.model.history import with_history
+from turgor.core.model.history import starts, with_history
 from turgor.core.model.loads import Load, Pressure, pressures_among
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Path, Vector
@@ -176,3 +176,29 @@ def _pressure(face: str, old: float, new: Pressure | None) -> Pressure:
     values = [(factor, old + share * change) for factor, share in new.history]
     top = max(abs(value) for _, value in values)
     return with_history(Pressure(face, top), tuple((factor, value / top) for factor, value in values))
+
+
+def starting_loads(model: Model) -> tuple[Load, ...]:
+    """Return the loads whose share at load factor 0 is not zero."""
+    return tuple(load for load in model.loads if starts(load.history))
+
+
+def at_start(model: Model) -> Model | None:
+    """Return the model whose equilibrium at load factor 1 is that of another model at load factor 0.
+
+    Faces, points and obstacles that move stay where they are at first.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    Model or None
+        None where no load is there from the start: the body then begins at rest.
+    """
+    present = starting_loads(model)
+    if not present:
+        return None
+    bare = replace(model, loads=tuple(load for load in model.loads if load not in present))
+    return continued(bare, (0.0, {}), [with_history(load, ((0.0, 0.0), (1.0, load.share(0.0)))) for load in present])

@@ -12,8 +12,8 @@ from turgor.core.engine.runtime import EngineOptions, use_threads
 from turgor.core.engine.system import System
 from turgor.core.engine.warmup.compiling import compile_kernels
 from turgor.core.engine.warmup.needs import Needs
+from turgor.core.model.continued_model import at_start
 from turgor.core.model.model import Model
-from turgor.core.model.starting_loads import at_start
 from turgor.core.solvers.checkpoints.record import Question, RunRecord
 from turgor.core.solvers.checks.contact import deep_penetrations, elastic_slips, meeting_walls
 from turgor.core.solvers.checks.early_findings import check_before_solve

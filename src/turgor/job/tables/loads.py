@@ -13,7 +13,7 @@ from turgor.core.model.loads import STANDARD_GRAVITY, Force, Gravity, Load, Pres
 from turgor.core.model.places import NodesAt
 from turgor.core.model.sheets import Sheet
 from turgor.foundation.errors import near_match, unknown
-from turgor.job.tables.forces import is_force, on_faces
+from turgor.job.text.forces import is_force, on_faces
 from turgor.job.text.listed_loads import fits, listed_values, loads_model, read_listed
 from turgor.job.text.load_tables import CavityTable, LoadsTable
 from turgor.job.text.load_values import history_of, history_values
