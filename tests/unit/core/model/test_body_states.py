@@ -45,7 +45,7 @@ def model(*loads, mesh=MESH):
         (lambda: Stiffness("body", 0), ("'body'", "factor", 0, "1e-6", "1e6")),
         (lambda: Hardening("body", -1), ("'body'", "factor", -1, "1e6")),
         (lambda: model(Shrinkage("bodi", 0.01)), ("'bodi'", "'body'")),
-        (lambda: model(Shrinkage("tip", 0.01)), ("'tip'", "base", "body", "sheets")),
+        (lambda: model(Shrinkage("tip", 0.01)), ("'tip'", "base", "body", "without a sheet")),
         (lambda: model(PreStretch("body", 2, (1, 1, 0)), mesh=HALF), ("symmetric", "normal to y")),
         (lambda: model(PreStretch("body", 2, (1, 0, 0), "around", (0, 1, 0)), mesh=HALF), ("center", "1 m")),
     ],

@@ -136,7 +136,7 @@ def test_reaction_of_a_half_is_that_of_the_whole():
 def test_reaction_without_support_is_refused():
     mesh = cases.body()
     state = cases.state(Model(mesh, {"body": cases.RUBBER, "base": cases.RUBBER}, [], []))
-    with refused("reaction", "Fixed or Radial"):
+    with refused("reaction", "Fixed", "Radial", "Roller", "Foundation"):
         measures.reaction(state)
 
 
