@@ -160,10 +160,12 @@ def test_jobs_on_limit_points(tmp_path):
 
 
 def test_jobs_with_weight(tmp_path):
-    weight, first, hung = blocks("gravity", "toml")
+    weight, first, constant, hung = blocks("gravity", "toml")
     assert job_of(tmp_path, HEAD + weight).loads == (tg.Gravity((0, 0, -1)),)
     both = job_of(tmp_path, HEAD + first).loads
     assert [load.at(0.2) if isinstance(load, tg.Pressure) else load.share(0.2) for load in both] == [0.0, 1.0]
+    (there,) = job_of(tmp_path, HEAD + constant).loads
+    assert there.share(0.0) == there.share(1.0) == 1.0
     (pull,) = job_of(tmp_path, HEAD + hung).loads
     assert (pull.face, pull.vector) == ("tip", pytest.approx((0, 0, -0.05 * 9.80665)))
 

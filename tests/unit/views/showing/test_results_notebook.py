@@ -154,7 +154,7 @@ def test_values_with_arrays_say_their_shape_and_range():
     assert repr(touch).startswith("Touch(force=<500 × 3 array, 0 to 0>, pressure=<500 values, 0 to 5>, area=1, ")
     memory = Memory(stress={"body": np.zeros((2, 900, 14, 6))}, largest={})
     array = "{'body': <2 × 900 × 14 × 6 array, 0 to 0>}"
-    assert repr(memory) == f"Memory(stress={array}, largest={{}}, friction=(), bonds={{}})"
+    assert repr(memory) == f"Memory(stress={array}, largest={{}}, friction=(), flow={{}}, bonds={{}})"
     view = tg.pictures.shared_view([cases.state(cases.model(cases.body()))], width=400)
     assert len(repr(view)) < LONGEST
     assert listed([f"face_{n}" for n in range(100)]).endswith("face_7 … (100)")
