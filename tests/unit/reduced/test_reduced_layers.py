@@ -93,7 +93,7 @@ def test_forces_are_derivatives_of_the_energy(case: Case) -> None:
         at = equations.at(np.concatenate([place[:r] + share * way, place[r:]]), aim)
         return sum(part.energy() for part in at.parts)
 
-    assert (energy(1e-3) - energy(-1e-3)) / 2e-3 == pytest.approx(forces @ way, rel=1e-5)
+    assert (energy(2e-4) - energy(-2e-4)) / 4e-4 == pytest.approx(forces @ way, rel=1e-5)
 
 
 def test_stresses_linearized_spare_updates_next_to_stiff_threads(case: Case) -> None:
