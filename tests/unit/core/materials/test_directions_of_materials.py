@@ -156,7 +156,7 @@ def test_who_has_no_directions_says_so():
         material_lines("b", part, "abaqus")
     with refused("Orthotropic"):
         nominal_stress(PRINT, uniaxial(1.5))
-    with refused("unknown law", "orthotropic"):
+    with refused("Orthotropic", "fit_directions", "--directions"):
         tg.fit("orthotropic", [])
 
 
