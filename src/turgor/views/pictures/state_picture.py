@@ -273,6 +273,9 @@ def picture_title(response: Response, row: int = -1, name: str = "") -> str:
     >>> columns = (Column("pressure", "kPa", [0, 50e3]), Column("bending_angle", "deg", [0, 1.5]))
     >>> picture_title(Response(columns=columns, source=Source(text="a ruler")), name="finger")
     'finger · 50 kPa · bending angle 85.9°'
+    >>> columns = (Column("bending_angle", "deg", [0, -1e-9]),)
+    >>> picture_title(Response(columns=columns, source=Source(text="a ruler")))
+    'bending angle 0.0°'
     """
     parts = [name] if name else []
     if response.stages and row not in (0, -len(response)):
@@ -283,7 +286,7 @@ def picture_title(response: Response, row: int = -1, name: str = "") -> str:
     elif "load_factor" in response.names:
         parts.append(f"load factor {response.column('load_factor')[row]:.4g}")
     if "bending_angle" in response.names:
-        parts.append(f"bending angle {response.column('bending_angle')[row] / deg:.1f}°")
+        parts.append(f"bending angle {response.column('bending_angle')[row] / deg:z.1f}°")
     return " · ".join(parts)
 
 
