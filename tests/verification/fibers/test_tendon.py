@@ -19,6 +19,8 @@ import meshes
 import problems
 import turgor as tg
 from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.results.fields.cables import cables_with_tension
+from turgor.core.results.fields.state_fields import StateFields
 
 MM = problems.MM
 LENGTH, SIDE = 100 * MM, 4 * MM
@@ -87,6 +89,18 @@ def test_a_cable_that_is_drawn_in_has_the_tension_of_its_stretch(friction):
     stretch = TENSION * left.mean() / stiffness
     drawn = state_with(pull=LENGTH - cable_length(pulled) + stretch, cable_stiffness=stiffness, friction=friction)
     assert angle(drawn) == pytest.approx(angle(pulled), rel=1e-5)
+
+
+def test_results_show_the_cable_with_its_tension():
+    state = state_with(tension=TENSION, friction=0.3)
+    ((guides, tension),) = cables_with_tension(StateFields(state))
+    nodes = [meshes.node_at(state.model.mesh, point) for point in GUIDES]
+    assert guides == pytest.approx(problems.current(state)[nodes], abs=1e-9)
+    assert tension[0] == pytest.approx(TENSION)
+    chords = np.diff(guides, axis=0)
+    first, last = chords[0], chords[-1]
+    turned = np.arccos(first @ last / np.linalg.norm(first) / np.linalg.norm(last))
+    assert tension[-1] == pytest.approx(TENSION * np.exp(-0.3 * turned), rel=1e-6)
 
 
 def test_a_half_model_carries_half_of_the_cable():

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.results.fields.cables import cables_with_tension
 from turgor.core.results.fields.contact import extents_of
 from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
@@ -213,8 +214,8 @@ def _threads(states: Sequence[StateFields]) -> dict[str, Any] | None:
 
 
 def _lines(at: StateFields) -> list[Array]:
-    """Threads of the modeled part as lines (k, 3) [m]; smeared fibers that cannot be laid have none."""
-    lines: list[Array] = []
+    """Threads and cables of the modeled part as lines (k, 3) [m]; smeared fibers that cannot be laid have none."""
+    lines = [line for line, _ in cables_with_tension(at)]
     for fibers in at.model.reinforcements:
         try:
             lines += at.facts.threads(fibers).polylines(at.points)

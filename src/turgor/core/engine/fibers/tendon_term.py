@@ -87,7 +87,7 @@ class TendonTerm(Term):
 
     def add_forces(self, out: Array, at: Configuration) -> None:
         """Add the forces on the nodes."""
-        pulled = self._pulled(at)
+        pulled = self.pulled(at)
         pieces = pulled.tensions[:, None] * pulled.directions
         on_guides = np.vstack([pieces, np.zeros(3)]) - np.vstack([np.zeros(3), pieces])
         out[self.nodes] += self.shares.T @ on_guides
@@ -107,7 +107,7 @@ class TendonTerm(Term):
 
     def _derivative(self, at: Configuration) -> Array:
         """Derivative (3 k, 3 k) of minus the forces by the displacements of the nodes."""
-        pulled = self._pulled(at)
+        pulled = self.pulled(at)
         count = len(self.rest)
         by_guides = np.einsum("si,sgj->sigj", pulled.directions, pulled.by_guides)
         across = np.eye(3) - np.einsum("si,sj->sij", pulled.directions, pulled.directions)
@@ -120,9 +120,13 @@ class TendonTerm(Term):
         whole[1:] += by_guides
         return np.einsum("gk,giHj,Hl->kilj", self.shares, whole, self.shares).reshape(3 * len(self.nodes), -1)
 
-    def _pulled(self, at: Configuration) -> Pulled:
-        guides = self.rest + self.shares @ (at.position[self.nodes] - self.points)
-        chords = np.diff(guides, axis=0)
+    def guides(self, at: Configuration) -> Array:
+        """Scaled positions (g, 3) of the guides."""
+        return np.asarray(self.rest + self.shares @ (at.position[self.nodes] - self.points))
+
+    def pulled(self, at: Configuration) -> Pulled:
+        """Directions, lengths and tensions of the pieces, of the modeled part."""
+        chords = np.diff(self.guides(at), axis=0)
         lengths = np.linalg.norm(chords, axis=1)
         directions = chords / lengths[:, None]
         left, left_by = self._left(directions, lengths)
@@ -164,14 +168,22 @@ def _of_length(directions: Array) -> Array:
     return np.vstack([np.zeros(3), directions]) - np.vstack([directions, np.zeros(3)])
 
 
+def cable_of(mesh: Mesh, load: Any, displacement: Array, load_factor: float) -> tuple[Array, Array]:
+    """Guides (g, 3) [m] of a cable in a state, and the tension (g - 1,) [N] of the whole cable in each piece."""
+    term = _term_on(mesh, mesh.points, (1.0, 1.0), load)
+    at = Configuration(mesh.points + displacement, load_factor)
+    return term.guides(at), term.pulled(at).tensions / _modeled_part(mesh, load)
+
+
 def tendon_terms(setting: Setting) -> list[TendonTerm]:
     """One for each cable."""
-    return [_tendon_term(setting, load.cable) for load in setting.model.loads if load.cable is not None]
+    mesh, scales = setting.model.mesh, (setting.length, setting.stress)
+    cables = (load.cable for load in setting.model.loads)
+    return [_term_on(mesh, setting.points, scales, each) for each in cables if each is not None]
 
 
-def _tendon_term(setting: Setting, load: Any) -> TendonTerm:
+def _term_on(mesh: Mesh, points: Array, scales: tuple[float, float], load: Any) -> TendonTerm:
     """The term of a tendon; refuses points that are not on the surface, or on both sides of a mirror plane."""
-    mesh = setting.model.mesh
     if mesh.revolved:
         raise TurgorError("a tendon does not run around an axisymmetric mesh; take another kind of cells.")
     guides = [_guide(mesh, number, point) for number, point in enumerate(load.through, start=1)]
@@ -180,16 +192,17 @@ def _tendon_term(setting: Setting, load: Any) -> TendonTerm:
     for row, each in enumerate(guides):
         np.add.at(shares[row], np.searchsorted(nodes, each.nodes), each.shares)
     part = _modeled_part(mesh, load)
-    force = setting.stress * setting.length**2
+    length, stress = scales
+    force = stress * length**2
     return TendonTerm(
         load=load,
         nodes=nodes,
         shares=shares,
-        rest=np.array(load.through) / setting.length,
-        points=setting.points[nodes],
+        rest=np.array(load.through) / length,
+        points=points[nodes],
         tension=part * (load.tension or 0.0) / force,
-        stiffness=part * (load.cable_stiffness or 0.0) * setting.length / force,
-        pull=(load.pull or 0.0) / setting.length,
+        stiffness=part * (load.cable_stiffness or 0.0) * length / force,
+        pull=(load.pull or 0.0) / length,
     )
 
 

@@ -9,6 +9,7 @@ from turgor.core.engine.fibers.fiber_trusses import FiberTrusses
 from turgor.core.engine.fibers.smeared import smeared_pieces
 from turgor.core.engine.fibers.tension import piece_tension, smooth_tension, tangents
 from turgor.core.model.fibers import DISCRETE, Fibers
+from turgor.core.results.fields.cables import cables_with_tension
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.solvers.solution import State
 from turgor.foundation.display import brief
@@ -92,17 +93,18 @@ def maximum_tension(at: StateFields) -> float:
 
 
 def threads_with_tension(at: StateFields) -> list[tuple[Array, Array]]:
-    """Threads of the whole actuator, (k, 3) [m] each, with the tension at their points, (k,) [N]."""
+    """Threads and cables of the whole actuator, (k, 3) [m] each, with the tension at their points, (k,) [N]."""
+    cables = [(image.of(line), tension) for image in at.facts.images for line, tension in cables_with_tension(at)]
     lines = drawn_threads(at)
     if not lines:
-        return []
+        return cables
     from scipy.spatial import cKDTree  # slow to load, and few models have threads
 
     fibers = fiber_results(at)
     places = np.concatenate([image.of(each.positions) for image in at.facts.images for each in fibers])
     tension = np.tile(np.concatenate([each.tension for each in fibers]), len(at.facts.images))
     nearest = cKDTree(places)
-    return [(line, tension[nearest.query(line)[1]]) for line in lines]
+    return cables + [(line, tension[nearest.query(line)[1]]) for line in lines]
 
 
 def drawn_threads(at: StateFields) -> list[Array]:
