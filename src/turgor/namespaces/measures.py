@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from turgor.core.results.measures.contact_measures import holding_force as holding_force
     from turgor.core.results.measures.contact_measures import maximum_contact_pressure as maximum_contact_pressure
     from turgor.core.results.measures.contact_measures import pull_distance as pull_distance
+    from turgor.core.results.measures.fiber_measures import cable_tension as cable_tension
+    from turgor.core.results.measures.fiber_measures import cable_travel as cable_travel
     from turgor.core.results.measures.fiber_measures import maximum_fiber_tension as maximum_fiber_tension
     from turgor.core.results.measures.fiber_measures import winding_force_per_length as winding_force_per_length
     from turgor.core.results.measures.field_measures import maximum_principal_stretch as maximum_principal_stretch

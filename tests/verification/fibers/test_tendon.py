@@ -103,6 +103,16 @@ def test_results_show_the_cable_with_its_tension():
     assert tension[-1] == pytest.approx(TENSION * np.exp(-0.3 * turned), rel=1e-6)
 
 
+def test_measures_say_what_the_motor_does():
+    state = state_with(tension=TENSION, friction=0.3)
+    assert tg.measures.cable_tension(state) == pytest.approx(TENSION)
+    assert tg.measures.cable_travel(state) == pytest.approx(LENGTH - cable_length(state))
+    plain = problems.solve(problems.one_material(state.model.mesh, problems.NEO_HOOKE, supports=["x0"]))
+    with pytest.raises(tg.TurgorError) as error:
+        tg.measures.cable_travel(plain.states[-1])
+    assert "no cable" in str(error.value)
+
+
 def test_a_half_model_carries_half_of_the_cable():
     small = {"tension": 0.2 * TENSION}
     assert angle(state_with(half=False, **small)) == pytest.approx(angle(state_with(**small)), rel=1e-6)

@@ -265,7 +265,7 @@ class Load:
         return None
 
     @property
-    def cable(self) -> "Load | None":
+    def cable(self) -> Any:
         """The load, if it is a cable through guides; None of other loads."""
         return None
 

@@ -1,5 +1,6 @@
-"""Measures of fibers: the largest tension of a thread, and how hard a winding holds the body."""
+"""Measures of fibers and cables: tensions, how hard a winding holds the body, how far a cable is drawn in."""
 
+from turgor.core.results.fields.cables import largest_tension, largest_travel
 from turgor.core.results.fields.fibers import maximum_tension
 from turgor.core.results.measures.measure import Measure
 from turgor.core.results.measures.winding import winding_force
@@ -12,4 +13,12 @@ winding_force_per_length = Measure(
     name="winding_force_per_length", unit="N/m", function=winding_force,
     definition="force of the threads around the axis for each current length along it, mean over the wound faces: of "
     "hoops the tension times threads per length",
+)  # fmt: skip
+cable_tension = Measure(
+    name="cable_tension", unit="N", function=largest_tension,
+    definition="tension of a cable at its motor, the largest of several",
+)  # fmt: skip
+cable_travel = Measure(
+    name="cable_travel", unit="mm", function=largest_travel,
+    definition="by how much the way of a cable through its guides is shorter than at rest, the largest of several",
 )  # fmt: skip
