@@ -93,7 +93,7 @@ def solution_of(
     ----------
     equations : Equations
     path : Path
-    outcome : (status, message)
+    outcome : (Status, str)
     source : Source
     mesh_error : bool
         Whether the mesh error of the columns is estimated.
