@@ -23,8 +23,8 @@ class InflatableBeam:
     It has no solid: its materials are sheets, such as
     ``film = { law = "hooke", E = "600 MPa", nu = 0.3, thickness = "0.4 mm", compression = 0 }`` in a job file. A point
     that is coupled rigidly to the face ``tip`` makes the end plate stiff. Under the force F the film wrinkles at the
-    clamp from F L = π p R³ / 2 on, with ``length`` L and ``radius`` R, and the beam collapses at twice that moment (Comer
-    and Levy 1963, doi 10.2514/3.1873). The sizes were chosen here.
+    clamp from F L = π p R³ / 2 on, with ``length`` L and ``radius`` R, and the beam collapses at twice that moment
+    (Comer and Levy 1963, doi 10.2514/3.1873). The sizes were chosen here.
 
     Axes: x from the clamped rim to the end plate, on the axis of the tube. The half with y >= 0 is modeled; it bends
     in the plane of x and z.
