@@ -65,11 +65,12 @@ def buckling_command(
         _check_new(output)
         if not 0 <= at < 1:
             raise TurgorError(f"--at is {at:g}; allowed is 0 up to less than 1, a share of the full load.")
+        from turgor.core.model.continued_model import starting_loads
         from turgor.core.solvers.buckling.buckling_modes import buckling_modes
         from turgor.job.prepare import prepare
 
         model, findings = prepare(requested_job(job, changes))
-        modes = buckling_modes(model, _state_at(model, at) if at else None, count)
+        modes = buckling_modes(model, _state_at(model, at) if at or starting_loads(model) else None, count)
         typer.echo("mode  load factor [-]")
         for number, factor in enumerate(modes.load_factors, start=1):
             typer.echo(f"{number:4d}  {factor:15.5g}")
@@ -88,7 +89,10 @@ def _state_at(model: "Model", load_factor: float) -> "State":
     def enough(state: "State") -> str | None:
         return "the load factor of --at" if state.load_factor >= load_factor * (1 - 1e-9) else None
 
-    solution = solve(model, Static(at=(load_factor,)), stop=enough, throw=False, progress=False)
+    steps = Static(at=(load_factor,)) if load_factor else Static()
+    solution = solve(model, steps, stop=enough, throw=False, progress=False)
+    if not load_factor:
+        return solution.states[0]  # the equilibrium of what is there from the start
     if enough(solution.states[-1]) is None:
         raise TurgorError(f"--at is {load_factor:g}, which was not reached. {solution.message}")
     return solution.states[-1]

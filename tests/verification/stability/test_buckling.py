@@ -132,6 +132,16 @@ def test_an_imperfection_is_as_large_as_stated_along_each_mode():
     assert np.linalg.norm(0.2 * MM * modes.shapes[0], axis=1).max() == pytest.approx(0.2 * MM)
 
 
+PRESENT = tg.Traction("x1", (-1.0, 0.0, 0.0), history="constant")
+RUBBED = tg.loads.Tendon(
+    through=((0, SIDE, 0), (LENGTH / 2, SIDE, 0), (LENGTH / 2, SIDE, WIDTH)), tension=1e-3, friction=0.3
+)
+
+
+def with_load(model, load):
+    return tg.Model(model.mesh, model.materials, model.supports, (*model.loads, load))
+
+
 def crumpled(model):
     """An imperfection that moves every node another way."""
     shapes = np.random.default_rng(1).uniform(-1, 1, (1, *model.mesh.points.shape))
@@ -148,6 +158,8 @@ def crumpled(model):
         (lambda: tg.solutions.buckling_modes(column(0.0, 2)), ["nothing loads"]),
         (lambda: tg.solutions.imperfect(column(EULER, 8), 0.02), ["20 mm", "up to 10 mm"]),
         (lambda: tg.solutions.imperfect(column(-EULER, 8), 1e-4), ["1 size", "0 buckling modes", "stiffens"]),
+        (lambda: tg.solutions.buckling_modes(with_load(column(EULER, 2), PRESENT)), ["from the start", "--at"]),
+        (lambda: tg.solutions.buckling_modes(with_load(column(EULER, 2), RUBBED)), ["friction", "no potential"]),
         (lambda: crumpled(column(EULER, 8)), ["inside out", "smaller"]),
         (lambda: tg.ArcLength(branch=2), ["procedure.branch is 2", "-1, 0 or 1"]),
     ],

@@ -19,11 +19,13 @@ from turgor.core.engine.runtime import EngineOptions, use_threads
 from turgor.core.engine.system import System
 from turgor.core.engine.warmup.compiling import compile_kernels
 from turgor.core.engine.warmup.needs import Needs
+from turgor.core.model.continued_model import starting_loads
 from turgor.core.model.drive import drive_text
 from turgor.core.model.model import Model
 from turgor.core.solvers.buckling.settings import BUCKLING
 from turgor.core.solvers.continuation.scalar_control.arc_length import check_proportional, check_still
 from turgor.core.solvers.continuation.tangent_response import load_response
+from turgor.core.solvers.dynamics.modes import check_elastic
 from turgor.core.solvers.restart import unknowns_of
 from turgor.core.solvers.solution import State
 from turgor.foundation.display import brief
@@ -113,13 +115,18 @@ def buckling_modes(
     Raises
     ------
     TurgorError
-        If the count is out of range, a load does not grow in proportion, a support moves, a pressure acts on an open
-        surface, or the tangent is singular at the state.
+        If the count is out of range, a load does not grow in proportion or has no potential, a support moves, the tangent
+        is singular at the state, or a load is there from the start and no state is given.
     """
     one(model, Model, "model", "a Model is needed")
     if not 1 <= count <= BUCKLING.most_modes:
         raise TurgorError(f"count is {count}; allowed is 1 to {BUCKLING.most_modes}.")
     check_proportional(model, "buckling_modes")
+    if state is None and starting_loads(model):
+        raise TurgorError(
+            "a load is there from the start, so that rest is no equilibrium; give the state at load factor 0, or a "
+            "later one, of a solution (--at of turgor buckling)."
+        )
     options = options or EngineOptions()
     with use_threads(options.threads):
         compile_kernels(options.notify, Needs.of(model))
@@ -144,16 +151,13 @@ def buckling_modes(
 def _check(system: System) -> None:
     if not system.full_force:
         raise TurgorError("nothing loads the model, so that nothing buckles; state a pressure or a force in its loads.")
-    if not system.terms.symmetric:
-        raise TurgorError(
-            "a pressure acts on an open surface and has no potential there; close the cavity, or leave it out."
-        )
 
 
 def _solve(system: System, tangent: Tangent, at: Place, count: int) -> tuple[Array, Array]:
     """Positive μ (k,), rising, and their vectors (k, size), of ``K φ = −μ K' φ``."""
     unknowns, load_factor, _ = at
     here = _evaluated(system, at)
+    check_elastic(system, _evaluated(system, (unknowns, 1.0, at[2])))  # at rest no load acts that could be refused
     tangent.use_double()
     try:
         tangent.factor(here)

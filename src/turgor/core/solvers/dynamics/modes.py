@@ -9,6 +9,7 @@ from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
 from turgor.core.engine.algebra.linear import LinearSolver, SingularTangentError, linear_solver
 from turgor.core.engine.algebra.pattern import Pattern
+from turgor.core.engine.evaluation import Evaluation
 from turgor.core.engine.mass import mass_data, total_mass
 from turgor.core.engine.points.point_mass import attached_mass
 from turgor.core.engine.runtime import EngineOptions, use_threads
@@ -128,12 +129,7 @@ def natural_frequencies(
         if at is None:
             raise TurgorError("the state turns a cell inside out; it is no equilibrium of this model.")
         stiffness, mass = system.tangent_data(at), mass_data(system)
-        turning = system.terms.unsymmetric_matrix(system.configuration(at), system.size)
-        if turning is not None and abs(turning).max() > 0:
-            raise TurgorError(
-                "a moment or a follower force acts on a reference point and has no potential, so that the modes are "
-                "not those of an elastic body; leave it out, or prescribe the rotation."
-            )
+        check_elastic(system, at)
         eigenvalues, vectors = _solve(system, stiffness, mass, count, options)
     rigid = np.abs(eigenvalues) < MODES.rigid_share * _first_shift(system)
     return _modes(system, (load_factor, unknowns), np.where(rigid, 0.0, eigenvalues), vectors, mass)
@@ -145,12 +141,32 @@ def _unknown_pressures(model: Model, state: State) -> dict[str, float]:
     return {face: pressure for face, pressure in state.pressures.items() if face not in loaded}
 
 
-def _check(system: System, count: int) -> None:
+def check_elastic(system: System, at: Evaluation) -> None:
+    """Refuse forces at a state that have no potential: modes and buckling loads are those of an elastic body.
+
+    Parameters
+    ----------
+    system : System
+    at : Evaluation
+
+    Raises
+    ------
+    TurgorError
+    """
     if not system.terms.symmetric:
         raise TurgorError(
             "a pressure acts on an open surface and has no potential there, so that its modes are not those of an "
             "elastic body; close the cavity, or leave the pressure out."
         )
+    turning = system.terms.unsymmetric_matrix(system.configuration(at), system.size)
+    if turning is not None and abs(turning).max() > 0:
+        raise TurgorError(
+            "a moment or a follower force on a reference point, or a cable with friction, has no potential, so that "
+            "the modes are not those of an elastic body; leave it out, prescribe the rotation, or take no friction."
+        )
+
+
+def _check(system: System, count: int) -> None:
     largest = max(1, int((system.moving & ~system.prescribed).sum()) // 10)
     if not 1 <= count <= largest:
         raise TurgorError(f"count is {count}; allowed is 1 to {largest}, a tenth of the free displacements.")
