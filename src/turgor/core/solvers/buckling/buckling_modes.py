@@ -115,8 +115,8 @@ def buckling_modes(
     Raises
     ------
     TurgorError
-        If the count is out of range, a load does not grow in proportion or has no potential, a support moves, the tangent
-        is singular at the state, or a load is there from the start and no state is given.
+        If the count is out of range, a load does not grow in proportion or has no potential, a support moves, the
+        tangent is singular at the state, or a load is there from the start and no state is given.
     """
     one(model, Model, "model", "a Model is needed")
     if not 1 <= count <= BUCKLING.most_modes:
