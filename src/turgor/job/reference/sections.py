@@ -31,7 +31,7 @@ from turgor.job.reference.tables import JobKey, JobTable, Source, toml
 from turgor.job.tables.bonds import BondTable, read_bonds
 from turgor.job.tables.cad import CAD_FILE, CadFileTable, SelectorTable, SplitTable
 from turgor.job.tables.contact import ContactTable, read_contact
-from turgor.job.tables.fibers import BoxTable, FibersTable, read_fibers
+from turgor.job.tables.fibers import FibersTable, read_fibers
 from turgor.job.tables.loads import read_loads
 from turgor.job.tables.material_tables import LibraryTable, SourceTable, StatedTable, law_table
 from turgor.job.tables.materials import read_materials
@@ -43,6 +43,7 @@ from turgor.job.tables.sections import read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_table
 from turgor.job.tables.stages import StageTable
 from turgor.job.tables.supports import SupportTable, stated_supports
+from turgor.job.text.box_table import BoxTable
 from turgor.job.text.listed_loads import listed_kinds, listed_table, loads_model
 from turgor.job.text.load_tables import (
     CavityTable,

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from functools import partial
-from math import isfinite
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field
@@ -10,7 +9,7 @@ from pydantic import BeforeValidator, Field
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.model.bonds import BENZEGGAGH_KENANE, Bond
 from turgor.foundation.errors import unknown
-from turgor.job.tables.fibers import BoxTable
+from turgor.job.text.box_table import BoxTable, box_table
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Pressure, Says, Table, read_table, shown
@@ -85,7 +84,7 @@ def _read_bond(name: str, values: Any, key: Key, geometry: Geometry | None, prob
             problems.add((*key, "between"), str(unknown("region", region, known)))
     stated = {each: getattr(table, each) for each in (*_UNITS, "mixed_mode", "exponent", "source")}
     box = table.unbonded
-    corners = None if box is None else ((box.x_from, box.y_from, box.z_from), (box.x_to, box.y_to, box.z_to))
+    corners = None if box is None else box.corners
     between: Any = tuple(table.between)  # the bond refuses all but two
     make = partial(Bond, name=name, between=between, unbonded=corners, **stated)
     return problems.attempt(key, make, fields=BondTable.model_fields)
@@ -113,11 +112,5 @@ def _table(bond: Bond) -> dict[str, Any]:
             values[name] = format_quantity(value, unit)
     values |= {"mixed_mode": bond.mixed_mode, "exponent": bond.exponent, "source": bond.source}
     if bond.unbonded is not None:
-        corners = zip(("from", "to"), bond.unbonded, strict=True)
-        values["unbonded"] = {
-            f"{axis}_{end}": format_quantity(place, "mm")
-            for end, corner in corners
-            for axis, place in zip("xyz", corner, strict=True)
-            if isfinite(place)
-        }
+        values["unbonded"] = box_table(bond.unbonded)
     return values

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from math import inf, isfinite, pi
+from math import pi
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field
@@ -19,11 +19,11 @@ from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.source import Source
 from turgor.job.tables.material_tables import SourceTable, Strengths
 from turgor.job.tables.materials import read_library
+from turgor.job.text.box_table import BoxTable, box_table
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
     Angle,
-    Coordinate,
     Density,
     Length,
     Pressure,
@@ -49,25 +49,6 @@ def _axis(name: str) -> str:
     if name not in AXES:
         raise unknown("axis of a winding", name, AXES)
     return name
-
-
-class BoxTable(Table):
-    """``[fibers.NAME.within]``: planes that threads do not cross, as many as are stated.
-
-    Keys
-    ----
-    x_from, y_from, z_from : float [m]
-        Lowest coordinate of the threads; no limit by default.
-    x_to, y_to, z_to : float [m]
-        Highest coordinate of the threads; no limit by default.
-    """
-
-    x_from: Coordinate = -inf
-    x_to: Coordinate = inf
-    y_from: Coordinate = -inf
-    y_to: Coordinate = inf
-    z_from: Coordinate = -inf
-    z_to: Coordinate = inf
 
 
 class FibersTable(Table):
@@ -241,7 +222,7 @@ def _fibers(table: FibersTable, material: Material, diameter: float, winding: Wi
         form=table.form,
         compression=table.compression,
         bending=table.bending,
-        within=None if box is None else ((box.x_from, box.y_from, box.z_from), (box.x_to, box.y_to, box.z_to)),
+        within=None if box is None else box.corners,
     )
 
 
@@ -279,11 +260,5 @@ def _table(fibers: Fibers) -> dict[str, Any]:
         raise TurgorError(f"the axis {winding.axis} of a winding has no form in a job file; wind around x, y or z.")
     values |= {"axis": names[0], "form": fibers.form, "compression": fibers.compression, "bending": fibers.bending}
     if fibers.within is not None:
-        corners = zip(("from", "to"), fibers.within, strict=True)
-        values["within"] = {
-            f"{axis}_{end}": format_quantity(place, "mm")
-            for end, corner in corners
-            for axis, place in zip("xyz", corner, strict=True)
-            if isfinite(place)
-        }
+        values["within"] = box_table(fibers.within)
     return values
