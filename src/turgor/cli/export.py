@@ -29,7 +29,7 @@ class ExportOptions:
     inp: Annotated[bool, typer.Option("--inp", help="The model for CalculiX or Abaqus.")] = False
     step: Annotated[bool, typer.Option("--step", help="The geometry as STEP.")] = False
     stl: Annotated[bool, typer.Option("--stl", help="The whole body and each cavity as STL.")] = False
-    mold: Annotated[bool, typer.Option("--mold", help="A casting mold of a PneuNet as STEP and STL.")] = False
+    mold: Annotated[bool, typer.Option("--mold", help="A casting mold as STEP and STL, and how it opens.")] = False
     to: Annotated[
         list[str] | None,
         typer.Option(

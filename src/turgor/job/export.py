@@ -4,10 +4,9 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
-from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
-from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.geometry.mold import casting_mold
+from turgor.core.geometry.molds.casting_mold import casting_mold
+from turgor.core.geometry.molds.mold import Mold
 from turgor.core.geometry.write_step import write_step
 from turgor.core.meshing.exchange.formats.write_stl import write_stl
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
@@ -56,7 +55,8 @@ def export_job(
         Output folder; created if it does not exist.
     kinds : collection of str
         ``"inp"``: the model for CalculiX or Abaqus. ``"step"``: the geometry. ``"stl"``: the whole body and each of
-        its cavities, cut from the mesh of the job. ``"mold"``: the parts of a casting mold, STEP and STL.
+        its cavities, cut from the mesh of the job. ``"mold"``: the parts of a casting mold, STEP and STL, and how it
+        opens, as text.
     inp : InpOptions, optional
         Options of the .inp file.
     force : bool
@@ -78,7 +78,8 @@ def export_job(
     place, written = Path(folder), []
     geometry = job.geometry()
     mesh = mesh_of(job, geometry) if {"inp", "stl"} & set(kinds) else None
-    names = _names(job, geometry, mesh, kinds)
+    mold = casting_mold(job.actuator) if "mold" in kinds else None
+    names = _names(job, geometry, mesh, kinds, mold)
     taken = [name for name in names if (place / name).exists()]
     if taken and not force:
         raise TurgorError(
@@ -95,13 +96,13 @@ def export_job(
         write_stl(mesh, place / f"{job.name}.stl")
         for cavity in mesh.cavities:
             write_stl(mesh, place / f"{job.name}-{cavity}.stl", face=cavity)
-    if "mold" in kinds:
-        _write_mold(job, place)
+    if mold is not None:
+        _write_mold(mold, place, f"{job.name}-mold")
     written += [place / name for name in names]
     return tuple(written)
 
 
-def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[str]) -> list[str]:
+def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[str], mold: Mold | None) -> list[str]:
     """Names of the files; an error if one of them cannot be written, before any is."""
     names = [f"{job.name}.inp"] if "inp" in kinds else []
     if "step" in kinds:
@@ -110,9 +111,9 @@ def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[st
         names.append(f"{job.name}.step")
     if mesh is not None and "stl" in kinds:
         names += [f"{job.name}.stl", *(f"{job.name}-{cavity}.stl" for cavity in mesh.cavities)]
-    if "mold" in kinds:
-        parts = ("cup", "core", "tray")
-        names += [f"{job.name}-mold-{part}.{ending}" for part in parts for ending in ("step", "stl")]
+    if mold is not None:
+        names += [f"{job.name}-mold-{part}.{ending}" for part in mold.parts for ending in ("step", "stl")]
+        names += [f"{job.name}-mold.txt"]
     return names
 
 
@@ -137,10 +138,8 @@ def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
     write_inp(model, file, program=options.program, at=sorted({*job.procedure.at, 1.0}))
 
 
-def _write_mold(job: Job, folder: Path) -> None:
-    if not isinstance(job.actuator, FastPneuNet | SlowPneuNet):
-        name = type(job.actuator).__name__
-        raise TurgorError(f"there is no mold for {name}; the actuator types fast_pneunet and slow_pneunet have one.")
-    for name, part in casting_mold(job.actuator).items():
-        write_step(part, folder / f"{job.name}-mold-{name}.step")
-        write_stl(part, folder / f"{job.name}-mold-{name}.stl")
+def _write_mold(mold: Mold, folder: Path, name: str) -> None:
+    for each, part in mold.parts.items():
+        write_step(part, folder / f"{name}-{each}.step")
+        write_stl(part, folder / f"{name}-{each}.stl")
+    (folder / f"{name}.txt").write_text("\n".join(mold.notes) + "\n", encoding="utf-8")

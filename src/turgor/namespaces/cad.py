@@ -15,8 +15,9 @@ if TYPE_CHECKING:
     from turgor.core.geometry.cad.selectors import NearestTo as NearestTo
     from turgor.core.geometry.cad.selectors import WithNormal as WithNormal
     from turgor.core.geometry.cad.split import SplitPlane as SplitPlane
-    from turgor.core.geometry.mold import MoldSettings as MoldSettings
-    from turgor.core.geometry.mold import casting_mold as casting_mold
+    from turgor.core.geometry.molds.casting_mold import casting_mold as casting_mold
+    from turgor.core.geometry.molds.mold import Mold as Mold
+    from turgor.core.geometry.molds.mold import MoldSettings as MoldSettings
     from turgor.core.geometry.write_step import write_step as write_step
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -35,7 +35,7 @@ class Casting:
     deepest : float [-]
         Largest depth of a web or a core over its thickness: longer ones break or hold the casting.
     mold : bool
-        Whether `turgor.cad.casting_mold` must be able to make the mold, which it can for PneuNets.
+        Whether the mold must have the webs and pins that are judged here, which molds of PneuNets have.
 
     Raises
     ------
@@ -149,7 +149,8 @@ def _checked(make: Make, values: Mapping[str, Value], casting: Casting) -> Any:
     actuator = make(values)
     if casting.mold and not isinstance(actuator, FastPneuNet | SlowPneuNet):
         raise TurgorError(
-            f"there is no mold for {type(actuator).__name__}, only for FastPneuNet and SlowPneuNet; state mold=False."
+            f"there is no mold with webs and pins for {type(actuator).__name__}, only for FastPneuNet and SlowPneuNet; "
+            "state mold=False."
         )
     return actuator
 

@@ -66,7 +66,7 @@ def test_there_is_no_mold_for_other_families():
         return tg.actuators.ExtendingCylinder(wall=values["wall"])
 
     (first, *_) = tg.studies.casting_rules(tube)
-    assert "there is no mold for ExtendingCylinder" in first.broken({"wall": 2 * mm})
+    assert "there is no mold with webs and pins for ExtendingCylinder" in first.broken({"wall": 2 * mm})
     rules = tg.studies.casting_rules(tube, tg.studies.Casting(mold=False))
     assert [rule.broken({"wall": 2 * mm}) for rule in rules] == [""] * 5
     assert rules[0].broken({"wall": 0.5 * mm}) == "walls of at least 1 mm"

@@ -151,7 +151,7 @@ def test_what_cannot_be_cast_is_not_computed(call, folder):
         ("precision = 0.02", "starts = 20", "starts is 20; allowed is 1 to 12, half of most_solves, 25"),
         ("precision = 0.02", 'slopes = "no"', "slopes is 'no'; allowed is true or false"),
         ("[[optimize.targets]]", "[optimize.targets]", "is not a list of tables, [[optimize.targets]]"),
-        ("precision = 0.02", "[optimize.casting]", "there is no mold for ExtendingCylinder"),
+        ("precision = 0.02", "[optimize.casting]", "there is no mold with webs and pins for ExtendingCylinder"),
     ],
 )
 def test_mistakes_are_answered(call, folder, old, new, sentence):

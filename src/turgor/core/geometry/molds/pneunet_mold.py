@@ -10,37 +10,14 @@ from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.geometry import Geometry, check_volume
-from turgor.core.geometry.rules import check_length
+from turgor.core.geometry.molds.mold import Mold, MoldSettings, mold_part
 from turgor.core.geometry.shapes.solids import box, cut, union, volume
-from turgor.foundation.errors import TurgorError
-from turgor.units import mm
 
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class MoldSettings:
-    """Dimensions of a mold.
-
-    Parameters
-    ----------
-    wall : float [m]
-        Thickness of the mold around the casting; pins stand in its middle.
-    pin_diameter, pin_height : float [m]
-        Four pins on the rim of the cup, which hold the core in place.
-    clearance : float [m]
-        Radial clearance between a pin and its hole.
-    """
-
-    wall: float = 8 * mm
-    pin_diameter: float = 3 * mm
-    pin_height: float = 3 * mm
-    clearance: float = 0.2 * mm
-
-    def __post_init__(self) -> None:
-        check_length("wall", self.wall, low=2 * mm, high=100 * mm)
-        check_length("clearance", self.clearance, low=0.0, high=2 * mm)
-        high = self.wall - 2 * self.clearance - 1 * mm
-        check_length("pin_diameter", self.pin_diameter, low=0.5 * mm, high=high, why="so that the rim holds the pins")
-        check_length("pin_height", self.pin_height, low=0.5 * mm, high=self.wall)
+#: How it is cast.
+NOTES = (
+    "Cup and core part at the floor of the cavity and are pulled along z. Fill the cup and press the core in.",
+    "Cast the floor and the base in the tray, with the paper in it, and glue them on; a tube makes the air inlet.",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +30,7 @@ class _Sizes:
     height: float
 
 
-def casting_mold(actuator: FastPneuNet | SlowPneuNet, settings: MoldSettings | None = None) -> Mapping[str, Geometry]:
+def pneunet_mold(actuator: FastPneuNet | SlowPneuNet, mold: MoldSettings) -> Mold:
     """Make the mold of a PneuNet: two parts for the chambers, and a tray for the layer that closes them.
 
     The parting plane is the floor of the cavity, the only plane from which both the chambers and the gaps between them
@@ -65,32 +42,14 @@ def casting_mold(actuator: FastPneuNet | SlowPneuNet, settings: MoldSettings | N
     ----------
     actuator : FastPneuNet or SlowPneuNet
         Actuator to cast; a half model is cast as a whole.
-    settings : MoldSettings, optional
+    mold : MoldSettings
         Dimensions of the mold.
 
     Returns
     -------
-    mapping of str to Geometry
-        ``cup``, ``core`` and ``tray``, in place around the actuator; write them with `write_step` or `write_stl`.
-
-    Raises
-    ------
-    TurgorError
-        If the actuator is of another family, or the parts do not fill the mold.
-
-    Examples
-    --------
-    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
-    >>> parts = casting_mold(FastPneuNet(chambers=2, length=20e-3))
-    >>> {name: round(part.solid_volume * 1e9) for name, part in parts.items()}  # mm³
-    {'cup': 21430, 'core': 12350, 'tray': 13056}
+    Mold
+        ``cup``, ``core`` and ``tray``.
     """
-    if not isinstance(actuator, FastPneuNet | SlowPneuNet):
-        raise TurgorError(
-            f"a mold can be made for FastPneuNet and SlowPneuNet, not for {type(actuator).__name__}: the other "
-            "families have undercuts or closed cavities that no two-part mold can be pulled from."
-        )
-    mold = settings or MoldSettings()
     whole = replace(actuator, symmetric=False, inlet_diameter=0.0)
     built = whole.build()
     sizes = _Sizes(
@@ -105,7 +64,8 @@ def casting_mold(actuator: FastPneuNet | SlowPneuNet, settings: MoldSettings | N
     casting = cut(filled, gaps) if gaps else filled
     parts = {"cup": _cup(sizes, mold, casting), "core": _core(sizes, mold, cavity), "tray": _tray(sizes, mold)}
     _check(parts, sizes, mold, volume(casting), built.cavity_volume)
-    return {name: _geometry(f"{name} of the mold of a {built.name}", name, shape) for name, shape in parts.items()}
+    titles = {name: f"{name} of the mold of a {built.name}" for name in parts}
+    return Mold(parts={name: mold_part(titles[name], name, shape) for name, shape in parts.items()}, notes=NOTES)
 
 
 def _envelope(sizes: _Sizes, low: float, high: float, around: float = 0.0) -> Any:
@@ -170,18 +130,3 @@ def _check(parts: Mapping[str, Any], sizes: _Sizes, mold: MoldSettings, casting:
     }
     for name, shape in parts.items():
         check_volume(f"{name} of the mold", volume(shape), expected[name])
-
-
-def _geometry(title: str, name: str, shape: Any) -> Geometry:
-    for solid in shape.solids:
-        solid.name = name
-    shape.faces.name = "outside"
-    return Geometry(
-        name=title,
-        smallest_wall=1 * mm,
-        cavity_volumes={},
-        solid_volume=volume(shape),
-        regions=(name,),
-        faces=("outside",),
-        shape=shape,
-    )

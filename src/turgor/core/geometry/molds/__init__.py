@@ -1,0 +1,1 @@
+"""Molds to cast actuators in."""
