@@ -8,14 +8,13 @@ from typing import Any
 import tomlkit
 
 from turgor.core.meshing.exchange.formats.abaqus import Keyword
-from turgor.core.model.supports import Support
 from turgor.foundation.errors import TurgorError
 from turgor.job.decks.account import MISSING, Account, DeckRow
 from turgor.job.decks.contact import contact_of
 from turgor.job.decks.deck import Deck, read_deck
 from turgor.job.decks.directions import axes_of
 from turgor.job.decks.loads import loads_of
-from turgor.job.decks.materials import materials_of
+from turgor.job.decks.materials import IDLE, REFUSED, materials_of
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.parts import check_ties, entries_of
 from turgor.job.decks.steps import Path as DeckPath
@@ -28,7 +27,7 @@ from turgor.job.tables.supports import supports_table
 from turgor.units import format_quantity
 
 #: Keywords that change no result.
-_IDLE = frozenset(
+_UNUSED = frozenset(
     ("heading", "node print", "el print", "node file", "el file", "node output", "element output", "output",
      "contact print", "contact file", "contact output", "section print", "preprint", "restart", "controls", "monitor",
      "part", "end part", "assembly", "end assembly", "instance", "end instance", "include", "step", "static", "visco",
@@ -38,10 +37,9 @@ _IDLE = frozenset(
 
 #: Keywords that other parts of the import account for.
 _READ = frozenset(
-    ("material", "elastic", "hyperelastic", "hyperfoam", "viscoelastic", "mullins effect", "density", "plastic",
-     "hysteresis", "creep", "user material", "cyclic hardening", "fluid constants", "hypoelastic", "rate dependent",
-     "conductivity", "specific heat", "damping", "depvar", "expansion", "amplitude", "boundary", "cload", "dload",
-     "dsload", "transform", "element", "tie", "surface interaction", "friction", "surface behavior", "contact pair")
+    (*REFUSED, *IDLE, "material", "elastic", "hyperelastic", "hyperfoam", "viscoelastic", "mullins effect", "density",
+     "amplitude", "boundary", "cload", "dload", "dsload", "transform", "element", "tie", "surface interaction",
+     "friction", "surface behavior", "contact pair")
 )  # fmt: skip
 
 
@@ -142,7 +140,7 @@ def import_deck(path: str | Path, *, units: str = USUAL, partial: bool = False) 
         "name": file.stem,
         "mesh": {"file": f"{file.stem}-mesh.inp", "unit": scale.word},
         "materials": {name: material_table(entry) for name, entry in entries.items()},
-        "supports": _supports(supports),
+        "supports": supports_table(supports),
         "loads": loads_table(loads),
         "contact": contact,
         "procedure": _procedure(way),
@@ -157,10 +155,6 @@ def import_deck(path: str | Path, *, units: str = USUAL, partial: bool = False) 
             command="--partial writes a job without it, which is another model.",
         )
     return result
-
-
-def _supports(supports: Iterable[Support]) -> dict[str, Any]:
-    return {name: value for name, value in supports_table(supports).items()}
 
 
 def _toml(content: Mapping[str, Any]) -> str:
@@ -192,7 +186,7 @@ def _account_rest(deck: Deck, account: Account) -> None:
     for keyword in (*deck.model, *(each for step in deck.steps for each in step)):
         if keyword.name in _COUNTED:
             account.taken(keyword, _counted(keyword))
-        elif keyword.name in _IDLE:
+        elif keyword.name in _UNUSED:
             if keyword.name not in ("step", "static", "visco"):
                 account.not_needed(keyword, "it changes no result")
         elif keyword.name not in _READ and not keyword.name.endswith("section"):

@@ -13,6 +13,7 @@ from turgor.job.decks.directions import NodeAxes
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.steps import Path
 from turgor.job.decks.tracks import FORCE, GRAVITY, PRESSURE, SAME
+from turgor.job.decks.uniform import uniform_sides
 from turgor.job.decks.units import DeckUnits
 
 #: Most nodes with a force of their own: each is a table of the job file.
@@ -78,7 +79,7 @@ def _gravities(path: Path, units: DeckUnits, account: Account) -> Iterable[Load]
 
 
 def _forces(path: Path, names: MeshNames, axes: NodeAxes, units: DeckUnits, account: Account) -> Iterable[Load]:
-    """A force on each node, for each history; where they are too many, one for all nodes with the same."""
+    """A force on a face where those on its nodes are a uniform traction; else one on each node."""
     solid = set(path.deck.solid_nodes.tolist())
     vectors: dict[tuple[int, History], np.ndarray] = {}
     for target, track in path.tracks.of.items():
@@ -92,6 +93,12 @@ def _forces(path: Path, names: MeshNames, axes: NodeAxes, units: DeckUnits, acco
             known = next((h for n, h in vectors if n == node and _same(h, history)), history)
             vector = vectors.setdefault((node, known), np.zeros(3))
             vector += size * units.force * axes.at(node)[freedom - 1]
+    for history in dict.fromkeys(history for _, history in vectors):
+        alike = {node: vector for (node, each), vector in vectors.items() if each == history}
+        sides = uniform_sides(path.deck, alike)
+        if sides:
+            yield Force(names.named_surface("pulled", sides), _rounded(sum(alike.values(), np.zeros(3))), history)
+            vectors = {key: vector for key, vector in vectors.items() if key[1] != history}
     if len(vectors) > MOST_FORCES:
         keyword = next(k for t, k in path.tracks.keywords.items() if isinstance(t, tuple) and t[0] == FORCE)
         account.missing(
@@ -104,7 +111,12 @@ def _forces(path: Path, names: MeshNames, axes: NodeAxes, units: DeckUnits, acco
 def _each(vectors: Mapping[tuple[int, History], np.ndarray], names: MeshNames) -> Iterable[Load]:
     for (node, history), vector in vectors.items():
         name = names.new_set(f"node_{node}", np.array([node]))
-        yield Force(NodesAt(name, node_set=name), [float(f"{part:.12g}") for part in vector], history)
+        yield Force(NodesAt(name, node_set=name), _rounded(vector), history)
+
+
+def _rounded(vector: np.ndarray) -> list[float]:
+    """A vector without round-off of units."""
+    return [float(f"{part:.12g}") for part in vector]
 
 
 def _same(one: History, other: History) -> bool:

@@ -35,8 +35,14 @@ _LAWS = (
     "marlow", "user", "test data input",
 )  # fmt: skip
 
+#: Behavior of a material that has no form here.
+REFUSED = (
+    "plastic", "hysteresis", "creep", "user material", "cyclic hardening", "fluid constants", "hypoelastic",
+    "rate dependent",
+)  # fmt: skip
+
 #: What a material may have that no static model of rubber needs.
-_IDLE = ("conductivity", "specific heat", "damping", "depvar", "expansion")
+IDLE = ("conductivity", "specific heat", "damping", "depvar", "expansion")
 
 
 @dataclass(slots=True)
@@ -77,7 +83,7 @@ def materials_of(keywords: Iterable[Keyword], units: DeckUnits, account: Account
                 account.missing(keyword, str(error) if isinstance(error, TurgorError) else "a line of data is short")
             else:
                 account.taken(keyword, _meaning(drafts[-1], keyword))
-        elif keyword.name in _IDLE:
+        elif keyword.name in IDLE:
             account.not_needed(keyword, "no load of the job needs it")
     return _finished(drafts, account)
 
@@ -177,7 +183,9 @@ def _refused(draft: _Draft, keyword: Keyword, units: DeckUnits) -> None:
 
 def _meaning(draft: _Draft, keyword: Keyword) -> str:
     law = draft.fields.get("law")
-    if keyword.name in ("elastic", "hyperelastic", "hyperfoam"):
+    if keyword.name == "elastic":
+        return "Hooke on sheets; in bodies the neo-Hookean law of the same moduli, which is alike at small strains"
+    if keyword.name in ("hyperelastic", "hyperfoam"):
         kept = ", the volume stays" if draft.fields.get("bulk_modulus") == inf else ""
         return f"{type(law).__name__}{kept}"
     return {"density": "density", "viscoelastic": "viscoelasticity", "mullins effect": "stress_softening"}[keyword.name]

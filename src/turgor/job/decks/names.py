@@ -86,9 +86,9 @@ class MeshNames:
         for name in deck.content.node_sets:
             numbers = deck.node_sets.numbers(name)
             nodes = np.intersect1d(deck.solid_nodes, numbers if numbers is not None else [])
-            if len(nodes) and not self.is_everything(nodes) and self.free(name) == name:
-                if not name.lower().startswith("cavity"):  # a cavity is a closed surface
-                    self.sets[name] = nodes
+            known = not len(nodes) or self.is_everything(nodes) or self.free(name) != name
+            if not known and not name.lower().startswith("cavity"):  # a cavity is a closed surface
+                self.sets[name] = nodes
 
     @property
     def _solid(self) -> frozenset[int]:

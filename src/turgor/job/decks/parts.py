@@ -8,6 +8,7 @@ import numpy as np
 from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.formats.abaqus import Keyword
 from turgor.core.meshing.exchange.formats.raw import numbers
+from turgor.core.model.layers import as_solid
 from turgor.core.model.sheets import Membrane, Sheet, Shell
 from turgor.foundation.errors import TurgorError, near_match
 from turgor.job.decks.account import Account, listed
@@ -48,7 +49,7 @@ def entries_of(
                 covered = np.concatenate([covered, _only(cells, deck.solid_numbers, keyword, deck)])
                 name = names.free(keyword.given["elset"], "body")
                 names.bodies[name] = cells
-                entries[name] = material
+                entries[name] = as_solid(material)
                 account.taken(keyword, f"body '{name}' of {len(cells)} cells")
             else:
                 name = _sheet(keyword, cells, material, names, entries, units)
