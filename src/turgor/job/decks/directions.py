@@ -13,6 +13,9 @@ from turgor.job.decks.deck import Deck
 
 Array = NDArray[np.float64]
 
+#: Distance from the axis, over the distance of its two points, within which a node has no radial direction.
+ON_AXIS = 1e-9
+
 
 @dataclass(slots=True)
 class NodeAxes:
@@ -34,8 +37,11 @@ class NodeAxes:
         along = (b - a) / np.linalg.norm(b - a)
         out = np.array(self.deck.place[node]) - a
         out = out - (out @ along) * along
-        out /= np.linalg.norm(out)
-        return np.stack([out, np.cross(along, out), along])
+        far = float(np.linalg.norm(out))
+        if not far > ON_AXIS * float(np.linalg.norm(b - a)):  # as CalculiX: any direction across the axis
+            out = np.cross(along, np.eye(3)[int(np.argmin(np.abs(along)))])
+            far = float(np.linalg.norm(out))
+        return np.stack([out / far, np.cross(along, out / far), along])
 
 
 def axes_of(deck: Deck, keywords: Iterable[Keyword], account: Account) -> NodeAxes:

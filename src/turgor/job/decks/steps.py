@@ -125,9 +125,8 @@ def _span_of(path: Path, keyword: Keyword, first: Keyword) -> Span | None:
 
 
 def _take_boundary(path: Path, keyword: Keyword) -> str:
-    within = any(keyword in step for step in path.deck.steps)
-    if within and keyword.given.get("op", "mod").lower() == "new":
-        raise TurgorError("supports that a step removes (OP=NEW) have no form here.")
+    if keyword.given.get("op", "mod").lower() == "new":
+        _check_restated(path, keyword)
     if set(keyword.given) - {"op", "amplitude"}:
         raise TurgorError(f"{', '.join(set(keyword.given) - {'op', 'amplitude'}).upper()} has no form here.")
     amplitude = amplitude_named(keyword, path.amplitudes)
@@ -157,6 +156,18 @@ def _prescribe(path: Path, keyword: Keyword, place: tuple[int, int], stated: tup
         raise TurgorError("a displacement of a free node that begins after the first step has no form here.")
     path.fixed.pop(place, None)
     path.tracks.state(target, value, amplitude, keyword)
+
+
+def _check_restated(path: Path, keyword: Keyword) -> None:
+    """Refuse ``OP=NEW`` where it removes a support; the keywords of a step count together."""
+    step = next((step for step in path.deck.steps if any(each is keyword for each in step)), (keyword,))
+    restated = set()
+    for line in (line for each in step if each.name == "boundary" for line in each.lines):
+        where, _, freedoms = _boundary_row(line)
+        restated |= {(node, freedom) for node in _nodes(path.deck, where).tolist() for freedom in freedoms}
+    moved = {target[1:] for target in path.tracks.of if isinstance(target, tuple) and target[0] == SHIFT}
+    if (set(path.fixed) | moved) - restated:
+        raise TurgorError("supports that a step removes (OP=NEW) have no form here.")
 
 
 def _boundary_row(line: str) -> tuple[str, float, tuple[int, ...]]:
