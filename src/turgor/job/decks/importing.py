@@ -15,6 +15,7 @@ from turgor.job.decks.deck import Deck, read_deck
 from turgor.job.decks.directions import axes_of
 from turgor.job.decks.loads import loads_of
 from turgor.job.decks.materials import IDLE, REFUSED, materials_of
+from turgor.job.decks.mirrors import take_mirrors
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.parts import check_ties, entries_of
 from turgor.job.decks.steps import Path as DeckPath
@@ -129,9 +130,9 @@ def import_deck(path: str | Path, *, units: str = USUAL, partial: bool = False) 
     materials = materials_of(deck.model, scale, account)
     entries = entries_of(deck, materials, names, scale, account)
     way = path_of(deck, account)
-    axes = axes_of(deck, deck.model, account)
+    axes, images = axes_of(deck, deck.model, account), take_mirrors(way, names)
     supports = supports_of(way, names, axes, scale, account)
-    loads = loads_of(way, names, axes, scale, account)
+    loads = loads_of(way, names, axes, scale, account, images)
     check_ties(deck, account)
     contact = contact_of(deck, scale, account)
     names.add_others()

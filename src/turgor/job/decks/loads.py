@@ -1,6 +1,7 @@
 """Loads of a job from the pressures, forces and weights of a deck."""
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -20,7 +21,9 @@ from turgor.job.decks.units import DeckUnits
 MOST_FORCES = 400
 
 
-def loads_of(path: Path, names: MeshNames, axes: NodeAxes, units: DeckUnits, account: Account) -> tuple[Load, ...]:
+def loads_of(
+    path: Path, names: MeshNames, axes: NodeAxes, units: DeckUnits, account: Account, images: int = 1
+) -> tuple[Load, ...]:
     """Make the loads of a job.
 
     Parameters
@@ -34,11 +37,14 @@ def loads_of(path: Path, names: MeshNames, axes: NodeAxes, units: DeckUnits, acc
     units : DeckUnits
     account : Account
         Takes what has no form.
+    images : int
+        How many images of the deck the whole body is; forces count for the whole.
     """
+    whole = replace(units, force=units.force * images)
     return (
         *_pressures(path, names, units, account),
         *_gravities(path, units, account),
-        *_forces(path, names, axes, units, account),
+        *_forces(path, names, axes, whole, account),
     )
 
 

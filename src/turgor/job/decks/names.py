@@ -31,6 +31,8 @@ class MeshNames:
     Parameters
     ----------
     deck : Deck
+    mirrors : dict of str to int array
+        Nodes of mirror planes, whose names have a meaning.
     """
 
     deck: Deck
@@ -38,6 +40,7 @@ class MeshNames:
     sheets: dict[str, Ints] = field(default_factory=dict)
     sets: dict[str, Ints] = field(default_factory=dict)
     surfaces: dict[str, tuple[tuple[int, str], ...]] = field(default_factory=dict)
+    mirrors: dict[str, Ints] = field(default_factory=dict)
 
     def free(self, wish: str, prefix: str = "face") -> str:
         """Return a name that is not taken, as near to a wish as a job file and its meanings of names allow."""
@@ -102,7 +105,10 @@ class MeshNames:
             if corners is None:
                 return False
             edges.update(tuple(sorted(pair)) for pair in zip(corners, np.roll(corners, 1), strict=True))
-        return set(edges.values()) == {2}
+        planes = [set(nodes.tolist()) for nodes in self.mirrors.values()]
+        open_edges = [edge for edge, count in edges.items() if count == 1]
+        on_planes = all(any(plane.issuperset(edge) for plane in planes) for edge in open_edges)
+        return on_planes and set(edges.values()) <= {1, 2}
 
     def is_face(self, nodes: Ints) -> bool:
         """Whether whole outer sides of cells hold all of these corners."""
@@ -125,7 +131,7 @@ class MeshNames:
             lines.append(f"*SOLID SECTION, ELSET={name}, MATERIAL={name}")
         for name, numbers in self.sheets.items():
             lines += self._cell_lines(name, numbers, deck.sheets)
-        for name, nodes in self.sets.items():
+        for name, nodes in (self.sets | self.mirrors).items():
             lines += [f"*NSET, NSET={name}", *_rows(nodes.tolist())]
         for name, sides in self.surfaces.items():
             lines += [f"*SURFACE, NAME={name}, TYPE=ELEMENT", *(f"{cell}, {label}" for cell, label in sides)]
