@@ -151,9 +151,9 @@ def import_deck(path: str | Path, *, units: str = USUAL, partial: bool = False) 
     if result.missing and not partial:
         listed = "\n".join(f"  {row}" for row in result.missing)
         raise TurgorError(
-            f"'{file}' has what a job cannot express:\n{listed}\n",
-            python="partial=True makes a job without it, which is another model.",
-            command="--partial writes a job without it, which is another model.",
+            f"'{file}' has what a job cannot express; leaving it out, with",
+            python=f"partial=True, makes another model:\n{listed}",
+            command=f"--partial, makes another model:\n{listed}",
         )
     return result
 
