@@ -43,7 +43,9 @@ def main(folder: Path, chosen: list[str]) -> None:
     rows, reasons = [], Counter[str]()
     for packed in sorted(folder.glob("*.inp*")):
         name = packed.name.split(".inp")[0]
-        if (chosen and name not in chosen) or packed.name in (f"{name}.inp.gz",) and (folder / f"{name}.inp").exists():
+        if (chosen and name not in chosen) or (
+            packed.name in (f"{name}.inp.gz",) and (folder / f"{name}.inp").exists()
+        ):
             continue
         with TemporaryDirectory() as place:
             deck = Path(place) / f"{name}.inp"

@@ -7,10 +7,10 @@ the edges of the clamped ends are singular. A mesh of twice as many cells along 
 from pathlib import Path
 
 import numpy as np
+from calculix import displacements, needs_calculix, run_ccx
 from scipy.spatial import cKDTree
 
 import turgor as tg
-from calculix import displacements, needs_calculix, run_ccx
 from turgor.job.decks.deck import read_deck
 from turgor.job.meshes import mesh_of
 from turgor.job.prepare import model_of

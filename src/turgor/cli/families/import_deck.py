@@ -42,7 +42,9 @@ def import_command(
         for line in _lines(read.rows):
             typer.echo(line)
         if units is None:
-            typer.echo(f"A deck states no units; its numbers were taken to be in {USUAL} and seconds. --units says more.")
+            typer.echo(
+                f"A deck states no units; its numbers were taken to be in {USUAL} and seconds. --units says more."
+            )
         typer.echo(f"Job in {file}. Look at it with 'turgor check {file}', run it with 'turgor run {file}'.")
 
 

@@ -186,8 +186,8 @@ def _meaning(draft: _Draft, keyword: Keyword) -> str:
     if keyword.name == "elastic":
         return "Hooke on sheets; in bodies the neo-Hookean law of the same moduli, which is alike at small strains"
     if keyword.name in ("hyperelastic", "hyperfoam"):
-        kept = ", the volume stays" if draft.fields.get("bulk_modulus") == inf else ""
-        return f"{type(law).__name__}{kept}"
+        volume = ", the volume stays" if draft.fields.get("bulk_modulus") == inf else ""
+        return f"{type(law).__name__}{volume}"
     return {"density": "density", "viscoelastic": "viscoelasticity", "mullins effect": "stress_softening"}[keyword.name]
 
 

@@ -31,6 +31,12 @@ class MeshNames:
     Parameters
     ----------
     deck : Deck
+    bodies, sheets : dict of str to int array
+        Numbers of the cells of each.
+    sets : dict of str to int array
+        Numbers of the nodes of each.
+    surfaces : dict of str to tuple of (int, str)
+        Cells and labels of the sides of each.
     mirrors : dict of str to int array
         Nodes of mirror planes, whose names have a meaning.
     """
@@ -63,7 +69,7 @@ class MeshNames:
         return self.new_set(wish, nodes)
 
     def new_set(self, wish: str, nodes: Ints) -> str:
-        """Name nodes anew, even where they have a name."""
+        """Name nodes once more, even where they have a name."""
         name = self.free(wish)
         self.sets[name] = np.unique(nodes)
         return name
@@ -142,9 +148,9 @@ class MeshNames:
         for kind, table in tables.items():
             rows = table[np.isin(table[:, 0], numbers)]
             if len(rows):
-                kept = 1 + min(KINDS[kind].nodes, 20)
+                width = 1 + min(KINDS[kind].nodes, 20)
                 lines.append(f"*ELEMENT, TYPE={TYPES[kind]}, ELSET={name}")
-                lines += [line for row in rows[:, :kept].tolist() for line in _rows(row)]
+                lines += [line for row in rows[:, :width].tolist() for line in _rows(row)]
         return lines
 
 

@@ -42,6 +42,16 @@ class Path:
     ----------
     deck : Deck
     account : Account
+    amplitudes : dict of str to Amplitude
+        By name, in lower case.
+    fixed : dict of (int, int) to Keyword
+        Nodes and degrees of freedom that stay, with the keyword that says so.
+    tracks : Tracks
+        What moves and loads.
+    ends : list of float [s]
+        Ends of the steps so far.
+    relaxes, arc_length : bool
+        Whether a step takes time, and whether one follows limit points.
     """
 
     deck: Deck

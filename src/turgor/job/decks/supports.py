@@ -24,7 +24,7 @@ Direction = tuple[float, float, float]
 
 
 @dataclass(slots=True)
-class _Held:
+class _Group:
     """Nodes with one direction and one way to go there."""
 
     nodes: list[int] = field(default_factory=list)
@@ -49,7 +49,7 @@ def supports_of(
         Takes what has no form.
     """
     solid = set(path.deck.solid_nodes.tolist())
-    ways: dict[tuple[Direction, float, History], _Held] = {}
+    ways: dict[tuple[Direction, float, History], _Group] = {}
     for (node, freedom), keyword in path.fixed.items():
         if node in solid:
             _add(ways, axes, (node, freedom), (0.0, RAMP), keyword)
@@ -63,12 +63,12 @@ def supports_of(
         account.missing(keyword, f"{len(askew)} directions that are not x, y or z; {MOST_DIRECTIONS} are the most.")
         askew = []
     rollers = [_roller(names, key, ways[key], units, account) for key in askew]
-    plain = {key: held for key, held in ways.items() if max(map(abs, key[0])) >= 1 - 1e-9}
+    plain = {key: group for key, group in ways.items() if max(map(abs, key[0])) >= 1 - 1e-9}
     return (*_along_axes(names, plain, units), *(each for each in rollers if each is not None))
 
 
 def _add(
-    ways: dict[tuple[Direction, float, History], _Held],
+    ways: dict[tuple[Direction, float, History], _Group],
     axes: NodeAxes,
     place: tuple[int, int],
     way: tuple[float, History],
@@ -79,29 +79,29 @@ def _add(
     x, y, z = (float(part) for part in np.round(axes.at(node)[freedom - 1], 9) + 0.0)
     if min(x, y, z) < 0 and max(map(abs, (x, y, z))) >= 1 - 1e-9:  # against x, y or z
         x, y, z, size = -x + 0.0, -y + 0.0, -z + 0.0, -size
-    held = ways.setdefault(((x, y, z), size + 0.0, history if size else RAMP), _Held(keyword=keyword))
-    held.nodes.append(node)
+    group = ways.setdefault(((x, y, z), size + 0.0, history if size else RAMP), _Group(keyword=keyword))
+    group.nodes.append(node)
 
 
 def _roller(
-    names: MeshNames, key: tuple[Direction, float, History], held: _Held, units: DeckUnits, account: Account
+    names: MeshNames, key: tuple[Direction, float, History], group: _Group, units: DeckUnits, account: Account
 ) -> Support | None:
     direction, size, _ = key
-    assert held.keyword is not None
+    assert group.keyword is not None
     if size:
-        account.missing(held.keyword, "a displacement along a direction that is not x, y or z has no form here.")
+        account.missing(group.keyword, "a displacement along a direction that is not x, y or z has no form here.")
         return None
-    return Roller(_place(names, np.unique(held.nodes), "roller", units), direction)
+    return Roller(_place(names, np.unique(group.nodes), "roller", units), direction)
 
 
 def _along_axes(
-    names: MeshNames, ways: dict[tuple[Direction, float, History], _Held], units: DeckUnits
+    names: MeshNames, ways: dict[tuple[Direction, float, History], _Group], units: DeckUnits
 ) -> Iterable[Support]:
     """Supports along x, y and z; directions of the same nodes that go the same way are one."""
     by_nodes: dict[tuple[int, ...], list[tuple[int, float, History]]] = {}
-    for (direction, size, history), held in ways.items():
+    for (direction, size, history), group in ways.items():
         axis = int(np.argmax(np.abs(direction)))
-        by_nodes.setdefault(tuple(sorted(set(held.nodes))), []).append((axis, size, history))
+        by_nodes.setdefault(tuple(sorted(set(group.nodes))), []).append((axis, size, history))
     for nodes, parts in by_nodes.items():
         fixed = [axis for axis, size, _ in parts if not size]
         moved: dict[History, list[tuple[int, float]]] = {}

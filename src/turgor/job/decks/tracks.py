@@ -92,17 +92,17 @@ class Track:
 
 def _straightened(shares: Sequence[tuple[float, float]]) -> History:
     """Points without those on the straight line between their neighbors, rising in time."""
-    kept: list[tuple[float, float]] = []
+    points: list[tuple[float, float]] = []
     for s, share in shares:
-        if kept and s - kept[-1][0] <= SAME:
+        if points and s - points[-1][0] <= SAME:
             raise TurgorError("an amplitude with two values at one time has no form here; let it take a little time.")
-        while len(kept) > 1:
-            (a, first), (b, middle) = kept[-2:]
+        while len(points) > 1:
+            (a, first), (b, middle) = points[-2:]
             if abs(first + (share - first) * (b - a) / (s - a) - middle) > SAME:
                 break
-            kept.pop()
-        kept.append((s, share))
-    return tuple((round(s, 12), round(share, 12)) for s, share in kept)
+            points.pop()
+        points.append((s, share))
+    return tuple((round(s, 12), round(share, 12)) for s, share in points)
 
 
 @dataclass(slots=True)

@@ -5,6 +5,7 @@ import pytest
 
 import turgor as tg
 from deck_cases import CELLS, FIXED, NODES, PULL, deck, step
+from refused import refused
 from turgor.core.materials.laws.laws import (
     ArrudaBoyce,
     GeneralizedRivlin,
@@ -118,26 +119,28 @@ def test_mirror_planes_of_exported_halves_stay_mirror_planes(tmp_path):
 
 def test_contact_and_ties(tmp_path):
     other = NODES.replace("*NODE, NSET=ALL\n", "*NODE\n").splitlines()[1:9]
-    shifted = [f"{i + 20}, {x}, {y}, {float(z) + GAP}" for i, (_, x, y, z) in enumerate(row.split(",") for row in other)]
+    shifted = [
+        f"{i + 20}, {x}, {y}, {float(z) + GAP}" for i, (_, x, y, z) in enumerate(row.split(",") for row in other)
+    ]
     second = "*NODE\n" + "\n".join(shifted) + "\n*ELEMENT, TYPE=C3D8, ELSET=BLOCK\n3, 20,21,22,23,24,25,26,27\n"
     surface = "*SURFACE, NAME=FOOT, TYPE=ELEMENT\n3, S1\n"
     pair = (
         "*SURFACE INTERACTION, NAME=RUB\n*FRICTION\n0.3\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n5.\n"
         "*CONTACT PAIR, INTERACTION=RUB\nFOOT, LID\n"
     )
-    held = FIXED + "*BOUNDARY\n24, 1, 3\n25, 1, 3\n26, 1, 3\n27, 1, 3\n"
+    fixed = FIXED + "*BOUNDARY\n24, 1, 3\n25, 1, 3\n26, 1, 3\n27, 1, 3\n"
     mesh = NODES + CELLS + second + surface
-    job = job_of(deck(tmp_path, mesh=mesh, model=pair + held), tmp_path)
+    job = job_of(deck(tmp_path, mesh=mesh, model=pair + fixed), tmp_path)
     assert job.contact.self_contact.friction == 0.3
     assert job.contact.self_contact.stiffness == pytest.approx(5e9)  # MPa/mm
     touching = mesh.replace(f"{GAP + 0.0}", "20.0")
     closed = touching.replace(f"{GAP + 10.0}", "30.0")
-    with pytest.raises(tg.TurgorError, match=r"\*CONTACT PAIR.*at the place of nodes"):
-        tg.files.import_deck(deck(tmp_path, mesh=closed, model=pair + held))
-    tied = tg.files.import_deck(deck(tmp_path, mesh=closed, model="*TIE, NAME=GLUE\nFOOT, LID\n" + held))
+    with refused("*CONTACT PAIR", "'FOOT'", "'LID'"):
+        tg.files.import_deck(deck(tmp_path, mesh=closed, model=pair + fixed))
+    tied = tg.files.import_deck(deck(tmp_path, mesh=closed, model="*TIE, NAME=GLUE\nFOOT, LID\n" + fixed))
     assert any(row.keyword.startswith("TIE") and row.verdict == "taken" for row in tied.rows)
-    with pytest.raises(tg.TurgorError, match="nodes do not coincide"):
-        tg.files.import_deck(deck(tmp_path, mesh=mesh, model="*TIE, NAME=GLUE\nFOOT, LID\n" + held))
+    with refused("*TIE"):
+        tg.files.import_deck(deck(tmp_path, mesh=mesh, model="*TIE, NAME=GLUE\nFOOT, LID\n" + fixed))
 
 
 #: Height of the second body in the test of contact.
@@ -154,25 +157,24 @@ def test_sheets_on_sides(tmp_path):
 @pytest.mark.parametrize(
     ("changes", "keyword"),
     [
-        ({"model": FIXED + "*RIGID BODY, NSET=TOP\n"}, r"\*RIGID BODY"),
-        ({"model": FIXED + "*EQUATION\n2\n9,3,1.,10,3,-1.\n"}, r"\*EQUATION"),
-        ({"material": "*HYPERELASTIC, VAN DER WAALS\n0.1,3.,0.,0.,0.\n"}, r"\*HYPERELASTIC, VAN DER WAALS is missing"),
-        ({"material": "*HYPERELASTIC, YEOH\n0.1,0.,0.,0.4,0.1,0.\n"}, "D2 and D3"),
-        ({"material": "*ELASTIC\n1.,0.3\n*PLASTIC\n0.1,0.\n"}, r"\*PLASTIC"),
+        ({"model": FIXED + "*RIGID BODY, NSET=TOP\n"}, "*RIGID BODY"),
+        ({"model": FIXED + "*EQUATION\n2\n9,3,1.,10,3,-1.\n"}, "*EQUATION"),
+        ({"material": "*HYPERELASTIC, VAN DER WAALS\n0.1,3.,0.,0.,0.\n"}, "*HYPERELASTIC, VAN DER WAALS"),
+        ({"material": "*HYPERELASTIC, YEOH\n0.1,0.,0.,0.4,0.1,0.\n"}, "D2"),
+        ({"material": "*ELASTIC\n1.,0.3\n*PLASTIC\n0.1,0.\n"}, "*PLASTIC"),
         ({"steps": step("*DLOAD\nBLOCK, CENTRIF, 1.,0.,0.,0.,0.,0.,1.\n")}, "CENTRIF"),
-        ({"steps": "*STEP\n*FREQUENCY\n5\n*END STEP\n"}, r"\*STEP is missing"),
+        ({"steps": "*STEP\n*FREQUENCY\n5\n*END STEP\n"}, "*STEP"),
         ({"steps": step(PULL) + step("*BOUNDARY, OP=NEW\n9, 1, 3\n")}, "OP=NEW"),
-        ({"steps": step("*DSLOAD, AMPLITUDE=NONE\nLID, P, 1.\n")}, "unknown amplitude 'NONE'"),
-        ({"steps": step("*DSLOAD\nLYD, P, 1.\n")}, "did you mean 'LID'"),
-        ({"model": FIXED + "*BOUNDARY\nTOPP, 1\n"}, "did you mean 'TOP'"),
+        ({"steps": step("*DSLOAD, AMPLITUDE=NONE\nLID, P, 1.\n")}, "'NONE'"),
+        ({"steps": step("*DSLOAD\nLYD, P, 1.\n")}, "'LID'"),
+        ({"model": FIXED + "*BOUNDARY\nTOPP, 1\n"}, "'TOP'"),
     ],
 )
 def test_what_a_job_cannot_express_is_refused_by_name_and_line(tmp_path, changes, keyword):
     file = deck(tmp_path, **changes)
-    with pytest.raises(tg.TurgorError, match=keyword) as error:
-        tg.files.import_deck(file)
     line = next(row for row in tg.files.import_deck(file, partial=True).missing).line
-    assert f"block.inp:{line} " in str(error.value)
+    with refused(f"block.inp:{line}", keyword):
+        tg.files.import_deck(file)
     assert file.read_text().splitlines()[line - 1].startswith("*")
 
 
@@ -192,15 +194,15 @@ def test_every_keyword_has_a_row(tmp_path):
 
 def test_units_fit_each_other(tmp_path):
     job = job_of(deck(tmp_path), tmp_path, units="cm, N, N/cm2")
-    assert job.materials["BLOCK"].law.C10 == pytest.approx(0.1e4)
+    assert pytest.approx(0.1e4) == job.materials["BLOCK"].law.C10
     assert np.ptp(job.actuator.read().points[:, 2]) == pytest.approx(0.2)
-    for wrong, why in (("mm, N, kPa", "fit each other"), ("mm, N", "a length, a force"), ("mm, Nn, MPa", "unknown")):
-        with pytest.raises(tg.TurgorError, match=why):
+    for wrong, why in (("mm, N, kPa", "1e+06 Pa"), ("mm, N", "mm, N, MPa"), ("mm, Nn, MPa", "'Nn'")):
+        with refused(why):
             tg.files.import_deck(deck(tmp_path), units=wrong)
 
 
 def test_files_are_not_replaced(tmp_path):
     read = tg.files.import_deck(deck(tmp_path))
     read.write(tmp_path)
-    with pytest.raises(tg.TurgorError, match="is there already"):
+    with refused("block.toml"):
         read.write(tmp_path)
