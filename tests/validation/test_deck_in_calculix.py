@@ -1,7 +1,7 @@
 """A deck that CalculiX solves and that turgor imports: displacements of both at the same nodes.
 
-Cells differ: 20 nodes with reduced integration there, 27 nodes with mean stresses here, two by two by three of them, and
-the edges of the clamped ends are singular. A mesh of twice as many cells along each side differs by a third of it.
+Cells differ: 20 nodes with reduced integration there, 27 nodes with mean stresses here, two by two by three of them,
+and the edges of the clamped ends are singular. A mesh of twice as many cells along each side differs by a third of it.
 """
 
 from pathlib import Path

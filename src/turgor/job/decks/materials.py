@@ -1,6 +1,6 @@
 """Materials of a deck as materials of a job."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
 from typing import Any
@@ -220,23 +220,12 @@ _FORMS: dict[str, tuple[Callable[[int], int], Callable[[Sequence[float], float],
     "arruda-boyce": (lambda order: 2, lambda v, unit: ArrudaBoyce(mu=v[0] * unit, locking_stretch=v[1])),
 }
 
-_PARTS: dict[str, Callable[[_Draft, Keyword, DeckUnits], None]] = {
+_PARTS: Mapping[str, Callable[[_Draft, Keyword, DeckUnits], None]] = {
+    **dict.fromkeys(REFUSED, _refused),
     "elastic": _elastic,
     "hyperelastic": _hyperelastic,
     "hyperfoam": _hyperfoam,
     "viscoelastic": _viscoelastic,
     "mullins effect": _mullins,
     "density": _density,
-} | dict.fromkeys(
-    (
-        "plastic",
-        "hysteresis",
-        "creep",
-        "user material",
-        "cyclic hardening",
-        "fluid constants",
-        "hypoelastic",
-        "rate dependent",
-    ),
-    _refused,
-)
+}

@@ -27,8 +27,8 @@ Direction = tuple[float, float, float]
 class _Group:
     """Nodes with one direction and one way to go there."""
 
+    keyword: Keyword
     nodes: list[int] = field(default_factory=list)
-    keyword: Keyword | None = None
 
 
 def supports_of(
@@ -58,9 +58,9 @@ def supports_of(
             _add(ways, axes, target[1:], track.history(), path.tracks.keywords[target])
     askew = [key for key in ways if max(map(abs, key[0])) < 1 - 1e-9]
     if len(askew) > MOST_DIRECTIONS:
-        keyword = ways[askew[0]].keyword
-        assert keyword is not None
-        account.missing(keyword, f"{len(askew)} directions that are not x, y or z; {MOST_DIRECTIONS} are the most.")
+        account.missing(
+            ways[askew[0]].keyword, f"{len(askew)} directions that are not x, y or z; {MOST_DIRECTIONS} are the most."
+        )
         askew = []
     rollers = [_roller(names, key, ways[key], units, account) for key in askew]
     plain = {key: group for key, group in ways.items() if max(map(abs, key[0])) >= 1 - 1e-9}
@@ -79,7 +79,7 @@ def _add(
     x, y, z = (float(part) for part in np.round(axes.at(node)[freedom - 1], 9) + 0.0)
     if min(x, y, z) < 0 and max(map(abs, (x, y, z))) >= 1 - 1e-9:  # against x, y or z
         x, y, z, size = -x + 0.0, -y + 0.0, -z + 0.0, -size
-    group = ways.setdefault(((x, y, z), size + 0.0, history if size else RAMP), _Group(keyword=keyword))
+    group = ways.setdefault(((x, y, z), size + 0.0, history if size else RAMP), _Group(keyword))
     group.nodes.append(node)
 
 
@@ -87,7 +87,6 @@ def _roller(
     names: MeshNames, key: tuple[Direction, float, History], group: _Group, units: DeckUnits, account: Account
 ) -> Support | None:
     direction, size, _ = key
-    assert group.keyword is not None
     if size:
         account.missing(group.keyword, "a displacement along a direction that is not x, y or z has no form here.")
         return None

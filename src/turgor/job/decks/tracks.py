@@ -29,7 +29,8 @@ class Amplitude:
 
     def factor(self, time: float) -> float:
         """Factor at a time of the step, or of all steps."""
-        return float(np.interp(time, *zip(*self.points, strict=True)))
+        times, factors = np.array(self.points).T
+        return float(np.interp(time, times, factors))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
