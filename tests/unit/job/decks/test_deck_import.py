@@ -108,6 +108,41 @@ def test_directions_of_a_transform(tmp_path):
     np.testing.assert_allclose(roller.along, np.array([1, 1, 0]) / np.sqrt(2), atol=1e-8)
 
 
+def test_forces_along_directions_of_a_cylinder(tmp_path):
+    around = "*TRANSFORM, NSET=TOP, TYPE=C\n0., 0., 0., 0., 0., 1.\n"
+    pushes = step("*CLOAD\n10, 2, 1.\n11, 1, 2.\n9, 3, 3.\n")
+    loads = job_of(deck(tmp_path, model=FIXED + around, steps=pushes), tmp_path).loads
+    by_node = {each.place: each.vector for each in loads}
+    assert by_node["node_10"] == pytest.approx((0, 1, 0))  # at x = 10 mm, y = 0
+    assert by_node["node_11"] == pytest.approx((np.sqrt(2), np.sqrt(2), 0))
+    assert by_node["node_9"] == pytest.approx((0, 0, 3))  # on the axis
+
+
+def test_the_third_direction_of_a_rectangular_transform_is_right_handed(tmp_path):
+    turned = "*TRANSFORM, NSET=TOP\n0., 1., 0., -1., 0., 0.\n"
+    pushes = step("*CLOAD\n10, 2, 1.\n11, 3, 2.\n")
+    loads = job_of(deck(tmp_path, model=FIXED + turned, steps=pushes), tmp_path).loads
+    by_node = {each.place: each.vector for each in loads}
+    assert by_node["node_10"] == pytest.approx((-1, 0, 0))
+    assert by_node["node_11"] == pytest.approx((0, 0, 2))
+
+
+def test_an_open_surface_is_no_cavity_whatever_its_name(tmp_path):
+    mesh = (NODES + CELLS).replace("NAME=LID", "NAME=cavity")
+    (load,) = job_of(deck(tmp_path, mesh=mesh, steps=step("*DSLOAD\ncavity, P, 0.01\n")), tmp_path).loads
+    assert load.face == "pressed"
+
+
+def test_supports_of_nodes_that_are_no_face_or_all(tmp_path):
+    model = FIXED + "*BOUNDARY\nALL, 2\n9, PINNED\n"
+    supports = job_of(deck(tmp_path, model=model, steps=step("*CLOAD\n12, 3, 1.\n")), tmp_path).supports
+    places = {each.directions: each.face for each in supports}
+    assert places["y"].box is not None
+    assert places["xz"].node_set  # the bottom and one corner of the top
+    restated = step(PULL) + step("*BOUNDARY, OP=NEW\nBOTTOM, 1, 3\n")
+    assert not tg.files.import_deck(deck(tmp_path, steps=restated)).missing
+
+
 def test_mirror_planes_of_exported_halves_stay_mirror_planes(tmp_path):
     mesh = (NODES + CELLS).replace("NSET=Y0", "NSET=symmetry_y")
     model = FIXED + "*BOUNDARY\nsymmetry_y, 2\n"
